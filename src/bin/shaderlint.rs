@@ -1,0 +1,5 @@
+//! The linter.
+
+fn main() -> std::process::ExitCode {
+    shaderlint::cli::shaderlint()
+}

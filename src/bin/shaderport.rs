@@ -1,0 +1,5 @@
+//! The converter.
+
+fn main() -> std::process::ExitCode {
+    shaderlint::cli::shaderport()
+}

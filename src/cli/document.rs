@@ -1,0 +1,210 @@
+//! From the text of one input to its findings. Nothing here touches the outside.
+
+use crate::diagnostic::Diagnostic;
+use crate::lint::{Selection, lint};
+use crate::port::{Project, ProjectError};
+use crate::rules::RULES;
+use crate::semantic::{
+    Channels, Dialect, Kind, Pass, Stage, Unit, analyze, guess, shadertoy_header,
+};
+use crate::text::{FileId, Role, Sources};
+
+/// What the user says a shader is written for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, clap::ValueEnum)]
+pub enum DialectChoice {
+    /// What the text tells.
+    #[default]
+    Auto,
+    /// A pass of ShaderToy.
+    Shadertoy,
+    /// A shader of WebGL2, GLSL ES 3.00.
+    Webgl2,
+    /// A shader of WebGL1, GLSL ES 1.00.
+    Webgl1,
+}
+
+/// One shader of a document.
+struct Part {
+    files: Vec<FileId>,
+    stage: Stage,
+    dialect: Dialect,
+    infer_channels: bool,
+}
+
+/// The findings in one input.
+pub struct Findings {
+    /// The texts that they point into.
+    pub sources: Sources,
+    /// The findings, in the order of the text.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Why an input cannot be judged.
+pub enum DocumentError {
+    /// It is JSON, but no ShaderToy export.
+    NotAnExport,
+    /// It should be a ShaderToy export, but something is wrong with it.
+    Export(ProjectError),
+    /// It is too large to be addressed.
+    TooLarge,
+}
+
+/// Finds what is to be said of the text of one input.
+pub fn check(
+    name: &str,
+    text: String,
+    choice: DialectChoice,
+    selection: &Selection,
+) -> Result<Findings, DocumentError> {
+    let mut sources = Sources::new();
+    let extension = name.rsplit('.').next().unwrap_or("");
+    let parts = if matches!(extension, "json" | "shadertoy") {
+        let project = Project::from_json(&text).map_err(|e| match e {
+            ProjectError::NotAnExport => DocumentError::NotAnExport,
+            e => DocumentError::Export(e),
+        })?;
+        export_parts(&mut sources, name, &project)
+    } else {
+        shader_part(&mut sources, name, text, extension, choice).map(|p| vec![p])
+    };
+    let parts = parts.ok_or(DocumentError::TooLarge)?;
+    let mut diagnostics = Vec::new();
+    for part in &parts {
+        check_part(&sources, part, selection, &mut diagnostics);
+    }
+    diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
+    diagnostics.dedup_by(|a, b| (a.span, a.rule, &a.message) == (b.span, b.rule, &b.message));
+    Ok(Findings {
+        sources,
+        diagnostics,
+    })
+}
+
+fn check_part(
+    sources: &Sources,
+    part: &Part,
+    selection: &Selection,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let analysis = analyze(&Unit {
+        sources,
+        files: &part.files,
+        stage: part.stage,
+        dialect: part.dialect,
+        infer_channels: part.infer_channels,
+    });
+    if analysis.diagnostics.is_empty() {
+        lint(&analysis.program, &RULES, selection, diagnostics);
+    }
+    diagnostics.extend(analysis.diagnostics);
+}
+
+/// The shaders of an export: each pass with the player's header and every Common before it.
+fn export_parts(sources: &mut Sources, name: &str, project: &Project) -> Option<Vec<Part>> {
+    // Texts lie in the order in which they are compiled, so the headers come first.
+    let mut headers: Vec<(Pass, Channels, FileId)> = Vec::new();
+    for pass in &project.passes {
+        let key = (pass.kind, pass.channels());
+        if !headers
+            .iter()
+            .any(|(kind, channels, _)| (*kind, *channels) == key)
+        {
+            let text = shadertoy_header(key.0, key.1);
+            headers.push((key.0, key.1, sources.add("", None, Role::Prelude, text)?));
+        }
+    }
+    let mut add = |kind: Pass| -> Option<Vec<(usize, FileId)>> {
+        let passes = project.passes.iter().enumerate();
+        let wanted = passes.filter(|(_, p)| (p.kind == Pass::Common) == (kind == Pass::Common));
+        wanted
+            .map(|(i, p)| {
+                let part = if p.name.is_empty() {
+                    format!("pass {i}")
+                } else {
+                    p.name.clone()
+                };
+                Some((
+                    i,
+                    sources.add(name, Some(part), Role::User, p.code.clone())?,
+                ))
+            })
+            .collect()
+    };
+    let commons = add(Pass::Common)?;
+    let passes = add(Pass::Image)?;
+    let alone = if passes.is_empty() { &commons } else { &passes };
+    let mut parts = Vec::new();
+    for (i, file) in alone {
+        let pass = project.passes.get(*i)?;
+        let key = (pass.kind, pass.channels());
+        let header = headers
+            .iter()
+            .find(|(kind, channels, _)| (*kind, *channels) == key)?
+            .2;
+        let before = commons.iter().map(|(_, f)| *f).filter(|f| f != file);
+        let files = std::iter::once(header)
+            .chain(before)
+            .chain([*file])
+            .collect();
+        parts.push(Part {
+            files,
+            stage: Stage::Fragment,
+            dialect: Dialect::ShaderToy(pass.kind),
+            infer_channels: false,
+        });
+    }
+    Some(parts)
+}
+
+fn shader_part(
+    sources: &mut Sources,
+    name: &str,
+    text: String,
+    extension: &str,
+    choice: DialectChoice,
+) -> Option<Part> {
+    let told = guess(&text);
+    let is_stage_file = matches!(extension, "frag" | "vert" | "fs" | "vs" | "fsh" | "vsh");
+    let kind = match choice {
+        DialectChoice::Shadertoy => match told.kind {
+            Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
+            _ => Kind::ShaderToy(Pass::Common),
+        },
+        DialectChoice::Webgl1 => Kind::WebGl1,
+        DialectChoice::Webgl2 if told.kind == Some(Kind::Versioned) => Kind::Versioned,
+        DialectChoice::Webgl2 => Kind::WebGl2,
+        DialectChoice::Auto => match told.kind {
+            Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
+            // What a stage's file holds is compiled as it stands: without `#version` it is 1.00.
+            _ if is_stage_file => Kind::Versioned,
+            Some(kind) => kind,
+            None => Kind::ShaderToy(Pass::Common),
+        },
+    };
+    let header = match kind {
+        Kind::ShaderToy(pass) => Some(shadertoy_header(pass, [None; 4])),
+        Kind::WebGl2 => Some("#version 300 es\n".to_string()),
+        Kind::Versioned | Kind::WebGl1 => None,
+    };
+    let mut files = Vec::new();
+    if let Some(header) = header {
+        files.push(sources.add("", None, Role::Prelude, header)?);
+    }
+    files.push(sources.add(name, None, Role::User, text)?);
+    let stage = match extension {
+        "vert" | "vs" | "vsh" => Stage::Vertex,
+        "frag" | "fs" | "fsh" => Stage::Fragment,
+        _ => told.stage.unwrap_or(Stage::Fragment),
+    };
+    let dialect = match kind {
+        Kind::ShaderToy(pass) => Dialect::ShaderToy(pass),
+        Kind::WebGl2 => Dialect::WebGl { whole: false },
+        _ => Dialect::WebGl { whole: true },
+    };
+    Some(Part {
+        files,
+        stage,
+        dialect,
+        infer_channels: dialect.is_shadertoy(),
+    })
+}

@@ -1,0 +1,15 @@
+//! shaderlint checks GLSL for WebGL2 and ShaderToy; shaderport turns ShaderToy code into WebGL2.
+//!
+//! `src/README.md` draws the house.
+#![forbid(unsafe_code)]
+
+pub mod cli;
+pub mod diagnostic;
+pub mod lint;
+pub mod port;
+pub mod report;
+#[path = "../rules/mod.rs"]
+pub mod rules;
+pub mod semantic;
+pub mod syntax;
+pub mod text;

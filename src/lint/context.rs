@@ -1,0 +1,81 @@
+//! What a rule works with.
+
+use super::Rule;
+use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
+use crate::semantic::Program;
+use crate::syntax::ast::{ExprId, Extent};
+use crate::text::Span;
+
+/// A shader, and a place for findings.
+pub struct Context<'a, 'p> {
+    /// The shader.
+    pub program: &'a Program<'p>,
+    pub(super) rule: &'static Rule,
+    pub(super) severity: Severity,
+    pub(super) diagnostics: &'a mut Vec<Diagnostic>,
+}
+
+/// A finding that is being put together; it counts as soon as it is made.
+pub struct Finding<'a>(&'a mut Diagnostic);
+
+impl<'p> Context<'_, 'p> {
+    /// Reports a finding at a node.
+    pub fn report(&mut self, extent: Extent, message: impl Into<String>) -> Finding<'_> {
+        let span = self.program.span(extent);
+        let macros = self.program.macros_at(extent.first);
+        let mut finding = self.report_span(span, message);
+        finding.0.macros = macros;
+        finding
+    }
+
+    /// Reports a finding at an expression.
+    pub fn report_expr(&mut self, expr: ExprId, message: impl Into<String>) -> Finding<'_> {
+        let extent = self.program.tree.expr(expr).extent;
+        self.report(extent, message)
+    }
+
+    /// Reports a finding at a place in the text.
+    pub fn report_span(&mut self, span: Span, message: impl Into<String>) -> Finding<'_> {
+        let diagnostic =
+            Diagnostic::new(self.rule.name, Origin::Rule, self.severity, span, message);
+        self.diagnostics.push(diagnostic);
+        // Just pushed, so there is a last one.
+        let last = self.diagnostics.len() - 1;
+        Finding(&mut self.diagnostics[last])
+    }
+}
+
+impl Finding<'_> {
+    /// Sets the remark under the place itself.
+    pub fn mark(self, message: impl Into<String>) -> Self {
+        self.0.label = message.into();
+        self
+    }
+
+    /// Points at another place.
+    pub fn label(self, span: Span, message: impl Into<String>) -> Self {
+        self.0.labels.push(Label {
+            span,
+            message: message.into(),
+        });
+        self
+    }
+
+    /// Says why.
+    pub fn note(self, note: impl Into<String>) -> Self {
+        self.0.notes.push(note.into());
+        self
+    }
+
+    /// Says what to write instead.
+    pub fn help(self, help: impl Into<String>) -> Self {
+        self.0.help.push(help.into());
+        self
+    }
+
+    /// Adds the fix, if there is one.
+    pub fn fix(self, fix: impl Into<Option<Fix>>) -> Self {
+        self.0.fix = fix.into();
+        self
+    }
+}

@@ -1,0 +1,208 @@
+//! The lines of source that a finding is shown with: cut to a readable width, and free of
+//! characters that would upset a terminal.
+
+use super::{clean_char, location_name};
+use crate::diagnostic::Diagnostic;
+use crate::text::{SourceFile, Sources, Span};
+use codespan_reporting::files::{Error, Files};
+use std::ops::Range;
+
+/// Widest line that is shown whole, in characters.
+const MAX_WIDTH: usize = 160;
+/// What is shown of a wider line before the place of interest.
+const LEAD: usize = 60;
+
+/// A line of source as it is shown.
+struct Line {
+    /// Its number in the file, 1-based.
+    number: u32,
+    /// Address of the first byte that is shown.
+    from: u32,
+    /// Address behind the last byte that is shown.
+    to: u32,
+    /// Where it starts in the excerpt.
+    start: usize,
+    /// Bytes put in front, for what was cut away.
+    prefix: usize,
+    /// Characters cut away in front.
+    cut: usize,
+}
+
+/// The lines of one file.
+struct Part {
+    name: String,
+    text: String,
+    lines: Vec<Line>,
+}
+
+/// All lines that one finding needs.
+pub struct Excerpt {
+    parts: Vec<(u32, Part)>,
+}
+
+impl Excerpt {
+    /// Cuts out what `diagnostic` points at. A span over several lines is shown by its first line.
+    pub fn new(sources: &Sources, diagnostic: &Diagnostic) -> Excerpt {
+        let mut spans = vec![diagnostic.span];
+        spans.extend(diagnostic.labels.iter().map(|l| l.span));
+        let mut parts: Vec<(u32, Part)> = Vec::new();
+        for file in sources.files() {
+            let inside: Vec<Span> = spans
+                .iter()
+                .copied()
+                .filter(|s| file.span().contains(Span::at(s.start)))
+                .collect();
+            if let Some(first) = inside.first() {
+                let name = location_name(sources, *first);
+                parts.push((file.base, Part::new(file, name, &inside)));
+            }
+        }
+        Excerpt { parts }
+    }
+
+    /// The part that holds a span, and the span's range in it. A span that goes on over lines ends
+    /// with its first.
+    pub fn range(&self, span: Span) -> Option<(usize, Range<usize>)> {
+        self.parts.iter().enumerate().find_map(|(i, (_, part))| {
+            let line = part
+                .lines
+                .iter()
+                .find(|l| l.from <= span.start && span.start <= l.to)?;
+            let place = |address: u32| {
+                let inside = address.clamp(line.from, line.to) - line.from;
+                line.start + line.prefix + inside as usize
+            };
+            Some((i, place(span.start)..place(span.end)))
+        })
+    }
+}
+
+impl Part {
+    fn new(file: &SourceFile, name: String, spans: &[Span]) -> Part {
+        let mut wanted: Vec<(u32, Span)> = spans
+            .iter()
+            .map(|s| (file.lines().line(s.start - file.base), *s))
+            .collect();
+        wanted.sort_unstable_by_key(|(number, span)| (*number, span.start));
+        let mut part = Part {
+            name,
+            text: String::new(),
+            lines: Vec::new(),
+        };
+        for (number, span) in wanted {
+            let last = part.lines.last().map(|l| l.number);
+            if last == Some(number) {
+                continue;
+            }
+            // The renderer shows a single line between two others.
+            if last.is_some_and(|l| l + 2 == number) {
+                part.push_line(file, number - 1, Span::at(file.base));
+            }
+            part.push_line(file, number, span);
+        }
+        part
+    }
+
+    fn push_line(&mut self, file: &SourceFile, number: u32, focus: Span) {
+        let start = file.lines().start(number).unwrap_or(0) as usize;
+        let end = file
+            .lines()
+            .start(number + 1)
+            .map_or(file.text.len(), |e| e as usize);
+        let line = file
+            .text
+            .get(start..end)
+            .unwrap_or("")
+            .trim_end_matches(['\n', '\r']);
+        let focus = ((focus.start - file.base) as usize).saturating_sub(start);
+        let (cut, shown) = cut(line, focus);
+        let prefix = if cut > 0 { "... " } else { "" };
+        let from = file.base + (start + cut) as u32;
+        self.lines.push(Line {
+            number,
+            from,
+            to: from + shown.len() as u32,
+            start: self.text.len(),
+            prefix: prefix.len(),
+            cut: line.get(..cut).map_or(0, |before| before.chars().count()),
+        });
+        self.text.push_str(prefix);
+        self.text.extend(shown.chars().map(clean_char));
+        if cut + shown.len() < line.len() {
+            self.text.push_str(" ...");
+        }
+        self.text.push('\n');
+    }
+}
+
+/// The part of a line that is shown, and how many bytes come before it.
+fn cut(line: &str, focus: usize) -> (usize, &str) {
+    if line.len() <= MAX_WIDTH {
+        return (0, line);
+    }
+    let boundary = |mut at: usize| {
+        while !line.is_char_boundary(at) {
+            at -= 1;
+        }
+        at
+    };
+    let from = boundary(focus.saturating_sub(LEAD).min(line.len()));
+    let to = boundary((from + MAX_WIDTH).min(line.len()));
+    (from, line.get(from..to).unwrap_or(""))
+}
+
+impl<'a> Files<'a> for Excerpt {
+    type FileId = usize;
+    type Name = &'a str;
+    type Source = &'a str;
+
+    fn name(&'a self, id: usize) -> Result<&'a str, Error> {
+        self.parts
+            .get(id)
+            .map(|(_, p)| p.name.as_str())
+            .ok_or(Error::FileMissing)
+    }
+
+    fn source(&'a self, id: usize) -> Result<&'a str, Error> {
+        self.parts
+            .get(id)
+            .map(|(_, p)| p.text.as_str())
+            .ok_or(Error::FileMissing)
+    }
+
+    fn line_index(&'a self, id: usize, byte: usize) -> Result<usize, Error> {
+        let (_, part) = self.parts.get(id).ok_or(Error::FileMissing)?;
+        let after = part.lines.partition_point(|l| l.start <= byte);
+        let line = after
+            .checked_sub(1)
+            .and_then(|i| part.lines.get(i))
+            .ok_or(Error::FileMissing)?;
+        // The renderer takes lines with neighbouring indices for neighbours in the file.
+        Ok(line.number as usize - 1)
+    }
+
+    fn line_range(&'a self, id: usize, index: usize) -> Result<Range<usize>, Error> {
+        let (_, part) = self.parts.get(id).ok_or(Error::FileMissing)?;
+        let at = part
+            .lines
+            .iter()
+            .position(|l| l.number as usize == index + 1);
+        let Some(at) = at else {
+            return Ok(part.text.len()..part.text.len());
+        };
+        let start = part.lines.get(at).map_or(0, |l| l.start);
+        let end = part.lines.get(at + 1).map_or(part.text.len(), |l| l.start);
+        Ok(start..end)
+    }
+
+    fn column_number(&'a self, id: usize, index: usize, byte: usize) -> Result<usize, Error> {
+        let (_, part) = self.parts.get(id).ok_or(Error::FileMissing)?;
+        let line = part
+            .lines
+            .iter()
+            .find(|l| l.number as usize == index + 1)
+            .ok_or(Error::FileMissing)?;
+        let inside = part.text.get(line.start + line.prefix..byte).unwrap_or("");
+        Ok(inside.chars().count() + line.cut + 1)
+    }
+}

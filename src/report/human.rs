@@ -1,0 +1,157 @@
+//! For people: the finding with an excerpt of the source, rendered by codespan-reporting.
+
+use super::excerpt::Excerpt;
+use super::{Summary, clean};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::text::Sources;
+use anstyle::{AnsiColor, Effects, Style};
+use codespan_reporting::diagnostic as cs;
+use codespan_reporting::term::{Config, WriteStyle, emit_to_io_write, emit_to_write_style};
+use std::io::{self, Write};
+
+/// Writes one finding.
+pub fn write(
+    out: &mut impl Write,
+    sources: &Sources,
+    diagnostic: &Diagnostic,
+    color: bool,
+) -> io::Result<()> {
+    let excerpt = Excerpt::new(sources, diagnostic);
+    let shown = convert(diagnostic, &excerpt);
+    let config = Config::default();
+    let result = if color {
+        emit_to_write_style(&mut Colored(&mut *out), &config, &excerpt, &shown)
+    } else {
+        emit_to_io_write(&mut *out, &config, &excerpt, &shown)
+    };
+    result.map_err(io::Error::other)
+}
+
+fn convert(diagnostic: &Diagnostic, excerpt: &Excerpt) -> cs::Diagnostic<usize> {
+    let severity = match diagnostic.severity {
+        Severity::Error => cs::Severity::Error,
+        Severity::Warning => cs::Severity::Warning,
+        Severity::Info => cs::Severity::Note,
+    };
+    let mut shown = cs::Diagnostic::new(severity)
+        .with_code(diagnostic.rule)
+        .with_message(clean(&diagnostic.message));
+    if let Some((file, range)) = excerpt.range(diagnostic.span) {
+        shown
+            .labels
+            .push(cs::Label::primary(file, range).with_message(clean(&diagnostic.label)));
+    }
+    for label in &diagnostic.labels {
+        if let Some((file, range)) = excerpt.range(label.span) {
+            shown
+                .labels
+                .push(cs::Label::secondary(file, range).with_message(clean(&label.message)));
+        }
+    }
+    for used in &diagnostic.macros {
+        shown
+            .notes
+            .push(format!("it comes from the macro `{}`", clean(&used.name)));
+    }
+    shown
+        .notes
+        .extend(diagnostic.notes.iter().map(|n| clean(n)));
+    shown.notes.extend(
+        diagnostic
+            .help
+            .iter()
+            .map(|h| format!("help: {}", clean(h))),
+    );
+    if let Some(fix) = &diagnostic.fix {
+        shown.notes.push(format!("help: {}", clean(&fix.title)));
+    }
+    shown
+}
+
+/// Writes the line that sums up.
+pub fn summary(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
+    if summary.findings() == 0 {
+        return Ok(());
+    }
+    let count = |n: usize, one: &str| match n {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        n => Some(format!("{n} {one}s")),
+    };
+    let found: Vec<String> = [
+        count(summary.errors, "error"),
+        count(summary.warnings, "warning"),
+        count(summary.infos, "info"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let files = if summary.files == 1 {
+        "1 file".to_string()
+    } else {
+        format!("{} files", summary.files)
+    };
+    writeln!(out, "{} in {files}", found.join(", "))
+}
+
+/// Puts codespan's styles into ANSI escape sequences.
+struct Colored<W: Write>(W);
+
+impl<W: Write> Colored<W> {
+    fn set(&mut self, color: AnsiColor, effects: Effects) -> io::Result<()> {
+        let style = Style::new().fg_color(Some(color.into())).effects(effects);
+        write!(self.0, "{}", style.render())
+    }
+}
+
+impl<W: Write> Write for Colored<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+fn color_of(severity: cs::Severity) -> AnsiColor {
+    match severity {
+        cs::Severity::Bug | cs::Severity::Error => AnsiColor::BrightRed,
+        cs::Severity::Warning => AnsiColor::BrightYellow,
+        cs::Severity::Note => AnsiColor::BrightCyan,
+        cs::Severity::Help => AnsiColor::BrightGreen,
+    }
+}
+
+impl<W: Write> WriteStyle for Colored<W> {
+    fn set_header(&mut self, severity: cs::Severity) -> io::Result<()> {
+        self.set(color_of(severity), Effects::BOLD)
+    }
+
+    fn set_header_message(&mut self) -> io::Result<()> {
+        write!(self.0, "{}", Style::new().effects(Effects::BOLD).render())
+    }
+
+    fn set_line_number(&mut self) -> io::Result<()> {
+        self.set(AnsiColor::Blue, Effects::new())
+    }
+
+    fn set_note_bullet(&mut self) -> io::Result<()> {
+        self.set(AnsiColor::Blue, Effects::new())
+    }
+
+    fn set_source_border(&mut self) -> io::Result<()> {
+        self.set(AnsiColor::Blue, Effects::new())
+    }
+
+    fn set_label(&mut self, severity: cs::Severity, style: cs::LabelStyle) -> io::Result<()> {
+        match style {
+            cs::LabelStyle::Primary => self.set(color_of(severity), Effects::new()),
+            cs::LabelStyle::Secondary => self.set(AnsiColor::Blue, Effects::new()),
+        }
+    }
+
+    fn reset(&mut self) -> io::Result<()> {
+        write!(self.0, "{}", anstyle::Reset.render())
+    }
+}

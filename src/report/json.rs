@@ -1,0 +1,186 @@
+//! For programs: one object, or one object a line. The README describes the fields.
+
+use super::Summary;
+use crate::diagnostic::{Diagnostic, Label, MacroUse};
+use crate::text::{Edit, Position, Sources, Span};
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// Number of the schema; it changes when a field changes its meaning.
+const SCHEMA: u32 = 1;
+
+#[derive(Serialize)]
+struct Place {
+    line: u32,
+    column: u32,
+    utf16: u32,
+    byte: u32,
+}
+
+impl From<Position> for Place {
+    fn from(p: Position) -> Place {
+        Place {
+            line: p.line,
+            column: p.column,
+            utf16: p.utf16,
+            byte: p.byte,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Range {
+    start: Place,
+    end: Place,
+}
+
+impl Range {
+    fn new(sources: &Sources, span: Span) -> Range {
+        let file = sources.file_at(span.start);
+        let place = |address| {
+            let nowhere = Position {
+                line: 1,
+                column: 1,
+                utf16: 1,
+                byte: 0,
+            };
+            file.map_or(nowhere, |f| f.position(address)).into()
+        };
+        Range {
+            start: place(span.start),
+            end: place(span.end),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct JsonLabel<'a> {
+    #[serde(flatten)]
+    range: Range,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pass: Option<&'a str>,
+    message: &'a str,
+}
+
+#[derive(Serialize)]
+struct JsonMacro<'a> {
+    name: &'a str,
+    call: Range,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    definition: Option<Range>,
+}
+
+#[derive(Serialize)]
+struct JsonEdit<'a> {
+    #[serde(flatten)]
+    range: Range,
+    text: &'a str,
+}
+
+#[derive(Serialize)]
+struct JsonFix<'a> {
+    title: &'a str,
+    applicability: &'static str,
+    edits: Vec<JsonEdit<'a>>,
+}
+
+#[derive(Serialize)]
+struct JsonDiagnostic<'a> {
+    file: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pass: Option<&'a str>,
+    rule: &'static str,
+    severity: &'static str,
+    message: &'a str,
+    #[serde(flatten)]
+    range: Range,
+    labels: Vec<JsonLabel<'a>>,
+    notes: Vec<&'a str>,
+    macros: Vec<JsonMacro<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fix: Option<JsonFix<'a>>,
+    page: String,
+}
+
+fn convert<'a>(sources: &'a Sources, d: &'a Diagnostic) -> JsonDiagnostic<'a> {
+    let file = sources.file_at(d.span.start);
+    let pass_at = |span: Span| sources.file_at(span.start).and_then(|f| f.part.as_deref());
+    let label = |l: &'a Label| JsonLabel {
+        range: Range::new(sources, l.span),
+        pass: pass_at(l.span),
+        message: &l.message,
+    };
+    let used = |m: &'a MacroUse| JsonMacro {
+        name: &m.name,
+        call: Range::new(sources, m.call),
+        definition: (!m.definition.is_empty()).then(|| Range::new(sources, m.definition)),
+    };
+    let edit = |e: &'a Edit| JsonEdit {
+        range: Range::new(sources, e.span),
+        text: &e.text,
+    };
+    let own = (!d.label.is_empty()).then(|| JsonLabel {
+        range: Range::new(sources, d.span),
+        pass: pass_at(d.span),
+        message: &d.label,
+    });
+    JsonDiagnostic {
+        file: file.map_or("", |f| &f.path),
+        pass: pass_at(d.span),
+        rule: d.rule,
+        severity: d.severity.name(),
+        message: &d.message,
+        range: Range::new(sources, d.span),
+        labels: own.into_iter().chain(d.labels.iter().map(label)).collect(),
+        notes: d.notes.iter().chain(&d.help).map(String::as_str).collect(),
+        macros: d.macros.iter().map(used).collect(),
+        fix: d.fix.as_ref().map(|f| JsonFix {
+            title: &f.title,
+            applicability: f.applicability.name(),
+            edits: f.edits.iter().map(edit).collect(),
+        }),
+        page: d.page(),
+    }
+}
+
+/// Writes what comes before the first finding.
+pub fn begin(out: &mut impl Write) -> io::Result<()> {
+    let version = env!("CARGO_PKG_VERSION");
+    write!(
+        out,
+        "{{\"schema\":{SCHEMA},\"tool\":{{\"name\":\"shaderlint\",\"version\":\"{version}\"}},\"diagnostics\":["
+    )
+}
+
+/// Writes one finding of the one object.
+pub fn write(
+    out: &mut impl Write,
+    sources: &Sources,
+    d: &Diagnostic,
+    is_first: bool,
+) -> io::Result<()> {
+    out.write_all(if is_first { b"\n" } else { b",\n" })?;
+    serde_json::to_writer(&mut *out, &convert(sources, d))?;
+    Ok(())
+}
+
+/// Writes one finding as a line of its own.
+pub fn write_line(out: &mut impl Write, sources: &Sources, d: &Diagnostic) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, &convert(sources, d))?;
+    out.write_all(b"\n")
+}
+
+/// Writes what comes behind the last finding.
+pub fn end(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
+    let Summary {
+        files,
+        errors,
+        warnings,
+        infos,
+        fixable,
+    } = summary;
+    writeln!(
+        out,
+        "\n],\"summary\":{{\"files\":{files},\"errors\":{errors},\"warnings\":{warnings},\"infos\":{infos},\"fixable\":{fixable}}}}}"
+    )
+}

@@ -1,0 +1,21 @@
+//! One line a finding: `path:line:column: severity[rule]: message`.
+
+use super::{clean, location_name};
+use crate::diagnostic::Diagnostic;
+use crate::text::Sources;
+use std::io::{self, Write};
+
+/// Writes one finding.
+pub fn write(out: &mut impl Write, sources: &Sources, diagnostic: &Diagnostic) -> io::Result<()> {
+    let span = diagnostic.span;
+    let position = sources.file_at(span.start).map(|f| f.position(span.start));
+    let (line, column) = position.map_or((1, 1), |p| (p.line, p.column));
+    writeln!(
+        out,
+        "{}:{line}:{column}: {}[{}]: {}",
+        location_name(sources, span),
+        diagnostic.severity.name(),
+        diagnostic.rule,
+        clean(&diagnostic.message)
+    )
+}

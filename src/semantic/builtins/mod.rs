@@ -1,0 +1,477 @@
+//! What the language defines: functions and variables, as GLSL text that the shader parser reads.
+
+use super::constant::Value;
+use super::fold::{Fold, fold_of};
+use super::types::{Sampler, Scalar, Type};
+use crate::syntax::ast::*;
+use crate::syntax::{Names, Version, parse, preprocess};
+use crate::text::{Role, Sources};
+use rustc_hash::FxHashMap;
+use std::sync::OnceLock;
+
+/// Most parameters of a built-in function.
+pub const MAX_PARAMS: usize = 5;
+
+/// The stage a shader is written for.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Stage {
+    /// Vertex shader.
+    Vertex,
+    /// Fragment shader.
+    Fragment,
+}
+
+/// What a built-in function does, as far as the checks ask.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum BuiltinKind {
+    /// Computes; constant if its arguments are.
+    Math,
+    /// Reads a texture.
+    Texture,
+    /// `dFdx`, `dFdy`, `fwidth`.
+    Derivative,
+}
+
+/// A built-in function.
+#[derive(Debug)]
+pub struct BuiltinFunction {
+    /// Its name.
+    pub name: String,
+    /// What it does.
+    pub kind: BuiltinKind,
+    /// Its overloads in [`Builtins::overloads`].
+    pub overloads: std::ops::Range<u32>,
+}
+
+/// One form of a built-in function.
+#[derive(Clone, Debug)]
+pub struct Overload {
+    /// Number of its function in [`Builtins::functions`].
+    pub function: u16,
+    /// Types of the parameters; unused places are `void`.
+    pub params: [Type; MAX_PARAMS],
+    /// Number of parameters.
+    pub count: u8,
+    /// Bit `i` is set if parameter `i` is `out`.
+    pub out: u8,
+    /// Bit `i` is set if argument `i` must be a constant expression.
+    pub constant: u8,
+    /// What it yields.
+    pub returns: Type,
+    /// Computes the result from constant arguments.
+    pub fold: Option<Fold>,
+}
+
+impl Overload {
+    /// The types of its parameters.
+    pub fn params(&self) -> &[Type] {
+        self.params
+            .get(..self.count as usize)
+            .unwrap_or(&self.params)
+    }
+}
+
+/// How a built-in variable may be used.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BuiltinStorage {
+    /// Read only, different at each fragment or vertex.
+    In,
+    /// Written by the shader.
+    Out,
+    /// Read only, the same everywhere.
+    Uniform,
+    /// A constant of this value.
+    Const(i32),
+}
+
+/// A built-in variable.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct BuiltinVariable {
+    /// Its type; `None` for the struct of `gl_DepthRange`, with the members `near`, `far`, `diff`.
+    pub ty: Option<Type>,
+    /// How it may be used.
+    pub storage: BuiltinStorage,
+}
+
+/// Everything that one version of the language defines for one stage.
+#[derive(Default, Debug)]
+pub struct Builtins {
+    /// All functions.
+    pub functions: Vec<BuiltinFunction>,
+    /// The overloads of all functions.
+    pub overloads: Vec<Overload>,
+    by_name: FxHashMap<String, u16>,
+    variables: FxHashMap<String, BuiltinVariable>,
+}
+
+impl Builtins {
+    /// What `version` defines for `stage`; read at the first call.
+    pub fn of(version: Version, stage: Stage) -> &'static Builtins {
+        static ALL: [OnceLock<Builtins>; 4] = [
+            OnceLock::new(),
+            OnceLock::new(),
+            OnceLock::new(),
+            OnceLock::new(),
+        ];
+        let index = (version == Version::Es300) as usize * 2 + (stage == Stage::Fragment) as usize;
+        match ALL.get(index) {
+            Some(cell) => cell.get_or_init(|| load(version, stage)),
+            None => {
+                static NONE: OnceLock<Builtins> = OnceLock::new();
+                NONE.get_or_init(Builtins::default)
+            }
+        }
+    }
+
+    /// The function of this name.
+    pub fn function(&self, name: &str) -> Option<(u16, &BuiltinFunction)> {
+        let index = *self.by_name.get(name)?;
+        self.functions.get(index as usize).map(|f| (index, f))
+    }
+
+    /// The variable of this name.
+    pub fn variable(&self, name: &str) -> Option<BuiltinVariable> {
+        self.variables.get(name).copied()
+    }
+
+    /// The overloads of a function.
+    pub fn overloads_of(&self, function: &BuiltinFunction) -> &[Overload] {
+        let range = function.overloads.start as usize..function.overloads.end as usize;
+        self.overloads.get(range).unwrap_or(&[])
+    }
+
+    /// An overload by its number, and its function.
+    pub fn overload(&self, id: u32) -> Option<(&Overload, &BuiltinFunction)> {
+        let overload = self.overloads.get(id as usize)?;
+        self.functions
+            .get(overload.function as usize)
+            .map(|f| (overload, f))
+    }
+}
+
+fn texts(version: Version, stage: Stage) -> Vec<&'static str> {
+    match (version, stage) {
+        (Version::Es300, Stage::Fragment) => vec![
+            include_str!("functions_300.glsl"),
+            include_str!("functions_300_fragment.glsl"),
+            include_str!("variables_300.glsl"),
+            include_str!("variables_300_fragment.glsl"),
+        ],
+        (Version::Es300, Stage::Vertex) => vec![
+            include_str!("functions_300.glsl"),
+            include_str!("variables_300.glsl"),
+            include_str!("variables_300_vertex.glsl"),
+        ],
+        (Version::Es100, Stage::Fragment) => vec![
+            include_str!("functions_100.glsl"),
+            include_str!("functions_100_fragment.glsl"),
+            include_str!("variables_100.glsl"),
+            include_str!("variables_100_fragment.glsl"),
+        ],
+        (Version::Es100, Stage::Vertex) => vec![
+            include_str!("functions_100.glsl"),
+            include_str!("functions_100_vertex.glsl"),
+            include_str!("variables_100.glsl"),
+            include_str!("variables_100_vertex.glsl"),
+        ],
+    }
+}
+
+fn load(version: Version, stage: Stage) -> Builtins {
+    let mut sources = Sources::new();
+    // The texts themselves use words of GLSL ES 3.00.
+    let mut files: Vec<_> = sources
+        .add("", None, Role::Prelude, "#version 300 es\n")
+        .into_iter()
+        .collect();
+    for text in texts(version, stage) {
+        files.extend(sources.add("", None, Role::Prelude, text));
+    }
+    let read = preprocess(&sources, &files, true);
+    let (tree, _) = parse(&sources, &read.tokens, &read.names, Version::Es300, true);
+    let mut loader = Loader {
+        tree: &tree,
+        names: &read.names,
+        found: Vec::new(),
+        index: FxHashMap::default(),
+    };
+    let mut builtins = Builtins::default();
+    for item in &tree.items {
+        let Item::Decl(id) = item else { continue };
+        let Some(decl) = tree.decl(*id) else { continue };
+        match decl.kind {
+            DeclKind::Prototype(id) => loader.prototype(id),
+            DeclKind::Variables {
+                qualifiers,
+                ty,
+                declarators,
+            } => {
+                loader.variables(qualifiers, ty, declarators, &mut builtins.variables);
+            }
+            _ => {}
+        }
+    }
+    for (name, overloads) in loader.found {
+        let index = builtins.functions.len() as u16;
+        let start = builtins.overloads.len() as u32;
+        let kind = match name.as_str() {
+            "dFdx" | "dFdy" | "fwidth" => BuiltinKind::Derivative,
+            n if n.starts_with("tex") => BuiltinKind::Texture,
+            _ => BuiltinKind::Math,
+        };
+        builtins
+            .overloads
+            .extend(overloads.into_iter().map(|o| Overload {
+                function: index,
+                ..o
+            }));
+        let overloads = start..builtins.overloads.len() as u32;
+        builtins.by_name.insert(name.clone(), index);
+        builtins.functions.push(BuiltinFunction {
+            name,
+            kind,
+            overloads,
+        });
+    }
+    builtins
+}
+
+struct Loader<'a> {
+    tree: &'a Tree,
+    names: &'a Names,
+    found: Vec<(String, Vec<Overload>)>,
+    index: FxHashMap<String, usize>,
+}
+
+impl Loader<'_> {
+    fn prototype(&mut self, id: FunctionId) {
+        let Some(function) = self.tree.function(id) else {
+            return;
+        };
+        let name = self.names.text(function.ident.name).to_string();
+        let params = self.tree.params(function.params);
+        let types = params.iter().map(|p| p.ty).chain([function.ty]);
+        let variants = types.map(|ty| self.variants(ty)).max().unwrap_or(1);
+        let at = *self.index.entry(name.clone()).or_insert_with(|| {
+            self.found.push((name.clone(), Vec::new()));
+            self.found.len() - 1
+        });
+        for variant in 0..variants {
+            let mut overload = Overload {
+                function: 0,
+                params: [Type::VOID; MAX_PARAMS],
+                count: params.len() as u8,
+                out: 0,
+                constant: 0,
+                returns: self.resolve(function.ty, variant),
+                fold: fold_of(&name),
+            };
+            for (i, (slot, param)) in overload.params.iter_mut().zip(params).enumerate() {
+                *slot = self.resolve(param.ty, variant);
+                for qualifier in self.tree.qualifiers(param.qualifiers) {
+                    match qualifier.kind {
+                        QualifierKind::Out => overload.out |= 1 << i,
+                        QualifierKind::Const => overload.constant |= 1 << i,
+                        _ => {}
+                    }
+                }
+            }
+            // `min(genType, float)` and `min(genType, genType)` are one for scalars.
+            if let Some((_, overloads)) = self.found.get_mut(at)
+                && !overloads.iter().any(|o| o.params() == overload.params())
+            {
+                overloads.push(overload);
+            }
+        }
+    }
+
+    /// How many types a type of the notation stands for.
+    fn variants(&self, id: TypeId) -> usize {
+        let TypeBase::Name(name) = self.tree.ty(id).base else {
+            return 1;
+        };
+        match self.names.text(name) {
+            "genType" | "genIType" | "genUType" | "genBType" => 4,
+            "vec" | "ivec" | "uvec" | "bvec" => 3,
+            "mat" => 9,
+            _ => 3,
+        }
+    }
+
+    fn resolve(&self, id: TypeId, variant: usize) -> Type {
+        match self.tree.ty(id).base {
+            TypeBase::Word(word) => Type::of_word(word),
+            TypeBase::Name(name) => generic(self.names.text(name), variant),
+            _ => Type::VOID,
+        }
+    }
+
+    fn variables(
+        &self,
+        qualifiers: List,
+        ty: TypeId,
+        declarators: List,
+        found: &mut FxHashMap<String, BuiltinVariable>,
+    ) {
+        let spec = self.tree.ty(ty);
+        for declarator in self.tree.declarators(declarators) {
+            let init = declarator.init.and_then(|e| self.integer(e));
+            let storage = self
+                .tree
+                .qualifiers(qualifiers)
+                .iter()
+                .find_map(|q| match q.kind {
+                    QualifierKind::In => Some(BuiltinStorage::In),
+                    QualifierKind::Out => Some(BuiltinStorage::Out),
+                    QualifierKind::Uniform => Some(BuiltinStorage::Uniform),
+                    QualifierKind::Const => init.map(BuiltinStorage::Const),
+                    _ => None,
+                });
+            let size = self
+                .tree
+                .arrays(declarator.arrays)
+                .first()
+                .and_then(|a| self.integer(a.size?));
+            let ty = match spec.base {
+                TypeBase::Word(word) => {
+                    Some(Type::of_word(word).array_of(size.unwrap_or(0) as u32))
+                }
+                _ => None,
+            };
+            if let Some(storage) = storage {
+                let name = self.names.text(declarator.ident.name).to_string();
+                found.insert(name, BuiltinVariable { ty, storage });
+            }
+        }
+    }
+
+    fn integer(&self, id: ExprId) -> Option<i32> {
+        match self.tree.expr(id).kind {
+            ExprKind::Int(value) => Some(value),
+            ExprKind::Unary(UnaryOp::Minus, inner) => self.integer(inner).map(|v| -v),
+            _ => None,
+        }
+    }
+}
+
+/// The type that a word of the notation stands for.
+fn generic(word: &str, variant: usize) -> Type {
+    use Scalar::*;
+    let n = variant as u8;
+    let kind = [Float, Int, Uint].get(variant).copied().unwrap_or(Float);
+    let sampler = |float, int, uint| {
+        Type::sampler(match kind {
+            Float | Bool => float,
+            Int => int,
+            Uint => uint,
+        })
+    };
+    match word {
+        "genType" => Type::vector(Float, n + 1),
+        "genIType" => Type::vector(Int, n + 1),
+        "genUType" => Type::vector(Uint, n + 1),
+        "genBType" => Type::vector(Bool, n + 1),
+        "vec" => Type::vector(Float, n + 2),
+        "ivec" => Type::vector(Int, n + 2),
+        "uvec" => Type::vector(Uint, n + 2),
+        "bvec" => Type::vector(Bool, n + 2),
+        "mat" => Type::matrix(n / 3 + 2, n % 3 + 2),
+        "gvec4" => Type::vector(kind, 4),
+        "gsampler2D" => sampler(Sampler::Sampler2D, Sampler::Isampler2D, Sampler::Usampler2D),
+        "gsampler3D" => sampler(Sampler::Sampler3D, Sampler::Isampler3D, Sampler::Usampler3D),
+        "gsamplerCube" => sampler(
+            Sampler::SamplerCube,
+            Sampler::IsamplerCube,
+            Sampler::UsamplerCube,
+        ),
+        "gsampler2DArray" => sampler(
+            Sampler::Sampler2DArray,
+            Sampler::Isampler2DArray,
+            Sampler::Usampler2DArray,
+        ),
+        _ => Type::ERROR,
+    }
+}
+
+impl BuiltinStorage {
+    /// The value of a constant.
+    pub fn value(self) -> Option<Value> {
+        match self {
+            BuiltinStorage::Const(value) => Some(Value::Int(value)),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn generic_prototypes_stand_for_all_their_forms() {
+        let all = Builtins::of(Version::Es300, Stage::Fragment);
+        let count = |name: &str| all.function(name).map(|(_, f)| f.overloads.len());
+        assert_eq!(count("sin"), Some(4));
+        assert_eq!(count("min"), Some(4 + 3 + 4 + 3 + 4 + 3));
+        assert_eq!(count("matrixCompMult"), Some(9));
+        assert_eq!(count("texture"), Some(3 * 4 + 3 + 3 * 4 + 2));
+        assert_eq!(count("nothing"), None);
+        assert!(all.overloads.iter().all(|o| !o.returns.is_error()));
+    }
+
+    #[test]
+    fn stages_and_versions_differ() {
+        assert!(
+            Builtins::of(Version::Es300, Stage::Vertex)
+                .function("dFdx")
+                .is_none()
+        );
+        assert!(
+            Builtins::of(Version::Es100, Stage::Fragment)
+                .function("texture")
+                .is_none()
+        );
+        assert!(
+            Builtins::of(Version::Es100, Stage::Vertex)
+                .function("texture2DLod")
+                .is_some()
+        );
+        let fragment = Builtins::of(Version::Es300, Stage::Fragment);
+        assert_eq!(
+            fragment.variable("gl_MaxDrawBuffers").map(|v| v.storage),
+            Some(BuiltinStorage::Const(8))
+        );
+        assert_eq!(fragment.variable("gl_DepthRange").map(|v| v.ty), Some(None));
+        let old = Builtins::of(Version::Es100, Stage::Fragment);
+        assert_eq!(
+            old.variable("gl_FragData")
+                .and_then(|v| v.ty)
+                .map(|t| t.array),
+            Some(8)
+        );
+    }
+
+    #[test]
+    fn the_texts_are_read_without_errors() {
+        for version in [Version::Es100, Version::Es300] {
+            for stage in [Stage::Vertex, Stage::Fragment] {
+                for text in texts(version, stage) {
+                    let mut sources = Sources::new();
+                    let files = [
+                        sources
+                            .add("", None, Role::User, "#version 300 es\n")
+                            .unwrap(),
+                        sources.add("", None, Role::User, text).unwrap(),
+                    ];
+                    let read = preprocess(&sources, &files, true);
+                    let (_, errors) =
+                        parse(&sources, &read.tokens, &read.names, Version::Es300, true);
+                    assert!(
+                        read.diagnostics.is_empty() && errors.is_empty(),
+                        "{errors:?}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,10 @@
+uniform vec3 iResolution;
+uniform float iTime;
+uniform float iChannelTime[4];
+uniform vec4 iMouse;
+uniform vec4 iDate;
+uniform float iSampleRate;
+uniform vec3 iChannelResolution[4];
+uniform int iFrame;
+uniform float iTimeDelta;
+uniform float iFrameRate;

@@ -1,0 +1,300 @@
+//! Assignments, initializers, and what can be assigned to (GLSL ES 3.00 sections 5.8 and 4.3).
+
+use super::binary::Misfit;
+use super::qualifier::{Qualified, Wanted};
+use super::*;
+
+impl Checker<'_> {
+    pub(super) fn assign(
+        &mut self,
+        id: ExprId,
+        op: Option<BinaryOp>,
+        left: ExprId,
+        right: ExprId,
+    ) -> ExprInfo {
+        let (l, r) = (self.info(left), self.info(right));
+        if l.ty.is_error() {
+            self.mark_written(left);
+            return ExprInfo::ERROR;
+        }
+        let symbol = op.map_or("=".to_string(), |op| format!("{}=", op.symbol()));
+        if let Some(op) = op.filter(|op| op.is_bitwise() || *op == BinaryOp::Rem) {
+            self.needs_300(id, &format!("the operator `{}=`", op.symbol()));
+        }
+        if !self.check_assignable(left, self.tree.expr(id).extent, &symbol) || r.ty.is_error() {
+            return ExprInfo {
+                ty: l.ty,
+                ..ExprInfo::ERROR
+            };
+        }
+        let fits = match op {
+            None => self.assignable_type(l.ty, r.ty),
+            Some(op) => self.binary_type(op, l.ty, r.ty, true).map(|_| ()),
+        };
+        if let Err(misfit) = fits {
+            match op {
+                None => self.assign_misfit(id, left, right, misfit),
+                Some(op) => self.binary_misfit(id, op, left, right, misfit),
+            }
+        }
+        ExprInfo {
+            is_const: false,
+            ..self.result(l.ty, &[l, r], Constant::NONE)
+        }
+    }
+
+    /// Whether a value of type `r` can be put into a variable of type `l`.
+    pub(super) fn assignable_type(&self, l: Type, r: Type) -> Result<(), Misfit> {
+        self.check_aggregates(false, true, l, r)?;
+        if l == r {
+            return Ok(());
+        }
+        match (l.element().scalar_kind(), r.element().scalar_kind()) {
+            (Some(a), Some(b)) if a != b => Err(Misfit::Scalars),
+            _ => Err(Misfit::Shape),
+        }
+    }
+
+    /// Checks an initializer; false where its type does not fit, which is then reported.
+    pub(super) fn check_initializer(
+        &mut self,
+        declarator: &Declarator,
+        qualified: &Qualified,
+        ty: Type,
+        init: ExprId,
+    ) -> bool {
+        let info = self.info(init);
+        if info.ty.is_error() || ty.is_error() {
+            return false;
+        }
+        if !self.is_300() && ty.is_array() {
+            let d = self
+                .error(
+                    error::NEEDS_WEBGL2,
+                    declarator.extent,
+                    "GLSL ES 1.00 has no array initializers",
+                )
+                .help("assign the elements one by one in a function");
+            self.report(d);
+            return true;
+        }
+        if !matches!(qualified.storage, Wanted::None | Wanted::Const) {
+            let word = qualified.storage.name();
+            let d = self
+                .error(
+                    error::INVALID_QUALIFIER,
+                    declarator.extent,
+                    format!("a variable that is `{word}` cannot have an initial value"),
+                )
+                .note("its value comes from outside");
+            self.report(d);
+            return true;
+        }
+        if let Err(misfit) = self.assignable_type(ty, info.ty) {
+            self.initializer_misfit(declarator, ty, init, misfit);
+            return false;
+        }
+        self.check_initializer_constness(declarator, qualified, init);
+        true
+    }
+
+    /// `const` wants a constant expression, and so does every initializer at global scope.
+    fn check_initializer_constness(
+        &mut self,
+        declarator: &Declarator,
+        qualified: &Qualified,
+        init: ExprId,
+    ) {
+        let info = self.info(init);
+        let name = self.text(declarator.ident.name);
+        if qualified.storage == Wanted::Const && !info.is_const {
+            let d = self.error_expr(
+                error::NOT_CONSTANT,
+                init,
+                format!("the value of the constant `{name}` is not constant"),
+            );
+            let d = self.explain_not_constant(d, init);
+            let d = if self.at_global_scope() {
+                d
+            } else {
+                d.help("take `const` away")
+            };
+            return self.report(d);
+        }
+        if self.at_global_scope() && !self.is_global_initializer(init) {
+            let d = self
+                .error_expr(
+                    error::NOT_CONSTANT,
+                    init,
+                    format!("the initial value of the global variable `{name}` is not constant"),
+                )
+                .note("GLSL ES 3.00 wants a constant expression here (section 4.3)")
+                .help("declare it without a value and set it at the start of `main`, or use a `#define`");
+            let d = self.explain_not_constant(d, init);
+            self.report(d);
+        }
+    }
+
+    /// Whether an expression may initialize a global variable: nothing but constants in GLSL ES
+    /// 3.00; in 1.00 uniforms and other globals too, which browsers allow for old shaders.
+    fn is_global_initializer(&self, init: ExprId) -> bool {
+        if self.info(init).is_const {
+            return true;
+        }
+        let extent = self.tree.expr(init).extent;
+        let inside = self.exprs.iter().zip(&self.tree.exprs).rev();
+        inside
+            .take_while(|(_, e)| e.extent.first >= extent.first)
+            .filter(|(_, e)| e.extent.last <= extent.last)
+            .all(|(info, expr)| match (info.resolution, expr.kind) {
+                (Resolution::Variable(id), ExprKind::Name(_)) => {
+                    info.is_const || (!self.is_300() && self.is_legacy_initializer(id))
+                }
+                (Resolution::Function(_), _) => false,
+                (_, ExprKind::Assign(..) | ExprKind::Postfix(..)) => false,
+                (_, ExprKind::Unary(op, _)) => !op.assigns(),
+                _ => true,
+            })
+    }
+
+    fn is_legacy_initializer(&self, id: VariableId) -> bool {
+        self.variables
+            .get(id.0 as usize)
+            .is_some_and(|v| matches!(v.storage, Storage::Global | Storage::Uniform))
+    }
+
+    /// Says which part of an expression is not constant.
+    pub(super) fn explain_not_constant(&self, d: Diagnostic, id: ExprId) -> Diagnostic {
+        let extent = self.tree.expr(id).extent;
+        let inside = self.exprs.iter().zip(&self.tree.exprs).enumerate().rev();
+        let culprit = inside
+            .take_while(|(_, (_, e))| e.extent.first >= extent.first)
+            .filter(|(_, (info, e))| e.extent.last <= extent.last && !info.is_const)
+            .filter_map(|(i, (info, e))| match info.resolution {
+                Resolution::Variable(v) if matches!(e.kind, ExprKind::Name(_)) => {
+                    Some((i, Some(v)))
+                }
+                Resolution::Function(_) => Some((i, None)),
+                _ => None,
+            })
+            .last();
+        let Some((index, variable)) = culprit else {
+            return d;
+        };
+        let culprit = ExprId(index as u32);
+        let span = self.expr_span(culprit);
+        let what = match variable.and_then(|v| self.variables.get(v.0 as usize)) {
+            Some(v) => {
+                let name = self.text(v.name);
+                match v.storage {
+                    Storage::Uniform => {
+                        format!("`{name}` is a uniform, known only when the shader runs")
+                    }
+                    Storage::Input => format!("`{name}` is an input, different at each point"),
+                    Storage::Param(_) => format!("`{name}` is a parameter"),
+                    _ => format!("`{name}` is a variable, not declared `const`"),
+                }
+            }
+            None => "a function of the shader is never constant".to_string(),
+        };
+        if span == d.span {
+            d.mark(what)
+        } else {
+            d.label(span, what)
+        }
+    }
+
+    /// Notes that something is written to an expression.
+    pub(super) fn mark_written(&mut self, id: ExprId) {
+        let mut at = id;
+        loop {
+            match self.tree.expr(at).kind {
+                ExprKind::Paren(inner) | ExprKind::Member(inner, _) | ExprKind::Index(inner, _) => {
+                    at = inner;
+                }
+                _ => break,
+            }
+        }
+        if let Some(id) = self.variable_of(at)
+            && let Some(variable) = self.variables.get_mut(id.0 as usize)
+        {
+            variable.written = true;
+        }
+    }
+
+    /// Whether something can be assigned to `id`; reports at `extent` where not.
+    pub(super) fn check_assignable(&mut self, id: ExprId, extent: Extent, symbol: &str) -> bool {
+        let mut at = id;
+        loop {
+            match self.tree.expr(at).kind {
+                ExprKind::Paren(inner) | ExprKind::Index(inner, _) => at = inner,
+                ExprKind::Member(inner, name) => {
+                    let text = self.text(name);
+                    let repeats = |c| text.chars().filter(|&other| other == c).count() > 1;
+                    if self.ty(inner).is_vector() && text.chars().any(repeats) {
+                        let d = self.error_at(
+                            error::NOT_ASSIGNABLE,
+                            self.tree.expr(at).extent.last,
+                            format!("`{text}` names a component twice and cannot be assigned to"),
+                        );
+                        self.report(d);
+                        return false;
+                    }
+                    at = inner;
+                }
+                _ => break,
+            }
+        }
+        let Some(variable) = self.variable_of(at) else {
+            let d = self
+                .error_expr(error::NOT_ASSIGNABLE, id, "this cannot be assigned to")
+                .note(format!(
+                    "`{symbol}` wants a variable, or a part of one, on its left (section 5.8)"
+                ));
+            self.report(d);
+            return false;
+        };
+        self.check_writable(variable, id, extent)
+    }
+
+    fn check_writable(&mut self, id: VariableId, expr: ExprId, extent: Extent) -> bool {
+        let Some(variable) = self.variables.get_mut(id.0 as usize) else {
+            return false;
+        };
+        variable.written = true;
+        let Variable {
+            storage,
+            is_const,
+            token,
+            ty,
+            name,
+            ..
+        } = *variable;
+        let name = self.text(name);
+        let why = match storage {
+            _ if is_const => "is a constant",
+            Storage::Uniform => "is a uniform, set from outside",
+            Storage::Input => "is an input of the shader",
+            Storage::Param(Direction::ConstIn) => "is a `const` parameter",
+            _ if ty.is_sampler() => "is a sampler",
+            _ => {
+                self.check_webgl1_write(id, extent);
+                return true;
+            }
+        };
+        let d = self.error_expr(
+            error::NOT_ASSIGNABLE,
+            expr,
+            format!("`{name}` cannot be assigned to: it {why}"),
+        );
+        let d = self.with_declaration(d, token, "declared here");
+        let d = match storage {
+            Storage::Input | Storage::Uniform if !is_const => {
+                d.help("copy it into a variable of its own first")
+            }
+            _ => d,
+        };
+        self.report(d);
+        false
+    }
+}

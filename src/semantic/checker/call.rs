@@ -1,0 +1,280 @@
+//! Calls of functions (GLSL ES 3.00 section 6.1).
+
+use super::super::builtins::{BuiltinKind, Overload};
+use super::super::constant::Value;
+use super::*;
+
+/// Least and greatest offset of a texture lookup.
+const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
+
+impl Checker<'_> {
+    /// `name(args)`: a function, or the constructor of a struct.
+    pub(super) fn call(&mut self, id: ExprId, name: Name, args: List) -> ExprInfo {
+        if self.unknown_functions.contains(&name) {
+            return ExprInfo::ERROR;
+        }
+        match self.scopes.get(name) {
+            Some(Binding::Struct(index)) => {
+                return self.construct_type(
+                    id,
+                    Type {
+                        base: Base::Struct(index),
+                        array: 0,
+                    },
+                    args,
+                );
+            }
+            Some(Binding::Error) => return ExprInfo::ERROR,
+            Some(Binding::Variable(variable)) => {
+                self.call_of_variable(id, name, variable);
+                return ExprInfo::ERROR;
+            }
+            Some(Binding::Function) => {
+                if let Some(info) = self.call_user(id, name, args) {
+                    return info;
+                }
+            }
+            None => {}
+        }
+        match self.builtin_named(name) {
+            Some(function) => self.call_builtin(id, name, function, args),
+            None if self.by_name.contains_key(&name) => {
+                self.no_user_overload(id, name, args);
+                self.result_of_any(name)
+            }
+            None => {
+                self.undeclared_function(name, self.tree.expr(id).extent.first);
+                self.result_of_legacy(name)
+            }
+        }
+    }
+
+    /// Number of the built-in function of this name.
+    pub(super) fn builtin_named(&mut self, name: Name) -> Option<u16> {
+        let index = name.0 as usize;
+        if self.builtin_names.len() <= index {
+            self.builtin_names.resize(index + 64, None);
+        }
+        let text = self.names.text(name);
+        let slot = self.builtin_names.get_mut(index)?;
+        *slot.get_or_insert_with(|| self.builtins.function(text).map(|(i, _)| i))
+    }
+
+    fn call_of_variable(&mut self, id: ExprId, name: Name, variable: VariableId) {
+        let token = self.tree.expr(id).extent.first;
+        let text = self.text(name);
+        let d = self.error_at(
+            error::NOT_A_FUNCTION,
+            token,
+            format!("`{text}` is a variable, not a function"),
+        );
+        let declared = self
+            .variables
+            .get(variable.0 as usize)
+            .and_then(|v| v.token);
+        let d = self.with_declaration(d, declared, "declared here");
+        let d = match self.by_name.contains_key(&name) || self.builtins.function(text).is_some() {
+            true => d
+                .note("the variable hides the function of the same name")
+                .help("rename the variable"),
+            false => d,
+        };
+        self.report(d);
+    }
+
+    /// A call of the shader's own function, if one has these parameters.
+    fn call_user(&mut self, id: ExprId, name: Name, args: List) -> Option<ExprInfo> {
+        let tree = self.tree;
+        let list = tree.args(args);
+        let types: Vec<Type> = list.iter().map(|&a| self.ty(a)).collect();
+        if types.iter().any(|t| t.is_error()) {
+            self.note_call_with_errors(id, name);
+            return Some(self.result_of_any(name));
+        }
+        let callee = *self.by_signature.get(&(name, types))?;
+        let function = self.functions.get(callee.0 as usize)?;
+        let returns = function.returns;
+        let directions: Vec<Direction> = function.params.iter().map(|p| p.direction).collect();
+        for (&arg, direction) in list.iter().zip(directions) {
+            if direction.writes() {
+                self.check_out_argument(arg, direction.name());
+            }
+        }
+        self.calls.push(Call {
+            caller: self.current,
+            callee,
+            expr: id,
+        });
+        let infos: Vec<ExprInfo> = list.iter().map(|&a| self.info(a)).collect();
+        let info = self.result(returns, &infos, Constant::NONE);
+        Some(ExprInfo {
+            resolution: Resolution::Function(callee),
+            is_const: false,
+            ..info
+        })
+    }
+
+    /// A call whose arguments were reported still calls, if only one function can be meant.
+    fn note_call_with_errors(&mut self, id: ExprId, name: Name) {
+        if let Some(&[callee]) = self.by_name.get(&name).map(Vec::as_slice) {
+            self.calls.push(Call {
+                caller: self.current,
+                callee,
+                expr: id,
+            });
+        }
+    }
+
+    /// The result of a call that fits no function of the name: known if all return the same.
+    fn result_of_any(&self, name: Name) -> ExprInfo {
+        let all = self.by_name.get(&name).map_or(&[][..], Vec::as_slice);
+        let mut returns = all
+            .iter()
+            .filter_map(|f| self.functions.get(f.0 as usize))
+            .map(|f| f.returns);
+        let Some(first) = returns.next() else {
+            return ExprInfo::ERROR;
+        };
+        let same = returns.all(|r| r == first) && self.builtins.function(self.text(name)).is_none();
+        let ty = if same { first } else { Type::ERROR };
+        ExprInfo {
+            ty,
+            ..ExprInfo::ERROR
+        }
+    }
+
+    /// The result of a lookup of GLSL ES 1.00, so that its one error is not followed by others.
+    fn result_of_legacy(&self, name: Name) -> ExprInfo {
+        let is_legacy = super::names::LEGACY_FUNCTIONS
+            .iter()
+            .any(|(old, _)| *old == self.text(name));
+        let ty = if is_legacy {
+            Type::vector(Scalar::Float, 4)
+        } else {
+            Type::ERROR
+        };
+        ExprInfo {
+            ty,
+            ..ExprInfo::ERROR
+        }
+    }
+
+    fn check_out_argument(&mut self, arg: ExprId, direction: &str) {
+        let before = self.diagnostics.len();
+        let extent = self.tree.expr(arg).extent;
+        if !self.check_assignable(arg, extent, direction)
+            && let Some(d) = self.diagnostics.get_mut(before)
+        {
+            d.notes.push(format!(
+                "the parameter is `{direction}`: the function writes to it"
+            ));
+        }
+    }
+
+    fn call_builtin(&mut self, id: ExprId, name: Name, function: u16, args: List) -> ExprInfo {
+        let tree = self.tree;
+        let list = tree.args(args);
+        let types: Vec<Type> = list.iter().map(|&a| self.ty(a)).collect();
+        if types.iter().any(|t| t.is_error()) {
+            return self.builtin_result_of_any(function, types.len());
+        }
+        let builtins = self.builtins;
+        let Some(found) = builtins.functions.get(function as usize) else {
+            return ExprInfo::ERROR;
+        };
+        let overloads = builtins.overloads_of(found);
+        let Some(at) = overloads.iter().position(|o| o.params() == types) else {
+            self.no_builtin_overload(id, name, function, args);
+            return self.builtin_result_of_any(function, types.len());
+        };
+        let Some(overload) = overloads.get(at) else {
+            return ExprInfo::ERROR;
+        };
+        for (i, &arg) in list.iter().enumerate() {
+            if overload.out & (1 << i) != 0 {
+                self.check_out_argument(arg, "out");
+            }
+            if overload.constant & (1 << i) != 0 {
+                self.check_offset(arg);
+            }
+        }
+        let infos: Vec<ExprInfo> = list.iter().map(|&a| self.info(a)).collect();
+        let is_math = found.kind == BuiltinKind::Math && overload.out == 0;
+        let constant = if is_math {
+            self.fold_call(overload, &infos)
+        } else {
+            Constant::NONE
+        };
+        let mut info = self.result(overload.returns, &infos, constant);
+        info.is_const &= is_math;
+        info.resolution = Resolution::Builtin(found.overloads.start + at as u32);
+        info
+    }
+
+    fn builtin_result_of_any(&self, function: u16, count: usize) -> ExprInfo {
+        let Some(found) = self.builtins.functions.get(function as usize) else {
+            return ExprInfo::ERROR;
+        };
+        let overloads = self.builtins.overloads_of(found);
+        let mut returns = overloads
+            .iter()
+            .filter(|o| o.params().len() == count)
+            .map(|o| o.returns);
+        let Some(first) = returns.next() else {
+            return ExprInfo::ERROR;
+        };
+        let ty = if returns.all(|r| r == first) {
+            first
+        } else {
+            Type::ERROR
+        };
+        ExprInfo {
+            ty,
+            ..ExprInfo::ERROR
+        }
+    }
+
+    fn fold_call(&mut self, overload: &Overload, args: &[ExprInfo]) -> Constant {
+        let Some(fold) = overload.fold else {
+            return Constant::NONE;
+        };
+        if !args.iter().all(|a| a.is_const && a.constant.is_known()) {
+            return Constant::NONE;
+        }
+        let values: Vec<&[Value]> = args.iter().map(|a| self.pool.values(a.constant)).collect();
+        match fold(&values) {
+            Some(values) if values.len() as u32 == overload.returns.components() => {
+                self.pool.add(values)
+            }
+            _ => Constant::NONE,
+        }
+    }
+
+    /// The offset of a texture lookup is a small constant (section 8.8).
+    fn check_offset(&mut self, arg: ExprId) {
+        let info = self.info(arg);
+        if !info.is_const {
+            let d = self
+                .error_expr(
+                    error::NOT_CONSTANT,
+                    arg,
+                    "the offset of a lookup must be a constant expression",
+                )
+                .help("add the offset to the coordinates instead");
+            let d = self.explain_not_constant(d, arg);
+            return self.report(d);
+        }
+        let out = self
+            .pool
+            .values(info.constant)
+            .iter()
+            .find(|v| !TEXEL_OFFSETS.contains(&v.as_int()));
+        if let Some(value) = out {
+            let message = format!("the offset {} is out of range", value.as_int());
+            let d = self
+                .error_expr(error::INDEX_OUT_OF_RANGE, arg, message)
+                .note("a lookup can be moved by -8 to 7 texels");
+            self.report(d);
+        }
+    }
+}

@@ -1,0 +1,312 @@
+//! Constructors (GLSL ES 3.00 section 5.4).
+
+use super::super::constant::Value;
+use super::*;
+
+impl Checker<'_> {
+    /// `vec3(...)`, `float[2](...)`: a type of the language, or an array.
+    pub(super) fn construct(&mut self, id: ExprId, ty: TypeId, args: List) -> ExprInfo {
+        let tree = self.tree;
+        let spec = tree.ty(ty);
+        if let TypeBase::Struct(_) = spec.base {
+            let d = self.error(
+                error::INVALID_STRUCT,
+                spec.extent,
+                "a struct cannot be declared inside an expression",
+            );
+            self.report(d);
+            return ExprInfo::ERROR;
+        }
+        let ty = self.type_spec(ty);
+        if ty.is_array() && !self.is_300() {
+            let d = self.error_expr(
+                error::NEEDS_WEBGL2,
+                id,
+                "array constructors come with GLSL ES 3.00",
+            );
+            self.report(d);
+            return ExprInfo::ERROR;
+        }
+        self.construct_type(id, ty, args)
+    }
+
+    pub(super) fn construct_type(&mut self, id: ExprId, mut ty: Type, args: List) -> ExprInfo {
+        let tree = self.tree;
+        let args = tree.args(args);
+        if ty.is_error() {
+            return ExprInfo::ERROR;
+        }
+        if ty.is_void() || ty.is_sampler() {
+            let name = self.name_of(ty);
+            let d = self.error_expr(
+                error::CONSTRUCTOR_ARGUMENTS,
+                id,
+                format!("`{name}` cannot be constructed"),
+            );
+            self.report(d);
+            return ExprInfo::ERROR;
+        }
+        if ty.array == Type::UNSIZED {
+            ty.array = (args.len() as u32).max(1);
+        }
+        if args.iter().any(|&a| self.ty(a).is_error()) {
+            return ExprInfo {
+                ty,
+                ..ExprInfo::ERROR
+            };
+        }
+        let ok = self.check_arguments(id, ty, args)
+            && if ty.is_array() {
+                self.check_elements(id, ty, args)
+            } else if let Base::Struct(index) = ty.base {
+                self.check_members(id, index, args)
+            } else {
+                self.check_components(id, ty, args)
+            };
+        if !ok {
+            return ExprInfo {
+                ty,
+                ..ExprInfo::ERROR
+            };
+        }
+        let infos: Vec<ExprInfo> = args.iter().map(|&a| self.info(a)).collect();
+        let constant = if infos.iter().all(|i| i.is_const && i.constant.is_known()) {
+            self.fold_construct(ty, &infos)
+        } else {
+            Constant::NONE
+        };
+        let mut info = self.result(ty, &infos, constant);
+        if let Base::Struct(index) = ty.base {
+            info.resolution = Resolution::Struct(index);
+        }
+        info
+    }
+
+    /// What holds for every constructor: arguments, with values, and no samplers.
+    fn check_arguments(&mut self, id: ExprId, ty: Type, args: &[ExprId]) -> bool {
+        if args.is_empty() {
+            let name = self.name_of(ty);
+            let d = self.error_expr(
+                error::CONSTRUCTOR_ARGUMENTS,
+                id,
+                format!("`{name}()` has no arguments"),
+            );
+            let d = match ty.numeric() {
+                Some((Scalar::Float, ..)) => d.help(format!("write `{name}(0.0)`")),
+                Some((Scalar::Int, ..)) => d.help(format!("write `{name}(0)`")),
+                _ => d,
+            };
+            self.report(d);
+            return false;
+        }
+        for &arg in args {
+            let of = self.ty(arg);
+            if of.is_void() {
+                self.void_value(arg);
+                return false;
+            }
+            if of.is_sampler() && !matches!(ty.base, Base::Struct(_)) {
+                let d = self.error_expr(
+                    error::SAMPLER_RESTRICTION,
+                    arg,
+                    "a sampler cannot be converted",
+                );
+                self.report(d);
+                return false;
+            }
+        }
+        true
+    }
+
+    fn check_elements(&mut self, id: ExprId, ty: Type, args: &[ExprId]) -> bool {
+        if ty.array as usize != args.len() {
+            let message = format!(
+                "`{}` takes {} elements, not {}",
+                self.name_of(ty),
+                ty.array,
+                args.len()
+            );
+            let d = self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
+            self.report(d);
+            return false;
+        }
+        let element = ty.element();
+        for &arg in args {
+            if self.ty(arg) != element {
+                self.bad_part(arg, element, "an element of the array");
+                return false;
+            }
+        }
+        true
+    }
+
+    fn check_members(&mut self, id: ExprId, index: u32, args: &[ExprId]) -> bool {
+        let Some(record) = self.structs.get(index as usize) else {
+            return false;
+        };
+        let fields: Vec<Field> = record.fields.clone();
+        let opened = record.token;
+        let name = record.name.map_or("struct", |n| self.text(n));
+        if fields.len() != args.len() {
+            let message = format!(
+                "`{name}` has {} members, but {} values are given",
+                fields.len(),
+                args.len()
+            );
+            let d = self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
+            let d = self.with_declaration(d, Some(opened), "declared here");
+            self.report(d);
+            return false;
+        }
+        for (&arg, field) in args.iter().zip(&fields) {
+            if self.ty(arg) != field.ty && !field.ty.is_error() {
+                let what = format!("the member `{}`", self.text(field.name));
+                self.bad_part(arg, field.ty, &what);
+                return false;
+            }
+        }
+        true
+    }
+
+    /// An argument that is not of the type of the part it stands for.
+    fn bad_part(&mut self, arg: ExprId, wanted: Type, what: &str) {
+        let found = self.ty(arg);
+        let scalars = (wanted.scalar_kind(), found.scalar_kind());
+        let same_size = wanted.components() == found.components();
+        let rule = match scalars {
+            (Some(a), Some(b)) if a != b && a != Scalar::Bool && b != Scalar::Bool && same_size => {
+                error::INT_FLOAT_MIX
+            }
+            (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
+            _ => error::CONSTRUCTOR_ARGUMENTS,
+        };
+        let mut d = self.misfit_at(self.tree.expr(arg).extent, wanted, arg, rule);
+        d.message = format!(
+            "{what} is `{}`, not `{}`",
+            self.name_of(wanted),
+            self.name_of(found)
+        );
+        self.report(d);
+    }
+
+    fn check_components(&mut self, id: ExprId, ty: Type, args: &[ExprId]) -> bool {
+        let name = self.name_of(ty);
+        let wanted = ty.components();
+        let mut given = 0;
+        let mut has_matrix = false;
+        let mut surplus = None;
+        for &arg in args {
+            let of = self.ty(arg);
+            if of.numeric().is_none() {
+                let what = self.name_of(of);
+                let d = self.error_expr(
+                    error::CONSTRUCTOR_ARGUMENTS,
+                    arg,
+                    format!("`{name}` cannot be made of `{what}`"),
+                );
+                self.report(d);
+                return false;
+            }
+            has_matrix |= of.is_matrix();
+            if given >= wanted && surplus.is_none() {
+                surplus = Some(arg);
+            }
+            given += of.components();
+        }
+        if ty.is_matrix() && has_matrix {
+            if args.len() == 1 {
+                return true;
+            }
+            let d = self.error_expr(
+                error::CONSTRUCTOR_ARGUMENTS,
+                id,
+                "a matrix made of a matrix takes no other argument",
+            );
+            self.report(d);
+            return false;
+        }
+        let plural = |n: u32| if n == 1 { "component" } else { "components" };
+        let d = if let Some(arg) = surplus {
+            self.error_expr(
+                error::CONSTRUCTOR_ARGUMENTS,
+                arg,
+                format!(
+                    "`{name}` has {wanted} {}, and they are given already",
+                    plural(wanted)
+                ),
+            )
+            .label(self.expr_span(id), format!("{given} given in all"))
+        } else if given != 1 && given < wanted {
+            let d = self.error_expr(
+                error::CONSTRUCTOR_ARGUMENTS,
+                id,
+                format!("`{name}` needs {wanted} components, but only {given} are given"),
+            );
+            self.label_arguments(d, args)
+        } else {
+            return true;
+        };
+        self.report(d);
+        false
+    }
+
+    fn label_arguments(&self, mut d: Diagnostic, args: &[ExprId]) -> Diagnostic {
+        if args.len() > 1 {
+            for &arg in args {
+                d = d.label(
+                    self.expr_span(arg),
+                    format!("`{}`", self.name_of(self.ty(arg))),
+                );
+            }
+        }
+        d
+    }
+
+    fn fold_construct(&mut self, ty: Type, args: &[ExprInfo]) -> Constant {
+        let pool = &self.pool;
+        let all = args
+            .iter()
+            .flat_map(|a| pool.values(a.constant).iter().copied());
+        let Some((scalar, columns, rows)) = ty.numeric() else {
+            let values: Vec<Value> = all.collect();
+            return self.pool.add(values);
+        };
+        let values: Vec<Value> = all.map(|v| v.to(scalar)).collect();
+        let len = ty.components() as usize;
+        let from = args.first().and_then(|a| a.ty.numeric());
+        let out: Vec<Value> = match (values.as_slice(), from) {
+            (&[one], _) if columns == 1 => vec![one; len],
+            (&[one], _) => diagonal(columns, rows, |_, _| None, one),
+            (all, Some((_, c @ 2.., r))) if columns > 1 && args.len() == 1 => {
+                let at = |column: u8, row: u8| {
+                    let inside = column < c && row < r;
+                    inside
+                        .then(|| {
+                            all.get(column as usize * r as usize + row as usize)
+                                .copied()
+                        })
+                        .flatten()
+                };
+                diagonal(columns, rows, at, Value::Float(1.0))
+            }
+            (all, _) => all.iter().take(len).copied().collect(),
+        };
+        self.pool.add(out)
+    }
+}
+
+/// A matrix of what `at` gives, and elsewhere of `one` in the diagonal and 0 beside it.
+fn diagonal(columns: u8, rows: u8, at: impl Fn(u8, u8) -> Option<Value>, one: Value) -> Vec<Value> {
+    let mut out = Vec::new();
+    for column in 0..columns {
+        for row in 0..rows {
+            let zero = if column == row {
+                one
+            } else {
+                Value::Float(0.0)
+            };
+            out.push(at(column, row).unwrap_or(zero));
+        }
+    }
+    out
+}

@@ -1,0 +1,596 @@
+//! What to say when types do not fit, and how to mend it.
+
+use super::binary::Misfit;
+use super::*;
+use crate::diagnostic::Fix;
+use crate::text::Edit;
+
+const NO_CONVERSION: &str = "GLSL ES converts nothing by itself (section 4.1.10)";
+
+impl Checker<'_> {
+    /// Reports operands that do not fit an operator. `id` is the whole expression, which may be an
+    /// assignment like `l += r`.
+    pub(super) fn binary_misfit(
+        &mut self,
+        id: ExprId,
+        op: BinaryOp,
+        left: ExprId,
+        right: ExprId,
+        misfit: Misfit,
+    ) {
+        let (l, r) = (self.ty(left), self.ty(right));
+        let d = match misfit {
+            Misfit::Void => return self.void_value(if l.is_void() { left } else { right }),
+            Misfit::Scalars
+                if l.scalar_kind() == Some(Scalar::Bool)
+                    || r.scalar_kind() == Some(Scalar::Bool) =>
+            {
+                self.bool_misfit(id, op, left, right)
+            }
+            Misfit::Scalars => {
+                let prefer_int = op.compares() || op == BinaryOp::Rem;
+                return self.mixed(id, op.symbol(), left, right, prefer_int);
+            }
+            Misfit::Shape => self.shape_misfit(id, op.symbol(), left, right),
+            _ => self.other_misfit(id, op.symbol(), left, right, misfit),
+        };
+        let d = self.advise_operator(d, op, left, right, misfit);
+        self.report(d);
+    }
+
+    fn both(&self, d: Diagnostic, left: ExprId, right: ExprId) -> Diagnostic {
+        let (l, r) = (self.name_of(self.ty(left)), self.name_of(self.ty(right)));
+        d.label(self.expr_span(left), format!("`{l}`"))
+            .label(self.expr_span(right), format!("`{r}`"))
+    }
+
+    fn bool_misfit(&self, id: ExprId, op: BinaryOp, left: ExprId, right: ExprId) -> Diagnostic {
+        let (l, r) = (self.name_of(self.ty(left)), self.name_of(self.ty(right)));
+        let message = format!("`{l}` and `{r}` do not go together in `{}`", op.symbol());
+        let d = self
+            .error_expr(error::TYPE_MISMATCH, id, message)
+            .note(NO_CONVERSION);
+        self.both(d, left, right)
+    }
+
+    /// `int`, `uint` and `float` mixed: points at what should change, most often a literal.
+    fn mixed(&mut self, id: ExprId, symbol: &str, left: ExprId, right: ExprId, prefer_int: bool) {
+        let (l, r) = (self.ty(left), self.ty(right));
+        let (Some(ls), Some(rs)) = (l.scalar_kind(), r.scalar_kind()) else {
+            return;
+        };
+        let (culprit, wanted) = self.culprit(left, ls, right, rs, prefer_int);
+        let other = if culprit == left { right } else { left };
+        let message = format!(
+            "`{}` and `{}` do not mix in `{symbol}`",
+            self.name_of(l),
+            self.name_of(r)
+        );
+        let fix = self.convert(culprit, wanted);
+        let is_literal = self.literal_token(culprit).is_some();
+        let d = if is_literal || !matches!(symbol, "=" | "+=" | "-=" | "*=" | "/=") {
+            self.error_expr(error::INT_FLOAT_MIX, culprit, message)
+        } else {
+            self.error_expr(error::INT_FLOAT_MIX, id, message).label(
+                self.expr_span(culprit),
+                format!("`{}`", self.name_of(self.ty(culprit))),
+            )
+        };
+        let d = d
+            .mark(if is_literal {
+                format!("`{}`", self.name_of(self.ty(culprit)))
+            } else {
+                String::new()
+            })
+            .label(
+                self.expr_span(other),
+                format!("`{}`", self.name_of(self.ty(other))),
+            )
+            .note(NO_CONVERSION)
+            .fix(fix);
+        self.report(d);
+    }
+
+    /// Which operand to convert, and to what.
+    fn culprit(
+        &self,
+        left: ExprId,
+        ls: Scalar,
+        right: ExprId,
+        rs: Scalar,
+        prefer_int: bool,
+    ) -> (ExprId, Scalar) {
+        let is_literal = |id| self.literal_token(id).is_some();
+        if ls == Scalar::Float || rs == Scalar::Float {
+            let (float, int) = if ls == Scalar::Float {
+                (left, right)
+            } else {
+                (right, left)
+            };
+            let int_kind = if ls == Scalar::Float { rs } else { ls };
+            if prefer_int && !is_literal(int) && self.whole_literal(float).is_some() {
+                return (float, int_kind);
+            }
+            return (int, Scalar::Float);
+        }
+        // `int` and `uint`: a literal changes most easily.
+        if is_literal(left) && !is_literal(right) {
+            (left, rs)
+        } else {
+            (right, ls)
+        }
+    }
+
+    fn shape_misfit(&self, id: ExprId, symbol: &str, left: ExprId, right: ExprId) -> Diagnostic {
+        let (l, r) = (self.ty(left), self.ty(right));
+        let (ln, rn) = (self.name_of(l), self.name_of(r));
+        let d = self.error_expr(
+            error::VECTOR_SIZE,
+            id,
+            format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
+        );
+        let d = self.both(d, left, right);
+        if l.is_matrix() || r.is_matrix() {
+            return d.note("the left has as many columns as the right has rows (section 5.9)");
+        }
+        let d = d.note("vectors of different sizes cannot be combined (section 5.9)");
+        let fix = if symbol.len() == 1 {
+            self.widen(left, right)
+        } else {
+            None
+        };
+        d.fix(fix)
+    }
+
+    /// Makes the smaller of two vectors as large as the other.
+    fn widen(&self, left: ExprId, right: ExprId) -> Option<Fix> {
+        let (_, 1, l) = self.ty(left).numeric()? else {
+            return None;
+        };
+        let (_, 1, r) = self.ty(right).numeric()? else {
+            return None;
+        };
+        let (small, have, want) = if l < r { (left, l, r) } else { (right, r, l) };
+        let ty = Type::vector(self.ty(small).scalar_kind()?, want);
+        self.widen_to(small, have, ty)
+    }
+
+    pub(super) fn widen_to(&self, small: ExprId, have: u8, ty: Type) -> Option<Fix> {
+        let (scalar, 1, want) = ty.numeric()? else {
+            return None;
+        };
+        if have < 2 || want <= have || !self.is_direct(self.tree.expr(small).extent) {
+            return None;
+        }
+        let zero = match scalar {
+            Scalar::Float => "0.0",
+            Scalar::Bool => "false",
+            Scalar::Int => "0",
+            Scalar::Uint => "0u",
+        };
+        let zeros = format!(", {zero}").repeat((want - have) as usize);
+        let span = self.expr_span(small);
+        let name = self.name_of(ty);
+        let text = self.sources.text(span);
+        let title = format!("make it a `{name}`: `{name}({text}{zeros})`");
+        let edits = vec![
+            Edit::insert(span.start, format!("{name}(")),
+            Edit::insert(span.end, format!("{zeros})")),
+        ];
+        Some(Fix::suggestion(title, edits))
+    }
+
+    fn other_misfit(
+        &self,
+        id: ExprId,
+        symbol: &str,
+        left: ExprId,
+        right: ExprId,
+        misfit: Misfit,
+    ) -> Diagnostic {
+        let (l, r) = (self.ty(left), self.ty(right));
+        let (ln, rn) = (self.name_of(l), self.name_of(r));
+        let (rule, message) = match misfit {
+            Misfit::Sampler => (
+                error::SAMPLER_RESTRICTION,
+                format!("a sampler cannot stand in `{symbol}`"),
+            ),
+            Misfit::Struct if ln == rn => (
+                error::TYPE_MISMATCH,
+                format!("`{symbol}` has no meaning for `{ln}`"),
+            ),
+            Misfit::Struct => (
+                error::TYPE_MISMATCH,
+                format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
+            ),
+            Misfit::StructInside => (
+                error::UNSUPPORTED_OPERATION,
+                format!("`{symbol}` cannot stand between structs that hold arrays or samplers"),
+            ),
+            Misfit::Array if l.is_array() != r.is_array() => (
+                error::TYPE_MISMATCH,
+                format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
+            ),
+            Misfit::Array if !self.is_300() => (
+                error::NEEDS_WEBGL2,
+                format!("GLSL ES 1.00 has no `{symbol}` for arrays"),
+            ),
+            Misfit::Array => (
+                error::TYPE_MISMATCH,
+                format!("`{symbol}` has no meaning for arrays"),
+            ),
+            Misfit::ArraySize => (
+                error::TYPE_MISMATCH,
+                format!("the arrays `{ln}` and `{rn}` differ in size"),
+            ),
+            Misfit::NeedsInteger => (
+                error::TYPE_MISMATCH,
+                format!("`{symbol}` works on integers, not on `{ln}` and `{rn}`"),
+            ),
+            Misfit::NeedsNumber => (
+                error::TYPE_MISMATCH,
+                format!("`{symbol}` works on numbers, not on `{ln}`"),
+            ),
+            Misfit::NeedsBool => (
+                error::TYPE_MISMATCH,
+                format!("`{symbol}` works on single `bool`s, not on `{ln}` and `{rn}`"),
+            ),
+            _ => (
+                error::TYPE_MISMATCH,
+                format!("`{symbol}` compares single numbers, not `{ln}` and `{rn}`"),
+            ),
+        };
+        let d = self.error_expr(rule, id, message);
+        if ln == rn {
+            d
+        } else {
+            self.both(d, left, right)
+        }
+    }
+
+    /// What GLSL has in the place of an operator that does not fit.
+    fn advise_operator(
+        &self,
+        d: Diagnostic,
+        op: BinaryOp,
+        left: ExprId,
+        right: ExprId,
+        misfit: Misfit,
+    ) -> Diagnostic {
+        use BinaryOp as B;
+        let (l, r) = (self.expr_text(left), self.expr_text(right));
+        match (op, misfit) {
+            (B::Rem, Misfit::NeedsInteger) => {
+                d.help(format!("for `float` there is `mod({l}, {r})`"))
+            }
+            (B::BitXor, Misfit::NeedsInteger) => d.help(format!("a power is `pow({l}, {r})`")),
+            (B::BitAnd | B::BitOr, Misfit::NeedsInteger) if self.ty(left) == Type::BOOL => {
+                d.help(format!("for `bool` there is `{}`", op.symbol().repeat(2)))
+            }
+            (_, Misfit::NeedsScalar) => {
+                let function = match op {
+                    B::Less => "lessThan",
+                    B::Greater => "greaterThan",
+                    B::LessEqual => "lessThanEqual",
+                    _ => "greaterThanEqual",
+                };
+                d.help(format!("compare each component with `{function}({l}, {r})`, then `all(...)` or `any(...)`"))
+            }
+            (B::And | B::Or | B::Xor, Misfit::NeedsBool)
+                if self.ty(left).scalar_kind() != Some(Scalar::Bool) =>
+            {
+                d.help("compare with 0: `x != 0`")
+            }
+            _ => d,
+        }
+    }
+
+    /// Reports `l = r` whose types do not fit.
+    pub(super) fn assign_misfit(
+        &mut self,
+        id: ExprId,
+        left: ExprId,
+        right: ExprId,
+        misfit: Misfit,
+    ) {
+        let (l, r) = (self.ty(left), self.ty(right));
+        if misfit == Misfit::Void {
+            return self.void_value(right);
+        }
+        let (ln, rn) = (self.name_of(l), self.name_of(r));
+        let rule = self.rule_for(l, r, misfit);
+        let d = self.misfit_at(self.tree.expr(id).extent, l, right, rule);
+        let d = d.label(self.expr_span(left), format!("a variable of type `{ln}`"));
+        let d = if d.span == self.expr_span(right) {
+            d
+        } else {
+            d.label(self.expr_span(right), format!("`{rn}`"))
+        };
+        self.report(d);
+    }
+
+    /// Reports a declaration whose initializer does not fit.
+    pub(super) fn initializer_misfit(
+        &mut self,
+        declarator: &Declarator,
+        ty: Type,
+        init: ExprId,
+        misfit: Misfit,
+    ) {
+        let found = self.ty(init);
+        if misfit == Misfit::Void {
+            return self.void_value(init);
+        }
+        let rule = self.rule_for(ty, found, misfit);
+        let d = self.misfit_at(declarator.extent, ty, init, rule);
+        let d = match d.span == self.expr_span(init) {
+            true => d,
+            false => d.label(self.expr_span(init), format!("`{}`", self.name_of(found))),
+        };
+        self.report(d);
+    }
+
+    fn rule_for(&self, wanted: Type, found: Type, misfit: Misfit) -> &'static str {
+        let has_bool = |t: Type| t.element().scalar_kind() == Some(Scalar::Bool);
+        match misfit {
+            Misfit::Scalars if has_bool(wanted) || has_bool(found) => error::TYPE_MISMATCH,
+            Misfit::Scalars if wanted.components() == found.components() => error::INT_FLOAT_MIX,
+            Misfit::Scalars => error::TYPE_MISMATCH,
+            Misfit::Shape => error::VECTOR_SIZE,
+            Misfit::Sampler => error::SAMPLER_RESTRICTION,
+            Misfit::StructInside => error::UNSUPPORTED_OPERATION,
+            Misfit::Array if !self.is_300() => error::NEEDS_WEBGL2,
+            _ => error::TYPE_MISMATCH,
+        }
+    }
+
+    /// "a `float` is wanted, but this is `int`": at the value where it is a literal that is easily
+    /// mended, else at all of `extent`.
+    pub(super) fn misfit_at(
+        &self,
+        extent: Extent,
+        wanted: Type,
+        value: ExprId,
+        rule: &'static str,
+    ) -> Diagnostic {
+        let found = self.ty(value);
+        let (wn, fname) = (self.name_of(wanted), self.name_of(found));
+        let message = format!("`{fname}` cannot become `{wn}` by itself");
+        let scalar = wanted.element().scalar_kind();
+        let fix = match (rule, scalar) {
+            (error::INT_FLOAT_MIX, Some(scalar)) if !wanted.is_array() => {
+                self.convert(value, scalar)
+            }
+            (error::VECTOR_SIZE, _) => self.resize(value, wanted),
+            _ => None,
+        };
+        let at_value = rule == error::INT_FLOAT_MIX && self.literal_token(value).is_some();
+        let d = if at_value {
+            self.error_expr(rule, value, message)
+                .mark(format!("`{fname}`"))
+        } else {
+            self.error(rule, extent, message)
+        };
+        d.note(NO_CONVERSION).fix(fix)
+    }
+
+    /// Cuts a vector that is too long, or fills one that is too short.
+    pub(super) fn resize(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+        let (_, 1, have) = self.ty(value).numeric()? else {
+            return None;
+        };
+        let (_, 1, want) = wanted.numeric()? else {
+            return None;
+        };
+        if !self.is_direct(self.tree.expr(value).extent) {
+            return None;
+        }
+        if have > want {
+            let letters = "xyzw".get(..want as usize)?;
+            let span = self.expr_span(value);
+            let atom = self.is_atom(value);
+            let mut edits = vec![Edit::insert(
+                span.end,
+                format!("{}.{letters}", if atom { "" } else { ")" }),
+            )];
+            if !atom {
+                edits.insert(0, Edit::insert(span.start, "("));
+            }
+            return Some(Fix::suggestion(format!("take `.{letters}` of it"), edits));
+        }
+        if have == 1 {
+            let span = self.expr_span(value);
+            let name = self.name_of(wanted);
+            let edits = vec![
+                Edit::insert(span.start, format!("{name}(")),
+                Edit::insert(span.end, ")"),
+            ];
+            return Some(Fix::suggestion(format!("fill a `{name}` with it"), edits));
+        }
+        self.widen_to(value, have, wanted)
+    }
+
+    /// Whether an expression needs no parentheses before a `.`.
+    fn is_atom(&self, id: ExprId) -> bool {
+        use ExprKind as E;
+        matches!(
+            self.tree.expr(id).kind,
+            E::Name(_)
+                | E::Paren(_)
+                | E::Call(..)
+                | E::Construct(..)
+                | E::Member(..)
+                | E::Index(..)
+                | E::Method(..)
+        )
+    }
+
+    /// Reports `c ? a : b` whose arms differ.
+    pub(super) fn ternary_mismatch(&mut self, id: ExprId, yes: ExprId, no: ExprId) {
+        let (y, n) = (self.ty(yes), self.ty(no));
+        if y.is_void() || n.is_void() {
+            return self.void_value(if y.is_void() { yes } else { no });
+        }
+        let scalars = (y.scalar_kind(), n.scalar_kind());
+        let mixed = matches!(scalars, (Some(a), Some(b)) if a != b && a != Scalar::Bool && b != Scalar::Bool);
+        if mixed && y.components() == n.components() {
+            return self.mixed(id, "? :", yes, no, false);
+        }
+        let (yn, nn) = (self.name_of(y), self.name_of(n));
+        let rule = match scalars {
+            (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
+            _ => error::TYPE_MISMATCH,
+        };
+        let d = self
+            .error_expr(
+                rule,
+                id,
+                format!("the two values of `? :` differ: `{yn}` and `{nn}`"),
+            )
+            .note(NO_CONVERSION);
+        let d = self.both(d, yes, no);
+        self.report(d);
+    }
+
+    /// Reports a condition that is no `bool`.
+    pub(super) fn bad_condition(&mut self, id: ExprId, what: &str) {
+        let ty = self.ty(id);
+        if ty.is_void() {
+            return self.void_value(id);
+        }
+        let name = self.name_of(ty);
+        let d = self
+            .error_expr(
+                error::CONDITION_TYPE,
+                id,
+                format!("{what} must be `bool`, not `{name}`"),
+            )
+            .note("a number does not count as true or false here");
+        let zero = match ty {
+            Type::INT => "0",
+            Type::UINT => "0u",
+            Type::FLOAT => "0.0",
+            _ => "",
+        };
+        let is_assignment = matches!(
+            self.tree.expr(self.tree.unparen(id)).kind,
+            ExprKind::Assign(None, ..)
+        );
+        let d = if is_assignment {
+            d.help("`=` assigns; `==` compares")
+        } else if !zero.is_empty() && self.is_direct(self.tree.expr(id).extent) {
+            let span = self.expr_span(id);
+            let atom = self.is_atom(id);
+            let mut edits = vec![Edit::insert(
+                span.end,
+                format!("{} != {zero}", if atom { "" } else { ")" }),
+            )];
+            if !atom {
+                edits.insert(0, Edit::insert(span.start, "("));
+            }
+            d.fix(Fix::safe(format!("compare with `{zero}`"), edits))
+        } else if ty.scalar_kind() == Some(Scalar::Bool) {
+            d.help("join the components with `any(...)` or `all(...)`")
+        } else {
+            d
+        };
+        self.report(d);
+    }
+
+    /// The token of a literal number, through parentheses and signs.
+    pub(super) fn literal_token(&self, id: ExprId) -> Option<Token> {
+        let mut at = id;
+        loop {
+            match self.tree.expr(at).kind {
+                ExprKind::Paren(inner) | ExprKind::Unary(UnaryOp::Minus | UnaryOp::Plus, inner) => {
+                    at = inner
+                }
+                ExprKind::Int(_) | ExprKind::Uint(_) | ExprKind::Float(_) => {
+                    return Some(self.token(self.tree.expr(at).extent.first));
+                }
+                _ => return None,
+            }
+        }
+    }
+
+    /// The digits of a floating point literal without fraction: `2.0` gives `2`.
+    fn whole_literal(&self, id: ExprId) -> Option<String> {
+        let token = self.literal_token(id)?;
+        let value = f32::from_bits(token.value);
+        let small = token.kind == TokenKind::Float && value.fract() == 0.0 && value.abs() < 1e7;
+        small.then(|| format!("{}", value as i64))
+    }
+
+    /// Makes an expression of another scalar kind: a literal is rewritten, everything else wrapped.
+    pub(super) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
+        if let Some(token) = self.literal_token(id)
+            && let Some(text) = self.converted_literal(id, &token, to)
+        {
+            let is_own = token.is_direct()
+                || self
+                    .sources
+                    .text(token.span)
+                    .starts_with(|c: char| c.is_ascii_digit());
+            return is_own.then(|| {
+                Fix::safe(
+                    format!("write `{text}`"),
+                    vec![Edit::replace(token.span, text)],
+                )
+            });
+        }
+        let extent = self.tree.expr(id).extent;
+        if !self.is_direct(extent) {
+            return None;
+        }
+        let ty = self.ty(id);
+        let name = self.name_of(ty.with_scalar(to));
+        let span = self.expr_span(id);
+        let text = self.sources.text(span);
+        let has_parens = matches!(self.tree.expr(id).kind, ExprKind::Paren(_));
+        let mut edits = vec![Edit::insert(
+            span.start,
+            if has_parens {
+                name.clone()
+            } else {
+                format!("{name}(")
+            },
+        )];
+        if !has_parens {
+            edits.push(Edit::insert(span.end, ")"));
+        }
+        let shown = if has_parens {
+            format!("{name}{text}")
+        } else {
+            format!("{name}({text})")
+        };
+        let title = if shown.len() < 60 && !shown.contains('\n') {
+            format!("write `{shown}`")
+        } else {
+            format!("convert it with `{name}(...)`")
+        };
+        let loses = ty.scalar_kind() == Some(Scalar::Float);
+        Some(if loses {
+            Fix::suggestion(title, edits)
+        } else {
+            Fix::safe(title, edits)
+        })
+    }
+
+    fn converted_literal(&self, id: ExprId, token: &Token, to: Scalar) -> Option<String> {
+        let text = self.sources.text(token.span);
+        let digits = text.trim_end_matches(['u', 'U']);
+        let is_decimal = digits.bytes().all(|b| b.is_ascii_digit())
+            && (digits == "0" || !digits.starts_with('0'))
+            && !digits.is_empty();
+        match (token.kind, to) {
+            (TokenKind::Int | TokenKind::Uint, Scalar::Float) if is_decimal => {
+                Some(format!("{digits}.0"))
+            }
+            (TokenKind::Int, Scalar::Uint) => Some(format!("{digits}u")),
+            (TokenKind::Uint, Scalar::Int) => Some(digits.to_string()),
+            (TokenKind::Float, Scalar::Int) => self.whole_literal(id),
+            (TokenKind::Float, Scalar::Uint) => self.whole_literal(id).map(|d| format!("{d}u")),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,421 @@
+//! The checker: one walk over the tree, in the order of the text.
+//!
+//! Expressions are checked in the order in which the tree stores them, children before parents,
+//! without recursion. A mistake gives a type that fits everywhere, so that it is reported once.
+
+mod assign;
+mod binary;
+mod call;
+mod construct;
+mod declare;
+mod expression;
+mod finish;
+mod function;
+mod layout;
+mod limits;
+mod mismatch;
+mod names;
+mod overload;
+mod qualifier;
+mod record;
+mod statement;
+mod webgl1;
+
+use super::builtins::{Builtins, Stage};
+use super::constant::{Constant, Pool};
+use super::dialect::{Channels, Dialect};
+use super::program::*;
+use super::scope::{Binding, Scopes};
+use super::types::*;
+use crate::diagnostic::{Diagnostic, error};
+use crate::syntax::ast::*;
+use crate::syntax::{Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
+use crate::text::{Role, Sources, Span};
+use finish::LoopCheck;
+use qualifier::Precisions;
+use rustc_hash::FxHashMap;
+
+/// Most errors that are looked for in one shader.
+const MAX_ERRORS: usize = 200;
+
+/// A parsed shader, on its way to the checker.
+pub struct Parsed<'a> {
+    /// The files.
+    pub sources: &'a Sources,
+    /// The tokens.
+    pub tokens: Tokens,
+    /// The words.
+    pub names: Names,
+    /// The tree.
+    pub tree: Tree,
+    /// The version of the language.
+    pub version: Version,
+    /// Whether errors were found before.
+    pub has_errors: bool,
+}
+
+/// Checks a parsed shader. `channels` overrides the types of `iChannel0` to `iChannel3`.
+///
+/// Returns what is known of the shader and what is wrong with it.
+pub fn check<'a>(
+    parsed: Parsed<'a>,
+    stage: Stage,
+    dialect: Dialect,
+    channels: Channels,
+) -> (Program<'a>, Vec<Diagnostic>) {
+    let Parsed {
+        sources,
+        tokens,
+        names,
+        tree,
+        version,
+        has_errors,
+    } = parsed;
+    let mut checker = Checker {
+        sources,
+        tokens: &tokens,
+        names: &names,
+        tree: &tree,
+        version,
+        stage,
+        dialect,
+        channels,
+        builtins: Builtins::of(version, stage),
+        syntax_errors: has_errors,
+        scopes: Scopes::default(),
+        precisions: Precisions::new(stage),
+        exprs: Vec::with_capacity(tree.exprs.len()),
+        variables: Vec::new(),
+        functions: Vec::new(),
+        structs: Vec::new(),
+        calls: Vec::new(),
+        declared: vec![None; tree.declarator_lists.len()],
+        declared_params: vec![None; tree.param_lists.len()],
+        pool: Pool::default(),
+        by_signature: FxHashMap::default(),
+        by_name: FxHashMap::default(),
+        builtin_names: Vec::new(),
+        builtin_variables: FxHashMap::default(),
+        current: None,
+        level: 0,
+        flow: Vec::new(),
+        undeclared: FxHashMap::default(),
+        reported_names: Vec::new(),
+        missing_precision: Vec::new(),
+        deep_reported: None,
+        outputs: Vec::new(),
+        loops: Vec::new(),
+        private_size: 0,
+        frag_color: None,
+        frag_data: None,
+        unknown_functions: Vec::new(),
+        always_true: Vec::new(),
+        returned: Type::VOID,
+        returns_value: false,
+        diagnostics: Vec::new(),
+    };
+    checker.items();
+    checker.finish();
+    let mut diagnostics = std::mem::take(&mut checker.diagnostics);
+    diagnostics.truncate(MAX_ERRORS);
+    let Checker {
+        exprs,
+        variables,
+        functions,
+        structs,
+        calls,
+        declared,
+        declared_params,
+        pool,
+        ..
+    } = checker;
+    let program = Program {
+        sources,
+        version,
+        stage,
+        dialect,
+        exprs,
+        variables,
+        functions,
+        structs,
+        calls,
+        declared,
+        declared_params,
+        pool,
+        had_errors: has_errors,
+        tokens,
+        names,
+        tree,
+    };
+    (program, diagnostics)
+}
+
+/// What a statement stands in.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum FlowKind {
+    Block,
+    If,
+    Loop,
+    Switch(Type),
+}
+
+/// An open statement, with what the checks of loops and switches need.
+struct Flow {
+    kind: FlowKind,
+    has_break: bool,
+    has_return: bool,
+    /// Labels of a switch; `None` is `default`.
+    labels: Vec<(Option<i64>, TokenId)>,
+    /// The index of a WebGL1 loop, which its body must not change.
+    loop_index: Option<VariableId>,
+}
+
+struct Checker<'a> {
+    sources: &'a Sources,
+    tokens: &'a Tokens,
+    names: &'a Names,
+    tree: &'a Tree,
+    version: Version,
+    stage: Stage,
+    dialect: Dialect,
+    channels: Channels,
+    builtins: &'static Builtins,
+    syntax_errors: bool,
+    scopes: Scopes,
+    precisions: Precisions,
+    exprs: Vec<ExprInfo>,
+    variables: Vec<Variable>,
+    functions: Vec<Function>,
+    structs: Vec<Struct>,
+    calls: Vec<Call>,
+    declared: Vec<Option<VariableId>>,
+    declared_params: Vec<Option<VariableId>>,
+    pool: Pool,
+    by_signature: FxHashMap<(Name, Vec<Type>), FunctionRef>,
+    by_name: FxHashMap<Name, Vec<FunctionRef>>,
+    /// By name: the built-in function, once it was looked up.
+    builtin_names: Vec<Option<Option<u16>>>,
+    builtin_variables: FxHashMap<Name, VariableId>,
+    current: Option<FunctionRef>,
+    /// Depth of the statement at hand in the browser's tree.
+    level: u32,
+    flow: Vec<Flow>,
+    /// Undeclared names: the diagnostic that speaks of them, and how often they were used since.
+    undeclared: FxHashMap<Name, (usize, u32)>,
+    reported_names: Vec<Name>,
+    /// Types whose missing precision was reported.
+    missing_precision: Vec<Base>,
+    /// The function in which too deep a tree was reported.
+    deep_reported: Option<Option<FunctionRef>>,
+    outputs: Vec<finish::Output>,
+    loops: Vec<LoopCheck>,
+    private_size: u64,
+    frag_color: Option<TokenId>,
+    frag_data: Option<TokenId>,
+    /// Functions that could not be declared; calls of them are not judged.
+    unknown_functions: Vec<Name>,
+    /// Variables that start as true.
+    always_true: Vec<VariableId>,
+    /// What the function at hand returns, and whether a `return` with a value was seen in it.
+    returned: Type,
+    returns_value: bool,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> Checker<'a> {
+    fn items(&mut self) {
+        let tree = self.tree;
+        for item in &tree.items {
+            if self.gave_up() {
+                return;
+            }
+            match *item {
+                Item::Function(id) => self.function_definition(id),
+                Item::Decl(id) => self.declaration(id),
+            }
+        }
+    }
+
+    /// Whether so much is wrong that looking on is of no use.
+    fn gave_up(&self) -> bool {
+        self.diagnostics.len() >= MAX_ERRORS
+    }
+
+    fn is_300(&self) -> bool {
+        self.version == Version::Es300
+    }
+
+    fn at_global_scope(&self) -> bool {
+        self.scopes.depth() == 0
+    }
+
+    fn text(&self, name: Name) -> &'a str {
+        self.names.text(name)
+    }
+
+    fn token(&self, id: TokenId) -> Token {
+        let tokens = &self.tokens.tokens;
+        tokens
+            .get(id as usize)
+            .or(tokens.last())
+            .copied()
+            .unwrap_or(Token {
+                kind: TokenKind::End,
+                value: 0,
+                span: Span::default(),
+                spelled: 0,
+                expansion: Token::DIRECT,
+            })
+    }
+
+    fn token_span(&self, id: TokenId) -> Span {
+        self.token(id).span
+    }
+
+    fn span(&self, extent: Extent) -> Span {
+        self.token_span(extent.first)
+            .to(self.token_span(extent.last))
+    }
+
+    fn expr_span(&self, id: ExprId) -> Span {
+        self.span(self.tree.expr(id).extent)
+    }
+
+    fn expr_text(&self, id: ExprId) -> &'a str {
+        self.sources.text(self.expr_span(id))
+    }
+
+    fn info(&self, id: ExprId) -> ExprInfo {
+        self.exprs
+            .get(id.0 as usize)
+            .copied()
+            .unwrap_or(ExprInfo::ERROR)
+    }
+
+    fn ty(&self, id: ExprId) -> Type {
+        self.info(id).ty
+    }
+
+    fn name_of(&self, ty: Type) -> String {
+        type_name(ty, |id| {
+            super::program::struct_name(&self.structs, self.names, id)
+        })
+    }
+
+    /// Whether all tokens of a node stand in the text just so, outside any macro call.
+    fn is_direct(&self, extent: Extent) -> bool {
+        let tokens = self
+            .tokens
+            .tokens
+            .get(extent.first as usize..=extent.last as usize);
+        tokens.is_some_and(|all| all.iter().all(Token::is_direct))
+    }
+
+    /// Whether a token stands in text that a host put before the user's.
+    fn is_prelude(&self, token: TokenId) -> bool {
+        let span = self.token_span(token);
+        self.sources
+            .file_at(span.start)
+            .is_some_and(|f| f.role == Role::Prelude)
+    }
+
+    fn error(&self, rule: &'static str, extent: Extent, message: impl Into<String>) -> Diagnostic {
+        let mut d = Diagnostic::error(rule, self.span(extent), message);
+        let first = self.token(extent.first);
+        let token = if first.is_direct() {
+            self.token(extent.last)
+        } else {
+            first
+        };
+        d.macros = macro_uses(
+            &self.tokens.expansions,
+            &self.tokens.macros,
+            self.names,
+            &token,
+        );
+        d
+    }
+
+    fn error_at(
+        &self,
+        rule: &'static str,
+        token: TokenId,
+        message: impl Into<String>,
+    ) -> Diagnostic {
+        self.error(rule, Extent::token(token), message)
+    }
+
+    fn error_expr(
+        &self,
+        rule: &'static str,
+        expr: ExprId,
+        message: impl Into<String>,
+    ) -> Diagnostic {
+        self.error(rule, self.tree.expr(expr).extent, message)
+    }
+
+    /// Reports an error. A fix whose edits do not stand in the user's own text just so is dropped.
+    fn report(&mut self, mut diagnostic: Diagnostic) {
+        if let Some(fix) = &diagnostic.fix
+            && fix.edits.iter().any(|e| !self.is_editable(e.span))
+        {
+            diagnostic.fix = None;
+        }
+        if self.diagnostics.len() < MAX_ERRORS {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// Whether the text under a span is the user's, and no macro call stands there that would be
+    /// torn apart.
+    fn is_editable(&self, span: Span) -> bool {
+        let tokens = &self.tokens.tokens;
+        // Tokens are in the order of the text, as each stands where the user sees it.
+        let from = tokens.partition_point(|t| t.span.end <= span.start);
+        let inside = tokens.get(from..).unwrap_or(&[]);
+        let clean = inside
+            .iter()
+            .take_while(|t| t.span.start < span.end)
+            .all(|t| t.is_direct() || span.contains(t.span));
+        clean
+            && self
+                .sources
+                .file_at(span.start)
+                .is_some_and(|f| f.role == Role::User)
+    }
+
+    /// Adds "declared here" where the user's own text declares a name.
+    fn with_declaration(&self, d: Diagnostic, token: Option<TokenId>, what: &str) -> Diagnostic {
+        match token {
+            Some(token) if !self.is_prelude(token) => d.label(self.token_span(token), what),
+            Some(_) => d.note("the ShaderToy player declares it"),
+            None => d.note("the language declares it"),
+        }
+    }
+
+    /// Asks whether a name is free for the user: no `gl_`, no `webgl_`, no two underscores.
+    fn check_not_reserved(&mut self, ident: Ident) -> bool {
+        let text = self.text(ident.name);
+        let why = if text.starts_with("gl_") {
+            "names that start with `gl_` belong to the language (section 3.9)"
+        } else if text.starts_with("webgl_") || text.starts_with("_webgl_") {
+            "names that start with `webgl_` belong to WebGL (WebGL 1.0 section 6.22)"
+        } else if text.contains("__") {
+            "WebGL keeps names with two underscores in a row for itself"
+        } else {
+            return true;
+        };
+        if self.is_prelude(ident.token) {
+            return true;
+        }
+        if !self.reported_names.contains(&ident.name) {
+            self.reported_names.push(ident.name);
+            let message = format!("the name `{text}` is reserved");
+            let d = self
+                .error_at(error::RESERVED_IDENTIFIER, ident.token, message)
+                .note(why);
+            self.report(d);
+        }
+        false
+    }
+}

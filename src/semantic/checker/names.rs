@@ -1,0 +1,615 @@
+//! Names: what they stand for, and what to say when they stand for nothing.
+
+use super::super::builtins::{BuiltinStorage, BuiltinVariable};
+use super::*;
+use crate::diagnostic::Fix;
+use crate::text::Edit;
+
+/// Functions of GLSL ES 1.00 and its extensions, and what took their place.
+#[rustfmt::skip]
+pub(super) const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
+    ("texture2D", "texture"), ("texture2DProj", "textureProj"), ("texture2DLod", "textureLod"),
+    ("texture2DProjLod", "textureProjLod"), ("textureCube", "texture"),
+    ("textureCubeLod", "textureLod"), ("texture3D", "texture"), ("texture2DLodEXT", "textureLod"),
+    ("texture2DProjLodEXT", "textureProjLod"), ("textureCubeLodEXT", "textureLod"),
+    ("texture2DGradEXT", "textureGrad"), ("texture2DProjGradEXT", "textureProjGrad"),
+    ("textureCubeGradEXT", "textureGrad"), ("shadow2D", "texture"),
+];
+
+/// What other shading languages call things.
+#[rustfmt::skip]
+const FOREIGN: &[(&str, &str)] = &[
+    ("lerp", "mix"), ("frac", "fract"), ("saturate", "clamp(x, 0.0, 1.0)"), ("rsqrt", "inversesqrt"),
+    ("atan2", "atan"), ("fmod", "mod"), ("ddx", "dFdx"), ("ddy", "dFdy"), ("mul", "*"),
+    ("tex2D", "texture"), ("tex2Dlod", "textureLod"), ("clip", "discard"), ("float2", "vec2"),
+    ("float3", "vec3"), ("float4", "vec4"), ("float2x2", "mat2"), ("float3x3", "mat3"),
+    ("float4x4", "mat4"), ("int2", "ivec2"), ("int3", "ivec3"), ("int4", "ivec4"), ("fabs", "abs"),
+    ("fmin", "min"), ("fmax", "max"), ("powf", "pow"), ("sqrtf", "sqrt"), ("sinf", "sin"),
+    ("cosf", "cos"), ("M_PI", "3.14159265"), ("var", "a type"), ("let", "a type"), ("auto", "a type"),
+    ("NULL", "0"), ("nullptr", "0"), ("fma", "a * b + c"), ("mad", "a * b + c"),
+    ("vec2f", "vec2"), ("vec3f", "vec3"), ("vec4f", "vec4"), ("f32", "float"), ("i32", "int"),
+    ("u32", "uint"),
+];
+
+/// Names that shaders give their output.
+const OUTPUT_NAMES: &[&str] = &[
+    "fragColor",
+    "FragColor",
+    "outColor",
+    "out_Color",
+    "out_color",
+    "outputColor",
+    "fragmentColor",
+    "o_color",
+    "oColor",
+    "color_out",
+    "pc_fragColor",
+    "out_FragColor",
+    "myOutputColor",
+    "finalColor",
+];
+
+impl Checker<'_> {
+    /// The variable that a name stands for here, the language's own included.
+    pub(super) fn find_variable(&mut self, name: Name) -> Option<VariableId> {
+        match self.scopes.get(name) {
+            Some(Binding::Variable(id)) => Some(id),
+            Some(_) => None,
+            None => {
+                if let Some(&id) = self.builtin_variables.get(&name) {
+                    return Some(id);
+                }
+                let found = self.builtins.variable(self.text(name))?;
+                let id = self.declare_builtin(name, found);
+                self.builtin_variables.insert(name, id);
+                Some(id)
+            }
+        }
+    }
+
+    /// Makes a built-in variable known under its name.
+    fn declare_builtin(&mut self, name: Name, found: BuiltinVariable) -> VariableId {
+        let storage = match found.storage {
+            BuiltinStorage::In => Storage::Input,
+            BuiltinStorage::Out => Storage::Output,
+            BuiltinStorage::Uniform => Storage::Uniform,
+            BuiltinStorage::Const(_) => Storage::Global,
+        };
+        let is_const = matches!(found.storage, BuiltinStorage::Const(_));
+        let constant = self.pool.add(found.storage.value());
+        let ty = found.ty.unwrap_or_else(|| self.depth_range());
+        let id = VariableId(self.variables.len() as u32);
+        self.variables.push(Variable {
+            name,
+            ty,
+            storage,
+            is_const,
+            constant,
+            token: None,
+            function: None,
+            written: false,
+            read: false,
+        });
+        id
+    }
+
+    /// The struct of `gl_DepthRange`.
+    fn depth_range(&mut self) -> Type {
+        let fields = ["near", "far", "diff"]
+            .iter()
+            .filter_map(|f| self.names.get(f))
+            .map(|name| Field {
+                name,
+                ty: Type::FLOAT,
+                token: 0,
+            })
+            .collect();
+        let index = self.structs.len() as u32;
+        self.structs.push(Struct {
+            name: None,
+            token: 0,
+            fields,
+            nesting: 1,
+            holds_array: false,
+            holds_sampler: false,
+        });
+        Type {
+            base: Base::Struct(index),
+            array: 0,
+        }
+    }
+
+    /// A name used as a variable.
+    pub(super) fn name(&mut self, name: Name, id: ExprId) -> ExprInfo {
+        let token = self.tree.expr(id).extent.first;
+        match self.scopes.get(name) {
+            Some(Binding::Variable(variable)) => self.variable(variable, token),
+            Some(Binding::Error) => ExprInfo::ERROR,
+            Some(binding) => {
+                let text = self.text(name);
+                let what = if binding == Binding::Function {
+                    "function"
+                } else {
+                    "type"
+                };
+                let declared = self.declaration_token(name, binding);
+                let d = self.error_at(
+                    error::NOT_A_VARIABLE,
+                    token,
+                    format!("`{text}` is a {what}, not a variable"),
+                );
+                let d = self.with_declaration(d, declared, "declared here");
+                self.report(d);
+                ExprInfo::ERROR
+            }
+            None => match self.find_variable(name) {
+                Some(variable) => self.variable(variable, token),
+                None => {
+                    self.undeclared_variable(name, token);
+                    ExprInfo::ERROR
+                }
+            },
+        }
+    }
+
+    fn variable(&mut self, id: VariableId, token: TokenId) -> ExprInfo {
+        let Some(variable) = self.variables.get_mut(id.0 as usize) else {
+            return ExprInfo::ERROR;
+        };
+        variable.read = true;
+        let Variable {
+            ty,
+            constant,
+            is_const,
+            name,
+            storage,
+            token: declared,
+            ..
+        } = *variable;
+        if declared.is_none() && storage == Storage::Output && !self.is_300() {
+            match self.names.text(name) {
+                "gl_FragColor" => self.frag_color = self.frag_color.or(Some(token)),
+                "gl_FragData" => self.frag_data = self.frag_data.or(Some(token)),
+                _ => {}
+            }
+        }
+        ExprInfo {
+            ty,
+            constant,
+            resolution: Resolution::Variable(id),
+            height: 0,
+            is_const,
+        }
+    }
+
+    /// Whether a name was reported before; counts the use.
+    fn was_reported(&mut self, name: Name) -> bool {
+        match self.undeclared.get_mut(&name) {
+            Some((_, uses)) => {
+                *uses += 1;
+                true
+            }
+            None => false,
+        }
+    }
+
+    fn report_undeclared(&mut self, name: Name, diagnostic: Diagnostic) {
+        self.undeclared.insert(name, (self.diagnostics.len(), 0));
+        self.report(diagnostic);
+    }
+
+    fn undeclared_variable(&mut self, name: Name, token: TokenId) {
+        if self.was_reported(name) {
+            return;
+        }
+        let text = self.text(name);
+        let d = match self.legacy_variable(name, token) {
+            Some(d) => d,
+            None => {
+                let d = self.error_at(
+                    error::UNDECLARED_NAME,
+                    token,
+                    format!("nothing declares `{text}`"),
+                );
+                self.advise_name(d, name, token, false)
+            }
+        };
+        self.report_undeclared(name, d);
+    }
+
+    /// Variables that GLSL ES 1.00 has and 3.00 has not.
+    fn legacy_variable(&mut self, name: Name, token: TokenId) -> Option<Diagnostic> {
+        let text = self.text(name);
+        let is_fragment = self.stage == Stage::Fragment;
+        if !self.is_300() {
+            return match text {
+                "gl_FragDepth" | "gl_VertexID" | "gl_InstanceID" => Some(
+                    self.error_at(
+                        error::NEEDS_WEBGL2,
+                        token,
+                        format!("`{text}` comes with GLSL ES 3.00"),
+                    )
+                    .help("start the shader with `#version 300 es`"),
+                ),
+                _ => None,
+            };
+        }
+        match text {
+            "gl_FragColor" | "gl_FragData" if is_fragment => Some(self.legacy_output(name, token)),
+            "gl_FragDepthEXT" => Some(
+                self.error_at(
+                    error::LEGACY_GLSL,
+                    token,
+                    format!("`{text}` is gone since GLSL ES 3.00"),
+                )
+                .fix(Fix::safe(
+                    "write `gl_FragDepth`",
+                    vec![Edit::replace(self.token_span(token), "gl_FragDepth")],
+                )),
+            ),
+            "iGlobalTime" if self.dialect.is_shadertoy() => Some(
+                self.error_at(
+                    error::LEGACY_GLSL,
+                    token,
+                    "`iGlobalTime` is called `iTime` since 2017",
+                )
+                .fix(Fix::safe("write `iTime`", self.rename_all(name, "iTime"))),
+            ),
+            _ if is_fragment && OUTPUT_NAMES.contains(&text) && self.is_assigned(token) => {
+                Some(self.missing_output(text, token))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether `=` or a component and `=` stand behind a token.
+    fn is_assigned(&self, token: TokenId) -> bool {
+        let kind = |i: u32| self.token(token + i).kind;
+        kind(1) == TokenKind::Equal || (kind(1) == TokenKind::Dot && kind(3) == TokenKind::Equal)
+    }
+
+    fn missing_output(&self, text: &str, token: TokenId) -> Diagnostic {
+        let line = format!("out vec4 {text};");
+        let d = self
+            .error_at(
+                error::MISSING_OUTPUT,
+                token,
+                format!("the output `{text}` is not declared"),
+            )
+            .note("a WebGL2 fragment shader declares what it writes to (section 4.3.6)");
+        match self.first_declaration() {
+            Some(at) => d.fix(Fix::safe(
+                format!("add `{line}`"),
+                vec![Edit::insert(at, format!("{line}\n"))],
+            )),
+            None => d.help(format!("add `{line}` at the top")),
+        }
+    }
+
+    fn legacy_output(&mut self, name: Name, token: TokenId) -> Diagnostic {
+        let text = self.text(name);
+        let d = self.error_at(
+            error::LEGACY_GLSL,
+            token,
+            format!("`{text}` is gone since GLSL ES 3.00"),
+        );
+        if self.dialect.is_shadertoy() {
+            return d.help("write to the first parameter of `mainImage`");
+        }
+        let output = self
+            .variables
+            .iter()
+            .find(|v| v.storage == Storage::Output && v.token.is_some());
+        if let Some(output) = output {
+            let to = self.text(output.name).to_string();
+            return d
+                .note("a WebGL2 fragment shader writes to an output that it declares itself")
+                .fix(Fix::safe(
+                    format!("write to `{to}`"),
+                    self.rename_all(name, &to),
+                ));
+        }
+        let d = d.note("a WebGL2 fragment shader writes to an output that it declares itself");
+        let to = self.free_name("fragColor");
+        let line = format!("out vec4 {to};");
+        let mut edits = self.rename_all(name, &to);
+        match self.first_declaration() {
+            Some(at) if text == "gl_FragColor" && !edits.is_empty() => {
+                edits.push(Edit::insert(at, format!("{line}\n")));
+                d.fix(Fix::safe(
+                    format!("declare `{line}` and write to it"),
+                    edits,
+                ))
+            }
+            _ => d.help(format!("declare `{line}` at the top and write to it")),
+        }
+    }
+
+    /// A name like `base` that the shader does not use.
+    fn free_name(&self, base: &str) -> String {
+        let mut name = base.to_string();
+        let mut number = 2;
+        while self.names.get(&name).is_some() {
+            name = format!("{base}{number}");
+            number += 1;
+        }
+        name
+    }
+
+    /// Edits that put `to` in the place of every use of a name; none where one stands in a macro.
+    pub(super) fn rename_all(&self, name: Name, to: &str) -> Vec<Edit> {
+        let mut edits = Vec::new();
+        let mut behind_dot = false;
+        for token in &self.tokens.tokens {
+            let is_use =
+                token.kind == TokenKind::Identifier && token.value == name.0 && !behind_dot;
+            behind_dot = token.kind == TokenKind::Dot;
+            if !is_use {
+                continue;
+            }
+            if !token.is_direct() {
+                return Vec::new();
+            }
+            edits.push(Edit::replace(token.span, to));
+        }
+        edits
+    }
+
+    /// Address of the first declaration that is no `precision`, in the user's text.
+    fn first_declaration(&self) -> Option<u32> {
+        let tree = self.tree;
+        let first = tree.items.iter().find_map(|item| {
+            let extent = match *item {
+                Item::Function(id) => tree.function(id)?.extent,
+                Item::Decl(id) => {
+                    let decl = tree.decl(id)?;
+                    if matches!(decl.kind, DeclKind::Precision { .. }) {
+                        return None;
+                    }
+                    decl.extent
+                }
+            };
+            (!self.is_prelude(extent.first)).then_some(extent.first)
+        })?;
+        self.token(first)
+            .is_direct()
+            .then(|| self.token_span(first).start)
+    }
+
+    /// Says where a name is declared after all, or which name was probably meant.
+    pub(super) fn advise_name(
+        &self,
+        d: Diagnostic,
+        name: Name,
+        token: TokenId,
+        is_call: bool,
+    ) -> Diagnostic {
+        let text = self.text(name);
+        if let Some(later) = self.declared_later(name, token) {
+            let line = self
+                .sources
+                .file_at(later.start)
+                .map_or(0, |f| f.position(later.start).line);
+            return d.label(later, "declared here").note(format!(
+                "it is declared below, in line {line}; GLSL wants that before the first use"
+            ));
+        }
+        if let Some((_, meant)) = FOREIGN.iter().find(|(n, _)| *n == text) {
+            return d.help(format!("GLSL has `{meant}` for it"));
+        }
+        match self.nearest_name(text, is_call) {
+            Some(near) => {
+                let span = self.token_span(token);
+                let edit = Edit::replace(span, near.clone());
+                d.fix(Fix::suggestion(
+                    format!("did you mean `{near}`?"),
+                    vec![edit],
+                ))
+            }
+            None => d,
+        }
+    }
+
+    /// Where a name is declared at global scope behind a token.
+    pub(super) fn declared_later(&self, name: Name, token: TokenId) -> Option<Span> {
+        let tree = self.tree;
+        tree.items.iter().find_map(|item| {
+            let ident = match *item {
+                Item::Function(id) => tree.function(id)?.ident,
+                Item::Decl(id) => match tree.decl(id)?.kind {
+                    DeclKind::Variables { declarators, .. } => {
+                        tree.declarators(declarators)
+                            .iter()
+                            .find(|d| d.ident.name == name)?
+                            .ident
+                    }
+                    _ => return None,
+                },
+            };
+            (ident.name == name && ident.token > token).then(|| self.token_span(ident.token))
+        })
+    }
+
+    /// The name in scope that looks most like `text`.
+    fn nearest_name(&self, text: &str, is_call: bool) -> Option<String> {
+        let limit = match text.len() {
+            0..=2 => return None,
+            3..=5 => 1,
+            6..=9 => 2,
+            _ => 3,
+        };
+        let fits = |binding| match binding {
+            Binding::Function => is_call,
+            Binding::Variable(_) => !is_call,
+            Binding::Struct(_) => is_call,
+            Binding::Error => false,
+        };
+        let scope = self
+            .scopes
+            .visible()
+            .filter(|(_, b)| fits(*b))
+            .map(|(n, _)| self.text(n));
+        let builtins = self
+            .builtins
+            .functions
+            .iter()
+            .filter(|_| is_call)
+            .map(|f| f.name.as_str());
+        scope
+            .chain(builtins)
+            .filter(|n| n.len().abs_diff(text.len()) <= limit && !n.starts_with("st_"))
+            .map(|n| (strsim::damerau_levenshtein(n, text), n))
+            .filter(|(distance, _)| (1..=limit).contains(distance))
+            .min()
+            .map(|(_, n)| n.to_string())
+    }
+
+    /// A name used as a type that is none.
+    pub(super) fn unknown_type(&mut self, name: Name, token: TokenId) {
+        if self.was_reported(name) {
+            return;
+        }
+        let text = self.text(name);
+        let message = match self.scopes.get(name) {
+            Some(Binding::Variable(_)) => format!("`{text}` is a variable, not a type"),
+            Some(Binding::Function) => format!("`{text}` is a function, not a type"),
+            _ => format!("there is no type `{text}`"),
+        };
+        let d = self.error_at(error::UNKNOWN_TYPE, token, message);
+        let d = if let Some((_, meant)) = FOREIGN.iter().find(|(n, _)| *n == text) {
+            d.help(format!("GLSL has `{meant}` for it"))
+        } else {
+            self.advise_type(d, text, token)
+        };
+        self.report_undeclared(name, d);
+    }
+
+    fn advise_type(&self, d: Diagnostic, text: &str, token: TokenId) -> Diagnostic {
+        const TYPES: [&str; 22] = [
+            "void",
+            "bool",
+            "int",
+            "uint",
+            "float",
+            "vec2",
+            "vec3",
+            "vec4",
+            "ivec2",
+            "ivec3",
+            "ivec4",
+            "uvec2",
+            "uvec3",
+            "uvec4",
+            "bvec2",
+            "bvec3",
+            "bvec4",
+            "mat2",
+            "mat3",
+            "mat4",
+            "sampler2D",
+            "samplerCube",
+        ];
+        let structs = self
+            .structs
+            .iter()
+            .filter_map(|s| s.name)
+            .map(|n| self.text(n));
+        let near = TYPES
+            .into_iter()
+            .chain(structs)
+            .map(|t| {
+                (
+                    strsim::damerau_levenshtein(t, &text.to_ascii_lowercase()),
+                    t,
+                )
+            })
+            .filter(|(distance, _)| *distance <= 1)
+            .min();
+        match near {
+            Some((_, near)) => {
+                let edit = Edit::replace(self.token_span(token), near);
+                d.fix(Fix::suggestion(
+                    format!("did you mean `{near}`?"),
+                    vec![edit],
+                ))
+            }
+            None => d,
+        }
+    }
+
+    /// A call of a function that nothing declares.
+    pub(super) fn undeclared_function(&mut self, name: Name, token: TokenId) {
+        let text = self.text(name);
+        let legacy = LEGACY_FUNCTIONS.iter().find(|(old, _)| *old == text);
+        if let (Some((_, new)), true) = (legacy, self.is_300()) {
+            let span = self.token_span(token);
+            let d = self
+                .error_at(
+                    error::LEGACY_GLSL,
+                    token,
+                    format!("`{text}` is gone since GLSL ES 3.00"),
+                )
+                .note("the sampler's type says which lookup is meant")
+                .fix(Fix::safe(
+                    format!("write `{new}`"),
+                    vec![Edit::replace(span, *new)],
+                ));
+            return self.report(d);
+        }
+        if self.was_reported(name) {
+            return;
+        }
+        let d = if !self.is_300()
+            && Builtins::of(Version::Es300, self.stage)
+                .function(text)
+                .is_some()
+        {
+            self.error_at(
+                error::NEEDS_WEBGL2,
+                token,
+                format!("`{text}` comes with GLSL ES 3.00"),
+            )
+            .help("start the shader with `#version 300 es`")
+        } else if self.declared_later(name, token).is_some() {
+            self.used_before_declaration(name, token)
+        } else {
+            let d = self.error_at(
+                error::UNDECLARED_NAME,
+                token,
+                format!("nothing declares the function `{text}`"),
+            );
+            self.advise_name(d, name, token, true)
+        };
+        self.report_undeclared(name, d);
+    }
+
+    fn used_before_declaration(&self, name: Name, token: TokenId) -> Diagnostic {
+        let text = self.text(name);
+        let d = self.error_at(
+            error::USE_BEFORE_DECLARATION,
+            token,
+            format!("the function `{text}` is used before it is declared"),
+        );
+        let d = self.advise_name(d, name, token, true);
+        let prototype =
+            self.tree.functions.iter().find(|f| {
+                f.ident.name == name && f.ident.token > token && self.is_direct(f.header)
+            });
+        let user = self.current.and_then(|f| self.functions.get(f.0 as usize));
+        let place = user
+            .and_then(|f| self.tree.function(f.definition?))
+            .map(|f| f.extent.first);
+        match (prototype, place) {
+            (Some(prototype), Some(place)) if self.token(place).is_direct() => {
+                let text = self.sources.text(self.span(prototype.header));
+                let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+                let at = self.token_span(place).start;
+                d.fix(Fix::safe(
+                    format!("declare it before: `{line};`"),
+                    vec![Edit::insert(at, format!("{line};\n"))],
+                ))
+            }
+            _ => d,
+        }
+    }
+}

@@ -1,0 +1,323 @@
+//! Calls that fit no function: which one was meant, and what differs.
+
+use super::super::builtins::MAX_PARAMS;
+use super::*;
+use crate::diagnostic::Fix;
+
+/// Most forms of a function that a message lists.
+const MAX_LISTED: usize = 5;
+
+/// A form of a function that a call might mean.
+struct Candidate {
+    params: Vec<Type>,
+    /// As it is written.
+    shown: String,
+    /// Where the user declares it.
+    token: Option<TokenId>,
+}
+
+/// How far an argument is from a parameter; 0 where it fits.
+fn distance(wanted: Type, found: Type, is_literal: bool) -> u32 {
+    if wanted == found {
+        return 0;
+    }
+    match (wanted.numeric(), found.numeric()) {
+        (Some((ws, wc, wr)), Some((fs, fc, fr))) => {
+            let shape = if (wc, wr) == (fc, fr) { 0 } else { 6 };
+            let scalar = match (ws, fs) {
+                (a, b) if a == b => 0,
+                (Scalar::Bool, _) | (_, Scalar::Bool) => 8,
+                (Scalar::Float, _) if is_literal => 1,
+                _ => 3,
+            };
+            shape + scalar
+        }
+        _ => 20,
+    }
+}
+
+impl Checker<'_> {
+    pub(super) fn no_user_overload(&mut self, id: ExprId, name: Name, args: List) {
+        let all = self.by_name.get(&name).cloned().unwrap_or_default();
+        let candidates: Vec<Candidate> = all
+            .iter()
+            .filter_map(|f| self.functions.get(f.0 as usize))
+            .map(|f| self.user_candidate(f))
+            .collect();
+        self.no_overload(id, name, args, &candidates);
+    }
+
+    fn user_candidate(&self, function: &Function) -> Candidate {
+        let params: Vec<Type> = function.params.iter().map(|p| p.ty).collect();
+        let list: Vec<String> = function
+            .params
+            .iter()
+            .map(|p| match p.direction {
+                Direction::In | Direction::ConstIn => self.name_of(p.ty),
+                direction => format!("{} {}", direction.name(), self.name_of(p.ty)),
+            })
+            .collect();
+        let returns = self.name_of(function.returns);
+        let shown = format!(
+            "{returns} {}({})",
+            self.text(function.name),
+            list.join(", ")
+        );
+        let token = self
+            .tree
+            .function(function.declaration)
+            .map(|f| f.ident.token);
+        Candidate {
+            params,
+            shown,
+            token,
+        }
+    }
+
+    pub(super) fn no_builtin_overload(
+        &mut self,
+        id: ExprId,
+        name: Name,
+        function: u16,
+        args: List,
+    ) {
+        let builtins = self.builtins;
+        let Some(found) = builtins.functions.get(function as usize) else {
+            return;
+        };
+        let candidates: Vec<Candidate> = builtins
+            .overloads_of(found)
+            .iter()
+            .map(|o| {
+                let list: Vec<String> = o.params().iter().map(|&p| self.name_of(p)).collect();
+                let shown = format!(
+                    "{} {}({})",
+                    self.name_of(o.returns),
+                    found.name,
+                    list.join(", ")
+                );
+                Candidate {
+                    params: o.params().to_vec(),
+                    shown,
+                    token: None,
+                }
+            })
+            .collect();
+        self.no_overload(id, name, args, &candidates);
+    }
+
+    fn no_overload(&mut self, id: ExprId, name: Name, args: List, candidates: &[Candidate]) {
+        let tree = self.tree;
+        let list = tree.args(args);
+        if let Some(&arg) = list.iter().find(|&&a| self.ty(a).is_void()) {
+            return self.void_value(arg);
+        }
+        let same_count: Vec<&Candidate> = candidates
+            .iter()
+            .filter(|c| c.params.len() == list.len())
+            .collect();
+        let d = if same_count.is_empty() {
+            self.wrong_count(id, name, list, candidates)
+        } else {
+            self.wrong_types(id, name, list, &same_count)
+        };
+        self.report(d);
+    }
+
+    fn wrong_count(
+        &self,
+        id: ExprId,
+        name: Name,
+        args: &[ExprId],
+        candidates: &[Candidate],
+    ) -> Diagnostic {
+        let text = self.text(name);
+        let mut counts: Vec<usize> = candidates.iter().map(|c| c.params.len()).collect();
+        counts.sort_unstable();
+        counts.dedup();
+        let wanted = match counts.as_slice() {
+            [1] => "1 argument".to_string(),
+            [n] => format!("{n} arguments"),
+            [rest @ .., last] => {
+                let rest: Vec<String> = rest.iter().map(usize::to_string).collect();
+                format!("{} or {last} arguments", rest.join(", "))
+            }
+            [] => "other arguments".to_string(),
+        };
+        let message = format!("`{text}` takes {wanted}, not {}", args.len());
+        let d = self.error_expr(error::ARGUMENT_MISMATCH, id, message);
+        self.list_candidates(d, candidates.iter())
+    }
+
+    fn list_candidates<'c>(
+        &self,
+        mut d: Diagnostic,
+        candidates: impl ExactSizeIterator<Item = &'c Candidate>,
+    ) -> Diagnostic {
+        let count = candidates.len();
+        for candidate in candidates.take(MAX_LISTED) {
+            d = match candidate.token.filter(|&t| !self.is_prelude(t)) {
+                Some(token) => d.label(self.token_span(token), format!("`{}`", candidate.shown)),
+                None => d.note(format!("there is `{}`", candidate.shown)),
+            };
+        }
+        if count > MAX_LISTED {
+            d = d.note(format!("and {} more forms", count - MAX_LISTED));
+        }
+        d
+    }
+
+    fn wrong_types(
+        &self,
+        id: ExprId,
+        name: Name,
+        args: &[ExprId],
+        candidates: &[&Candidate],
+    ) -> Diagnostic {
+        let cost = |c: &Candidate| -> u32 {
+            c.params
+                .iter()
+                .zip(args)
+                .map(|(&p, &a)| distance(p, self.ty(a), self.literal_token(a).is_some()))
+                .sum()
+        };
+        let mut ranked: Vec<(u32, &Candidate)> = candidates.iter().map(|c| (cost(c), *c)).collect();
+        ranked.sort_by_key(|(cost, _)| *cost);
+        let Some(&(best_cost, best)) = ranked.first() else {
+            return self.error_expr(error::ARGUMENT_MISMATCH, id, "no function fits");
+        };
+        let is_alone = ranked.get(1).is_none_or(|(cost, _)| *cost > best_cost);
+        let wrong: Vec<(usize, ExprId, Type)> = args
+            .iter()
+            .zip(&best.params)
+            .enumerate()
+            .filter(|(_, (a, p))| self.ty(**a) != **p)
+            .map(|(i, (a, p))| (i, *a, *p))
+            .collect();
+        let mixed = wrong.iter().all(|(_, a, p)| is_mix(*p, self.ty(*a)));
+        let d = if mixed && is_alone {
+            self.mixed_arguments(name, &wrong)
+        } else if let (&[(index, arg, wanted)], true) = (wrong.as_slice(), is_alone) {
+            self.wrong_argument(name, index, arg, wanted)
+        } else {
+            self.no_form(id, name, args)
+        };
+        self.list_candidates(
+            d,
+            ranked
+                .iter()
+                .take(if is_alone { 1 } else { MAX_PARAMS })
+                .map(|(_, c)| *c)
+                .collect::<Vec<_>>()
+                .into_iter(),
+        )
+    }
+
+    /// Arguments that are right but for `int` and `float`.
+    fn mixed_arguments(&self, name: Name, wrong: &[(usize, ExprId, Type)]) -> Diagnostic {
+        let text = self.text(name);
+        let Some(&(_, first, wanted)) = wrong.first() else {
+            return self.error_expr(error::INT_FLOAT_MIX, ExprId(0), "");
+        };
+        let found = self.ty(first);
+        let is_builtin = self.builtins.function(text).is_some();
+        let rule = match found.numeric() {
+            Some((Scalar::Int | Scalar::Uint, 1, 2..)) if is_builtin => error::INTEGER_LENGTH,
+            _ => error::INT_FLOAT_MIX,
+        };
+        let (wn, fname) = (self.name_of(wanted), self.name_of(found));
+        let message = match rule {
+            error::INTEGER_LENGTH => format!("`{text}` has no form for `{fname}`"),
+            _ => format!("`{text}` wants `{wn}` here, not `{fname}`"),
+        };
+        let mut d = self
+            .error_expr(rule, first, message)
+            .mark(format!("`{fname}`"));
+        let mut edits = Vec::new();
+        let mut titles = Vec::new();
+        let mut safe = true;
+        for &(_, arg, wanted) in wrong {
+            let fix = wanted.scalar_kind().and_then(|s| self.convert(arg, s));
+            let Some(fix) = fix else { return d };
+            safe &= fix.applicability == crate::diagnostic::Applicability::Safe;
+            titles.push(fix.title.trim_start_matches("write ").to_string());
+            edits.extend(fix.edits);
+            if arg != first {
+                d = d.label(
+                    self.expr_span(arg),
+                    format!("`{}`", self.name_of(self.ty(arg))),
+                );
+            }
+        }
+        let title = format!("write {}", titles.join(" and "));
+        d.fix(if safe {
+            Fix::safe(title, edits)
+        } else {
+            Fix::suggestion(title, edits)
+        })
+    }
+
+    /// One argument of another type than the parameter.
+    fn wrong_argument(&self, name: Name, index: usize, arg: ExprId, wanted: Type) -> Diagnostic {
+        let text = self.text(name);
+        let found = self.ty(arg);
+        let rule = match (wanted.scalar_kind(), found.scalar_kind()) {
+            (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
+            _ => error::ARGUMENT_MISMATCH,
+        };
+        let message = format!(
+            "argument {} of `{text}` must be `{}`, not `{}`",
+            index + 1,
+            self.name_of(wanted),
+            self.name_of(found)
+        );
+        let fix = if rule == error::VECTOR_SIZE {
+            self.resize(arg, wanted)
+        } else {
+            None
+        };
+        self.error_expr(rule, arg, message).fix(fix)
+    }
+
+    fn no_form(&self, id: ExprId, name: Name, args: &[ExprId]) -> Diagnostic {
+        let text = self.text(name);
+        let types: Vec<String> = args
+            .iter()
+            .map(|&a| format!("`{}`", self.name_of(self.ty(a))))
+            .collect();
+        let scalars: Vec<Option<Scalar>> = args.iter().map(|&a| self.ty(a).scalar_kind()).collect();
+        let vectors = args
+            .iter()
+            .all(|&a| self.ty(a).numeric().is_some_and(|(_, c, _)| c == 1));
+        let same_scalar = scalars.windows(2).all(|w| w.first() == w.last());
+        let rule = if vectors
+            && same_scalar
+            && scalars.first() == Some(&Some(Scalar::Float))
+            && args.len() > 1
+        {
+            error::VECTOR_SIZE
+        } else {
+            error::ARGUMENT_MISMATCH
+        };
+        let list = match types.as_slice() {
+            [one] => one.clone(),
+            [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+            [] => "no argument".to_string(),
+        };
+        let mut d = self.error_expr(rule, id, format!("`{text}` has no form for {list}"));
+        for (&arg, shown) in args.iter().zip(&types) {
+            d = d.label(self.expr_span(arg), shown.clone());
+        }
+        d
+    }
+}
+
+/// Whether two types differ in nothing but `int`, `uint` and `float`.
+fn is_mix(wanted: Type, found: Type) -> bool {
+    match (wanted.numeric(), found.numeric()) {
+        (Some((ws, wc, wr)), Some((fs, fc, fr))) => {
+            (wc, wr) == (fc, fr) && ws != fs && ws != Scalar::Bool && fs != Scalar::Bool
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,373 @@
+//! Structs and interface blocks (GLSL ES 3.00 sections 4.1.8 and 4.3.7).
+
+use super::qualifier::Wanted;
+use super::*;
+
+/// Deepest nesting of structs that WebGL allows (WebGL 1.0 section 6.20).
+const MAX_NESTING: u32 = 4;
+/// Most members; a limit of ANGLE's.
+const MAX_FIELDS: usize = 16_383;
+
+/// Members at hand, with what their qualifiers were.
+struct Members {
+    fields: Vec<Field>,
+    holds_array: bool,
+    holds_sampler: bool,
+    nesting: u32,
+}
+
+impl Checker<'_> {
+    /// Declares a struct and gives its type.
+    pub(super) fn structure(&mut self, id: StructId) -> Type {
+        let tree = self.tree;
+        let Some(decl) = tree.structure(id) else {
+            return Type::ERROR;
+        };
+        let members = self.members(decl, false);
+        if let Some(ident) = decl.name {
+            self.check_not_reserved(ident);
+        }
+        let index = self.structs.len() as u32;
+        let token = decl.name.map_or(decl.extent.first, |n| n.token);
+        let Members {
+            fields,
+            holds_array,
+            holds_sampler,
+            nesting,
+        } = members;
+        let name = decl.name.map(|n| n.name);
+        self.structs.push(Struct {
+            name,
+            token,
+            fields,
+            nesting,
+            holds_array,
+            holds_sampler,
+        });
+        if let Some(ident) = decl.name
+            && !self.is_redefinition(ident)
+        {
+            self.scopes.declare(ident.name, Binding::Struct(index));
+        }
+        Type {
+            base: Base::Struct(index),
+            array: 0,
+        }
+    }
+
+    fn members(&mut self, decl: &StructDecl, is_block: bool) -> Members {
+        let tree = self.tree;
+        let mut members = Members {
+            fields: Vec::new(),
+            holds_array: false,
+            holds_sampler: false,
+            nesting: 1,
+        };
+        let mut seen: FxHashMap<Name, TokenId> = FxHashMap::default();
+        for line in tree.fields(decl.fields) {
+            self.member_qualifiers(line, is_block);
+            if let TypeBase::Struct(_) = tree.ty(line.ty).base {
+                let d = self
+                    .error(
+                        error::INVALID_STRUCT,
+                        tree.ty(line.ty).extent,
+                        "a struct cannot be declared inside another",
+                    )
+                    .note("declare it before, and use its name here (section 4.1.8)");
+                self.report(d);
+            }
+            let base = self.type_spec(line.ty);
+            let precision = self.has_precision(line.qualifiers);
+            self.check_precision(base, precision, tree.ty(line.ty).extent);
+            for declarator in tree.declarators(line.declarators) {
+                let ty = self.member_type(declarator, base, line, is_block);
+                self.add_member(&mut members, &mut seen, declarator.ident, ty);
+            }
+        }
+        if members.fields.len() > MAX_FIELDS {
+            let d = self.error(
+                error::BROWSER_LIMIT,
+                decl.extent,
+                "this has too many members",
+            );
+            self.report(d.note("the browser takes 16383"));
+        }
+        members
+    }
+
+    fn has_precision(&self, qualifiers: List) -> bool {
+        use QualifierKind::*;
+        self.tree
+            .qualifiers(qualifiers)
+            .iter()
+            .any(|q| matches!(q.kind, Lowp | Mediump | Highp))
+    }
+
+    fn add_member(
+        &mut self,
+        members: &mut Members,
+        seen: &mut FxHashMap<Name, TokenId>,
+        ident: Ident,
+        ty: Type,
+    ) {
+        self.check_not_reserved(ident);
+        if let Some(&before) = seen.get(&ident.name) {
+            let message = format!("member `{}` is declared twice", self.text(ident.name));
+            let d = self
+                .error_at(error::INVALID_STRUCT, ident.token, message)
+                .label(self.token_span(before), "first declared here");
+            self.report(d);
+        }
+        seen.insert(ident.name, ident.token);
+        members.holds_array |= ty.is_array();
+        members.holds_sampler |= ty.is_sampler();
+        if let Base::Struct(inner) = ty.base
+            && let Some(inner) = self.structs.get(inner as usize)
+        {
+            members.holds_array |= inner.holds_array;
+            members.holds_sampler |= inner.holds_sampler;
+            members.nesting = members.nesting.max(inner.nesting + 1);
+            if inner.nesting + 1 > MAX_NESTING {
+                let d = self
+                    .error_at(
+                        error::BROWSER_LIMIT,
+                        ident.token,
+                        "structs are nested too deeply",
+                    )
+                    .note("WebGL allows a depth of 4 (WebGL 1.0 section 6.20)");
+                self.report(d);
+            }
+        }
+        members.fields.push(Field {
+            name: ident.name,
+            ty,
+            token: ident.token,
+        });
+    }
+
+    fn member_type(
+        &mut self,
+        declarator: &Declarator,
+        base: Type,
+        line: &FieldDecl,
+        is_block: bool,
+    ) -> Type {
+        let name = Extent::token(declarator.ident.token);
+        if base.is_void() {
+            let d = self.error(error::VOID_VALUE, name, "a member cannot be `void`");
+            self.report(d);
+            return Type::ERROR;
+        }
+        let mut ty = self.with_arrays(base, declarator.arrays, Wanted::None);
+        if ty.array == Type::UNSIZED {
+            let d = self.error(
+                error::INVALID_ARRAY,
+                declarator.extent,
+                "the array needs a size",
+            );
+            self.report(d);
+            ty.array = 1;
+        }
+        if is_block && self.holds(ty, |b| matches!(b, Base::Sampler(_))) {
+            let d = self
+                .error(
+                    error::INTERFACE_BLOCK,
+                    line.extent,
+                    "a sampler cannot stand in a block",
+                )
+                .help("declare it outside, as a `uniform` of its own");
+            self.report(d);
+        }
+        ty
+    }
+
+    /// Members of structs take only a precision; those of blocks `uniform` and a layout too.
+    fn member_qualifiers(&mut self, line: &FieldDecl, is_block: bool) {
+        let tree = self.tree;
+        let mut precisions = 0;
+        for qualifier in tree.qualifiers(line.qualifiers) {
+            use QualifierKind as Q;
+            let ok = match qualifier.kind {
+                Q::Lowp | Q::Mediump | Q::Highp => {
+                    precisions += 1;
+                    precisions == 1
+                }
+                Q::Uniform => is_block,
+                Q::Layout(entries) if is_block => {
+                    let mut found = layout::Layout::default();
+                    self.read_layout(entries, &mut found);
+                    found.location.is_none() && !found.block
+                }
+                _ => false,
+            };
+            if !ok {
+                let word = self.sources.text(self.span(qualifier.extent));
+                let message = format!("a member cannot be `{word}`");
+                let rule = if is_block {
+                    error::INTERFACE_BLOCK
+                } else {
+                    error::INVALID_STRUCT
+                };
+                let d = self.error(rule, qualifier.extent, message);
+                self.report(d);
+            }
+        }
+    }
+
+    /// `uniform Block { ... } name[2];`
+    pub(super) fn block(
+        &mut self,
+        qualifiers: List,
+        members: StructId,
+        instance: Option<Declarator>,
+        extent: Extent,
+    ) {
+        let tree = self.tree;
+        let Some(decl) = tree.structure(members) else {
+            return;
+        };
+        let header = Extent {
+            first: extent.first,
+            last: decl.name.map_or(extent.first, |n| n.token),
+        };
+        if !self.is_300() {
+            let d = self.error(error::NEEDS_WEBGL2, header, "blocks come with GLSL ES 3.00");
+            return self.report(d);
+        }
+        let qualified = self.qualifiers(qualifiers);
+        self.check_block(&qualified, decl, header);
+        let Members {
+            fields,
+            holds_array,
+            holds_sampler,
+            nesting,
+        } = self.members(decl, true);
+        let index = self.structs.len() as u32;
+        let token = decl.name.map_or(decl.extent.first, |n| n.token);
+        let name = decl.name.map(|n| n.name);
+        self.structs.push(Struct {
+            name,
+            token,
+            fields: fields.clone(),
+            nesting,
+            holds_array,
+            holds_sampler,
+        });
+        if let Some(ident) = decl.name
+            && !self.is_redefinition(ident)
+        {
+            self.scopes.declare(ident.name, Binding::Error);
+        }
+        match instance {
+            Some(declarator) => self.block_instance(&declarator, index),
+            None => {
+                for field in fields {
+                    let ident = Ident {
+                        name: field.name,
+                        token: field.token,
+                    };
+                    self.declare_variable(ident, field.ty, Storage::Uniform, false, Constant::NONE);
+                }
+            }
+        }
+    }
+
+    fn block_instance(&mut self, declarator: &Declarator, index: u32) {
+        let base = Type {
+            base: Base::Block(index),
+            array: 0,
+        };
+        let mut ty = self.with_arrays(base, declarator.arrays, Wanted::Uniform);
+        if ty.array == Type::UNSIZED {
+            let d = self.error(
+                error::INTERFACE_BLOCK,
+                declarator.extent,
+                "an array of blocks needs a size",
+            );
+            self.report(d);
+            ty.array = 1;
+        }
+        self.declare_variable(
+            declarator.ident,
+            ty,
+            Storage::Uniform,
+            false,
+            Constant::NONE,
+        );
+    }
+
+    fn check_block(&mut self, qualified: &qualifier::Qualified, decl: &StructDecl, header: Extent) {
+        if let Some(ident) = decl.name {
+            self.check_not_reserved(ident);
+        }
+        let message = if qualified.storage != Wanted::Uniform {
+            "a block must be `uniform` in GLSL ES 3.00"
+        } else if qualified.invariant {
+            "a block cannot be `invariant`"
+        } else if qualified.layout.location.is_some() {
+            "a block has no location"
+        } else {
+            return;
+        };
+        let d = self.error(error::INTERFACE_BLOCK, header, message);
+        self.report(d);
+    }
+
+    /// `layout(std140) uniform;`
+    pub(super) fn default_layout(&mut self, qualifiers: List, extent: Extent) {
+        let qualified = self.qualifiers(qualifiers);
+        let message = if qualified.layout.is_empty() {
+            "a declaration is missing behind these qualifiers"
+        } else if qualified.storage != Wanted::Uniform {
+            "a default layout can only be set for `uniform`"
+        } else if qualified.layout.location.is_some() {
+            "a location is for one variable only"
+        } else if !self.is_300() {
+            "`layout` comes with GLSL ES 3.00"
+        } else {
+            return;
+        };
+        let d = self.error(error::INVALID_LAYOUT, extent, message);
+        self.report(d);
+    }
+
+    /// `invariant gl_Position;`
+    pub(super) fn requalify(&mut self, qualifiers: List, ident: Ident) {
+        let qualified = self.qualifiers(qualifiers);
+        let text = self.text(ident.name);
+        if !qualified.invariant {
+            // `uniform Foo;`: a declaration without a type or without a name.
+            let message = format!("`{text}` stands where a type or a name is missing");
+            let d = self.error_at(error::SYNTAX_ERROR, ident.token, message);
+            return self.report(d);
+        }
+        let only = qualified.storage == Wanted::None && !qualified.precision;
+        if !only {
+            let d = self.error_at(
+                error::INVALID_QUALIFIER,
+                ident.token,
+                "only `invariant` can be given afterwards",
+            );
+            self.report(d);
+        }
+        let Some(id) = self.find_variable(ident.name) else {
+            let message = format!("nothing declares `{text}`");
+            let d = self.error_at(error::UNDECLARED_NAME, ident.token, message);
+            return self.report(d);
+        };
+        let Some(variable) = self.variables.get(id.0 as usize) else {
+            return;
+        };
+        let input_of_100 = variable.storage == Storage::Input
+            && self.stage == Stage::Fragment
+            && !self.is_300()
+            && text != "gl_FrontFacing";
+        if variable.storage != Storage::Output && !input_of_100 {
+            let message = format!("`{text}` cannot be invariant");
+            let d = self
+                .error_at(error::INVALID_QUALIFIER, ident.token, message)
+                .note("only outputs can be (section 4.6.1)");
+            self.report(d);
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Meaning: types, scopes and the checks that the browser's compiler makes.
+//!
+//! [`check`] takes a parsed shader and gives a [`Program`], which later layers read and never
+//! change, and what is wrong. The rules follow GLSL ES 3.00 and 1.00 as ANGLE, the compiler of the
+//! browsers, reads them.
+
+pub mod builtins;
+mod checker;
+mod constant;
+mod dialect;
+mod fold;
+mod program;
+mod scope;
+mod types;
+mod unit;
+
+pub use builtins::Stage;
+pub use checker::check;
+pub use constant::{Constant, Pool, Value};
+pub use dialect::{Channels, Dialect, Guess, Kind, Pass, guess, shadertoy_header};
+pub use program::{
+    Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
+    Variable, VariableId,
+};
+pub use types::{Base, Field, Sampler, Scalar, Struct, Type};
+pub use unit::{Analysis, Unit, analyze};

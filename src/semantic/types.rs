@@ -1,0 +1,397 @@
+//! Types (GLSL ES 3.00 section 4.1).
+
+use crate::syntax::{Name, TypeWord};
+
+/// What a number or truth value is made of.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Scalar {
+    /// `bool`
+    Bool,
+    /// `int`
+    Int,
+    /// `uint`
+    Uint,
+    /// `float`
+    Float,
+}
+
+impl Scalar {
+    /// As it is written.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Scalar::Bool => "bool",
+            Scalar::Int => "int",
+            Scalar::Uint => "uint",
+            Scalar::Float => "float",
+        }
+    }
+
+    /// Whether it is `int` or `uint`.
+    pub const fn is_integer(self) -> bool {
+        matches!(self, Scalar::Int | Scalar::Uint)
+    }
+}
+
+/// What a texture is looked up in.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[rustfmt::skip]
+pub enum Sampler {
+    Sampler2D, Sampler3D, SamplerCube, Sampler2DArray,
+    Isampler2D, Isampler3D, IsamplerCube, Isampler2DArray,
+    Usampler2D, Usampler3D, UsamplerCube, Usampler2DArray,
+    Sampler2DShadow, SamplerCubeShadow, Sampler2DArrayShadow,
+}
+
+impl Sampler {
+    /// As it is written.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Sampler::Sampler2D => "sampler2D",
+            Sampler::Sampler3D => "sampler3D",
+            Sampler::SamplerCube => "samplerCube",
+            Sampler::Sampler2DArray => "sampler2DArray",
+            Sampler::Isampler2D => "isampler2D",
+            Sampler::Isampler3D => "isampler3D",
+            Sampler::IsamplerCube => "isamplerCube",
+            Sampler::Isampler2DArray => "isampler2DArray",
+            Sampler::Usampler2D => "usampler2D",
+            Sampler::Usampler3D => "usampler3D",
+            Sampler::UsamplerCube => "usamplerCube",
+            Sampler::Usampler2DArray => "usampler2DArray",
+            Sampler::Sampler2DShadow => "sampler2DShadow",
+            Sampler::SamplerCubeShadow => "samplerCubeShadow",
+            Sampler::Sampler2DArrayShadow => "sampler2DArrayShadow",
+        }
+    }
+
+    /// Whether it has a default precision from the start (section 4.5.4).
+    pub const fn has_default_precision(self) -> bool {
+        matches!(self, Sampler::Sampler2D | Sampler::SamplerCube)
+    }
+}
+
+/// A type without the array size.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Base {
+    /// The type of something that was reported; fits everywhere, so that one mistake gives one
+    /// error.
+    Error,
+    /// `void`
+    Void,
+    /// A scalar (1 column, 1 row), vector (1 column) or matrix.
+    Numeric {
+        /// What it is made of.
+        scalar: Scalar,
+        /// Columns: 1 for scalars and vectors.
+        columns: u8,
+        /// Rows: the number of components of a vector.
+        rows: u8,
+    },
+    /// A sampler.
+    Sampler(Sampler),
+    /// A struct, by its number in [`Program`](super::Program).
+    Struct(u32),
+    /// An interface block, by its number in [`Program`](super::Program).
+    Block(u32),
+}
+
+/// A type. Arrays have one dimension; GLSL ES 3.00 has no more.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Type {
+    /// The type, or that of an array's elements.
+    pub base: Base,
+    /// Size of the array; 0 for no array, [`Type::UNSIZED`] for one of unknown size.
+    pub array: u32,
+}
+
+impl Type {
+    /// The array size of `float a[]`.
+    pub const UNSIZED: u32 = u32::MAX;
+    /// See [`Base::Error`].
+    pub const ERROR: Type = Type {
+        base: Base::Error,
+        array: 0,
+    };
+    /// `void`
+    pub const VOID: Type = Type {
+        base: Base::Void,
+        array: 0,
+    };
+    /// `bool`
+    pub const BOOL: Type = Type::scalar(Scalar::Bool);
+    /// `int`
+    pub const INT: Type = Type::scalar(Scalar::Int);
+    /// `uint`
+    pub const UINT: Type = Type::scalar(Scalar::Uint);
+    /// `float`
+    pub const FLOAT: Type = Type::scalar(Scalar::Float);
+
+    /// A scalar type.
+    pub const fn scalar(scalar: Scalar) -> Type {
+        Type::vector(scalar, 1)
+    }
+
+    /// A vector of `rows` components; one component makes a scalar.
+    pub const fn vector(scalar: Scalar, rows: u8) -> Type {
+        Type {
+            base: Base::Numeric {
+                scalar,
+                columns: 1,
+                rows,
+            },
+            array: 0,
+        }
+    }
+
+    /// A matrix.
+    pub const fn matrix(columns: u8, rows: u8) -> Type {
+        Type {
+            base: Base::Numeric {
+                scalar: Scalar::Float,
+                columns,
+                rows,
+            },
+            array: 0,
+        }
+    }
+
+    /// A sampler.
+    pub const fn sampler(sampler: Sampler) -> Type {
+        Type {
+            base: Base::Sampler(sampler),
+            array: 0,
+        }
+    }
+
+    /// A type of the language.
+    pub const fn of_word(word: TypeWord) -> Type {
+        use Sampler as S;
+        use Scalar::*;
+        use TypeWord as W;
+        match word {
+            W::Bool => Type::BOOL,
+            W::Int => Type::INT,
+            W::Uint => Type::UINT,
+            W::Float => Type::FLOAT,
+            W::Vec2 => Type::vector(Float, 2),
+            W::Vec3 => Type::vector(Float, 3),
+            W::Vec4 => Type::vector(Float, 4),
+            W::Bvec2 => Type::vector(Bool, 2),
+            W::Bvec3 => Type::vector(Bool, 3),
+            W::Bvec4 => Type::vector(Bool, 4),
+            W::Ivec2 => Type::vector(Int, 2),
+            W::Ivec3 => Type::vector(Int, 3),
+            W::Ivec4 => Type::vector(Int, 4),
+            W::Uvec2 => Type::vector(Uint, 2),
+            W::Uvec3 => Type::vector(Uint, 3),
+            W::Uvec4 => Type::vector(Uint, 4),
+            W::Mat2 => Type::matrix(2, 2),
+            W::Mat2x3 => Type::matrix(2, 3),
+            W::Mat2x4 => Type::matrix(2, 4),
+            W::Mat3x2 => Type::matrix(3, 2),
+            W::Mat3 => Type::matrix(3, 3),
+            W::Mat3x4 => Type::matrix(3, 4),
+            W::Mat4x2 => Type::matrix(4, 2),
+            W::Mat4x3 => Type::matrix(4, 3),
+            W::Mat4 => Type::matrix(4, 4),
+            W::Sampler2D => Type::sampler(S::Sampler2D),
+            W::Sampler3D => Type::sampler(S::Sampler3D),
+            W::SamplerCube => Type::sampler(S::SamplerCube),
+            W::Sampler2DArray => Type::sampler(S::Sampler2DArray),
+            W::Isampler2D => Type::sampler(S::Isampler2D),
+            W::Isampler3D => Type::sampler(S::Isampler3D),
+            W::IsamplerCube => Type::sampler(S::IsamplerCube),
+            W::Isampler2DArray => Type::sampler(S::Isampler2DArray),
+            W::Usampler2D => Type::sampler(S::Usampler2D),
+            W::Usampler3D => Type::sampler(S::Usampler3D),
+            W::UsamplerCube => Type::sampler(S::UsamplerCube),
+            W::Usampler2DArray => Type::sampler(S::Usampler2DArray),
+            W::Sampler2DShadow => Type::sampler(S::Sampler2DShadow),
+            W::SamplerCubeShadow => Type::sampler(S::SamplerCubeShadow),
+            W::Sampler2DArrayShadow => Type::sampler(S::Sampler2DArrayShadow),
+        }
+    }
+
+    /// The array of `size` elements of this type.
+    pub const fn array_of(self, size: u32) -> Type {
+        Type {
+            base: self.base,
+            array: size,
+        }
+    }
+
+    /// The type of an array's elements; the type itself if it is no array.
+    pub const fn element(self) -> Type {
+        Type {
+            base: self.base,
+            array: 0,
+        }
+    }
+
+    /// Whether it stands for something that was reported.
+    pub const fn is_error(self) -> bool {
+        matches!(self.base, Base::Error)
+    }
+
+    /// Whether it is `void`.
+    pub const fn is_void(self) -> bool {
+        matches!(self.base, Base::Void)
+    }
+
+    /// Whether it is an array.
+    pub const fn is_array(self) -> bool {
+        self.array != 0
+    }
+
+    /// Whether it is a sampler, or an array of samplers.
+    pub const fn is_sampler(self) -> bool {
+        matches!(self.base, Base::Sampler(_))
+    }
+
+    /// Scalar, columns and rows of a number, vector or matrix that is no array.
+    pub const fn numeric(self) -> Option<(Scalar, u8, u8)> {
+        match self.base {
+            Base::Numeric {
+                scalar,
+                columns,
+                rows,
+            } if self.array == 0 => Some((scalar, columns, rows)),
+            _ => None,
+        }
+    }
+
+    /// What it is made of, arrays not counted.
+    pub const fn scalar_kind(self) -> Option<Scalar> {
+        match self.numeric() {
+            Some((scalar, ..)) => Some(scalar),
+            None => None,
+        }
+    }
+
+    /// Whether it is a single number or truth value.
+    pub const fn is_scalar(self) -> bool {
+        matches!(self.numeric(), Some((_, 1, 1)))
+    }
+
+    /// Whether it is a vector of 2 to 4 components.
+    pub const fn is_vector(self) -> bool {
+        matches!(self.numeric(), Some((_, 1, 2..)))
+    }
+
+    /// Whether it is a matrix.
+    pub const fn is_matrix(self) -> bool {
+        matches!(self.numeric(), Some((_, 2.., _)))
+    }
+
+    /// Number of components of a number, vector or matrix; 0 for everything else.
+    pub const fn components(self) -> u32 {
+        match self.numeric() {
+            Some((_, columns, rows)) => columns as u32 * rows as u32,
+            None => 0,
+        }
+    }
+
+    /// The same shape made of something else.
+    pub const fn with_scalar(self, scalar: Scalar) -> Type {
+        match self.base {
+            Base::Numeric { columns, rows, .. } => Type {
+                base: Base::Numeric {
+                    scalar,
+                    columns,
+                    rows,
+                },
+                array: self.array,
+            },
+            _ => self,
+        }
+    }
+}
+
+/// A member of a struct or block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Field {
+    /// Its name.
+    pub name: Name,
+    /// Its type.
+    pub ty: Type,
+    /// The token that names it.
+    pub token: u32,
+}
+
+/// A struct, or the members of an interface block.
+#[derive(Clone, Debug)]
+pub struct Struct {
+    /// Its name, if it has one.
+    pub name: Option<Name>,
+    /// The token that names it, or opens it.
+    pub token: u32,
+    /// Its members.
+    pub fields: Vec<Field>,
+    /// How deep structs nest in it: 1 without inner ones.
+    pub nesting: u32,
+    /// Whether an array lies anywhere inside.
+    pub holds_array: bool,
+    /// Whether a sampler lies anywhere inside.
+    pub holds_sampler: bool,
+}
+
+/// Name of a numeric type.
+fn numeric_name(scalar: Scalar, columns: u8, rows: u8) -> String {
+    let prefix = match scalar {
+        Scalar::Bool => "b",
+        Scalar::Int => "i",
+        Scalar::Uint => "u",
+        Scalar::Float => "",
+    };
+    match (columns, rows) {
+        (1, 1) => scalar.name().to_string(),
+        (1, n) => format!("{prefix}vec{n}"),
+        (c, r) if c == r => format!("mat{c}"),
+        (c, r) => format!("mat{c}x{r}"),
+    }
+}
+
+/// A type as it is written; `struct_name` names structs and blocks.
+pub fn type_name(ty: Type, struct_name: impl Fn(u32) -> String) -> String {
+    let base = match ty.base {
+        Base::Error => "?".to_string(),
+        Base::Void => "void".to_string(),
+        Base::Numeric {
+            scalar,
+            columns,
+            rows,
+        } => numeric_name(scalar, columns, rows),
+        Base::Sampler(sampler) => sampler.name().to_string(),
+        Base::Struct(id) | Base::Block(id) => struct_name(id),
+    };
+    match ty.array {
+        0 => base,
+        Type::UNSIZED => format!("{base}[]"),
+        n => format!("{base}[{n}]"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn types_are_named_as_they_are_written() {
+        let name = |ty| type_name(ty, |_| "S".to_string());
+        assert_eq!(name(Type::matrix(2, 3)), "mat2x3");
+        assert_eq!(name(Type::vector(Scalar::Uint, 4).array_of(3)), "uvec4[3]");
+        assert_eq!(
+            name(Type {
+                base: Base::Struct(0),
+                array: Type::UNSIZED
+            }),
+            "S[]"
+        );
+        for word in TypeWord::ALL {
+            assert_eq!(
+                name(Type::of_word(word)).to_lowercase(),
+                format!("{word:?}").to_lowercase()
+            );
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! One shader from files to findings.
+
+use super::builtins::Stage;
+use super::checker::{Parsed, check};
+use super::dialect::{Channels, Dialect};
+use super::program::Program;
+use super::types::Sampler;
+use crate::diagnostic::Diagnostic;
+use crate::syntax::{Preprocessed, TokenKind, parse, preprocess};
+use crate::text::{FileId, Role, Sources};
+
+/// Most errors that are told of one shader.
+const MAX_ERRORS: usize = 200;
+
+/// What makes up one shader.
+pub struct Unit<'a> {
+    /// All files.
+    pub sources: &'a Sources,
+    /// Those of the shader, in the order in which they are compiled.
+    pub files: &'a [FileId],
+    /// The stage it is written for.
+    pub stage: Stage,
+    /// Who runs it.
+    pub dialect: Dialect,
+    /// Whether the types of its channels are not known, and are to be what its uses need.
+    pub infer_channels: bool,
+}
+
+/// A shader, checked.
+pub struct Analysis<'a> {
+    /// What is known of it.
+    pub program: Program<'a>,
+    /// What the browser's compiler would refuse, in the order of the text.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads and checks one shader.
+pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
+    let is_fragment = unit.stage == Stage::Fragment;
+    let Preprocessed {
+        tokens,
+        names,
+        version,
+        mut diagnostics,
+    } = preprocess(unit.sources, unit.files, is_fragment);
+    let (tree, problems) = parse(unit.sources, &tokens, &names, version, is_fragment);
+    diagnostics.extend(problems);
+    let has_errors = !diagnostics.is_empty();
+    let parsed = Parsed {
+        sources: unit.sources,
+        tokens,
+        names,
+        tree,
+        version,
+        has_errors,
+    };
+    let (program, problems) = if unit.infer_channels {
+        check_with_any_channels(parsed, unit)
+    } else {
+        check(parsed, unit.stage, unit.dialect, [None; 4])
+    };
+    diagnostics.extend(problems);
+    diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
+    limit(&mut diagnostics);
+    Analysis {
+        program,
+        diagnostics,
+    }
+}
+
+fn limit(diagnostics: &mut Vec<Diagnostic>) {
+    if diagnostics.len() >= MAX_ERRORS {
+        diagnostics.truncate(MAX_ERRORS);
+        if let Some(last) = diagnostics.last_mut() {
+            last.notes.push(format!(
+                "there may be more: only the first {MAX_ERRORS} errors are told"
+            ));
+        }
+    }
+}
+
+/// Checks a shader whose channels may be of any type: each channel is what gives the fewest errors.
+/// A second look is taken only where the first finds errors.
+fn check_with_any_channels<'a>(
+    parsed: Parsed<'a>,
+    unit: &Unit<'a>,
+) -> (Program<'a>, Vec<Diagnostic>) {
+    let mut channels: Channels = [None; 4];
+    let mut best = check(parsed, unit.stage, unit.dialect, channels);
+    for channel in 0..channels.len() {
+        if best.1.is_empty() || !uses_channel(&best.0, channel) {
+            continue;
+        }
+        for sampler in [Sampler::SamplerCube, Sampler::Sampler3D] {
+            let before = channels;
+            if let Some(slot) = channels.get_mut(channel) {
+                *slot = Some(sampler);
+            }
+            let (program, problems) = best;
+            let next = check(program.into_parsed(), unit.stage, unit.dialect, channels);
+            if next.1.len() < problems.len() {
+                best = next;
+                continue;
+            }
+            channels = before;
+            best = check(next.0.into_parsed(), unit.stage, unit.dialect, channels);
+        }
+    }
+    best
+}
+
+fn uses_channel(program: &Program, channel: usize) -> bool {
+    let name = program.names.get(&format!("iChannel{channel}"));
+    let is_user = |at: u32| {
+        program
+            .sources
+            .file_at(at)
+            .is_some_and(|f| f.role == Role::User)
+    };
+    name.is_some_and(|name| {
+        program
+            .tokens
+            .tokens
+            .iter()
+            .rev()
+            .take_while(|t| is_user(t.span.start))
+            .any(|t| t.kind == TokenKind::Identifier && t.value == name.0)
+    })
+}
+
+impl<'a> Program<'a> {
+    /// The shader as it was before it was checked.
+    fn into_parsed(self) -> Parsed<'a> {
+        Parsed {
+            sources: self.sources,
+            tokens: self.tokens,
+            names: self.names,
+            tree: self.tree,
+            version: self.version,
+            has_errors: self.had_errors,
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! From characters to a tree: lexer, preprocessor and parser of GLSL ES 3.00 and 1.00.
+//!
+//! Nothing here fails. Whatever the text is, there is a tree, and a list of what is wrong.
+
+pub mod ast;
+mod lexer;
+mod names;
+mod parser;
+mod preprocessor;
+mod token;
+
+pub use lexer::{Lexer, tokenize, unsplice};
+pub use names::{Name, Names, TypeWord, Version, WordClass, classify};
+pub use parser::parse;
+pub use preprocessor::{
+    Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed, Tokens, macro_uses, preprocess,
+};
+pub use token::{RawKind, RawToken, Token, TokenKind};

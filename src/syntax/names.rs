@@ -1,0 +1,350 @@
+//! Words: each distinct one is stored once per shader and known by a small number.
+
+use super::token::TokenKind;
+use rustc_hash::{FxHashMap, FxHasher};
+use std::hash::Hasher;
+use std::sync::OnceLock;
+
+/// A distinct word of one shader.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Name(pub u32);
+
+/// A word of the language that names a type.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[repr(u8)]
+#[rustfmt::skip]
+pub enum TypeWord {
+    Bool, Int, Uint, Float,
+    Vec2, Vec3, Vec4, Bvec2, Bvec3, Bvec4, Ivec2, Ivec3, Ivec4, Uvec2, Uvec3, Uvec4,
+    Mat2, Mat2x3, Mat2x4, Mat3x2, Mat3, Mat3x4, Mat4x2, Mat4x3, Mat4,
+    Sampler2D, Sampler3D, SamplerCube, Sampler2DArray,
+    Isampler2D, Isampler3D, IsamplerCube, Isampler2DArray,
+    Usampler2D, Usampler3D, UsamplerCube, Usampler2DArray,
+    Sampler2DShadow, SamplerCubeShadow, Sampler2DArrayShadow,
+}
+
+impl TypeWord {
+    /// Every type word, in the order of its number.
+    #[rustfmt::skip]
+    pub const ALL: [TypeWord; 40] = {
+        use TypeWord::*;
+        [
+            Bool, Int, Uint, Float,
+            Vec2, Vec3, Vec4, Bvec2, Bvec3, Bvec4, Ivec2, Ivec3, Ivec4, Uvec2, Uvec3, Uvec4,
+            Mat2, Mat2x3, Mat2x4, Mat3x2, Mat3, Mat3x4, Mat4x2, Mat4x3, Mat4,
+            Sampler2D, Sampler3D, SamplerCube, Sampler2DArray,
+            Isampler2D, Isampler3D, IsamplerCube, Isampler2DArray,
+            Usampler2D, Usampler3D, UsamplerCube, Usampler2DArray,
+            Sampler2DShadow, SamplerCubeShadow, Sampler2DArrayShadow,
+        ]
+    };
+}
+
+/// A version of the language that WebGL2 compiles.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Version {
+    /// GLSL ES 1.00: `#version 100`, or none.
+    Es100,
+    /// GLSL ES 3.00: `#version 300 es`.
+    Es300,
+}
+
+/// What a word is in one version of the language.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum WordClass {
+    /// Free for the user.
+    Plain,
+    /// A keyword.
+    Keyword(TokenKind),
+    /// A type.
+    Type(TypeWord),
+    /// Kept for the future; using it is an error.
+    Reserved,
+}
+
+/// What `word` is in `version`.
+pub fn classify(word: &str, version: Version) -> WordClass {
+    special_words()
+        .get(word)
+        .map_or(WordClass::Plain, |classes| classes[version as usize])
+}
+
+fn special_words() -> &'static FxHashMap<&'static str, [WordClass; 2]> {
+    static MAP: OnceLock<FxHashMap<&'static str, [WordClass; 2]>> = OnceLock::new();
+    MAP.get_or_init(|| {
+        let mut map = FxHashMap::default();
+        let mut add = |words: &'static str, classes| {
+            map.extend(words.split_ascii_whitespace().map(|w| (w, classes)));
+        };
+        use WordClass::{Plain, Reserved};
+        add(RESERVED_ALWAYS, [Reserved, Reserved]);
+        add(RESERVED_SINCE_300, [Plain, Reserved]);
+        add("packed", [Reserved, Plain]);
+        map.extend(KEYWORDS.iter().map(|&(word, in_100, kind)| {
+            let keyword = WordClass::Keyword(kind);
+            (
+                word,
+                match in_100 {
+                    In100::Same => [keyword, keyword],
+                    In100::Plain => [Plain, keyword],
+                    In100::Reserved => [Reserved, keyword],
+                    In100::Only => [keyword, Reserved],
+                },
+            )
+        }));
+        map.extend(TYPES.iter().map(|&(word, in_100, kind)| {
+            let ty = WordClass::Type(kind);
+            (
+                word,
+                match in_100 {
+                    In100::Same => [ty, ty],
+                    In100::Plain => [Plain, ty],
+                    In100::Reserved => [Reserved, ty],
+                    In100::Only => [ty, Reserved],
+                },
+            )
+        }));
+        map
+    })
+}
+
+/// Reserved by GLSL ES 1.00 section 3.7 and 3.00 section 3.8 alike; `samplerExternalOES` needs an
+/// extension that WebGL2 does not have.
+const RESERVED_ALWAYS: &str = "
+    asm class union enum typedef template this goto inline noinline volatile public static extern
+    external interface long short double half fixed unsigned superp input output hvec2 hvec3 hvec4
+    dvec2 dvec3 dvec4 fvec2 fvec3 fvec4 sampler3DRect sampler1D sampler1DShadow sampler2DRect
+    sampler2DRectShadow sizeof cast namespace using samplerExternalOES";
+
+/// Reserved by GLSL ES 3.00 section 3.8 only; the four `image..Shadow` words by WebGL.
+const RESERVED_SINCE_300: &str = "
+    coherent restrict readonly writeonly resource atomic_uint noperspective patch sample subroutine
+    common partition active filter image1D image2D image3D imageCube iimage1D iimage2D iimage3D
+    iimageCube uimage1D uimage2D uimage3D uimageCube image1DArray image2DArray iimage1DArray
+    iimage2DArray uimage1DArray uimage2DArray image1DShadow image2DShadow image1DArrayShadow
+    image2DArrayShadow imageBuffer iimageBuffer uimageBuffer sampler1DArray sampler1DArrayShadow
+    isampler1D isampler1DArray usampler1D usampler1DArray isampler2DRect usampler2DRect
+    samplerBuffer isamplerBuffer usamplerBuffer sampler2DMS isampler2DMS usampler2DMS
+    sampler2DMSArray isampler2DMSArray usampler2DMSArray";
+
+/// What a word of GLSL ES 3.00 is in 1.00.
+#[derive(Clone, Copy)]
+enum In100 {
+    Same,
+    Plain,
+    Reserved,
+    Only,
+}
+
+#[rustfmt::skip]
+const KEYWORDS: &[(&str, In100, TokenKind)] = {
+    use In100::*;
+    use TokenKind as T;
+    &[
+        ("attribute", Only, T::Attribute), ("varying", Only, T::Varying), ("const", Same, T::Const),
+        ("uniform", Same, T::Uniform), ("layout", Plain, T::Layout), ("centroid", Plain, T::Centroid),
+        ("flat", Reserved, T::Flat), ("smooth", Plain, T::Smooth), ("break", Same, T::Break),
+        ("continue", Same, T::Continue), ("do", Same, T::Do), ("for", Same, T::For),
+        ("while", Same, T::While), ("switch", Reserved, T::Switch), ("case", Plain, T::Case),
+        ("default", Reserved, T::Default), ("if", Same, T::If), ("else", Same, T::Else),
+        ("in", Same, T::In), ("out", Same, T::Out), ("inout", Same, T::Inout),
+        ("void", Same, T::Void), ("true", Same, T::True), ("false", Same, T::False),
+        ("invariant", Same, T::Invariant), ("discard", Same, T::Discard),
+        ("return", Same, T::Return), ("lowp", Same, T::Lowp), ("mediump", Same, T::Mediump),
+        ("highp", Same, T::Highp), ("precision", Same, T::Precision), ("struct", Same, T::Struct),
+    ]
+};
+
+#[rustfmt::skip]
+const TYPES: &[(&str, In100, TypeWord)] = {
+    use In100::*;
+    use TypeWord as T;
+    &[
+        ("bool", Same, T::Bool), ("int", Same, T::Int), ("uint", Plain, T::Uint),
+        ("float", Same, T::Float), ("vec2", Same, T::Vec2), ("vec3", Same, T::Vec3),
+        ("vec4", Same, T::Vec4), ("bvec2", Same, T::Bvec2), ("bvec3", Same, T::Bvec3),
+        ("bvec4", Same, T::Bvec4), ("ivec2", Same, T::Ivec2), ("ivec3", Same, T::Ivec3),
+        ("ivec4", Same, T::Ivec4), ("uvec2", Plain, T::Uvec2), ("uvec3", Plain, T::Uvec3),
+        ("uvec4", Plain, T::Uvec4), ("mat2", Same, T::Mat2), ("mat3", Same, T::Mat3),
+        ("mat4", Same, T::Mat4), ("mat2x2", Plain, T::Mat2), ("mat2x3", Plain, T::Mat2x3),
+        ("mat2x4", Plain, T::Mat2x4), ("mat3x2", Plain, T::Mat3x2), ("mat3x3", Plain, T::Mat3),
+        ("mat3x4", Plain, T::Mat3x4), ("mat4x2", Plain, T::Mat4x2), ("mat4x3", Plain, T::Mat4x3),
+        ("mat4x4", Plain, T::Mat4), ("sampler2D", Same, T::Sampler2D),
+        ("sampler3D", Reserved, T::Sampler3D), ("samplerCube", Same, T::SamplerCube),
+        ("sampler2DArray", Plain, T::Sampler2DArray), ("isampler2D", Plain, T::Isampler2D),
+        ("isampler3D", Plain, T::Isampler3D), ("isamplerCube", Plain, T::IsamplerCube),
+        ("isampler2DArray", Plain, T::Isampler2DArray), ("usampler2D", Plain, T::Usampler2D),
+        ("usampler3D", Plain, T::Usampler3D), ("usamplerCube", Plain, T::UsamplerCube),
+        ("usampler2DArray", Plain, T::Usampler2DArray),
+        ("sampler2DShadow", Reserved, T::Sampler2DShadow),
+        ("samplerCubeShadow", Plain, T::SamplerCubeShadow),
+        ("sampler2DArrayShadow", Plain, T::Sampler2DArrayShadow),
+    ]
+};
+
+struct Entry {
+    start: u32,
+    len: u32,
+    hash: u32,
+    classes: [WordClass; 2],
+}
+
+/// The distinct words of one shader.
+pub struct Names {
+    text: String,
+    entries: Vec<Entry>,
+    /// Open addressing; holds indices into `entries` plus one, 0 for an empty slot.
+    slots: Vec<u32>,
+}
+
+impl Default for Names {
+    fn default() -> Names {
+        Names {
+            text: String::with_capacity(4096),
+            entries: Vec::with_capacity(512),
+            slots: vec![0; 1024],
+        }
+    }
+}
+
+impl Names {
+    /// The name of `word`, which is stored if it is new.
+    pub fn intern(&mut self, word: &str) -> Name {
+        let hash = hash(word);
+        let mask = self.slots.len() - 1;
+        let mut slot = hash as usize & mask;
+        while let Some(index) = self.slots.get(slot).and_then(|s| s.checked_sub(1)) {
+            if self.is(index, hash, word) {
+                return Name(index);
+            }
+            slot = (slot + 1) & mask;
+        }
+        self.insert(slot, hash, word)
+    }
+
+    /// The name of `word` if the shader uses it at all.
+    pub fn get(&self, word: &str) -> Option<Name> {
+        let hash = hash(word);
+        let mask = self.slots.len() - 1;
+        let mut slot = hash as usize & mask;
+        while let Some(index) = self.slots.get(slot).and_then(|s| s.checked_sub(1)) {
+            if self.is(index, hash, word) {
+                return Some(Name(index));
+            }
+            slot = (slot + 1) & mask;
+        }
+        None
+    }
+
+    /// The text of a name.
+    pub fn text(&self, name: Name) -> &str {
+        self.entries
+            .get(name.0 as usize)
+            .and_then(|e| self.text.get(e.start as usize..(e.start + e.len) as usize))
+            .unwrap_or("")
+    }
+
+    /// What a name is in a version of the language.
+    pub fn class(&self, name: Name, version: Version) -> WordClass {
+        self.entries
+            .get(name.0 as usize)
+            .map_or(WordClass::Plain, |e| e.classes[version as usize])
+    }
+
+    /// How many distinct words there are; every [`Name`] is smaller.
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether there is no word yet.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// Every word, in the order of first use.
+    pub fn iter(&self) -> impl Iterator<Item = (Name, &str)> {
+        (0..self.entries.len() as u32).map(|i| (Name(i), self.text(Name(i))))
+    }
+
+    fn is(&self, index: u32, hash: u32, word: &str) -> bool {
+        self.entries
+            .get(index as usize)
+            .is_some_and(|e| e.hash == hash)
+            && self.text(Name(index)) == word
+    }
+
+    fn insert(&mut self, slot: usize, hash: u32, word: &str) -> Name {
+        let index = self.entries.len() as u32;
+        let classes = special_words()
+            .get(word)
+            .copied()
+            .unwrap_or([WordClass::Plain; 2]);
+        let start = self.text.len() as u32;
+        self.text.push_str(word);
+        self.entries.push(Entry {
+            start,
+            len: word.len() as u32,
+            hash,
+            classes,
+        });
+        if let Some(s) = self.slots.get_mut(slot) {
+            *s = index + 1;
+        }
+        if self.entries.len() * 2 > self.slots.len() {
+            self.grow();
+        }
+        Name(index)
+    }
+
+    fn grow(&mut self) {
+        let mask = self.slots.len() * 2 - 1;
+        self.slots = vec![0; mask + 1];
+        for (index, entry) in self.entries.iter().enumerate() {
+            let mut slot = entry.hash as usize & mask;
+            while self.slots.get(slot).is_some_and(|&s| s != 0) {
+                slot = (slot + 1) & mask;
+            }
+            if let Some(s) = self.slots.get_mut(slot) {
+                *s = index as u32 + 1;
+            }
+        }
+    }
+}
+
+fn hash(word: &str) -> u32 {
+    let mut hasher = FxHasher::default();
+    hasher.write(word.as_bytes());
+    let h = hasher.finish();
+    (h >> 32) as u32 ^ h as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_keeps_its_name_while_the_table_grows() {
+        let mut names = Names::default();
+        let all: Vec<Name> = (0..5000)
+            .map(|i| names.intern(&format!("word{i}")))
+            .collect();
+        for (i, &name) in all.iter().enumerate() {
+            assert_eq!(names.text(name), format!("word{i}"));
+            assert_eq!(names.get(&format!("word{i}")), Some(name));
+        }
+        assert_eq!(names.get("other"), None);
+    }
+
+    #[test]
+    fn words_change_their_class_with_the_version() {
+        assert_eq!(classify("sample", Version::Es100), WordClass::Plain);
+        assert_eq!(classify("sample", Version::Es300), WordClass::Reserved);
+        assert_eq!(classify("packed", Version::Es100), WordClass::Reserved);
+        assert_eq!(classify("packed", Version::Es300), WordClass::Plain);
+        assert_eq!(classify("varying", Version::Es300), WordClass::Reserved);
+        assert_eq!(classify("switch", Version::Es100), WordClass::Reserved);
+        assert_eq!(classify("uint", Version::Es100), WordClass::Plain);
+        assert_eq!(classify("image", Version::Es300), WordClass::Plain);
+        assert_eq!(classify("sampler", Version::Es300), WordClass::Plain);
+    }
+}

@@ -1,0 +1,579 @@
+//! Declarations, types and functions (GLSL ES 3.00 sections 4 and 6.1).
+
+use super::{Parsed, Parser, Reported, append};
+use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::syntax::ast::*;
+use crate::syntax::names::{Name, TypeWord};
+use crate::syntax::token::TokenKind;
+use crate::text::{Edit, Span};
+
+impl Parser<'_> {
+    /// Everything up to the end.
+    pub(super) fn translation_unit(&mut self) {
+        while !self.is(TokenKind::End) {
+            let first = self.id();
+            let mark = self.tree.exprs.len();
+            match self.item() {
+                Ok(Some(item)) => self.tree.items.push(item),
+                Ok(None) => {}
+                Err(Reported) => {
+                    self.depth = 0;
+                    self.tree.exprs.truncate(mark);
+                    self.skip_item(first);
+                }
+            }
+        }
+    }
+
+    fn item(&mut self) -> Parsed<Option<Item>> {
+        match self.peek() {
+            TokenKind::Semicolon => {
+                self.stray_semicolon();
+                return Ok(None);
+            }
+            TokenKind::RightBrace => {
+                let d = self.error_here(error::UNCLOSED_DELIMITER, "this `}` has no `{`");
+                self.report(d);
+                self.advance();
+                return Ok(None);
+            }
+            TokenKind::Bad => {
+                self.advance();
+                return Ok(None);
+            }
+            _ => {}
+        }
+        if !self.at_global_declaration() {
+            return Err(self.code_outside_function());
+        }
+        if self.is(TokenKind::Precision) {
+            return Ok(Some(Item::Decl(self.precision()?)));
+        }
+        let first = self.id();
+        let qualifiers = self.qualifiers()?;
+        if let Some(decl) = self.qualified_name_or_block(first, qualifiers)? {
+            return Ok(Some(Item::Decl(decl)));
+        }
+        let ty = self.type_spec()?;
+        if self.names_a_function() {
+            return self.function(first, qualifiers, ty).map(Some);
+        }
+        Ok(Some(Item::Decl(self.variables(first, qualifiers, ty)?)))
+    }
+
+    /// Whether a name and `(` follow.
+    fn names_a_function(&self) -> bool {
+        !matches!(
+            self.kind(0),
+            TokenKind::Semicolon | TokenKind::Comma | TokenKind::Equal
+        ) && self.kind(1) == TokenKind::LeftParen
+    }
+
+    /// A declaration inside a function.
+    pub(super) fn declaration(&mut self) -> Parsed<DeclId> {
+        if self.is(TokenKind::Precision) {
+            return self.precision();
+        }
+        let first = self.id();
+        let qualifiers = self.qualifiers()?;
+        if let Some(decl) = self.qualified_name_or_block(first, qualifiers)? {
+            return Ok(decl);
+        }
+        let ty = self.type_spec()?;
+        if self.names_a_function() {
+            return match self.function(first, qualifiers, ty)? {
+                Item::Decl(decl) => Ok(decl),
+                Item::Function(_) => Err(Reported),
+            };
+        }
+        self.variables(first, qualifiers, ty)
+    }
+
+    /// `bool go = ...` as the condition of a loop.
+    pub(super) fn condition_declaration(&mut self) -> Parsed<DeclId> {
+        let first = self.id();
+        let qualifiers = self.qualifiers()?;
+        let ty = self.type_spec()?;
+        let declarator = self.declarator(ty)?;
+        let declarators = append(&mut self.tree.declarator_lists, [declarator]);
+        Ok(self.push_decl(
+            DeclKind::Variables {
+                qualifiers,
+                ty,
+                declarators,
+            },
+            first,
+        ))
+    }
+
+    fn push_decl(&mut self, kind: DeclKind, first: TokenId) -> DeclId {
+        let extent = self.extent_from(first);
+        self.tree.decls.push(Declaration { kind, extent });
+        DeclId(self.tree.decls.len() as u32 - 1)
+    }
+
+    fn precision(&mut self) -> Parsed<DeclId> {
+        let first = self.advance();
+        let precision = match self.peek() {
+            TokenKind::Lowp => QualifierKind::Lowp,
+            TokenKind::Mediump => QualifierKind::Mediump,
+            TokenKind::Highp => QualifierKind::Highp,
+            _ => return Err(self.unexpected("`lowp`, `mediump` or `highp`")),
+        };
+        self.advance();
+        let ty = self.type_spec()?;
+        self.semicolon()?;
+        Ok(self.push_decl(DeclKind::Precision { precision, ty }, first))
+    }
+
+    /// `invariant a;`, `layout(std140) uniform;` or `uniform Block { ... };`, if one is there.
+    fn qualified_name_or_block(
+        &mut self,
+        first: TokenId,
+        qualifiers: List,
+    ) -> Parsed<Option<DeclId>> {
+        if qualifiers.len == 0 {
+            return Ok(None);
+        }
+        let kind = match (self.kind(0), self.kind(1)) {
+            (TokenKind::Semicolon, _) => DeclKind::Qualifiers {
+                qualifiers,
+                ident: None,
+            },
+            (TokenKind::Identifier, TokenKind::Semicolon) => {
+                let ident = self.ident("a name")?;
+                DeclKind::Qualifiers {
+                    qualifiers,
+                    ident: Some(ident),
+                }
+            }
+            (TokenKind::Identifier | TokenKind::Reserved, TokenKind::LeftBrace) => {
+                self.interface_block(qualifiers)?
+            }
+            _ => return Ok(None),
+        };
+        self.semicolon()?;
+        Ok(Some(self.push_decl(kind, first)))
+    }
+
+    fn interface_block(&mut self, qualifiers: List) -> Parsed<DeclKind> {
+        let first = self.id();
+        let name = self.ident("the block's name")?;
+        let members = self.members(Some(name), first)?;
+        let instance = if self.is(TokenKind::Semicolon) {
+            None
+        } else {
+            let first = self.id();
+            let ident = self.ident("a name or `;`")?;
+            let arrays = self.array_sizes()?;
+            Some(Declarator {
+                ident,
+                arrays,
+                init: None,
+                extent: self.extent_from(first),
+            })
+        };
+        Ok(DeclKind::Block {
+            qualifiers,
+            members,
+            instance,
+        })
+    }
+
+    /// `{ type a; ... }`
+    fn members(&mut self, name: Option<Ident>, first: TokenId) -> Parsed<StructId> {
+        let open = self.id();
+        self.expect(TokenKind::LeftBrace, "`{`")?;
+        let mut fields = Vec::new();
+        while !self.is(TokenKind::RightBrace) {
+            if self.is(TokenKind::End) {
+                self.missing_brace(open);
+                break;
+            }
+            fields.push(self.field()?);
+        }
+        self.eat(TokenKind::RightBrace);
+        let fields = append(&mut self.tree.field_lists, fields);
+        let extent = self.extent_from(first);
+        self.tree.structs.push(StructDecl {
+            name,
+            fields,
+            extent,
+        });
+        Ok(StructId(self.tree.structs.len() as u32 - 1))
+    }
+
+    fn field(&mut self) -> Parsed<FieldDecl> {
+        let first = self.id();
+        let qualifiers = self.qualifiers()?;
+        let ty = self.type_spec()?;
+        let mut declarators = Vec::new();
+        loop {
+            let first = self.id();
+            let ident = self.ident("the member's name")?;
+            let arrays = self.array_sizes()?;
+            if self.is(TokenKind::Equal) {
+                let d = self.error_here(
+                    error::FOREIGN_SYNTAX,
+                    "a member cannot have an initial value",
+                );
+                self.report(d.note("GLSL sets members through the constructor or by assignment"));
+                return Err(Reported);
+            }
+            let extent = self.extent_from(first);
+            declarators.push(Declarator {
+                ident,
+                arrays,
+                init: None,
+                extent,
+            });
+            if self.eat(TokenKind::Comma).is_none() {
+                break;
+            }
+        }
+        self.semicolon()?;
+        let declarators = append(&mut self.tree.declarator_lists, declarators);
+        Ok(FieldDecl {
+            qualifiers,
+            ty,
+            declarators,
+            extent: self.extent_from(first),
+        })
+    }
+
+    fn variables(&mut self, first: TokenId, qualifiers: List, ty: TypeId) -> Parsed<DeclId> {
+        let mut declarators = Vec::new();
+        if !self.is(TokenKind::Semicolon) {
+            if !self.is(TokenKind::Comma) {
+                declarators.push(self.declarator(ty)?);
+            }
+            while self.eat(TokenKind::Comma).is_some() {
+                declarators.push(self.declarator(ty)?);
+            }
+        }
+        // The names count even where the `;` does not come.
+        let declarators = append(&mut self.tree.declarator_lists, declarators);
+        if self.semicolon().is_err() {
+            self.skip_statement(first);
+        }
+        Ok(self.push_decl(
+            DeclKind::Variables {
+                qualifiers,
+                ty,
+                declarators,
+            },
+            first,
+        ))
+    }
+
+    fn declarator(&mut self, ty: TypeId) -> Parsed<Declarator> {
+        let first = self.id();
+        self.refuse_pointer();
+        let ident = self.ident("a name")?;
+        let arrays = self.array_sizes()?;
+        let mut init = None;
+        if self.eat(TokenKind::Equal).is_some() {
+            let start = self.id();
+            let is_array = arrays.len > 0;
+            init = Some(if self.is(TokenKind::LeftBrace) {
+                self.initializer_list(ty, is_array)
+            } else {
+                match self.root_assignment() {
+                    Ok(init) => init,
+                    Err(Reported) => {
+                        self.skip_initializer();
+                        self.error_expr(start)
+                    }
+                }
+            });
+        }
+        Ok(Declarator {
+            ident,
+            arrays,
+            init,
+            extent: self.extent_from(first),
+        })
+    }
+
+    /// `*` or `&` where a name is declared: C's pointers and C++'s references.
+    fn refuse_pointer(&mut self) {
+        if !matches!(self.peek(), TokenKind::Star | TokenKind::And) {
+            return;
+        }
+        let what = if self.is(TokenKind::Star) {
+            "pointers"
+        } else {
+            "references"
+        };
+        let d = self.error_here(error::FOREIGN_SYNTAX, format!("GLSL has no {what}"));
+        self.report(d.help("a parameter that is written to is declared `out` or `inout`"));
+        self.advance();
+    }
+
+    /// `[2]`, `[]`, `[2][3]`; the last is an error of its own, found later.
+    pub(super) fn array_sizes(&mut self) -> Parsed<List> {
+        let mut sizes = Vec::new();
+        while self.is(TokenKind::LeftBracket) {
+            let open = self.advance();
+            let size = if self.is(TokenKind::RightBracket) {
+                None
+            } else {
+                Some(self.root_expression()?)
+            };
+            self.close(TokenKind::RightBracket, open)?;
+            sizes.push(ArraySize {
+                size,
+                extent: self.extent_from(open),
+            });
+        }
+        Ok(append(&mut self.tree.array_lists, sizes))
+    }
+
+    /// A type, with the array sizes behind it.
+    pub(super) fn type_spec(&mut self) -> Parsed<TypeId> {
+        let first = self.id();
+        let token = self.next();
+        let base = match token.kind {
+            TokenKind::Type => {
+                self.advance();
+                TypeWord::ALL
+                    .get(token.value as usize)
+                    .map_or(TypeBase::Error, |&w| TypeBase::Word(w))
+            }
+            TokenKind::Void => {
+                self.advance();
+                TypeBase::Void
+            }
+            TokenKind::Identifier => {
+                self.advance();
+                TypeBase::Name(Name(token.value))
+            }
+            TokenKind::Struct => TypeBase::Struct(self.structure()?),
+            TokenKind::Reserved => self.reserved_type(),
+            _ => return Err(self.unexpected("a type")),
+        };
+        let arrays = self.array_sizes()?;
+        let extent = self.extent_from(first);
+        self.tree.types.push(TypeSpec {
+            base,
+            arrays,
+            extent,
+        });
+        Ok(TypeId(self.tree.types.len() as u32 - 1))
+    }
+
+    fn structure(&mut self) -> Parsed<StructId> {
+        let first = self.advance();
+        let name = if self.is(TokenKind::LeftBrace) {
+            None
+        } else {
+            Some(self.ident("a name or `{`")?)
+        };
+        self.members(name, first)
+    }
+
+    /// The qualifiers in front of a type.
+    pub(super) fn qualifiers(&mut self) -> Parsed<List> {
+        let mut found = Vec::new();
+        loop {
+            use QualifierKind as Q;
+            let first = self.id();
+            let kind = match self.peek() {
+                TokenKind::Const => Q::Const,
+                TokenKind::In => Q::In,
+                TokenKind::Out => Q::Out,
+                TokenKind::Inout => Q::Inout,
+                TokenKind::Centroid => Q::Centroid,
+                TokenKind::Uniform => Q::Uniform,
+                TokenKind::Attribute => Q::Attribute,
+                TokenKind::Varying => Q::Varying,
+                TokenKind::Flat => Q::Flat,
+                TokenKind::Smooth => Q::Smooth,
+                TokenKind::Invariant => Q::Invariant,
+                TokenKind::Lowp => Q::Lowp,
+                TokenKind::Mediump => Q::Mediump,
+                TokenKind::Highp => Q::Highp,
+                TokenKind::Layout => Q::Layout(self.layout()?),
+                TokenKind::Reserved => match self.reserved_qualifier() {
+                    Some(Some(kind)) => kind,
+                    Some(None) => continue,
+                    None => break,
+                },
+                _ => break,
+            };
+            if !matches!(kind, Q::Layout(_)) {
+                self.advance();
+            }
+            found.push(Qualifier {
+                kind,
+                extent: self.extent_from(first),
+            });
+        }
+        Ok(append(&mut self.tree.qualifier_lists, found))
+    }
+
+    /// `layout(std140, location = 1)`
+    fn layout(&mut self) -> Parsed<List> {
+        self.advance();
+        let open = self.id();
+        self.expect(TokenKind::LeftParen, "`(` behind `layout`")?;
+        let mut entries = Vec::new();
+        loop {
+            let ident = self.ident("a layout's name")?;
+            let mut value = None;
+            if self.eat(TokenKind::Equal).is_some() {
+                let token = self.next();
+                if !matches!(token.kind, TokenKind::Int | TokenKind::Uint) {
+                    return Err(self.unexpected("a number"));
+                }
+                value = Some(LayoutValue {
+                    value: token.value as i32,
+                    token: self.advance(),
+                });
+            }
+            entries.push(LayoutEntry { ident, value });
+            if self.eat(TokenKind::Comma).is_none() {
+                break;
+            }
+        }
+        self.close(TokenKind::RightParen, open)?;
+        Ok(append(&mut self.tree.layout_lists, entries))
+    }
+
+    /// A function or a prototype; qualifiers and return type have been read.
+    fn function(&mut self, first: TokenId, qualifiers: List, ty: TypeId) -> Parsed<Item> {
+        let ident = self.ident("the function's name")?;
+        let open = self.advance();
+        let params = self.params(open)?;
+        let header = self.extent_from(first);
+        let mut function = FunctionDecl {
+            qualifiers,
+            ty,
+            ident,
+            params,
+            body: None,
+            header,
+            extent: header,
+        };
+        if self.is(TokenKind::LeftBrace) {
+            self.function_open = self.id();
+            function.body = Some(self.block()?);
+            function.extent = self.extent_from(first);
+            return Ok(Item::Function(self.push_function(function)));
+        }
+        if !self.is(TokenKind::Semicolon) {
+            return Err(self.no_body());
+        }
+        self.advance();
+        function.extent = self.extent_from(first);
+        let id = self.push_function(function);
+        Ok(Item::Decl(self.push_decl(DeclKind::Prototype(id), first)))
+    }
+
+    fn push_function(&mut self, function: FunctionDecl) -> FunctionId {
+        self.tree.functions.push(function);
+        FunctionId(self.tree.functions.len() as u32 - 1)
+    }
+
+    fn params(&mut self, open: TokenId) -> Parsed<List> {
+        let mut params = Vec::new();
+        if !self.is(TokenKind::RightParen) {
+            loop {
+                params.push(self.param()?);
+                if self.eat(TokenKind::Comma).is_none() {
+                    break;
+                }
+            }
+        }
+        self.close(TokenKind::RightParen, open)?;
+        Ok(append(&mut self.tree.param_lists, params))
+    }
+
+    fn param(&mut self) -> Parsed<Param> {
+        let first = self.id();
+        let qualifiers = self.qualifiers()?;
+        let ty = self.type_spec()?;
+        self.refuse_pointer();
+        let unnamed = matches!(
+            self.peek(),
+            TokenKind::Comma | TokenKind::RightParen | TokenKind::LeftBracket
+        );
+        let ident = if unnamed {
+            None
+        } else {
+            Some(self.ident("the parameter's name")?)
+        };
+        let arrays = if ident.is_some() {
+            self.array_sizes()?
+        } else {
+            List::default()
+        };
+        let extent = self.extent_from(first);
+        if self.is(TokenKind::Equal) {
+            self.default_argument()?;
+        }
+        Ok(Param {
+            qualifiers,
+            ty,
+            ident,
+            arrays,
+            extent,
+        })
+    }
+
+    /// `= value` behind a parameter: C++'s way, reported and skipped.
+    fn default_argument(&mut self) -> Parsed<()> {
+        let first = self.advance();
+        let mark = self.tree.exprs.len();
+        let value = self.root_assignment();
+        self.tree.exprs.truncate(mark);
+        value?;
+        let span = self.span(self.extent_from(first));
+        let d = Diagnostic::error(error::FOREIGN_SYNTAX, span, "GLSL has no default arguments")
+            .note("every call gives every argument")
+            .help("declare a second function of the same name with fewer parameters");
+        let token = self.token(first as usize);
+        self.report_at(d, &token);
+        Ok(())
+    }
+
+    /// A function inside a function, which C++ calls a lambda and GLSL does not have.
+    pub(super) fn nested_function(&mut self) -> StmtId {
+        let first = self.id();
+        let mark = self.tree.exprs.len();
+        while !self.is(TokenKind::LeftBrace) && !self.is(TokenKind::End) {
+            self.advance();
+        }
+        let span = self.span(self.extent_from(first));
+        self.skip_braces();
+        self.tree.exprs.truncate(mark);
+        let d = Diagnostic::error(
+            error::LOCAL_FUNCTION,
+            span,
+            "a function cannot stand inside a function",
+        )
+        .note("either it has to move out, or a `}` is missing before it");
+        let token = self.token(first as usize);
+        self.report_at(d, &token);
+        self.push_stmt(StmtKind::Error, first)
+    }
+
+    /// `;` at global scope, most often behind the `}` of a function.
+    fn stray_semicolon(&mut self) {
+        let span = self.next().span;
+        let behind_brace = self.at > 0 && self.token(self.at - 1).kind == TokenKind::RightBrace;
+        let message = if behind_brace {
+            "no `;` may stand behind a function's `}`"
+        } else {
+            "a `;` alone cannot stand outside a function"
+        };
+        let d = Diagnostic::error(error::STRAY_SEMICOLON, span, message)
+            .note("GLSL ES has no empty declarations at global scope; C and desktop GLSL do")
+            .fix(Fix::safe(
+                "take it out",
+                vec![Edit::delete(Span::new(span.start, span.end))],
+            ));
+        self.report(d);
+        self.advance();
+    }
+}

@@ -1,0 +1,447 @@
+//! What to say where the text does not fit, and where to go on.
+
+use super::{Parsed, Parser, Reported};
+use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::syntax::ast::*;
+use crate::syntax::token::TokenKind;
+use crate::text::{Edit, Span};
+
+impl Parser<'_> {
+    /// Whether the next token stands on another line than the one before it.
+    pub(super) fn is_on_new_line(&self) -> bool {
+        self.starts_line(self.at)
+    }
+
+    fn starts_line(&self, at: usize) -> bool {
+        let Some(before) = at.checked_sub(1) else {
+            return true;
+        };
+        let between = Span::new(self.token(before).span.end, self.token(at).span.start);
+        between.start > between.end
+            || self.sources.file_id_at(between.start) != self.sources.file_id_at(between.end)
+            || self.sources.text(between).contains(['\n', '\r'])
+    }
+
+    /// The next token in words.
+    fn found(&self) -> String {
+        let token = self.next();
+        match token.kind {
+            TokenKind::End => "the end of the shader".to_string(),
+            _ => {
+                let text: String = self.text(&token).chars().take(40).collect();
+                format!("`{text}`")
+            }
+        }
+    }
+
+    /// Reports that something else was expected.
+    pub(super) fn unexpected(&mut self, what: &str) -> Reported {
+        if !self.is(TokenKind::Bad) {
+            let message = format!("expected {what}, found {}", self.found());
+            let d = self.error_here(error::SYNTAX_ERROR, message);
+            self.report(d);
+        }
+        Reported
+    }
+
+    pub(super) fn expect(&mut self, kind: TokenKind, what: &str) -> Parsed<TokenId> {
+        match self.eat(kind) {
+            Some(id) => Ok(id),
+            None => Err(self.unexpected(what)),
+        }
+    }
+
+    /// Reports that no expression starts here.
+    pub(super) fn no_expression(&mut self) -> Reported {
+        if self.is(TokenKind::Bad) {
+            return Reported;
+        }
+        let found = self.found();
+        let message = match self.peek() {
+            TokenKind::Semicolon
+            | TokenKind::RightParen
+            | TokenKind::RightBracket
+            | TokenKind::Comma
+            | TokenKind::RightBrace
+            | TokenKind::End => {
+                format!("expected an expression before {found}")
+            }
+            _ => format!("expected an expression, found {found}"),
+        };
+        let d = self.error_here(error::SYNTAX_ERROR, message);
+        self.report(d);
+        Reported
+    }
+
+    pub(super) fn type_as_value(&mut self, ty: TypeId) -> Reported {
+        let name = self
+            .sources
+            .text(self.span(self.tree.ty(ty).extent))
+            .to_string();
+        self.unexpected(&format!("`(` behind the type `{name}`"))
+    }
+
+    pub(super) fn else_without_if(&mut self) -> Reported {
+        let d = self
+            .error_here(error::SYNTAX_ERROR, "this `else` has no `if`")
+            .note(
+                "a `;` behind the `if (...)`, or a second statement without braces, ends it early",
+            );
+        self.report(d);
+        Reported
+    }
+
+    pub(super) fn no_body(&mut self) -> Reported {
+        self.unexpected("`{` or `;` behind the function's parameters")
+    }
+
+    /// The `;` of a statement. Where it is missing although the statement is complete, it is
+    /// reported at the end of the statement and reading goes on.
+    pub(super) fn semicolon(&mut self) -> Parsed<()> {
+        if self.eat(TokenKind::Semicolon).is_some() {
+            return Ok(());
+        }
+        if self.is(TokenKind::Bad) {
+            return Err(Reported);
+        }
+        let ends = matches!(self.peek(), TokenKind::RightBrace | TokenKind::End);
+        if !ends && !self.is_on_new_line() && !self.looks_like_statement() {
+            return Err(self.unexpected("`;`"));
+        }
+        let last = self.token(self.last() as usize);
+        let place = last.span.after();
+        let d = Diagnostic::error(error::MISSING_SEMICOLON, place, "missing `;`")
+            .mark("expected `;` here")
+            .fix(Fix::safe(
+                "put `;` here",
+                vec![Edit::insert(place.start, ";")],
+            ));
+        self.report_at(d, &last);
+        Ok(())
+    }
+
+    /// Whether a statement starts at the next token, as far as its first words tell.
+    fn looks_like_statement(&self) -> bool {
+        use TokenKind as T;
+        match self.peek() {
+            T::Type => self.kind(1) == T::Identifier,
+            T::Identifier => matches!(
+                self.kind(1),
+                T::Equal
+                    | T::PlusEqual
+                    | T::MinusEqual
+                    | T::StarEqual
+                    | T::SlashEqual
+                    | T::Identifier
+            ),
+            T::If
+            | T::For
+            | T::While
+            | T::Do
+            | T::Return
+            | T::Break
+            | T::Continue
+            | T::Discard
+            | T::Switch
+            | T::Const => true,
+            _ => false,
+        }
+    }
+
+    /// The bracket that closes the one at `open`. Where it is missing although what it holds is
+    /// complete, that is reported there and reading goes on.
+    pub(super) fn close(&mut self, kind: TokenKind, open: TokenId) -> Parsed<()> {
+        if self.eat(kind).is_some() {
+            return Ok(());
+        }
+        if self.is(TokenKind::Bad) {
+            return Err(Reported);
+        }
+        let symbol = if kind == TokenKind::RightBracket {
+            "]"
+        } else {
+            ")"
+        };
+        let ends = matches!(
+            self.peek(),
+            TokenKind::Semicolon | TokenKind::LeftBrace | TokenKind::RightBrace | TokenKind::End
+        ) || (self.is_on_new_line() && self.looks_like_statement());
+        if !ends {
+            return Err(self.unexpected(&format!("`{symbol}`")));
+        }
+        let last = self.token(self.last() as usize);
+        let place = last.span.after();
+        let partner = if kind == TokenKind::RightBracket {
+            "["
+        } else {
+            "("
+        };
+        let d = Diagnostic::error(
+            error::UNCLOSED_DELIMITER,
+            place,
+            format!("missing `{symbol}`"),
+        )
+        .mark(format!("expected `{symbol}` here"))
+        .label(
+            self.token_span(open),
+            format!("this `{partner}` is not closed"),
+        )
+        .fix(Fix::suggestion(
+            format!("put `{symbol}` here"),
+            vec![Edit::insert(place.start, symbol)],
+        ));
+        self.report_at(d, &last);
+        Ok(())
+    }
+
+    /// Reports that the block opened at `open`, or one inside it, is never closed. Says so once for
+    /// all blocks that end at the same place.
+    pub(super) fn missing_brace(&mut self, open: TokenId) {
+        if self.missing_brace_at == Some(self.at) {
+            return;
+        }
+        self.missing_brace_at = Some(self.at);
+        let outermost = if self.function_open < open {
+            self.function_open
+        } else {
+            open
+        };
+        let (open, place) = self.find_unclosed(outermost);
+        let d = Diagnostic::error(error::UNCLOSED_DELIMITER, place, "missing `}`")
+            .mark("expected `}` here")
+            .label(self.token_span(open), "this `{` is not closed")
+            .fix(Fix::suggestion(
+                "put `}` here",
+                vec![Edit::insert(place.start, "\n}")],
+            ));
+        let token = self.token(self.last() as usize);
+        self.report_at(d, &token);
+    }
+
+    /// The brace that was left open, by the indentation of the lines, and where its partner should
+    /// stand.
+    fn find_unclosed(&self, outermost: TokenId) -> (TokenId, Span) {
+        let default = self.token(self.at.saturating_sub(1)).span.after();
+        let mut open: Vec<(usize, usize)> = Vec::new();
+        for at in outermost as usize..self.at {
+            match self.token(at).kind {
+                TokenKind::LeftBrace => open.push((at, self.indent(at))),
+                TokenKind::RightBrace => {
+                    let Some((brace, indent)) = open.pop() else {
+                        continue;
+                    };
+                    if self.starts_line(at) && self.indent(at) < indent {
+                        return (
+                            brace as TokenId,
+                            self.place_of_brace(brace, indent, default),
+                        );
+                    }
+                }
+                _ => {}
+            }
+        }
+        match open.last() {
+            Some(&(brace, indent)) => (
+                brace as TokenId,
+                self.place_of_brace(brace, indent, default),
+            ),
+            None => (outermost, default),
+        }
+    }
+
+    /// Behind the last token of the lines that are indented more than the line of `brace`.
+    fn place_of_brace(&self, brace: usize, indent: usize, default: Span) -> Span {
+        (brace + 1..self.at)
+            .find(|&at| self.starts_line(at) && self.indent(at) <= indent)
+            .map_or(default, |at| self.token(at - 1).span.after())
+    }
+
+    /// Number of blanks before the line that holds a token.
+    fn indent(&self, at: usize) -> usize {
+        let start = self.token(at).span.start;
+        let Some(file) = self.sources.file_at(start) else {
+            return 0;
+        };
+        let before = file.text.get(..(start - file.base) as usize).unwrap_or("");
+        let line = before.rfind(['\n', '\r']).map_or(0, |i| i + 1);
+        let text = file.text.get(line..).unwrap_or("");
+        text.chars()
+            .take_while(|c| matches!(c, ' ' | '\t'))
+            .map(|c| if c == '\t' { 4 } else { 1 })
+            .sum()
+    }
+
+    /// Whether the function that starts here shows that the block opened at `open` was left open:
+    /// it does not stand further right than the block's own line.
+    pub(super) fn is_left_open(&self, open: TokenId) -> bool {
+        self.starts_line(self.at) && self.indent(self.at) <= self.indent(open as usize)
+    }
+
+    /// Whether `type name ( ... ) {` starts here.
+    pub(super) fn at_function_definition(&self) -> bool {
+        let is_type = matches!(
+            self.kind(0),
+            TokenKind::Type | TokenKind::Void | TokenKind::Identifier
+        );
+        if !is_type || self.kind(1) != TokenKind::Identifier || self.kind(2) != TokenKind::LeftParen
+        {
+            return false;
+        }
+        let mut open = 0_u32;
+        for i in self.at + 2.. {
+            match self.token(i).kind {
+                TokenKind::LeftParen => open += 1,
+                TokenKind::RightParen => {
+                    open -= 1;
+                    if open == 0 {
+                        return self.token(i + 1).kind == TokenKind::LeftBrace;
+                    }
+                }
+                TokenKind::Semicolon
+                | TokenKind::LeftBrace
+                | TokenKind::RightBrace
+                | TokenKind::End => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// Skips the rest of a statement that started at `first`.
+    pub(super) fn skip_statement(&mut self, first: TokenId) {
+        loop {
+            match self.peek() {
+                TokenKind::End | TokenKind::RightBrace => return,
+                TokenKind::Semicolon => {
+                    self.advance();
+                    return;
+                }
+                TokenKind::LeftBrace => {
+                    self.skip_braces();
+                    return;
+                }
+                _ if self.id() > first && self.is_on_new_line() && self.starts_afresh() => return,
+                _ => {
+                    self.advance();
+                }
+            }
+        }
+    }
+
+    /// Whether the next token can only be the start of a statement.
+    fn starts_afresh(&self) -> bool {
+        use TokenKind as T;
+        match self.peek() {
+            T::If
+            | T::For
+            | T::While
+            | T::Do
+            | T::Return
+            | T::Break
+            | T::Continue
+            | T::Discard
+            | T::Switch
+            | T::Const
+            | T::Uniform
+            | T::Struct
+            | T::Precision
+            | T::Void => true,
+            T::Type => self.kind(1) == T::Identifier,
+            T::Identifier => matches!(self.kind(1), T::Identifier | T::Equal),
+            _ => false,
+        }
+    }
+
+    /// Skips the rest of what started at global scope at `first`.
+    pub(super) fn skip_item(&mut self, first: TokenId) {
+        if self.id() == first {
+            self.advance();
+        }
+        loop {
+            match self.peek() {
+                TokenKind::End => return,
+                TokenKind::Semicolon | TokenKind::RightBrace => {
+                    self.advance();
+                    return;
+                }
+                TokenKind::LeftBrace => {
+                    self.skip_braces();
+                    return;
+                }
+                _ if self.is_on_new_line() && self.starts_item() => return,
+                _ => {
+                    self.advance();
+                }
+            }
+        }
+    }
+
+    fn starts_item(&self) -> bool {
+        use TokenKind as T;
+        match self.peek() {
+            T::Const | T::Uniform | T::Struct | T::Precision | T::Layout | T::In | T::Out => true,
+            T::Void | T::Type => self.kind(1) == T::Identifier && self.kind(2) == T::LeftParen,
+            _ => false,
+        }
+    }
+
+    /// Skips to the `)` that closes the parentheses around, which stays the next token.
+    pub(super) fn skip_to_close(&mut self) {
+        let mut open = 0_u32;
+        loop {
+            match self.peek() {
+                TokenKind::End | TokenKind::LeftBrace | TokenKind::RightBrace => return,
+                TokenKind::RightParen if open == 0 => return,
+                TokenKind::LeftParen => open += 1,
+                TokenKind::RightParen => open -= 1,
+                _ => {}
+            }
+            self.advance();
+        }
+    }
+
+    /// Skips to the `,` or `;` behind an initializer.
+    pub(super) fn skip_initializer(&mut self) {
+        let mut open = 0_u32;
+        let first = self.id();
+        loop {
+            match self.peek() {
+                TokenKind::End | TokenKind::Semicolon | TokenKind::RightBrace => return,
+                TokenKind::Comma if open == 0 => return,
+                TokenKind::LeftParen | TokenKind::LeftBracket => open += 1,
+                TokenKind::RightParen | TokenKind::RightBracket => open = open.saturating_sub(1),
+                TokenKind::LeftBrace => {
+                    self.skip_braces();
+                    continue;
+                }
+                _ if self.id() > first && self.is_on_new_line() && self.starts_afresh() => return,
+                _ => {}
+            }
+            self.advance();
+        }
+    }
+
+    /// Skips `( ... )`.
+    pub(super) fn skip_parens(&mut self) {
+        self.advance();
+        self.skip_to_close();
+        self.eat(TokenKind::RightParen);
+    }
+
+    /// Skips `{ ... }`.
+    pub(super) fn skip_braces(&mut self) {
+        let mut open = 0_u32;
+        loop {
+            match self.peek() {
+                TokenKind::End => return,
+                TokenKind::LeftBrace => open += 1,
+                TokenKind::RightBrace => open = open.saturating_sub(1),
+                _ => {}
+            }
+            self.advance();
+            if open == 0 {
+                return;
+            }
+        }
+    }
+}

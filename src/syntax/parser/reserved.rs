@@ -1,0 +1,398 @@
+//! Words that the language keeps for itself, used as if they were free.
+
+use super::{Parsed, Parser, Reported};
+use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::syntax::ast::*;
+use crate::syntax::names::{Name, Version};
+use crate::syntax::token::{Token, TokenKind};
+use crate::text::Edit;
+
+/// Reserved words that stand for a type in other languages, and what GLSL has instead.
+#[rustfmt::skip]
+const TYPES: &[(&str, &str)] = &[
+    ("double", "float"), ("half", "float"), ("long", "int"), ("short", "int"), ("fixed", "float"),
+    ("unsigned", "uint"),
+    ("dvec2", "vec2"), ("dvec3", "vec3"), ("dvec4", "vec4"),
+    ("hvec2", "vec2"), ("hvec3", "vec3"), ("hvec4", "vec4"),
+    ("fvec2", "vec2"), ("fvec3", "vec3"), ("fvec4", "vec4"),
+    ("sampler1D", "sampler2D"), ("sampler2DRect", "sampler2D"), ("samplerExternalOES", "sampler2D"),
+];
+
+/// Reserved words that stand before a declaration in other languages and versions.
+const MODIFIERS: &[&str] = &[
+    "static",
+    "inline",
+    "noinline",
+    "extern",
+    "external",
+    "public",
+    "volatile",
+    "coherent",
+    "restrict",
+    "readonly",
+    "writeonly",
+    "noperspective",
+    "resource",
+    "patch",
+    "subroutine",
+    "common",
+    "superp",
+];
+
+/// Free names that read well in the place of the words most often tripped over.
+#[rustfmt::skip]
+const NAMES: &[(&str, &str)] = &[
+    ("cast", "castRay"), ("sample", "sampleColor"), ("filter", "filterColor"),
+    ("input", "inputValue"), ("output", "outputValue"), ("half", "halfSize"), ("this", "self"),
+    ("active", "isActive"), ("common", "commonValue"), ("partition", "part"), ("union", "unite"),
+];
+
+impl Parser<'_> {
+    /// A name; a reserved word is reported and taken for one.
+    pub(super) fn ident(&mut self, what: &str) -> Parsed<Ident> {
+        while self.is(TokenKind::Bad) {
+            self.advance();
+        }
+        let token = self.next();
+        match token.kind {
+            TokenKind::Identifier => {}
+            TokenKind::Reserved => self.report_reserved(&token),
+            _ if self.is_keyword(&token) => {
+                let name = self
+                    .names
+                    .get(self.text(&token))
+                    .ok_or_else(|| self.unexpected(what))?;
+                self.report_keyword(&token);
+                return Ok(Ident {
+                    name,
+                    token: self.advance(),
+                });
+            }
+            _ => return Err(self.unexpected(what)),
+        }
+        Ok(Ident {
+            name: Name(token.value),
+            token: self.advance(),
+        })
+    }
+
+    /// Whether a keyword stands where a name was meant: the declaration goes on behind it.
+    fn is_keyword(&self, token: &Token) -> bool {
+        let is_word = self
+            .text(token)
+            .starts_with(|c: char| c.is_ascii_alphabetic());
+        is_word
+            && token.is_direct()
+            && !matches!(token.kind, TokenKind::End | TokenKind::Bad)
+            && matches!(
+                self.kind(1),
+                TokenKind::Equal
+                    | TokenKind::Semicolon
+                    | TokenKind::Comma
+                    | TokenKind::LeftParen
+                    | TokenKind::RightParen
+                    | TokenKind::LeftBracket
+                    | TokenKind::LeftBrace
+            )
+    }
+
+    fn report_keyword(&mut self, token: &Token) {
+        let word = self.text(token);
+        let d = Diagnostic::error(
+            error::RESERVED_WORD,
+            token.span,
+            format!("`{word}` is a keyword and cannot be a name"),
+        );
+        self.report_at(d.help("take another name"), token);
+    }
+
+    /// Reports a reserved word used as a name, once for all of its uses.
+    fn report_reserved(&mut self, token: &Token) {
+        let name = Name(token.value);
+        if self.reserved.contains(&name) {
+            return;
+        }
+        self.reserved.push(name);
+        let word = self.names.text(name);
+        let section = if self.version == Version::Es300 {
+            "3.00 section 3.8"
+        } else {
+            "1.00 section 3.7"
+        };
+        let free = self.free_name(word);
+        let edits = self.rename(name, &free);
+        let mut d = Diagnostic::error(
+            error::RESERVED_WORD,
+            token.span,
+            format!("`{word}` is a reserved word and cannot be a name"),
+        )
+        .note(format!("GLSL ES {section} keeps it for the future"));
+        d = match edits {
+            Some(edits) => {
+                let uses = edits.len();
+                let title = match uses {
+                    1 => format!("rename it to `{free}`"),
+                    n => format!("rename all {n} uses to `{free}`"),
+                };
+                d.fix(Fix::safe(title, edits))
+            }
+            None => d.help(format!("rename it, to `{free}` for example")),
+        };
+        self.report_at(d, token);
+    }
+
+    /// A name like `word` that the shader does not use yet.
+    fn free_name(&self, word: &str) -> String {
+        let known = NAMES
+            .iter()
+            .find(|(w, _)| *w == word)
+            .map(|(_, n)| n.to_string());
+        let base = known.unwrap_or_else(|| format!("{word}Value"));
+        let mut name = base.clone();
+        let mut number = 2;
+        while self.names.get(&name).is_some() {
+            name = format!("{base}{number}");
+            number += 1;
+        }
+        name
+    }
+
+    /// Edits that rename every use of a reserved word, or nothing where a use stands in a macro,
+    /// whose body might mean something else elsewhere.
+    fn rename(&self, name: Name, to: &str) -> Option<Vec<Edit>> {
+        let mut edits = Vec::new();
+        for (i, token) in self.tokens.iter().enumerate() {
+            if token.kind != TokenKind::Reserved || token.value != name.0 {
+                continue;
+            }
+            let is_member = i > 0
+                && self
+                    .tokens
+                    .get(i - 1)
+                    .is_some_and(|t| t.kind == TokenKind::Dot);
+            if is_member {
+                continue;
+            }
+            if !token.is_direct() && self.sources.text(token.span) != self.names.text(name) {
+                return None;
+            }
+            edits.push(Edit::replace(token.span, to));
+        }
+        edits.dedup();
+        Some(edits)
+    }
+
+    /// A reserved word where an expression starts.
+    pub(super) fn reserved_primary(&mut self) -> Parsed<ExprId> {
+        let token = self.next();
+        let word = self.names.text(Name(token.value));
+        if self.kind(1) == TokenKind::LeftParen && TYPES.iter().any(|(w, _)| *w == word) {
+            let ty = self.type_spec()?;
+            let first = self.tree.ty(ty).extent.first;
+            self.skip_parens();
+            return Ok(self.error_expr(first));
+        }
+        self.report_reserved(&token);
+        self.name_or_call()
+    }
+
+    /// A reserved word where a type must stand.
+    pub(super) fn reserved_type(&mut self) -> TypeBase {
+        let token = self.next();
+        let name = Name(token.value);
+        let word = self.names.text(name);
+        self.advance();
+        if !self.reserved.contains(&name) {
+            self.reserved.push(name);
+            let d = Diagnostic::error(
+                error::RESERVED_WORD,
+                token.span,
+                format!("WebGL2 has no type `{word}`"),
+            )
+            .note("the word is reserved");
+            let other = TYPES.iter().find(|(w, _)| *w == word).map(|(_, t)| *t);
+            let d = match other {
+                Some("uint") if self.is(TokenKind::Type) => d.fix(Fix::safe(
+                    "write `uint`",
+                    vec![Edit::replace(token.span.to(self.next().span), "uint")],
+                )),
+                Some(other) => d.fix(Fix::suggestion(
+                    format!("write `{other}`"),
+                    self.rename(name, other).unwrap_or_default(),
+                )),
+                None => d,
+            };
+            self.report_at(d, &token);
+        }
+        if word == "unsigned" {
+            self.eat(TokenKind::Type);
+        }
+        TypeBase::Error
+    }
+
+    /// A reserved word among qualifiers: `attribute` and `varying` of GLSL ES 1.00, which have a
+    /// meaning (`Some(Some(..))`), or a modifier of another language, which is reported and
+    /// dropped (`Some(None)`). `None` where the word is no qualifier.
+    pub(super) fn reserved_qualifier(&mut self) -> Option<Option<QualifierKind>> {
+        let token = self.next();
+        let word = self.names.text(Name(token.value));
+        if word == "attribute" || word == "varying" {
+            return Some(Some(self.legacy_qualifier(&token, word)));
+        }
+        let before_declaration = matches!(
+            self.kind(1),
+            TokenKind::Type
+                | TokenKind::Void
+                | TokenKind::Identifier
+                | TokenKind::Const
+                | TokenKind::Uniform
+                | TokenKind::In
+                | TokenKind::Out
+        );
+        if !MODIFIERS.contains(&word) || !before_declaration {
+            return None;
+        }
+        let d = Diagnostic::error(
+            error::RESERVED_WORD,
+            token.span,
+            format!("WebGL2 has no qualifier `{word}`"),
+        )
+        .note("the word is reserved")
+        .fix(Fix::safe(
+            "take it out",
+            vec![Edit::delete(
+                token.span.to(self.token(self.at + 1).span.before()),
+            )],
+        ));
+        self.report_at(d, &token);
+        self.advance();
+        Some(None)
+    }
+
+    fn legacy_qualifier(&mut self, token: &Token, word: &str) -> QualifierKind {
+        let kind = if word == "attribute" {
+            QualifierKind::Attribute
+        } else {
+            QualifierKind::Varying
+        };
+        let now = if word == "varying" && !self.is_fragment {
+            "out"
+        } else {
+            "in"
+        };
+        let d = Diagnostic::error(
+            error::LEGACY_GLSL,
+            token.span,
+            format!("`{word}` is gone since GLSL ES 3.00"),
+        )
+        .note(match word {
+            "attribute" => "an input of the vertex shader is declared `in`",
+            _ => "it is `out` in the vertex shader and `in` in the fragment shader",
+        })
+        .fix(Fix::safe(
+            format!("write `{now}`"),
+            vec![Edit::replace(token.span, now)],
+        ));
+        self.report_at(d, token);
+        kind
+    }
+
+    /// Whether a declaration starts here, seen from inside a function.
+    pub(super) fn at_declaration(&self) -> bool {
+        use TokenKind as T;
+        match self.peek() {
+            T::Const
+            | T::In
+            | T::Out
+            | T::Inout
+            | T::Centroid
+            | T::Uniform
+            | T::Attribute
+            | T::Varying
+            | T::Flat
+            | T::Smooth
+            | T::Invariant
+            | T::Lowp
+            | T::Mediump
+            | T::Highp
+            | T::Layout
+            | T::Precision
+            | T::Struct
+            | T::Void => true,
+            T::Type => match self.kind(1) {
+                T::LeftParen => false,
+                T::LeftBracket => self
+                    .behind_brackets(self.at + 1)
+                    .is_none_or(|at| self.token(at).kind != T::LeftParen),
+                _ => true,
+            },
+            T::Identifier => match self.kind(1) {
+                T::Identifier | T::Reserved => true,
+                T::LeftBracket => self
+                    .behind_brackets(self.at + 1)
+                    .is_some_and(|at| self.token(at).kind == T::Identifier),
+                _ => false,
+            },
+            T::Reserved => {
+                let word = self.names.text(Name(self.next().value));
+                let is_type = TYPES.iter().any(|(w, _)| *w == word);
+                matches!(word, "attribute" | "varying")
+                    || (matches!(
+                        self.kind(1),
+                        T::Identifier | T::Reserved | T::Type | T::Const | T::Void
+                    ) && (is_type
+                        || MODIFIERS.contains(&word)
+                        || self.kind(1) == T::Identifier))
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether a declaration starts here, seen from global scope.
+    pub(super) fn at_global_declaration(&self) -> bool {
+        match self.peek() {
+            TokenKind::Identifier | TokenKind::Reserved => !matches!(
+                self.kind(1),
+                TokenKind::Equal
+                    | TokenKind::Dot
+                    | TokenKind::LeftParen
+                    | TokenKind::PlusEqual
+                    | TokenKind::MinusEqual
+                    | TokenKind::StarEqual
+                    | TokenKind::SlashEqual
+                    | TokenKind::Increment
+                    | TokenKind::Decrement
+            ),
+            TokenKind::Type => self.kind(1) != TokenKind::LeftParen,
+            _ => self.at_declaration(),
+        }
+    }
+
+    /// Reports code where only declarations may stand.
+    pub(super) fn code_outside_function(&mut self) -> Reported {
+        let is_statement = matches!(
+            self.peek(),
+            TokenKind::If
+                | TokenKind::For
+                | TokenKind::While
+                | TokenKind::Do
+                | TokenKind::Return
+                | TokenKind::Switch
+                | TokenKind::LeftBrace
+        ) || matches!(
+            self.peek(),
+            TokenKind::Identifier | TokenKind::Type | TokenKind::Reserved
+        );
+        if is_statement {
+            let d = self
+                .error_here(
+                    error::SYNTAX_ERROR,
+                    "statements can only stand inside a function",
+                )
+                .note("perhaps a `}` too many closed the function before");
+            self.report(d);
+            return Reported;
+        }
+        self.unexpected("a declaration")
+    }
+}

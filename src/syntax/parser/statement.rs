@@ -1,0 +1,288 @@
+//! Statements (GLSL ES 3.00 section 6).
+
+use super::{Parsed, Parser, Reported, append};
+use crate::diagnostic::error;
+use crate::syntax::ast::*;
+use crate::syntax::token::TokenKind;
+
+impl Parser<'_> {
+    /// `{ ... }`
+    pub(super) fn block(&mut self) -> Parsed<StmtId> {
+        let first = self.id();
+        let body = self.braces()?;
+        Ok(self.push_stmt(StmtKind::Block(body), first))
+    }
+
+    /// The statements between braces. An error inside never leaves them.
+    fn braces(&mut self) -> Parsed<List> {
+        let open = self.id();
+        self.expect(TokenKind::LeftBrace, "`{`")?;
+        self.enter()?;
+        let mut body = Vec::new();
+        loop {
+            match self.peek() {
+                TokenKind::RightBrace => {
+                    self.advance();
+                    break;
+                }
+                TokenKind::End => {
+                    self.missing_brace(open);
+                    break;
+                }
+                _ if self.at_function_definition() => {
+                    if self.is_left_open(open) {
+                        self.missing_brace(open);
+                        break;
+                    }
+                    body.push(self.nested_function());
+                }
+                _ => body.push(self.statement_or_error()),
+            }
+        }
+        self.leave();
+        Ok(append(&mut self.tree.stmt_lists, body))
+    }
+
+    /// A statement; where it cannot be read, an `Error` and the place behind it.
+    fn statement_or_error(&mut self) -> StmtId {
+        let first = self.id();
+        let mark = self.tree.exprs.len();
+        let depth = self.depth;
+        match self.statement() {
+            Ok(stmt) => stmt,
+            Err(Reported) => {
+                self.depth = depth;
+                self.tree.exprs.truncate(mark);
+                self.skip_statement(first);
+                self.push_stmt(StmtKind::Error, first)
+            }
+        }
+    }
+
+    fn statement(&mut self) -> Parsed<StmtId> {
+        use TokenKind as T;
+        let first = self.id();
+        let kind = match self.peek() {
+            T::LeftBrace => return self.block(),
+            T::If => return self.if_statement(),
+            T::Semicolon => {
+                self.advance();
+                StmtKind::Empty
+            }
+            T::For => self.for_statement()?,
+            T::While => self.while_statement()?,
+            T::Do => self.do_statement()?,
+            T::Switch => self.switch_statement()?,
+            T::Case => {
+                self.advance();
+                let value = self.root_expression()?;
+                self.expect(T::Colon, "`:` behind the label")?;
+                StmtKind::Case(value)
+            }
+            T::Default => {
+                self.advance();
+                self.expect(T::Colon, "`:` behind `default`")?;
+                StmtKind::Default
+            }
+            T::Break => self.jump(StmtKind::Break)?,
+            T::Continue => self.jump(StmtKind::Continue)?,
+            T::Discard => self.jump(StmtKind::Discard)?,
+            T::Return => self.return_statement()?,
+            T::Else => return Err(self.else_without_if()),
+            _ if self.at_declaration() => {
+                let decl = self.declaration()?;
+                StmtKind::Decl(decl)
+            }
+            _ => {
+                let expr = self.root_expression()?;
+                self.semicolon()?;
+                StmtKind::Expr(expr)
+            }
+        };
+        Ok(self.push_stmt(kind, first))
+    }
+
+    fn jump(&mut self, kind: StmtKind) -> Parsed<StmtKind> {
+        self.advance();
+        self.semicolon()?;
+        Ok(kind)
+    }
+
+    fn return_statement(&mut self) -> Parsed<StmtKind> {
+        self.advance();
+        let ends = matches!(self.peek(), TokenKind::Semicolon | TokenKind::RightBrace);
+        let value = if ends {
+            None
+        } else {
+            Some(self.root_expression()?)
+        };
+        self.semicolon()?;
+        Ok(StmtKind::Return(value))
+    }
+
+    /// `if (c) a else if (d) b else e`: a chain of any length, without recursion.
+    fn if_statement(&mut self) -> Parsed<StmtId> {
+        let mut arms = Vec::new();
+        let mut last = None;
+        loop {
+            let first = self.advance();
+            let condition = self.condition_in_parens("if")?;
+            let then = self.body()?;
+            arms.push((first, condition, then));
+            if self.eat(TokenKind::Else).is_none() {
+                break;
+            }
+            if !self.is(TokenKind::If) {
+                last = Some(self.body()?);
+                break;
+            }
+        }
+        let mut otherwise = last;
+        while let Some((first, condition, then)) = arms.pop() {
+            otherwise = Some(self.push_stmt(
+                StmtKind::If {
+                    condition,
+                    then,
+                    otherwise,
+                },
+                first,
+            ));
+        }
+        otherwise.ok_or(Reported)
+    }
+
+    /// `( expression )`; where the expression cannot be read, what stands in the parentheses is
+    /// skipped, so that the body is still looked at.
+    fn condition_in_parens(&mut self, keyword: &str) -> Parsed<ExprId> {
+        let open = self.id();
+        self.expect(TokenKind::LeftParen, &format!("`(` behind `{keyword}`"))?;
+        let first = self.id();
+        let condition = match self.root_expression() {
+            Ok(condition) => condition,
+            Err(Reported) => {
+                self.skip_to_close();
+                self.eat(TokenKind::RightParen).ok_or(Reported)?;
+                return Ok(self.error_expr(first));
+            }
+        };
+        self.close(TokenKind::RightParen, open)?;
+        Ok(condition)
+    }
+
+    /// The statement that an `if` or a loop holds.
+    fn body(&mut self) -> Parsed<StmtId> {
+        if self.is(TokenKind::End) || self.is(TokenKind::RightBrace) {
+            let d = self.error_here(error::SYNTAX_ERROR, "expected a statement");
+            self.report(d);
+            return Err(Reported);
+        }
+        self.enter()?;
+        let body = self.statement_or_error();
+        self.leave();
+        Ok(body)
+    }
+
+    fn for_statement(&mut self) -> Parsed<StmtKind> {
+        self.advance();
+        let open = self.id();
+        self.expect(TokenKind::LeftParen, "`(` behind `for`")?;
+        let mark = self.tree.exprs.len();
+        match self.for_header(open) {
+            Ok((init, condition, step)) => {
+                let body = self.body()?;
+                Ok(StmtKind::For {
+                    init,
+                    condition,
+                    step,
+                    body,
+                })
+            }
+            Err(Reported) => {
+                // The names it declares are unknown, so its body cannot be judged.
+                self.tree.exprs.truncate(mark);
+                self.skip_to_close();
+                self.eat(TokenKind::RightParen).ok_or(Reported)?;
+                if self.is(TokenKind::LeftBrace) {
+                    self.skip_braces();
+                }
+                Ok(StmtKind::Error)
+            }
+        }
+    }
+
+    #[allow(clippy::type_complexity)]
+    fn for_header(&mut self, open: TokenId) -> Parsed<(StmtId, Option<StmtId>, Option<ExprId>)> {
+        let first = self.id();
+        let init = if self.eat(TokenKind::Semicolon).is_some() {
+            StmtKind::Empty
+        } else if self.at_declaration() {
+            StmtKind::Decl(self.declaration()?)
+        } else {
+            let expr = self.root_expression()?;
+            self.expect(TokenKind::Semicolon, "`;` behind the loop's start")?;
+            StmtKind::Expr(expr)
+        };
+        let init = self.push_stmt(init, first);
+        let condition = if self.is(TokenKind::Semicolon) {
+            None
+        } else {
+            Some(self.loop_condition()?)
+        };
+        self.expect(TokenKind::Semicolon, "`;` behind the loop's condition")?;
+        let step = if self.is(TokenKind::RightParen) {
+            None
+        } else {
+            Some(self.root_expression()?)
+        };
+        self.close(TokenKind::RightParen, open)?;
+        Ok((init, condition, step))
+    }
+
+    /// An expression, or `bool go = ...`.
+    fn loop_condition(&mut self) -> Parsed<StmtId> {
+        let first = self.id();
+        let kind = if self.at_declaration() {
+            StmtKind::Decl(self.condition_declaration()?)
+        } else {
+            StmtKind::Expr(self.root_expression()?)
+        };
+        Ok(self.push_stmt(kind, first))
+    }
+
+    fn while_statement(&mut self) -> Parsed<StmtKind> {
+        self.advance();
+        let open = self.id();
+        self.expect(TokenKind::LeftParen, "`(` behind `while`")?;
+        let first = self.id();
+        let condition = match self.loop_condition() {
+            Ok(condition) => {
+                self.close(TokenKind::RightParen, open)?;
+                condition
+            }
+            Err(Reported) => {
+                self.skip_to_close();
+                self.eat(TokenKind::RightParen).ok_or(Reported)?;
+                let expr = self.error_expr(first);
+                self.push_stmt(StmtKind::Expr(expr), first)
+            }
+        };
+        let body = self.body()?;
+        Ok(StmtKind::While { condition, body })
+    }
+
+    fn do_statement(&mut self) -> Parsed<StmtKind> {
+        self.advance();
+        let body = self.body()?;
+        self.expect(TokenKind::While, "`while` behind the body of `do`")?;
+        let condition = self.condition_in_parens("while")?;
+        self.semicolon()?;
+        Ok(StmtKind::Do { body, condition })
+    }
+
+    fn switch_statement(&mut self) -> Parsed<StmtKind> {
+        self.advance();
+        let selector = self.condition_in_parens("switch")?;
+        let body = self.braces()?;
+        Ok(StmtKind::Switch { selector, body })
+    }
+}

@@ -1,0 +1,186 @@
+//! The expressions of `#if` and `#elif` (GLSL ES 3.00 section 3.4).
+
+use super::macros::Piece;
+use crate::syntax::token::TokenKind;
+use crate::text::Span;
+
+/// How deep parentheses and unary operators may nest.
+const MAX_DEPTH: u32 = 1_000;
+
+/// Why an expression has no value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Problem {
+    /// There is nothing to evaluate.
+    Empty,
+    /// A name that no macro defines, where its value counts.
+    Undefined(Span),
+    /// Not what can stand here.
+    Unexpected(Span),
+    /// Something ends too early.
+    Incomplete(Span),
+    /// `/` or `%` by zero.
+    DivisionByZero(Span),
+    /// A shift by less than 0 or more than 31.
+    Shift(Span),
+    /// Nested too deeply.
+    TooDeep(Span),
+}
+
+/// Value of the fully expanded tokens of a condition. Operands that `&&` and `||` leave out may
+/// hold undefined names and divisions by zero, as in the browser.
+pub(super) fn evaluate(pieces: &[Piece]) -> Result<i32, Problem> {
+    if pieces.is_empty() {
+        return Err(Problem::Empty);
+    }
+    let mut parser = Parser {
+        pieces,
+        at: 0,
+        skipping: 0,
+    };
+    let value = parser.binary(0, 0)?;
+    match parser.peek() {
+        None => Ok(value),
+        Some(piece) => Err(Problem::Unexpected(piece.token.span)),
+    }
+}
+
+/// Value of the first expression, and how many tokens it took: for `#line`, which may hold two.
+pub(super) fn evaluate_prefix(pieces: &[Piece]) -> Result<(i32, usize), Problem> {
+    if pieces.is_empty() {
+        return Err(Problem::Empty);
+    }
+    let mut parser = Parser {
+        pieces,
+        at: 0,
+        skipping: 0,
+    };
+    let value = parser.binary(0, 0)?;
+    Ok((value, parser.at))
+}
+
+struct Parser<'a> {
+    pieces: &'a [Piece],
+    at: usize,
+    /// Over 0 inside an operand whose value does not count.
+    skipping: u32,
+}
+
+impl Parser<'_> {
+    fn peek(&self) -> Option<&Piece> {
+        self.pieces.get(self.at)
+    }
+
+    fn end(&self) -> Span {
+        self.pieces
+            .last()
+            .map_or(Span::default(), |p| p.token.span.after())
+    }
+
+    fn binary(&mut self, min: u8, depth: u32) -> Result<i32, Problem> {
+        let mut left = self.unary(depth)?;
+        while let Some((op, power)) = self.peek().and_then(|p| infix(p.token.kind)) {
+            if power < min {
+                break;
+            }
+            let span = self.peek().map_or(Span::default(), |p| p.token.span);
+            self.at += 1;
+            let decided = match op {
+                TokenKind::OrOr => left != 0,
+                TokenKind::AndAnd => left == 0,
+                _ => false,
+            };
+            self.skipping += decided as u32;
+            let right = self.binary(power + 1, depth + 1)?;
+            self.skipping -= decided as u32;
+            left = self.apply(op, left, right, span)?;
+        }
+        Ok(left)
+    }
+
+    fn unary(&mut self, depth: u32) -> Result<i32, Problem> {
+        let Some(&piece) = self.peek() else {
+            return Err(Problem::Incomplete(self.end()));
+        };
+        let span = piece.token.span;
+        if depth > MAX_DEPTH {
+            return Err(Problem::TooDeep(span));
+        }
+        self.at += 1;
+        match piece.token.kind {
+            TokenKind::Int | TokenKind::Uint => Ok(piece.token.value as i32),
+            TokenKind::Identifier if self.skipping > 0 => Ok(0),
+            TokenKind::Identifier => Err(Problem::Undefined(span)),
+            TokenKind::Plus => self.unary(depth + 1),
+            TokenKind::Minus => Ok(self.unary(depth + 1)?.wrapping_neg()),
+            TokenKind::Not => Ok((self.unary(depth + 1)? == 0) as i32),
+            TokenKind::Tilde => Ok(!self.unary(depth + 1)?),
+            TokenKind::LeftParen => {
+                let value = self.binary(0, depth + 1)?;
+                match self.peek() {
+                    Some(p) if p.token.kind == TokenKind::RightParen => self.at += 1,
+                    Some(p) => return Err(Problem::Unexpected(p.token.span)),
+                    None => return Err(Problem::Incomplete(self.end())),
+                }
+                Ok(value)
+            }
+            _ => Err(Problem::Unexpected(span)),
+        }
+    }
+
+    fn apply(&self, op: TokenKind, l: i32, r: i32, span: Span) -> Result<i32, Problem> {
+        let counts = self.skipping == 0;
+        Ok(match op {
+            TokenKind::OrOr => (l != 0 || r != 0) as i32,
+            TokenKind::AndAnd => (l != 0 && r != 0) as i32,
+            TokenKind::Or => l | r,
+            TokenKind::Xor => l ^ r,
+            TokenKind::And => l & r,
+            TokenKind::EqualEqual => (l == r) as i32,
+            TokenKind::NotEqual => (l != r) as i32,
+            TokenKind::Less => (l < r) as i32,
+            TokenKind::Greater => (l > r) as i32,
+            TokenKind::LessEqual => (l <= r) as i32,
+            TokenKind::GreaterEqual => (l >= r) as i32,
+            TokenKind::ShiftLeft | TokenKind::ShiftRight if !(0..32).contains(&r) => {
+                return if counts {
+                    Err(Problem::Shift(span))
+                } else {
+                    Ok(0)
+                };
+            }
+            TokenKind::ShiftLeft => l.wrapping_shl(r as u32),
+            TokenKind::ShiftRight => l.wrapping_shr(r as u32),
+            TokenKind::Plus => l.wrapping_add(r),
+            TokenKind::Minus => l.wrapping_sub(r),
+            TokenKind::Star => l.wrapping_mul(r),
+            _ if r == 0 => {
+                return if counts {
+                    Err(Problem::DivisionByZero(span))
+                } else {
+                    Ok(0)
+                };
+            }
+            TokenKind::Slash => l.wrapping_div(r),
+            _ => l.wrapping_rem(r),
+        })
+    }
+}
+
+/// Operators by binding power, the loosest first. `^^` does not exist here.
+fn infix(kind: TokenKind) -> Option<(TokenKind, u8)> {
+    use TokenKind::*;
+    let power = match kind {
+        OrOr => 1,
+        AndAnd => 2,
+        Or => 3,
+        Xor => 4,
+        And => 5,
+        EqualEqual | NotEqual => 6,
+        Less | Greater | LessEqual | GreaterEqual => 7,
+        ShiftLeft | ShiftRight => 8,
+        Plus | Minus => 9,
+        Star | Slash | Percent => 10,
+        _ => return None,
+    };
+    Some((kind, power))
+}

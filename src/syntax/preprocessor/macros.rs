@@ -1,0 +1,401 @@
+//! Macro definitions and their expansion (GLSL ES 3.00 section 3.4).
+//!
+//! The expansion follows ANGLE's `MacroExpander`, whose answers are the ones a browser gives: a
+//! stack of replacement lists, a macro disabled while its own list is being read, arguments
+//! expanded alone before they are put in.
+
+use super::{Input, Preprocessor, error_at};
+use crate::diagnostic::error;
+use crate::syntax::names::Name;
+use crate::syntax::token::{Token, TokenKind};
+use crate::text::Span;
+
+/// Longest replacement lists that may be open at once, in tokens; ANGLE's number.
+const MAX_OPEN_TOKENS: usize = 10_000;
+/// How deep macro calls may stand in the arguments of macro calls; ANGLE's number is 1,000.
+const MAX_ARGUMENT_DEPTH: u32 = 1_000;
+
+/// Index of a [`Macro`].
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct MacroId(pub u32);
+
+/// A `#define`.
+#[derive(Debug)]
+pub struct Macro {
+    /// Its name.
+    pub name: Name,
+    /// The name in the `#define`; empty for a predefined macro.
+    pub name_span: Span,
+    /// Parameters of a function-like macro.
+    pub params: Option<Vec<Name>>,
+    /// The replacement list. A token's `expansion` is the index of the parameter it stands for, or
+    /// [`Token::DIRECT`].
+    pub body: Vec<Piece>,
+    /// Whether the language defines it.
+    pub predefined: bool,
+    /// How many calls were expanded or asked for by `#ifdef` and its kin.
+    pub uses: u32,
+    disabled: bool,
+    open_calls: u32,
+}
+
+impl Macro {
+    pub(super) fn new(name: Name, name_span: Span) -> Macro {
+        Macro {
+            name,
+            name_span,
+            params: None,
+            body: Vec::new(),
+            predefined: false,
+            uses: 0,
+            disabled: false,
+            open_calls: 0,
+        }
+    }
+
+    /// Whether a call of it is being read right now.
+    pub(super) fn is_open(&self) -> bool {
+        self.open_calls > 0
+    }
+
+    /// Whether `other` is the same definition, so that stating it again is no error.
+    pub(super) fn same_as(&self, other: &Macro) -> bool {
+        self.params == other.params
+            && self.body.len() == other.body.len()
+            && self.body.iter().zip(&other.body).all(|(a, b)| {
+                (a.token.kind, a.token.value, a.space) == (b.token.kind, b.token.value, b.space)
+            })
+    }
+}
+
+/// A token on its way through the preprocessor.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Piece {
+    /// The token; words are all `Identifier` until they leave the preprocessor.
+    pub token: Token,
+    /// Whether blanks stand before it.
+    pub space: bool,
+    /// Whether it is a macro's name that must not be expanded any more.
+    pub(super) frozen: bool,
+}
+
+/// One expanded call of a macro.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Expansion {
+    /// The macro.
+    pub definition: MacroId,
+    /// Name to closing parenthesis, as far as they stand in the text; for a call inside another
+    /// macro's body the name there.
+    pub call: Span,
+    /// The expansion whose result holds the call, or [`Token::DIRECT`].
+    pub parent: u32,
+}
+
+struct OpenList {
+    of: MacroId,
+    pieces: Vec<Piece>,
+    at: usize,
+}
+
+/// Expands the tokens of one input.
+#[derive(Default)]
+pub(super) struct Expander {
+    open: Vec<OpenList>,
+    put_back: Option<Piece>,
+    open_tokens: usize,
+    /// While a call's arguments are looked for, macros that run out stay disabled.
+    keep_disabled: bool,
+    to_enable: Vec<MacroId>,
+    depth: u32,
+}
+
+impl Expander {
+    /// The next token with all macros expanded.
+    pub fn next(&mut self, pp: &mut Preprocessor, input: &mut Input) -> Piece {
+        loop {
+            let mut piece = self.take(pp, input);
+            if piece.token.kind != TokenKind::Identifier || piece.frozen {
+                return piece;
+            }
+            let Some(id) = pp.macro_named(Name(piece.token.value)) else {
+                return piece;
+            };
+            let Some(definition) = pp.macros.get_mut(id.0 as usize) else {
+                return piece;
+            };
+            if definition.disabled {
+                piece.frozen = true;
+                return piece;
+            }
+            if definition.params.is_some() && !self.at_left_paren(pp, input) {
+                return piece;
+            }
+            self.expand(pp, input, id, piece);
+        }
+    }
+
+    fn take(&mut self, pp: &mut Preprocessor, input: &mut Input) -> Piece {
+        if let Some(piece) = self.put_back.take() {
+            return piece;
+        }
+        while let Some(list) = self.open.last_mut() {
+            if let Some(&piece) = list.pieces.get(list.at) {
+                list.at += 1;
+                return piece;
+            }
+            self.close_list(pp);
+        }
+        input.next(pp)
+    }
+
+    fn close_list(&mut self, pp: &mut Preprocessor) {
+        let Some(list) = self.open.pop() else { return };
+        self.open_tokens -= list.pieces.len();
+        let Some(definition) = pp.macros.get_mut(list.of.0 as usize) else {
+            return;
+        };
+        definition.open_calls -= 1;
+        if self.keep_disabled {
+            self.to_enable.push(list.of);
+        } else {
+            definition.disabled = false;
+        }
+    }
+
+    fn at_left_paren(&mut self, pp: &mut Preprocessor, input: &mut Input) -> bool {
+        let was_kept = std::mem::replace(&mut self.keep_disabled, true);
+        let piece = self.take(pp, input);
+        match self.open.last_mut() {
+            Some(list) if list.at > 0 => list.at -= 1,
+            _ => self.put_back = Some(piece),
+        }
+        self.enable(pp, was_kept);
+        piece.token.kind == TokenKind::LeftParen
+    }
+
+    fn enable(&mut self, pp: &mut Preprocessor, keep: bool) {
+        self.keep_disabled = keep;
+        if !keep {
+            for id in self.to_enable.drain(..) {
+                if let Some(definition) = pp.macros.get_mut(id.0 as usize) {
+                    definition.disabled = false;
+                }
+            }
+        }
+    }
+
+    /// Expands the call whose name is `name` and opens its replacement list.
+    fn expand(&mut self, pp: &mut Preprocessor, input: &mut Input, id: MacroId, name: Piece) {
+        let Some(definition) = pp.macros.get_mut(id.0 as usize) else {
+            return;
+        };
+        definition.uses += 1;
+        definition.open_calls += 1;
+        let has_params = definition.params.is_some();
+        let was_kept = std::mem::replace(&mut self.keep_disabled, true);
+        let mut args = Vec::new();
+        let mut end = name.token;
+        if has_params {
+            match self.arguments(pp, input, id, name) {
+                Some((found, close)) => (args, end) = (found, close),
+                None => {
+                    self.enable(pp, was_kept);
+                    if let Some(definition) = pp.macros.get_mut(id.0 as usize) {
+                        definition.open_calls -= 1;
+                    }
+                    return;
+                }
+            }
+        }
+        self.enable(pp, was_kept);
+        let pieces = self.replace(pp, id, name, end, &args);
+        if let Some(definition) = pp.macros.get_mut(id.0 as usize) {
+            definition.disabled = true;
+        }
+        self.open_tokens += pieces.len();
+        pp.expanded += pieces.len();
+        self.open.push(OpenList {
+            of: id,
+            pieces,
+            at: 0,
+        });
+    }
+
+    /// The replacement list of one call, with the arguments put in and every token told where it
+    /// came from.
+    fn replace(
+        &self,
+        pp: &mut Preprocessor,
+        id: MacroId,
+        name: Piece,
+        end: Token,
+        args: &[Vec<Piece>],
+    ) -> Vec<Piece> {
+        let is_direct = name.token.is_direct();
+        let length = pp.names.text(Name(name.token.value)).len() as u32;
+        let own = Span::new(name.token.spelled, name.token.spelled + length);
+        let call = if is_direct {
+            name.token.span.to(end.span)
+        } else {
+            own
+        };
+        let seen = if is_direct { call } else { name.token.span };
+        let expansion = pp.out.expansions.len() as u32;
+        pp.out.expansions.push(Expansion {
+            definition: id,
+            call,
+            parent: name.token.expansion,
+        });
+        let magic = pp.magic_value(id, &name.token);
+        let Some(definition) = pp.macros.get(id.0 as usize) else {
+            return Vec::new();
+        };
+        let mut pieces: Vec<Piece> = Vec::with_capacity(definition.body.len());
+        for piece in &definition.body {
+            if pieces.len() + self.open_tokens > MAX_OPEN_TOKENS && definition.params.is_some() {
+                pp.too_much_expansion(seen);
+                break;
+            }
+            let Some(arg) = args.get(piece.token.expansion as usize) else {
+                let token = Token {
+                    span: seen,
+                    expansion,
+                    ..piece.token
+                };
+                pieces.push(Piece { token, ..*piece });
+                continue;
+            };
+            for (i, piece_of_arg) in arg.iter().enumerate() {
+                let mut p = *piece_of_arg;
+                if p.token.is_direct() {
+                    p.token.expansion = expansion;
+                }
+                if i == 0 {
+                    p.space = piece.space;
+                }
+                pieces.push(p);
+            }
+        }
+        if let (Some(value), Some(first)) = (magic, pieces.first_mut()) {
+            first.token.value = value;
+        }
+        if let Some(first) = pieces.first_mut() {
+            first.space = name.space;
+        }
+        pieces
+    }
+
+    /// Reads `( a, b )` and expands each argument. Returns the arguments and the closing
+    /// parenthesis, or nothing where the call is wrong, which has then been reported.
+    fn arguments(
+        &mut self,
+        pp: &mut Preprocessor,
+        input: &mut Input,
+        id: MacroId,
+        name: Piece,
+    ) -> Option<(Vec<Vec<Piece>>, Token)> {
+        self.take(pp, input); // the left parenthesis that was seen before
+        let mut args: Vec<Vec<Piece>> = vec![Vec::new()];
+        let mut open = 1;
+        let close = loop {
+            let piece = self.take(pp, input);
+            match piece.token.kind {
+                TokenKind::End => {
+                    self.put_back = Some(piece);
+                    pp.unterminated_call(name.token.span, id);
+                    return None;
+                }
+                TokenKind::LeftParen => open += 1,
+                TokenKind::RightParen => {
+                    open -= 1;
+                    if open == 0 {
+                        break piece.token;
+                    }
+                }
+                TokenKind::Comma if open == 1 => {
+                    args.push(Vec::new());
+                    continue;
+                }
+                _ => {}
+            }
+            if let Some(arg) = args.last_mut() {
+                arg.push(piece);
+            }
+        };
+        self.check_count(pp, id, name.token.span.to(close.span), &mut args)?;
+        let mut total = 0;
+        for arg in &mut args {
+            *arg = self.expand_argument(pp, std::mem::take(arg), &mut total)?;
+        }
+        Some((args, close))
+    }
+
+    fn check_count(
+        &self,
+        pp: &mut Preprocessor,
+        id: MacroId,
+        call: Span,
+        args: &mut Vec<Vec<Piece>>,
+    ) -> Option<()> {
+        let definition = pp.macros.get(id.0 as usize)?;
+        let wanted = definition.params.as_ref().map_or(0, Vec::len);
+        if wanted == 0 && args.len() == 1 && args.first().is_some_and(Vec::is_empty) {
+            args.clear();
+        }
+        if args.len() == wanted {
+            return Some(());
+        }
+        let name = pp.names.text(definition.name).to_string();
+        let plural = |n: usize| if n == 1 { "argument" } else { "arguments" };
+        let message = format!(
+            "macro `{name}` takes {wanted} {}, not {}",
+            plural(wanted),
+            args.len()
+        );
+        let defined = definition.name_span;
+        let mut d = error_at(error::MACRO_ARGUMENTS, call, message);
+        if !defined.is_empty() {
+            d = d.label(defined, "defined here");
+        }
+        pp.report(d);
+        None
+    }
+
+    fn expand_argument(
+        &self,
+        pp: &mut Preprocessor,
+        pieces: Vec<Piece>,
+        total: &mut usize,
+    ) -> Option<Vec<Piece>> {
+        let is_plain = |p: &Piece| {
+            p.token.kind != TokenKind::Identifier || pp.macro_named(Name(p.token.value)).is_none()
+        };
+        if pieces.iter().all(is_plain) {
+            *total += pieces.len();
+            return Some(pieces);
+        }
+        let seen = pieces.first().map_or(Span::default(), |p| p.token.span);
+        if self.depth + 1 >= MAX_ARGUMENT_DEPTH {
+            pp.too_much_expansion(seen);
+            return None;
+        }
+        let mut inner = Expander {
+            depth: self.depth + 1,
+            ..Expander::default()
+        };
+        let mut input = Input::Pieces(pieces, 0);
+        let mut out = Vec::new();
+        loop {
+            let piece = inner.next(pp, &mut input);
+            if piece.token.kind == TokenKind::End {
+                return Some(out);
+            }
+            out.push(piece);
+            *total += 1;
+            if *total + self.open_tokens > MAX_OPEN_TOKENS {
+                pp.too_much_expansion(seen);
+                return None;
+            }
+        }
+    }
+}

@@ -1,0 +1,676 @@
+//! The preprocessor, over tokens (GLSL ES 3.00 section 3.4).
+//!
+//! Takes files one after the other, as if they were one text, and gives the tokens that the parser
+//! sees. Every token knows where it was spelled and through which macro call it came. What the
+//! preprocessor takes away (comments, skipped groups, definitions) is kept beside.
+
+mod condition;
+mod directive;
+mod macros;
+
+pub use macros::{Expansion, Macro, MacroId, Piece};
+
+use super::lexer::{Lexer, unsplice};
+use super::names::{Name, Names, Version, WordClass};
+use super::token::{RawKind, RawToken, Token, TokenKind};
+use crate::diagnostic::{Diagnostic, Fix, MacroUse, error};
+use crate::text::{Edit, FileId, Role, Sources, Span};
+use macros::Expander;
+
+/// Most tokens that all macro calls of one shader may expand to.
+const MAX_EXPANDED: usize = 1_000_000;
+/// Longest word that the browser takes, in bytes.
+const MAX_WORD: usize = 1_024;
+
+/// What the preprocessor made of a shader.
+#[derive(Default)]
+pub struct Tokens {
+    /// What the parser sees; the last token is `End`.
+    pub tokens: Vec<Token>,
+    /// The macro calls, in the order of expansion.
+    pub expansions: Vec<Expansion>,
+    /// All definitions, undefined ones too.
+    pub macros: Vec<Macro>,
+    /// All comments.
+    pub comments: Vec<Span>,
+    /// What `#if` and its kin left out, from the end of one directive to the start of the next.
+    pub inactive: Vec<Span>,
+    /// `#extension` directives.
+    pub extensions: Vec<ExtensionUse>,
+    /// The `#version` directive.
+    pub version_span: Option<Span>,
+}
+
+/// An `#extension NAME : behaviour` directive.
+#[derive(Clone, Debug)]
+pub struct ExtensionUse {
+    /// The extension.
+    pub name: Name,
+    /// `require`, `enable`, `warn` or `disable`.
+    pub behavior: Name,
+    /// The directive.
+    pub span: Span,
+}
+
+/// The result of [`preprocess`].
+pub struct Preprocessed {
+    /// The tokens and what was kept beside them.
+    pub tokens: Tokens,
+    /// All words.
+    pub names: Names,
+    /// The version of the language.
+    pub version: Version,
+    /// What is wrong.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Runs the preprocessor over `files`, taken as one text, in a fragment (or vertex) shader.
+pub fn preprocess(sources: &Sources, files: &[FileId], is_fragment: bool) -> Preprocessed {
+    let mut pp = Preprocessor::new(sources, files, is_fragment);
+    pp.define_predefined();
+    pp.run();
+    Preprocessed {
+        version: pp.version,
+        tokens: Tokens {
+            macros: pp.macros,
+            ..pp.out
+        },
+        names: pp.names,
+        diagnostics: pp.diagnostics,
+    }
+}
+
+/// Where tokens come from.
+enum Input {
+    /// The files.
+    Files,
+    /// A list, up to an index.
+    Pieces(Vec<Piece>, usize),
+}
+
+impl Input {
+    fn next(&mut self, pp: &mut Preprocessor) -> Piece {
+        match self {
+            Input::Files => pp.next_piece(),
+            Input::Pieces(pieces, at) => match pieces.get(*at) {
+                Some(&piece) => {
+                    *at += 1;
+                    piece
+                }
+                None => Piece {
+                    token: end_token(0),
+                    space: false,
+                    frozen: false,
+                },
+            },
+        }
+    }
+}
+
+/// What is wrong with a `Bad` token; its `value`.
+mod bad {
+    pub const NUMBER: u32 = 0;
+    pub const CHARACTER: u32 = 1;
+    pub const HASH: u32 = 2;
+    pub const OVERFLOW: u32 = 3;
+}
+
+struct Group {
+    start: Span,
+    /// The whole `#if ... #endif` lies in a skipped group.
+    skip_all: bool,
+    /// The present group is skipped.
+    skip: bool,
+    taken: bool,
+    else_at: Option<Span>,
+}
+
+struct Preprocessor<'a> {
+    sources: &'a Sources,
+    files: std::slice::Iter<'a, FileId>,
+    lexer: Lexer<'a>,
+    text: &'a str,
+    base: u32,
+    role: Role,
+    is_fragment: bool,
+    names: Names,
+    version: Version,
+    macros: Vec<Macro>,
+    /// By name, the macro's number plus one; 0 for none.
+    macro_of: Vec<u32>,
+    groups: Vec<Group>,
+    /// Start of the skipped text, while some is skipped.
+    skipped_from: Option<u32>,
+    at_line_start: bool,
+    seen_directive: bool,
+    seen_code: bool,
+    expanded: usize,
+    gave_up: bool,
+    /// `#line` moved the count of lines by this much.
+    line_shift: i64,
+    bad_words: Vec<Name>,
+    out: Tokens,
+    diagnostics: Vec<Diagnostic>,
+}
+
+fn error_at(rule: &'static str, span: Span, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::error(rule, span, message)
+}
+
+fn end_token(at: u32) -> Token {
+    Token {
+        kind: TokenKind::End,
+        value: 0,
+        span: Span::at(at),
+        spelled: at,
+        expansion: Token::DIRECT,
+    }
+}
+
+impl<'a> Preprocessor<'a> {
+    fn new(sources: &'a Sources, files: &'a [FileId], is_fragment: bool) -> Preprocessor<'a> {
+        Preprocessor {
+            sources,
+            files: files.iter(),
+            lexer: Lexer::new("", 0),
+            text: "",
+            base: 0,
+            role: Role::User,
+            is_fragment,
+            names: Names::default(),
+            version: Version::Es100,
+            macros: Vec::new(),
+            macro_of: Vec::new(),
+            groups: Vec::new(),
+            skipped_from: None,
+            at_line_start: true,
+            seen_directive: false,
+            seen_code: false,
+            expanded: 0,
+            gave_up: false,
+            line_shift: 0,
+            bad_words: Vec::new(),
+            out: Tokens::default(),
+            diagnostics: Vec::new(),
+        }
+    }
+
+    fn run(&mut self) {
+        self.next_file();
+        let mut expander = Expander::default();
+        loop {
+            let piece = expander.next(self, &mut Input::Files);
+            if piece.token.kind == TokenKind::End || self.gave_up {
+                break;
+            }
+            self.emit(piece.token);
+            if self.expanded > MAX_EXPANDED {
+                self.too_much_expansion(piece.token.span);
+            }
+        }
+        self.out
+            .tokens
+            .push(end_token(self.base + self.text.len() as u32));
+        for group in std::mem::take(&mut self.groups).into_iter().rev().take(1) {
+            let d = error_at(
+                error::UNBALANCED_CONDITIONAL,
+                group.start,
+                "this has no `#endif`",
+            );
+            self.report(d.note("the condition runs to the end of the shader"));
+        }
+    }
+
+    /// Goes on with the next file; false when there is none.
+    fn next_file(&mut self) -> bool {
+        let Some(file) = self.files.next().and_then(|&id| self.sources.file(id)) else {
+            return false;
+        };
+        self.text = &file.text;
+        self.base = file.base;
+        self.role = file.role;
+        self.lexer = Lexer::new(&file.text, file.base);
+        self.at_line_start = true;
+        self.line_shift = 0;
+        if self.skipped_from.is_some() {
+            self.skipped_from = Some(file.base);
+        }
+        true
+    }
+
+    fn is_skipping(&self) -> bool {
+        self.groups.last().is_some_and(|g| g.skip_all || g.skip)
+    }
+
+    /// The next token of the files that is neither blank nor comment nor part of a directive.
+    fn next_piece(&mut self) -> Piece {
+        let mut space = false;
+        loop {
+            let raw = self.lexer.next_token();
+            match raw.kind {
+                RawKind::Whitespace => space = true,
+                RawKind::Newline => {
+                    self.at_line_start = true;
+                    space = true;
+                }
+                RawKind::LineComment | RawKind::BlockComment | RawKind::OpenComment => {
+                    self.comment(raw);
+                    space = true;
+                }
+                RawKind::Hash if self.at_line_start => {
+                    self.directive(raw.span);
+                    space = true;
+                }
+                RawKind::End => {
+                    if let Some(from) = self.skipped_from {
+                        self.out.inactive.push(Span::new(from, raw.span.start));
+                    }
+                    if !self.next_file() {
+                        let token = end_token(raw.span.start);
+                        return Piece {
+                            token,
+                            space,
+                            frozen: false,
+                        };
+                    }
+                    space = true;
+                }
+                _ if self.skipped_from.is_some() => self.at_line_start = false,
+                RawKind::Other if self.is_byte_order_mark(raw.span) => {
+                    self.byte_order_mark(raw.span)
+                }
+                _ => {
+                    self.at_line_start = false;
+                    self.seen_code = true;
+                    return self.piece(raw, space);
+                }
+            }
+        }
+    }
+
+    fn is_byte_order_mark(&self, span: Span) -> bool {
+        span.start == self.base && self.raw_text(span) == "\u{feff}"
+    }
+
+    /// A byte order mark at the start of the file, which the browser takes for code.
+    fn byte_order_mark(&mut self, span: Span) {
+        let before_version = self.text.get(span.len() as usize..).is_some_and(|rest| {
+            rest.trim_start()
+                .strip_prefix('#')
+                .is_some_and(|r| r.trim_start().starts_with("version"))
+        });
+        let d = if before_version {
+            error_at(
+                error::VERSION_PLACEMENT,
+                span,
+                "a byte order mark stands before `#version`",
+            )
+        } else {
+            error_at(
+                error::INVALID_CHARACTER,
+                span,
+                "the file starts with a byte order mark",
+            )
+        };
+        self.report(
+            d.note("the invisible character U+FEFF is no part of GLSL; save the file as UTF-8 without BOM")
+                .fix(Fix::safe("take it out", vec![Edit::delete(span)])),
+        );
+    }
+
+    fn comment(&mut self, raw: RawToken) {
+        self.out.comments.push(raw.span);
+        if raw.kind == RawKind::OpenComment {
+            let start = Span::new(raw.span.start, raw.span.start + 2);
+            let d = error_at(
+                error::UNTERMINATED_COMMENT,
+                start,
+                "this comment never ends",
+            )
+            .mark("opened here")
+            .note("everything up to the end of the file is taken for a comment")
+            .help("close it with `*/`");
+            self.report(d);
+        }
+    }
+
+    /// Text of a raw token of the present file.
+    fn raw_text(&self, span: Span) -> &'a str {
+        let (start, end) = (span.start - self.base, span.end - self.base);
+        self.text.get(start as usize..end as usize).unwrap_or("")
+    }
+
+    fn piece(&mut self, raw: RawToken, space: bool) -> Piece {
+        let text = self.raw_text(raw.span);
+        let (kind, value) = if raw.spliced {
+            self.classify(raw.kind, &unsplice(text))
+        } else {
+            self.classify(raw.kind, text)
+        };
+        let spelled = raw.span.start;
+        let token = Token {
+            kind,
+            value,
+            span: raw.span,
+            spelled,
+            expansion: Token::DIRECT,
+        };
+        Piece {
+            token,
+            space,
+            frozen: false,
+        }
+    }
+
+    /// Kind and value of a token; every word is an identifier as yet.
+    #[inline]
+    fn classify(&mut self, kind: RawKind, text: &str) -> (TokenKind, u32) {
+        match kind {
+            RawKind::Word | RawKind::ForeignWord => {
+                let name = self.names.intern(text);
+                (TokenKind::Identifier, name.0)
+            }
+            RawKind::Operator(kind) => (kind, 0),
+            RawKind::Integer => integer(text).unwrap_or((TokenKind::Bad, bad::OVERFLOW)),
+            RawKind::Float => (TokenKind::Float, float(text).to_bits()),
+            RawKind::BadNumber => (TokenKind::Bad, bad::NUMBER),
+            RawKind::Hash => (TokenKind::Bad, bad::HASH),
+            _ => (TokenKind::Bad, bad::CHARACTER),
+        }
+    }
+
+    fn macro_named(&self, name: Name) -> Option<MacroId> {
+        let number = self.macro_of.get(name.0 as usize).copied().unwrap_or(0);
+        number.checked_sub(1).map(MacroId)
+    }
+
+    /// Hands a fully expanded token to the parser.
+    #[inline]
+    fn emit(&mut self, mut token: Token) {
+        match token.kind {
+            TokenKind::Identifier => {
+                let name = Name(token.value);
+                match self.names.class(name, self.version) {
+                    WordClass::Plain => self.check_plain(name, &token),
+                    WordClass::Keyword(kind) => token.kind = kind,
+                    WordClass::Type(word) => {
+                        token.kind = TokenKind::Type;
+                        token.value = word as u32;
+                    }
+                    WordClass::Reserved => token.kind = TokenKind::Reserved,
+                }
+            }
+            TokenKind::Bad => {
+                let Some(kept) = self.emit_bad(token) else {
+                    return;
+                };
+                token = kept;
+            }
+            _ => {}
+        }
+        self.out.tokens.push(token);
+    }
+
+    #[inline]
+    fn check_plain(&mut self, name: Name, token: &Token) {
+        let text = self.names.text(name);
+        if text.len() <= MAX_WORD && text.is_ascii() {
+            return;
+        }
+        if self.bad_words.contains(&name) {
+            return;
+        }
+        let d = if text.is_ascii() {
+            error_at(
+                error::BROWSER_LIMIT,
+                token.span,
+                format!("this name has {} characters; 1024 are allowed", text.len()),
+            )
+            .note("GLSL ES 3.00 section 3.9 lets no name be longer")
+        } else {
+            let foreign = text.chars().find(|c| !c.is_ascii()).unwrap_or(' ');
+            error_at(
+                error::INVALID_CHARACTER,
+                token.span,
+                format!("the name `{text}` holds `{foreign}`, which GLSL does not have"),
+            )
+            .note("GLSL ES knows only ASCII letters; others may stand in comments alone")
+        };
+        self.bad_words.push(name);
+        self.report_token(d, token);
+    }
+
+    /// Reports a token that is none, and gives back what the parser shall see in its place.
+    #[cold]
+    fn emit_bad(&mut self, token: Token) -> Option<Token> {
+        let own = Span::new(token.spelled, token.spelled + 1);
+        let file = self.sources.file_at(token.spelled);
+        let rest = file
+            .and_then(|f| f.text.get((token.spelled - f.base) as usize..))
+            .unwrap_or("");
+        match token.value {
+            bad::OVERFLOW => {
+                if self.version == Version::Es300 {
+                    let d = error_at(
+                        error::INVALID_NUMBER,
+                        token.span,
+                        "this integer needs more than 32 bits",
+                    )
+                    .note("the largest is 4294967295, or 0xFFFFFFFF");
+                    self.report_token(d, &token);
+                }
+                Some(Token {
+                    kind: TokenKind::Int,
+                    value: u32::MAX,
+                    ..token
+                })
+            }
+            bad::NUMBER => {
+                let len = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '.' && c != '_');
+                let text = rest
+                    .get(..len.unwrap_or(rest.len()))
+                    .unwrap_or("")
+                    .to_string();
+                let d = bad_number(&token, &text);
+                self.report_token(d, &token);
+                Some(token)
+            }
+            bad::HASH => {
+                let again = self
+                    .diagnostics
+                    .last()
+                    .is_some_and(|d| d.rule == error::TOKEN_PASTE && d.span == token.span);
+                if !again {
+                    let d = error_at(error::TOKEN_PASTE, token.span, "`#` cannot stand here")
+                        .note("GLSL ES has no `##` and no `#x`: a macro may hold them, but not be used")
+                        .label(own, "this `#`");
+                    self.report_token(d, &token);
+                }
+                None
+            }
+            _ => {
+                let c = rest.chars().next().unwrap_or('\0');
+                let d = bad_character(&token, c);
+                self.report_token(d, &token);
+                // Taken for a blank where it looks like one, else for something that has been
+                // reported.
+                let is_blank = c.is_whitespace() || c.is_control() || is_invisible(c);
+                (!is_blank).then_some(token)
+            }
+        }
+    }
+
+    fn report(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    /// Reports something at a token, with the macros that it came through.
+    fn report_token(&mut self, mut diagnostic: Diagnostic, token: &Token) {
+        diagnostic.macros = macro_uses(&self.out.expansions, &self.macros, &self.names, token);
+        if !token.is_direct() {
+            diagnostic.fix = None;
+        }
+        self.report(diagnostic);
+    }
+
+    fn too_much_expansion(&mut self, span: Span) {
+        if !self.gave_up {
+            self.gave_up = true;
+            let d = error_at(
+                error::MACRO_BUDGET,
+                span,
+                "the macros used here expand to too much",
+            )
+            .note("the browser stops at 10,000 tokens in one call, shaderlint at 1,000,000 in all");
+            self.report(d);
+        }
+    }
+
+    fn unterminated_call(&mut self, span: Span, id: MacroId) {
+        let name = self
+            .macros
+            .get(id.0 as usize)
+            .map_or("", |m| self.names.text(m.name));
+        let message = format!("the call of macro `{name}` has no `)`");
+        self.report(error_at(error::MACRO_ARGUMENTS, span, message));
+    }
+
+    /// Value of `__LINE__` and `__FILE__` at a token.
+    fn magic_value(&self, id: MacroId, token: &Token) -> Option<u32> {
+        let definition = self.macros.get(id.0 as usize)?;
+        if !definition.predefined {
+            return None;
+        }
+        match self.names.text(definition.name) {
+            "__LINE__" => {
+                let file = self.sources.file_at(token.span.start)?;
+                Some((file.position(token.span.start).line as i64 + self.line_shift) as u32)
+            }
+            "__FILE__" => Some(0),
+            _ => None,
+        }
+    }
+}
+
+/// The macro calls that a token came through, innermost first.
+pub fn macro_uses(
+    expansions: &[Expansion],
+    macros: &[Macro],
+    names: &Names,
+    token: &Token,
+) -> Vec<MacroUse> {
+    let mut uses = Vec::new();
+    let mut at = token.expansion;
+    while let Some(expansion) = expansions.get(at as usize) {
+        if uses.len() == 16 {
+            break;
+        }
+        if let Some(definition) = macros.get(expansion.definition.0 as usize) {
+            uses.push(MacroUse {
+                name: names.text(definition.name).to_string(),
+                call: expansion.call,
+                definition: definition.name_span,
+            });
+        }
+        at = expansion.parent;
+    }
+    uses
+}
+
+fn integer(text: &str) -> Option<(TokenKind, u32)> {
+    let digits = text.trim_end_matches(['u', 'U']);
+    let kind = if digits.len() < text.len() {
+        TokenKind::Uint
+    } else {
+        TokenKind::Int
+    };
+    let value = match digits
+        .strip_prefix("0x")
+        .or_else(|| digits.strip_prefix("0X"))
+    {
+        Some(hex) => u32::from_str_radix(hex, 16),
+        None if digits.starts_with('0') && digits.len() > 1 => u32::from_str_radix(digits, 8),
+        None => digits.parse(),
+    };
+    value.ok().map(|v| (kind, v))
+}
+
+/// The value of a floating point literal; one that is too large becomes the largest there is.
+fn float(text: &str) -> f32 {
+    let digits = text.trim_end_matches(['f', 'F']);
+    digits.parse::<f32>().map_or(0.0, |v| v.min(f32::MAX))
+}
+
+fn bad_number(token: &Token, text: &str) -> Diagnostic {
+    let d = error_at(
+        error::INVALID_NUMBER,
+        token.span,
+        format!("`{text}` is not a number"),
+    );
+    let lower = text.to_ascii_lowercase();
+    let digits = lower.trim_end_matches(['f', 'l']);
+    let is_int = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+    if lower.ends_with('f') && is_int {
+        let fixed = format!("{digits}.0");
+        return d
+            .note("the suffix `f` needs a point or an exponent before it: `1.0f`, `1.f`")
+            .fix(Fix::safe(
+                format!("write `{fixed}`"),
+                vec![Edit::replace(token.span, fixed)],
+            ));
+    }
+    if lower.ends_with('l') && is_int {
+        return d.note("GLSL has no long integers, hence no suffix `l`");
+    }
+    if lower.starts_with('0') && lower.bytes().all(|b| b.is_ascii_digit()) {
+        let fixed = lower.trim_start_matches('0').to_string();
+        return d
+            .note("a leading 0 makes a number octal, with digits from 0 to 7")
+            .fix(Fix::suggestion(
+                format!("write `{fixed}`"),
+                vec![Edit::replace(token.span, fixed)],
+            ));
+    }
+    d
+}
+
+fn is_invisible(c: char) -> bool {
+    matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}' | '\u{feff}' | '\u{ad}')
+}
+
+fn bad_character(token: &Token, c: char) -> Diagnostic {
+    let shown = if c.is_control() || c.is_whitespace() || is_invisible(c) {
+        format!("the invisible character U+{:04X}", c as u32)
+    } else {
+        format!("`{c}`")
+    };
+    let d = error_at(
+        error::INVALID_CHARACTER,
+        token.span,
+        format!("{shown} is no part of GLSL"),
+    );
+    let plain = match c {
+        '\u{2018}' | '\u{2019}' | '\u{201c}' | '\u{201d}' | '"' | '\'' => {
+            return d.note("GLSL has no strings and no quotes outside comments");
+        }
+        '\u{2013}' | '\u{2014}' | '\u{2212}' => "-",
+        '\u{d7}' => "*",
+        '\u{f7}' => "/",
+        '\u{2264}' => "<=",
+        '\u{2265}' => ">=",
+        '\u{2260}' => "!=",
+        '\u{ff08}' => "(",
+        '\u{ff09}' => ")",
+        '\u{ff0c}' => ",",
+        '\u{ff1b}' | '\u{37e}' => ";",
+        c if c.is_whitespace() || c == '\u{a0}' => " ",
+        c if is_invisible(c) => "",
+        _ => return d.note("GLSL ES 3.00 section 3.1 lists the characters it knows; others may stand in comments alone"),
+    };
+    let title = match plain {
+        "" => "take it out".to_string(),
+        " " => "put a blank in its place".to_string(),
+        _ => format!("write `{plain}`"),
+    };
+    d.fix(Fix::safe(title, vec![Edit::replace(token.span, plain)]))
+}

@@ -1,0 +1,15 @@
+//! Source text and places in it.
+//!
+//! A [`Sources`] holds every file that one shader is made of, laid end to end in one address space,
+//! so that a [`Span`] of two offsets names both the file and the place in it. Nothing here knows
+//! what the text means.
+
+mod edit;
+mod line_index;
+mod source;
+mod span;
+
+pub use edit::{Edit, EditError, apply_edits};
+pub use line_index::{LineIndex, Position};
+pub use source::{FileId, Role, SourceFile, Sources};
+pub use span::Span;

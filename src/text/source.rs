@@ -1,0 +1,153 @@
+//! Files and the address space they share.
+
+use super::{LineIndex, Position, Span};
+use std::sync::{Arc, OnceLock};
+
+/// Index of a file in its [`Sources`].
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct FileId(pub u32);
+
+/// Whose text a file holds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Role {
+    /// Written by the user: diagnostics point here.
+    User,
+    /// Put before the user's text by a host (the ShaderToy player's header): never pointed at.
+    Prelude,
+}
+
+/// One file, or one pass of a ShaderToy export.
+#[derive(Debug)]
+pub struct SourceFile {
+    /// Path as the user gave it, with forward slashes.
+    pub path: String,
+    /// Name of the pass, if the file is an export that holds several.
+    pub part: Option<String>,
+    /// Whose text it is.
+    pub role: Role,
+    /// The text itself.
+    pub text: Arc<str>,
+    /// Address of the first byte.
+    pub base: u32,
+    lines: OnceLock<LineIndex>,
+}
+
+impl SourceFile {
+    /// All of the file's addresses.
+    pub fn span(&self) -> Span {
+        Span::new(self.base, self.base + self.text.len() as u32)
+    }
+
+    /// Its line starts, found at the first call.
+    pub fn lines(&self) -> &LineIndex {
+        self.lines.get_or_init(|| LineIndex::new(&self.text))
+    }
+
+    /// Line and columns of an address in this file; addresses outside are moved to its nearer end.
+    pub fn position(&self, address: u32) -> Position {
+        let offset = address
+            .saturating_sub(self.base)
+            .min(self.text.len() as u32);
+        self.lines().position(&self.text, offset)
+    }
+}
+
+/// The files of one shader in one address space.
+///
+/// Each file starts one past the end of the one before, so that the place behind a file's last
+/// character differs from the place before the next file's first.
+#[derive(Debug, Default)]
+pub struct Sources {
+    files: Vec<SourceFile>,
+}
+
+impl Sources {
+    /// No file yet.
+    pub fn new() -> Sources {
+        Sources::default()
+    }
+
+    /// Adds a file behind those that are there.
+    ///
+    /// Returns `None`, and adds nothing, when the address space of 4 GiB is full.
+    pub fn add(
+        &mut self,
+        path: impl Into<String>,
+        part: Option<String>,
+        role: Role,
+        text: impl Into<Arc<str>>,
+    ) -> Option<FileId> {
+        let text = text.into();
+        let base = self.files.last().map_or(0, |f| f.span().end + 1);
+        let end = base as u64 + text.len() as u64 + 1;
+        if end > u32::MAX as u64 {
+            return None;
+        }
+        let id = FileId(self.files.len() as u32);
+        self.files.push(SourceFile {
+            path: path.into(),
+            part,
+            role,
+            text,
+            base,
+            lines: OnceLock::new(),
+        });
+        Some(id)
+    }
+
+    /// Every file, in the order of addresses.
+    pub fn files(&self) -> &[SourceFile] {
+        &self.files
+    }
+
+    /// The file with this index, if there is one.
+    pub fn file(&self, id: FileId) -> Option<&SourceFile> {
+        self.files.get(id.0 as usize)
+    }
+
+    /// Index of the file that holds an address.
+    pub fn file_id_at(&self, address: u32) -> Option<FileId> {
+        let after = self.files.partition_point(|f| f.base <= address);
+        after.checked_sub(1).map(|i| FileId(i as u32))
+    }
+
+    /// The file that holds an address.
+    pub fn file_at(&self, address: u32) -> Option<&SourceFile> {
+        self.file_id_at(address).and_then(|id| self.file(id))
+    }
+
+    /// The text under a span; empty where the span leaves its file or splits a character.
+    pub fn text(&self, span: Span) -> &str {
+        self.file_at(span.start)
+            .and_then(|f| {
+                f.text
+                    .get((span.start - f.base) as usize..(span.end.checked_sub(f.base)?) as usize)
+            })
+            .unwrap_or("")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_address_names_its_file() {
+        let mut sources = Sources::new();
+        let a = sources.add("a", None, Role::User, "one").unwrap();
+        let b = sources.add("b", None, Role::User, "two").unwrap();
+        assert_eq!(sources.file_id_at(0), Some(a));
+        assert_eq!(
+            sources.file_id_at(3),
+            Some(a),
+            "the place behind the last character"
+        );
+        assert_eq!(sources.file_id_at(4), Some(b));
+        assert_eq!(sources.text(Span::new(5, 7)), "wo");
+        assert_eq!(
+            sources.text(Span::new(1, 6)),
+            "",
+            "a span over two files has no text"
+        );
+    }
+}
