@@ -12,6 +12,8 @@ pub enum Binding {
     Function,
     /// A struct, by its number.
     Struct(u32),
+    /// An interface block, by its number; its name stands for nothing, but is taken.
+    Block(u32),
     /// Something whose declaration was reported; fits everywhere.
     Error,
 }

@@ -64,7 +64,10 @@ impl Checker<'_> {
         init: ExprId,
     ) -> bool {
         let info = self.info(init);
-        if info.ty.is_error() || ty.is_error() {
+        if info.ty.is_error() {
+            return true;
+        }
+        if ty.is_error() {
             return false;
         }
         if !self.is_300() && ty.is_array() {

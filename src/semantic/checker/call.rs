@@ -34,7 +34,7 @@ impl Checker<'_> {
                     return info;
                 }
             }
-            None => {}
+            Some(Binding::Block(_)) | None => {}
         }
         match self.builtin_named(name) {
             Some(function) => self.call_builtin(id, name, function, args),

@@ -395,7 +395,9 @@ impl<'a> Checker<'a> {
     pub(super) fn declaration_token(&self, name: Name, binding: Binding) -> Option<TokenId> {
         match binding {
             Binding::Variable(id) => self.variables.get(id.0 as usize)?.token,
-            Binding::Struct(id) => self.structs.get(id as usize).map(|s| s.token),
+            Binding::Struct(id) | Binding::Block(id) => {
+                self.structs.get(id as usize).map(|s| s.token)
+            }
             Binding::Function => {
                 let first = self.by_name.get(&name)?.first()?;
                 let function = self.functions.get(first.0 as usize)?;

@@ -442,7 +442,7 @@ impl Checker<'_> {
             Binding::Function => is_call,
             Binding::Variable(_) => !is_call,
             Binding::Struct(_) => is_call,
-            Binding::Error => false,
+            Binding::Block(_) | Binding::Error => false,
         };
         let scope = self
             .scopes

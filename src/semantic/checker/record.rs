@@ -64,6 +64,11 @@ impl Checker<'_> {
             nesting: 1,
         };
         let mut seen: FxHashMap<Name, TokenId> = FxHashMap::default();
+        if decl.fields.len == 0 {
+            let rule = if is_block { error::INTERFACE_BLOCK } else { error::INVALID_STRUCT };
+            let d = self.error(rule, decl.extent, "this has no members; it needs at least one");
+            self.report(d);
+        }
         for line in tree.fields(decl.fields) {
             self.member_qualifiers(line, is_block);
             if let TypeBase::Struct(_) = tree.ty(line.ty).base {
@@ -256,7 +261,7 @@ impl Checker<'_> {
         if let Some(ident) = decl.name
             && !self.is_redefinition(ident)
         {
-            self.scopes.declare(ident.name, Binding::Error);
+            self.scopes.declare(ident.name, Binding::Block(index));
         }
         match instance {
             Some(declarator) => self.block_instance(&declarator, index),

@@ -491,6 +491,9 @@ impl Checker<'_> {
             self.report(d);
             return self.label_unknown();
         }
+        if info.is_const && !info.constant.is_known() {
+            return self.label_unknown();
+        }
         let Some(label) = self.pool.scalar(info.constant).filter(|_| info.is_const) else {
             let d = self.error_expr(
                 error::NOT_CONSTANT,

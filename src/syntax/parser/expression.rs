@@ -371,7 +371,13 @@ impl Parser<'_> {
         self.advance();
         let token = self.next();
         let name = match token.kind {
-            TokenKind::Identifier | TokenKind::Reserved => Name(token.value),
+            TokenKind::Identifier => Name(token.value),
+            TokenKind::Reserved => {
+                // No member can have such a name.
+                self.report_reserved(&token);
+                self.advance();
+                return Ok(ExprKind::Error);
+            }
             _ => match self.names.get(self.text(&token)) {
                 Some(name) => name,
                 None => {

@@ -109,7 +109,7 @@ impl Parser<'_> {
             return Err(self.unexpected("`;`"));
         }
         let last = self.token(self.last() as usize);
-        let place = last.span.after();
+        let place = self.gap();
         let d = Diagnostic::error(error::MISSING_SEMICOLON, place, "missing `;`")
             .mark("expected `;` here")
             .fix(Fix::safe(
@@ -148,6 +148,19 @@ impl Parser<'_> {
         }
     }
 
+    /// The place behind the last token, with the blanks up to the next one in the same line.
+    fn gap(&self) -> Span {
+        let last = self.token(self.last() as usize).span;
+        let next = self.next().span;
+        let between = Span::new(last.end, next.start);
+        let is_blank = self.sources.text(between).bytes().all(|b| matches!(b, b' ' | b'\t'));
+        if between.start < between.end && is_blank && !self.is_on_new_line() {
+            between
+        } else {
+            last.after()
+        }
+    }
+
     /// The bracket that closes the one at `open`. Where it is missing although what it holds is
     /// complete, that is reported there and reading goes on.
     pub(super) fn close(&mut self, kind: TokenKind, open: TokenId) -> Parsed<()> {
@@ -170,7 +183,7 @@ impl Parser<'_> {
             return Err(self.unexpected(&format!("`{symbol}`")));
         }
         let last = self.token(self.last() as usize);
-        let place = last.span.after();
+        let place = self.gap();
         let partner = if kind == TokenKind::RightBracket {
             "["
         } else {

@@ -107,7 +107,7 @@ impl Parser<'_> {
     }
 
     /// Reports a reserved word used as a name, once for all of its uses.
-    fn report_reserved(&mut self, token: &Token) {
+    pub(super) fn report_reserved(&mut self, token: &Token) {
         let name = Name(token.value);
         if self.reserved.contains(&name) {
             return;

@@ -224,7 +224,7 @@ impl Preprocessor<'_> {
         let Some(previous) = self.macros.get(old.0 as usize) else {
             return;
         };
-        if previous.same_as(&definition) {
+        if previous.same_as(&definition, self.sources) {
             return;
         }
         let name = self.names.text(definition.name);

@@ -8,7 +8,7 @@ use super::{Input, Preprocessor, error_at};
 use crate::diagnostic::error;
 use crate::syntax::names::Name;
 use crate::syntax::token::{Token, TokenKind};
-use crate::text::Span;
+use crate::text::{Sources, Span};
 
 /// Longest replacement lists that may be open at once, in tokens; ANGLE's number.
 const MAX_OPEN_TOKENS: usize = 10_000;
@@ -59,11 +59,14 @@ impl Macro {
     }
 
     /// Whether `other` is the same definition, so that stating it again is no error.
-    pub(super) fn same_as(&self, other: &Macro) -> bool {
+    pub(super) fn same_as(&self, other: &Macro, sources: &Sources) -> bool {
+        // Numbers of one value count as different where they are written differently.
+        let same_text = |a: &Token, b: &Token| sources.text(a.span) == sources.text(b.span);
         self.params == other.params
             && self.body.len() == other.body.len()
             && self.body.iter().zip(&other.body).all(|(a, b)| {
-                (a.token.kind, a.token.value, a.space) == (b.token.kind, b.token.value, b.space)
+                let (x, y) = (&a.token, &b.token);
+                a.space == b.space && x.kind == y.kind && x.value == y.value && same_text(x, y)
             })
     }
 }
