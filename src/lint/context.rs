@@ -23,7 +23,7 @@ impl<'p> Context<'_, 'p> {
     pub fn report(&mut self, extent: Extent, message: impl Into<String>) -> Finding<'_> {
         let span = self.program.span(extent);
         let macros = self.program.macros_at(extent.first);
-        let mut finding = self.report_span(span, message);
+        let finding = self.report_span(span, message);
         finding.0.macros = macros;
         finding
     }

@@ -227,15 +227,15 @@ impl Checker<'_> {
         }
         let plural = |n: u32| if n == 1 { "component" } else { "components" };
         let d = if let Some(arg) = surplus {
-            self.error_expr(
+            let d = self.error_expr(
                 error::CONSTRUCTOR_ARGUMENTS,
-                arg,
+                id,
                 format!(
-                    "`{name}` has {wanted} {}, and they are given already",
+                    "`{name}` has {wanted} {}, but {given} are given",
                     plural(wanted)
                 ),
-            )
-            .label(self.expr_span(id), format!("{given} given in all"))
+            );
+            d.label(self.expr_span(arg), "nothing is left for this")
         } else if given != 1 && given < wanted {
             let d = self.error_expr(
                 error::CONSTRUCTOR_ARGUMENTS,

@@ -3,6 +3,9 @@
 use super::qualifier::{Qualified, Wanted};
 use super::*;
 
+/// What WebGL2 has at least, and what Chromium compiles against.
+const MAX_VERTEX_ATTRIBS: i32 = 16;
+
 /// What a `layout(...)` says.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Layout {
@@ -96,9 +99,9 @@ impl Checker<'_> {
             );
             return self.report(d);
         }
-        if layout.location.is_none() {
+        let Some(location) = layout.location else {
             return;
-        }
+        };
         let vertex_in = self.stage == Stage::Vertex && qualified.storage == Wanted::In;
         let fragment_out = self.stage == Stage::Fragment && qualified.storage == Wanted::Out;
         if !vertex_in && !fragment_out {
@@ -109,21 +112,10 @@ impl Checker<'_> {
         } else if layout.locations > 1 && fragment_out {
             let d = self.error(error::INVALID_LAYOUT, at, "the location is given twice");
             self.report(d);
-        }
-    }
-
-    /// The location of an input of a vertex shader must leave room for the whole type.
-    pub(super) fn check_input_location(&mut self, location: i32, ty: Type, extent: Extent) {
-        const MAX_VERTEX_ATTRIBS: i64 = 16;
-        let columns = match ty.base {
-            Base::Numeric { columns, .. } => columns as i64,
-            _ => 1,
-        };
-        let needed = columns * ty.array.max(1) as i64;
-        if location as i64 + needed > MAX_VERTEX_ATTRIBS {
+        } else if vertex_in && location >= MAX_VERTEX_ATTRIBS {
             let message = format!("location {location} is out of range");
             let d = self
-                .error(error::INVALID_LAYOUT, extent, message)
+                .error(error::INVALID_LAYOUT, at, message)
                 .note("a vertex shader has 16 inputs, at locations 0 to 15");
             self.report(d);
         }

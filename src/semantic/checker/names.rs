@@ -127,10 +127,10 @@ impl Checker<'_> {
             Some(Binding::Error) => ExprInfo::ERROR,
             Some(binding) => {
                 let text = self.text(name);
-                let what = if binding == Binding::Function {
-                    "function"
-                } else {
-                    "type"
+                let what = match binding {
+                    Binding::Function => "function",
+                    Binding::Block(_) => "block",
+                    _ => "type",
                 };
                 let declared = self.declaration_token(name, binding);
                 let d = self.error_at(

@@ -65,8 +65,16 @@ impl Checker<'_> {
         };
         let mut seen: FxHashMap<Name, TokenId> = FxHashMap::default();
         if decl.fields.len == 0 {
-            let rule = if is_block { error::INTERFACE_BLOCK } else { error::INVALID_STRUCT };
-            let d = self.error(rule, decl.extent, "this has no members; it needs at least one");
+            let rule = if is_block {
+                error::INTERFACE_BLOCK
+            } else {
+                error::INVALID_STRUCT
+            };
+            let d = self.error(
+                rule,
+                decl.extent,
+                "this has no members; it needs at least one",
+            );
             self.report(d);
         }
         for line in tree.fields(decl.fields) {

@@ -153,7 +153,11 @@ impl Parser<'_> {
         let last = self.token(self.last() as usize).span;
         let next = self.next().span;
         let between = Span::new(last.end, next.start);
-        let is_blank = self.sources.text(between).bytes().all(|b| matches!(b, b' ' | b'\t'));
+        let is_blank = self
+            .sources
+            .text(between)
+            .bytes()
+            .all(|b| matches!(b, b' ' | b'\t'));
         if between.start < between.end && is_blank && !self.is_on_new_line() {
             between
         } else {
