@@ -1,13 +1,14 @@
 //! From the text of one input to its findings. Nothing here touches the outside.
 
-use crate::diagnostic::Diagnostic;
+use super::input::{Content, Encoding};
+use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::lint::{Selection, lint};
 use crate::port::{Project, ProjectError};
 use crate::rules::RULES;
 use crate::semantic::{
     Channels, Dialect, Kind, Pass, Stage, Unit, analyze, guess, shadertoy_header,
 };
-use crate::text::{FileId, Role, Sources};
+use crate::text::{FileId, Role, Sources, Span};
 
 /// What the user says a shader is written for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, clap::ValueEnum)]
@@ -52,13 +53,24 @@ pub enum DocumentError {
 /// Finds what is to be said of the text of one input.
 pub fn check(
     name: &str,
-    text: String,
+    content: Content,
     choice: DialectChoice,
     selection: &Selection,
 ) -> Result<Findings, DocumentError> {
     let mut sources = Sources::new();
     let extension = name.rsplit('.').next().unwrap_or("");
-    let parts = if matches!(extension, "json" | "shadertoy") {
+    let is_export = matches!(extension, "json" | "shadertoy");
+    if let Some(diagnostic) = unreadable(&content, is_export) {
+        sources
+            .add(name, None, Role::User, content.text)
+            .ok_or(DocumentError::TooLarge)?;
+        return Ok(Findings {
+            sources,
+            diagnostics: vec![diagnostic],
+        });
+    }
+    let Content { text, encoding } = content;
+    let parts = if is_export {
         let project = Project::from_json(&text).map_err(|e| match e {
             ProjectError::NotAnExport => DocumentError::NotAnExport,
             e => DocumentError::Export(e),
@@ -72,12 +84,48 @@ pub fn check(
     for part in &parts {
         check_part(&sources, part, selection, &mut diagnostics);
     }
+    if let (Encoding::Damaged(at), false) = (encoding, is_export) {
+        report_damage(&sources, at, &mut diagnostics);
+    }
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
     diagnostics.dedup_by(|a, b| (a.span, a.rule, &a.message) == (b.span, b.rule, &b.message));
     Ok(Findings {
         sources,
         diagnostics,
     })
+}
+
+/// What is wrong with a file that holds no text to be judged.
+fn unreadable(content: &Content, is_export: bool) -> Option<Diagnostic> {
+    let error = |rule, message| Some(Diagnostic::error(rule, Span::at(0), message));
+    match content.encoding {
+        Encoding::Utf16 => error(
+            error::INVALID_ENCODING,
+            "the file is UTF-16; save it as UTF-8",
+        ),
+        Encoding::Binary => error(error::INVALID_ENCODING, "the file is no text"),
+        _ if is_export || !content.text.trim().is_empty() => None,
+        _ => error(error::MISSING_MAIN, "the file is empty"),
+    }
+}
+
+/// Reports bytes that are no UTF-8, at this offset of the last file, where nothing else is said of
+/// them: a comment may hold them.
+fn report_damage(sources: &Sources, offset: u32, diagnostics: &mut Vec<Diagnostic>) {
+    let Some(file) = sources.files().last() else {
+        return;
+    };
+    let start = file.base + offset;
+    if diagnostics.iter().any(|d| d.span.start == start) {
+        return;
+    }
+    let span = Span::new(start, start + '\u{fffd}'.len_utf8() as u32);
+    let rule = error::INVALID_ENCODING;
+    let message = "the file is not UTF-8 from here on";
+    diagnostics.push(
+        Diagnostic::new(rule, Origin::Compiler, Severity::Warning, span, message)
+            .note("a browser reads U+FFFD in the place of such bytes"),
+    );
 }
 
 fn check_part(
@@ -93,7 +141,8 @@ fn check_part(
         dialect: part.dialect,
         infer_channels: part.infer_channels,
     });
-    if analysis.diagnostics.is_empty() {
+    let is_error = |d: &Diagnostic| d.severity == Severity::Error;
+    if !analysis.diagnostics.iter().any(is_error) {
         lint(&analysis.program, &RULES, selection, diagnostics);
     }
     diagnostics.extend(analysis.diagnostics);

@@ -85,8 +85,57 @@ fn shown(path: &Path) -> String {
     text.strip_prefix("./").map(str::to_string).unwrap_or(text)
 }
 
-/// The text of an input. Bytes that are no UTF-8 become U+FFFD, as in a browser.
-pub fn read(input: &InputFile) -> Result<String, String> {
+/// How the bytes of a file were written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Encoding {
+    /// As they should be.
+    Utf8,
+    /// UTF-8 up to this offset; what follows is read as a browser reads it, with U+FFFD in the
+    /// place of bytes that mean nothing.
+    Damaged(u32),
+    /// UTF-16; nothing of it is read.
+    Utf16,
+    /// Neither; nothing of it is read.
+    Binary,
+}
+
+/// What a file holds.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Content {
+    /// Its text.
+    pub text: String,
+    /// How it was written.
+    pub encoding: Encoding,
+}
+
+impl Content {
+    fn of(bytes: Vec<u8>) -> Content {
+        let error = match String::from_utf8(bytes) {
+            Ok(text) => {
+                let encoding = Encoding::Utf8;
+                return Content { text, encoding };
+            }
+            Err(error) => error,
+        };
+        let valid = error.utf8_error().valid_up_to() as u32;
+        let bytes = error.as_bytes();
+        let nothing = |encoding| Content {
+            text: String::new(),
+            encoding,
+        };
+        match bytes {
+            [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => nothing(Encoding::Utf16),
+            _ if bytes.contains(&0) => nothing(Encoding::Binary),
+            _ => Content {
+                text: String::from_utf8_lossy(bytes).into_owned(),
+                encoding: Encoding::Damaged(valid),
+            },
+        }
+    }
+}
+
+/// Reads an input.
+pub fn read(input: &InputFile) -> Result<Content, String> {
     let bytes = match &input.path {
         Some(path) => {
             let size = fs::metadata(path).map_err(|e| e.to_string())?.len();
@@ -102,8 +151,5 @@ pub fn read(input: &InputFile) -> Result<String, String> {
             bytes
         }
     };
-    Ok(match String::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(error) => String::from_utf8_lossy(error.as_bytes()).into_owned(),
-    })
+    Ok(Content::of(bytes))
 }

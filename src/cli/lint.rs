@@ -101,11 +101,14 @@ pub fn run(args: &Args) -> u8 {
     let (inputs, problems) = collect(&args.paths, args.stdin_filename.as_deref());
     problems.iter().for_each(|p| complain(p));
     let failed = !problems.is_empty();
+    if inputs.is_empty() {
+        if !failed {
+            complain("there is no shader in the folders given");
+        }
+        return FAILED;
+    }
     match judge(args, &inputs, &selection) {
         Ok((summary, read_all)) => {
-            if inputs.is_empty() && !failed {
-                complain("there is no shader to check in the folders given");
-            }
             if failed || !read_all {
                 FAILED
             } else if summary.errors > 0 || (args.deny_warnings && summary.warnings > 0) {
@@ -213,11 +216,11 @@ fn in_parallel(
 }
 
 fn examine(input: &InputFile, dialect: DialectChoice, selection: &Selection) -> Outcome {
-    let text = match read(input) {
-        Ok(text) => text,
+    let content = match read(input) {
+        Ok(content) => content,
         Err(message) => return Outcome::Failed(message),
     };
-    match check(&input.name, text, dialect, selection) {
+    match check(&input.name, content, dialect, selection) {
         Ok(findings) => Outcome::Checked(findings),
         Err(DocumentError::NotAnExport) if !input.is_explicit => Outcome::Skipped,
         Err(DocumentError::NotAnExport) => {

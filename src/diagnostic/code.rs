@@ -15,6 +15,8 @@ errors! {
     // Characters and tokens.
     /// A character that GLSL does not have.
     INVALID_CHARACTER = "invalid-character";
+    /// A file that is not UTF-8.
+    INVALID_ENCODING = "invalid-encoding";
     /// `1f`, `08`, `1.0.0`, a number over 32 bits.
     INVALID_NUMBER = "invalid-number";
     /// A word that the language keeps for itself, used as a name.

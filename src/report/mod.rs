@@ -132,8 +132,8 @@ fn location_name(sources: &Sources, span: Span) -> String {
     }
 }
 
-/// Text without control characters and without those that turn the direction of writing, which
-/// could make a terminal show something else. Each is replaced by something of the same length.
+/// Text without control characters, those that nobody sees, and those that turn the direction of
+/// writing, which could make a terminal show something else. Each is replaced by something of the same length.
 fn clean(text: &str) -> String {
     text.chars().map(clean_char).collect()
 }
@@ -141,7 +141,13 @@ fn clean(text: &str) -> String {
 fn clean_char(c: char) -> char {
     match c {
         '\t' => c,
-        '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{200e}' | '\u{200f}' => '\u{fffd}',
+        // Three bytes each in UTF-8, like U+FFFD.
+        '\u{200b}'..='\u{200f}'
+        | '\u{2028}'..='\u{202e}'
+        | '\u{2060}'..='\u{2069}'
+        | '\u{feff}' => '\u{fffd}',
+        // Two bytes each, like U+00A4.
+        '\u{ad}' => '\u{a4}',
         c if c.is_control() && c.len_utf8() == 1 => '?',
         c if c.is_control() => '\u{a4}',
         c => c,

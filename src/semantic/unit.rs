@@ -5,9 +5,9 @@ use super::checker::{Parsed, check};
 use super::dialect::{Channels, Dialect};
 use super::program::Program;
 use super::types::Sampler;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::syntax::{Preprocessed, TokenKind, parse, preprocess};
-use crate::text::{FileId, Role, Sources};
+use crate::text::{FileId, Role, Sources, Span};
 
 /// Most errors that are told of one shader.
 const MAX_ERRORS: usize = 200;
@@ -60,6 +60,9 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
         check(parsed, unit.stage, unit.dialect, [None; 4])
     };
     diagnostics.extend(problems);
+    if let Some(cut) = program.tokens.cut {
+        judge_cut(unit.sources, cut, &mut diagnostics);
+    }
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
     limit(&mut diagnostics);
     Analysis {
@@ -67,6 +70,41 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
         diagnostics,
     }
 }
+
+/// A NUL ends the shader. What is then missing is that one mistake; where nothing is missing, the
+/// rest of the text is only not used.
+fn judge_cut(sources: &Sources, cut: Span, diagnostics: &mut Vec<Diagnostic>) {
+    let count = diagnostics.len();
+    diagnostics.retain(|d| d.span.end < cut.start && !LEFT_OPEN.contains(&d.rule));
+    let severity = if diagnostics.len() < count {
+        Severity::Error
+    } else {
+        Severity::Warning
+    };
+    let rest = sources.file_at(cut.start).and_then(|file| {
+        let from = (cut.end - file.base) as usize;
+        file.text.get(from..)
+    });
+    if severity == Severity::Error || rest.is_some_and(|r| !r.trim_matches(['\0', '\n']).is_empty())
+    {
+        let message = "a NUL character ends the shader here";
+        let rule = error::INVALID_CHARACTER;
+        diagnostics.push(
+            Diagnostic::new(rule, Origin::Compiler, severity, cut, message)
+                .note("the browser reads nothing of what stands behind it"),
+        );
+    }
+}
+
+/// What is reported where a shader ends too early, wherever it stands.
+const LEFT_OPEN: &[&str] = &[
+    error::MISSING_MAIN,
+    error::UNWRAPPED_MAINIMAGE,
+    error::UNBALANCED_CONDITIONAL,
+    error::UNCLOSED_DELIMITER,
+    error::UNTERMINATED_COMMENT,
+    error::UNDEFINED_FUNCTION,
+];
 
 fn limit(diagnostics: &mut Vec<Diagnostic>) {
     if diagnostics.len() >= MAX_ERRORS {

@@ -39,6 +39,8 @@ pub struct Tokens {
     pub extensions: Vec<ExtensionUse>,
     /// The `#version` directive.
     pub version_span: Option<Span>,
+    /// The NUL that ends the shader before its text ends; for the browser nothing stands behind it.
+    pub cut: Option<Span>,
 }
 
 /// An `#extension NAME : behaviour` directive.
@@ -227,9 +229,15 @@ impl<'a> Preprocessor<'a> {
             return false;
         };
         self.text = &file.text;
+        if let Some(nul) = file.text.find('\0') {
+            self.text = file.text.get(..nul).unwrap_or("");
+            self.files = [].iter();
+            let at = file.base + nul as u32;
+            self.out.cut = Some(Span::new(at, at + 1));
+        }
         self.base = file.base;
         self.role = file.role;
-        self.lexer = Lexer::new(&file.text, file.base);
+        self.lexer = Lexer::new(self.text, file.base);
         self.at_line_start = true;
         self.line_shift = 0;
         if self.skipped_from.is_some() {
@@ -490,8 +498,7 @@ impl<'a> Preprocessor<'a> {
             }
             _ => {
                 let c = rest.chars().next().unwrap_or('\0');
-                let d = bad_character(&token, c);
-                self.report_token(d, &token);
+                self.report_character(&token, c);
                 // Taken for a blank where it looks like one, else for something that has been
                 // reported.
                 let is_blank = c.is_whitespace() || c.is_control() || is_invisible(c);
@@ -511,6 +518,28 @@ impl<'a> Preprocessor<'a> {
             diagnostic.fix = None;
         }
         self.report(diagnostic);
+    }
+
+    /// Reports a character that GLSL does not have; several in a row are one mistake.
+    fn report_character(&mut self, token: &Token, c: char) {
+        let d = bad_character(token, c);
+        match self.diagnostics.last_mut() {
+            Some(last)
+                if last.rule == error::INVALID_CHARACTER
+                    && last.span.end == d.span.start
+                    && token.is_direct() =>
+            {
+                last.span.end = d.span.end;
+                last.message = "these characters are no part of GLSL".to_string();
+                match (&mut last.fix, d.fix) {
+                    (Some(fix), Some(more)) if fix.title == more.title => {
+                        fix.edits.extend(more.edits);
+                    }
+                    (fix, _) => *fix = None,
+                }
+            }
+            _ => self.report_token(d, token),
+        }
     }
 
     fn too_much_expansion(&mut self, span: Span) {
