@@ -22,5 +22,5 @@ pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
     Variable, VariableId,
 };
-pub use types::{Base, Field, Sampler, Scalar, Struct, Type};
+pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type};
 pub use unit::{Analysis, Unit, analyze};

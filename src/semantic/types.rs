@@ -327,12 +327,69 @@ pub struct Struct {
     pub token: u32,
     /// Its members.
     pub fields: Vec<Field>,
-    /// How deep structs nest in it: 1 without inner ones.
+    /// What lies inside, at any depth.
+    pub inside: Inside,
+}
+
+/// What lies inside a type, at any depth. Kept for each struct, so that no question about a type
+/// walks through structs again.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Inside {
+    /// How deep structs nest: 0 for a type that is none.
     pub nesting: u32,
-    /// Whether an array lies anywhere inside.
-    pub holds_array: bool,
-    /// Whether a sampler lies anywhere inside.
-    pub holds_sampler: bool,
+    /// Whether there is an array.
+    pub array: bool,
+    /// Whether there is a sampler.
+    pub sampler: bool,
+    /// Whether there is an `int` or `uint`.
+    pub integer: bool,
+    /// Size of a variable, in bytes.
+    pub bytes: u64,
+    /// Size of a uniform, in bytes; each vector takes as much as a `vec4`.
+    pub uniform_bytes: u64,
+}
+
+impl Inside {
+    /// Looks into a type, given what is inside the struct that it is.
+    pub fn of(ty: Type, record: impl FnOnce(u32) -> Inside) -> Inside {
+        let mut inside = match ty.base {
+            Base::Struct(id) | Base::Block(id) => record(id),
+            Base::Numeric {
+                scalar,
+                columns,
+                rows,
+            } => Inside {
+                integer: scalar.is_integer(),
+                bytes: columns as u64 * rows as u64 * 4,
+                uniform_bytes: match columns {
+                    1 => 16,
+                    _ => columns.max(rows) as u64 * 16,
+                },
+                ..Inside::default()
+            },
+            base => Inside {
+                sampler: matches!(base, Base::Sampler(_)),
+                bytes: 4,
+                uniform_bytes: 4,
+                ..Inside::default()
+            },
+        };
+        let count = ty.array.max(1) as u64;
+        inside.array |= ty.is_array();
+        inside.bytes = inside.bytes.saturating_mul(count);
+        inside.uniform_bytes = inside.uniform_bytes.saturating_mul(count);
+        inside
+    }
+
+    /// Adds what is inside a member.
+    pub fn add(&mut self, member: Inside) {
+        self.nesting = self.nesting.max(member.nesting + 1);
+        self.array |= member.array;
+        self.sampler |= member.sampler;
+        self.integer |= member.integer;
+        self.bytes = self.bytes.saturating_add(member.bytes);
+        self.uniform_bytes = self.uniform_bytes.saturating_add(member.uniform_bytes);
+    }
 }
 
 /// Name of a numeric type.

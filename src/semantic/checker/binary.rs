@@ -162,13 +162,10 @@ impl Checker<'_> {
             if is_block || !(compares || assigns) || l != r {
                 return Err(Misfit::Struct);
             }
-            if let Base::Struct(id) = l.base
-                && let Some(record) = self.structs.get(id as usize)
-            {
-                let old = !self.is_300();
-                if (old && record.holds_array) || (record.holds_sampler && (old || assigns)) {
-                    return Err(Misfit::StructInside);
-                }
+            let inside = self.inside(l.element());
+            let old = !self.is_300();
+            if (old && inside.array) || (inside.sampler && (old || assigns)) {
+                return Err(Misfit::StructInside);
             }
         }
         if l.is_array() != r.is_array() {

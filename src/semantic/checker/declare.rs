@@ -144,7 +144,7 @@ impl<'a> Checker<'a> {
                 return;
             }
             "an output of a fragment shader cannot be a matrix".to_string()
-        } else if self.holds_integer(ty) && !matches!(storage, Wanted::FlatIn | Wanted::FlatOut) {
+        } else if self.inside(ty).integer && !matches!(storage, Wanted::FlatIn | Wanted::FlatOut) {
             format!("an integer that is passed between stages must be `flat {word}`")
         } else if let Some(message) = self.bad_interface_struct(ty) {
             message.to_string()
@@ -155,22 +155,10 @@ impl<'a> Checker<'a> {
         self.report(d);
     }
 
-    fn holds_integer(&self, ty: Type) -> bool {
-        self.holds(
-            ty,
-            |base| matches!(base, Base::Numeric { scalar, .. } if scalar.is_integer()),
-        )
-    }
-
-    /// Whether a type, or a member at any depth, is of the kind asked for.
-    pub(super) fn holds(&self, ty: Type, kind: impl Fn(Base) -> bool + Copy) -> bool {
-        match ty.base {
-            Base::Struct(id) => self
-                .structs
-                .get(id as usize)
-                .is_some_and(|s| s.fields.iter().any(|f| self.holds(f.ty, kind))),
-            base => kind(base),
-        }
+    /// What lies inside a type.
+    pub(super) fn inside(&self, ty: Type) -> Inside {
+        let record = |id: u32| self.structs.get(id as usize).map(|s| s.inside);
+        Inside::of(ty, |id| record(id).unwrap_or_default())
     }
 
     fn bad_interface_struct(&self, ty: Type) -> Option<&'static str> {
@@ -259,7 +247,7 @@ impl<'a> Checker<'a> {
             is_const &= info.is_const;
         }
         let storage = self.storage_of(qualified.storage);
-        self.check_size(ty, storage, is_const, declarator);
+        self.check_size(ty, storage, declarator);
         let id = self.declare_variable(declarator.ident, ty, storage, is_const, constant);
         if let (Some(id), Some(slot)) = (id, self.declared.get_mut(index)) {
             *slot = Some(id);
@@ -293,7 +281,7 @@ impl<'a> Checker<'a> {
             self.report(d);
             return false;
         }
-        let holds_sampler = self.holds(base, |b| matches!(b, Base::Sampler(_)));
+        let holds_sampler = self.inside(base).sampler;
         if holds_sampler && qualified.storage != Wanted::Uniform {
             let d = self
                 .error(

@@ -252,14 +252,8 @@ impl Checker<'_> {
 
     fn comma(&mut self, id: ExprId, left: ExprId, right: ExprId) -> ExprInfo {
         let (l, r) = (self.info(left), self.info(right));
-        let bad = |ty: Type| {
-            let holds_array = match ty.base {
-                Base::Struct(id) => self.structs.get(id as usize).is_some_and(|s| s.holds_array),
-                Base::Block(_) => true,
-                _ => false,
-            };
-            ty.is_array() || ty.is_void() || holds_array
-        };
+        let bad =
+            |ty: Type| ty.is_void() || matches!(ty.base, Base::Block(_)) || self.inside(ty).array;
         if bad(l.ty) || bad(r.ty) {
             let d = self
                 .error_expr(

@@ -280,14 +280,14 @@ impl Checker<'_> {
         let ty = self.type_spec(decl.ty);
         let extent = tree.ty(decl.ty).extent;
         self.check_precision(ty, qualified, extent);
-        let holds_sampler = self.holds(ty, |b| matches!(b, Base::Sampler(_)));
+        let holds_sampler = self.inside(ty).sampler;
         let message = if holds_sampler {
             "a function cannot return a sampler"
         } else if ty.array == Type::UNSIZED {
             "an array that is returned needs a size"
         } else if !self.is_300() && ty.is_array() {
             "GLSL ES 1.00 functions cannot return arrays"
-        } else if !self.is_300() && self.is_struct_with_array(ty) {
+        } else if !self.is_300() && self.inside(ty).array {
             "GLSL ES 1.00 functions cannot return structs that hold arrays"
         } else {
             return ty;
@@ -300,13 +300,6 @@ impl Checker<'_> {
         let d = self.error(rule, extent, message);
         self.report(d);
         Type::ERROR
-    }
-
-    fn is_struct_with_array(&self, ty: Type) -> bool {
-        match ty.base {
-            Base::Struct(id) => self.structs.get(id as usize).is_some_and(|s| s.holds_array),
-            _ => false,
-        }
     }
 
     /// Only a precision may stand before the return type. Says whether one does.

@@ -35,44 +35,21 @@ impl Checker<'_> {
         }
     }
 
-    /// Size of a type in bytes, as the browser counts it.
-    fn size_of(&self, ty: Type, is_uniform: bool) -> u64 {
-        let one = match ty.base {
-            Base::Numeric { columns, rows, .. } if is_uniform => {
-                if columns == 1 {
-                    16
-                } else {
-                    columns.max(rows) as u64 * 16
-                }
-            }
-            Base::Numeric { columns, rows, .. } => columns as u64 * rows as u64 * 4,
-            Base::Struct(id) | Base::Block(id) => self.structs.get(id as usize).map_or(0, |s| {
-                s.fields.iter().fold(0, |n: u64, f| {
-                    n.saturating_add(self.size_of(f.ty, is_uniform))
-                })
-            }),
-            _ => 4,
-        };
-        one.saturating_mul(ty.array.max(1) as u64)
-    }
-
     /// Asks that a variable, and all together, are not too large.
-    pub(super) fn check_size(
-        &mut self,
-        ty: Type,
-        storage: Storage,
-        is_const: bool,
-        declarator: &Declarator,
-    ) {
+    pub(super) fn check_size(&mut self, ty: Type, storage: Storage, declarator: &Declarator) {
         if !self.diagnostics.is_empty() || ty.is_error() {
             return;
         }
         let is_uniform = storage == Storage::Uniform;
-        let size = self.size_of(ty, is_uniform);
+        let inside = self.inside(ty);
+        let size = if is_uniform {
+            inside.uniform_bytes
+        } else {
+            inside.bytes
+        };
         let is_fragment_output = storage == Storage::Output && self.stage == Stage::Fragment;
         let is_vertex_input = storage == Storage::Input && self.stage == Stage::Vertex;
         let is_private = !is_uniform && !is_fragment_output && !is_vertex_input;
-        let _ = is_const;
         if is_private {
             self.private_size = self.private_size.saturating_add(size);
         }

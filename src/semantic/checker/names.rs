@@ -109,9 +109,10 @@ impl Checker<'_> {
             name: None,
             token: 0,
             fields,
-            nesting: 1,
-            holds_array: false,
-            holds_sampler: false,
+            inside: Inside {
+                nesting: 1,
+                ..Inside::default()
+            },
         });
         Type {
             base: Base::Struct(index),

@@ -11,9 +11,7 @@ const MAX_FIELDS: usize = 16_383;
 /// Members at hand, with what their qualifiers were.
 struct Members {
     fields: Vec<Field>,
-    holds_array: bool,
-    holds_sampler: bool,
-    nesting: u32,
+    inside: Inside,
 }
 
 impl Checker<'_> {
@@ -29,20 +27,13 @@ impl Checker<'_> {
         }
         let index = self.structs.len() as u32;
         let token = decl.name.map_or(decl.extent.first, |n| n.token);
-        let Members {
-            fields,
-            holds_array,
-            holds_sampler,
-            nesting,
-        } = members;
+        let Members { fields, inside } = members;
         let name = decl.name.map(|n| n.name);
         self.structs.push(Struct {
             name,
             token,
             fields,
-            nesting,
-            holds_array,
-            holds_sampler,
+            inside,
         });
         if let Some(ident) = decl.name
             && !self.is_redefinition(ident)
@@ -59,9 +50,10 @@ impl Checker<'_> {
         let tree = self.tree;
         let mut members = Members {
             fields: Vec::new(),
-            holds_array: false,
-            holds_sampler: false,
-            nesting: 1,
+            inside: Inside {
+                nesting: 1,
+                ..Inside::default()
+            },
         };
         let mut seen: FxHashMap<Name, TokenId> = FxHashMap::default();
         if decl.fields.len == 0 {
@@ -132,25 +124,19 @@ impl Checker<'_> {
             self.report(d);
         }
         seen.insert(ident.name, ident.token);
-        members.holds_array |= ty.is_array();
-        members.holds_sampler |= ty.is_sampler();
-        if let Base::Struct(inner) = ty.base
-            && let Some(inner) = self.structs.get(inner as usize)
-        {
-            members.holds_array |= inner.holds_array;
-            members.holds_sampler |= inner.holds_sampler;
-            members.nesting = members.nesting.max(inner.nesting + 1);
-            if inner.nesting + 1 > MAX_NESTING {
-                let d = self
-                    .error_at(
-                        error::BROWSER_LIMIT,
-                        ident.token,
-                        "structs are nested too deeply",
-                    )
-                    .note("WebGL allows a depth of 4 (WebGL 1.0 section 6.20)");
-                self.report(d);
-            }
+        let inside = self.inside(ty);
+        // Told once, not of every struct around it.
+        if inside.nesting == MAX_NESTING && members.inside.nesting <= MAX_NESTING {
+            let d = self
+                .error_at(
+                    error::BROWSER_LIMIT,
+                    ident.token,
+                    "structs are nested too deeply",
+                )
+                .note("WebGL allows a depth of 4 (WebGL 1.0 section 6.20)");
+            self.report(d);
         }
+        members.inside.add(inside);
         members.fields.push(Field {
             name: ident.name,
             ty,
@@ -181,7 +167,7 @@ impl Checker<'_> {
             self.report(d);
             ty.array = 1;
         }
-        if is_block && self.holds(ty, |b| matches!(b, Base::Sampler(_))) {
+        if is_block && self.inside(ty).sampler {
             let d = self
                 .error(
                     error::INTERFACE_BLOCK,
@@ -249,12 +235,7 @@ impl Checker<'_> {
         }
         let qualified = self.qualifiers(qualifiers);
         self.check_block(&qualified, decl, header);
-        let Members {
-            fields,
-            holds_array,
-            holds_sampler,
-            nesting,
-        } = self.members(decl, true);
+        let Members { fields, inside } = self.members(decl, true);
         let index = self.structs.len() as u32;
         let token = decl.name.map_or(decl.extent.first, |n| n.token);
         let name = decl.name.map(|n| n.name);
@@ -262,9 +243,7 @@ impl Checker<'_> {
             name,
             token,
             fields: fields.clone(),
-            nesting,
-            holds_array,
-            holds_sampler,
+            inside,
         });
         if let Some(ident) = decl.name
             && !self.is_redefinition(ident)
