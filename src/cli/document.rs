@@ -2,7 +2,7 @@
 
 use super::input::{Content, Encoding};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::lint::{Selection, lint};
+use crate::lint::{Allow, Fixed, Look, Selection, fix, lint};
 use crate::port::{Project, ProjectError};
 use crate::rules::RULES;
 use crate::semantic::{
@@ -126,6 +126,24 @@ fn report_damage(sources: &Sources, offset: u32, diagnostics: &mut Vec<Diagnosti
         Diagnostic::new(rule, Origin::Compiler, Severity::Warning, span, message)
             .note("a browser reads U+FFFD in the place of such bytes"),
     );
+}
+
+/// Mends what can be mended in the text of one shader file, judging it anew after each round.
+pub fn fix_text(
+    name: &str,
+    text: &str,
+    choice: DialectChoice,
+    selection: &Selection,
+    allow: Allow,
+) -> Fixed {
+    fix(text, allow, |text| {
+        let findings = check(name, Content::utf8(text), choice, selection).ok()?;
+        let file = findings.sources.files().last()?;
+        Some(Look {
+            span: file.span(),
+            diagnostics: findings.diagnostics,
+        })
+    })
 }
 
 fn check_part(

@@ -109,6 +109,14 @@ pub struct Content {
 }
 
 impl Content {
+    /// Text that is well encoded.
+    pub fn utf8(text: &str) -> Content {
+        Content {
+            text: text.to_string(),
+            encoding: Encoding::Utf8,
+        }
+    }
+
     fn of(bytes: Vec<u8>) -> Content {
         let error = match String::from_utf8(bytes) {
             Ok(text) => {

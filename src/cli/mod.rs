@@ -1,8 +1,8 @@
 //! The commands: arguments, files, exit codes. Together with `lsp` the only place that touches the
 //! outside.
 
-mod document;
-mod input;
+pub mod document;
+pub mod input;
 mod lint;
 mod port;
 

@@ -1,6 +1,6 @@
 //! What a rule works with.
 
-use super::Rule;
+use super::{Facts, Rule};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
 use crate::semantic::Program;
 use crate::syntax::ast::{ExprId, Extent};
@@ -10,6 +10,8 @@ use crate::text::Span;
 pub struct Context<'a, 'p> {
     /// The shader.
     pub program: &'a Program<'p>,
+    /// What is known of it as a whole.
+    pub facts: &'a Facts<'a, 'p>,
     pub(super) rule: &'static Rule,
     pub(super) severity: Severity,
     pub(super) diagnostics: &'a mut Vec<Diagnostic>,

@@ -1,9 +1,13 @@
 //! What a lint rule is, and how rules are run. No rule is in here; they are in `rules/`.
 
 mod context;
+mod facts;
+mod fix;
 mod rule;
 mod run;
 
 pub use context::{Context, Finding};
+pub use facts::Facts;
+pub use fix::{Allow, Fixed, Look, fix};
 pub use rule::{Binary, Check, Group, Rule};
 pub use run::{Selection, UnknownRule, lint};

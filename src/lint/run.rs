@@ -1,6 +1,6 @@
 //! Runs rules over a shader.
 
-use super::{Binary, Check, Context, Group, Rule};
+use super::{Binary, Check, Context, Facts, Group, Rule};
 use crate::diagnostic::{Diagnostic, ERRORS};
 use crate::semantic::{FunctionRef, Program};
 use crate::syntax::ast::*;
@@ -87,8 +87,10 @@ pub fn lint(
     selection: &Selection,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
+    let facts = Facts::new(program);
     let mut run = Run {
         program,
+        facts: &facts,
         diagnostics,
     };
     let mut exprs = Vec::new();
@@ -148,6 +150,7 @@ fn first_user_token(program: &Program) -> TokenId {
 
 struct Run<'a, 'p> {
     program: &'a Program<'p>,
+    facts: &'a Facts<'a, 'p>,
     diagnostics: &'a mut Vec<Diagnostic>,
 }
 
@@ -155,6 +158,7 @@ impl<'p> Run<'_, 'p> {
     fn context(&mut self, rule: &'static Rule) -> Context<'_, 'p> {
         Context {
             program: self.program,
+            facts: self.facts,
             rule,
             severity: rule.severity,
             diagnostics: self.diagnostics,

@@ -8,9 +8,11 @@ pub mod builtins;
 mod checker;
 mod constant;
 mod dialect;
+pub mod flow;
 mod fold;
 mod program;
 mod scope;
+pub mod tunable;
 mod types;
 mod unit;
 

@@ -1,0 +1,99 @@
+//! Who calls whom.
+
+use crate::semantic::{Call, FunctionRef, Program, Resolution};
+use crate::syntax::ast::{ExprId, ExprKind};
+
+/// The calls of a shader's functions, by who is called and by who calls.
+#[derive(Default, Debug)]
+pub struct CallGraph {
+    calls: Vec<Call>,
+    /// Indexes of `calls`, by callee.
+    of: Vec<Vec<u32>>,
+    /// Indexes of `calls`, by caller.
+    by: Vec<Vec<u32>>,
+}
+
+impl CallGraph {
+    /// The calls in a shader.
+    pub fn of(program: &Program) -> CallGraph {
+        let count = program.functions.len();
+        let mut graph = CallGraph {
+            calls: program.calls.clone(),
+            of: vec![Vec::new(); count],
+            by: vec![Vec::new(); count],
+        };
+        for (i, call) in program.calls.iter().enumerate() {
+            if let Some(list) = graph.of.get_mut(call.callee.0 as usize) {
+                list.push(i as u32);
+            }
+            let by = call.caller.and_then(|c| graph.by.get_mut(c.0 as usize));
+            if let Some(list) = by {
+                list.push(i as u32);
+            }
+        }
+        graph
+    }
+
+    fn pick<'a>(&'a self, lists: &'a [Vec<u32>], f: FunctionRef) -> impl Iterator<Item = &'a Call> {
+        let list = lists.get(f.0 as usize).map_or(&[][..], Vec::as_slice);
+        list.iter().filter_map(|&i| self.calls.get(i as usize))
+    }
+
+    /// The calls of a function.
+    pub fn calls_of(&self, callee: FunctionRef) -> impl Iterator<Item = &Call> {
+        self.pick(&self.of, callee)
+    }
+
+    /// The calls in a function.
+    pub fn calls_by(&self, caller: FunctionRef) -> impl Iterator<Item = &Call> {
+        self.pick(&self.by, caller)
+    }
+
+    /// Whether each function is reached from `entry`, by number. `entry` itself is.
+    pub fn reached_from(&self, entry: FunctionRef) -> Vec<bool> {
+        let mut reached = vec![false; self.of.len()];
+        let mut todo = vec![entry];
+        while let Some(next) = todo.pop() {
+            match reached.get_mut(next.0 as usize) {
+                Some(seen) if !*seen => *seen = true,
+                _ => continue,
+            }
+            todo.extend(self.calls_by(next).map(|c| c.callee));
+        }
+        reached
+    }
+
+    /// A shortest chain of functions from `entry` to `to`, both included.
+    pub fn chain(&self, entry: FunctionRef, to: FunctionRef) -> Option<Vec<FunctionRef>> {
+        let mut from: Vec<Option<FunctionRef>> = vec![None; self.of.len()];
+        let mut todo = std::collections::VecDeque::from([entry]);
+        while let Some(next) = todo.pop_front() {
+            if next == to {
+                let way = std::iter::successors(Some(to), |f| {
+                    (*f != entry).then(|| from.get(f.0 as usize).copied().flatten())?
+                });
+                let mut chain: Vec<FunctionRef> = way.collect();
+                chain.reverse();
+                return Some(chain);
+            }
+            for call in self.calls_by(next) {
+                let slot = from.get_mut(call.callee.0 as usize);
+                if let Some(slot) = slot.filter(|s| s.is_none())
+                    && call.callee != entry
+                {
+                    *slot = Some(next);
+                    todo.push_back(call.callee);
+                }
+            }
+        }
+        None
+    }
+}
+
+/// The arguments of a call of one of the shader's functions.
+pub fn arguments<'a>(program: &'a Program, call: ExprId) -> &'a [ExprId] {
+    match (program.tree.expr(call).kind, program.expr(call).resolution) {
+        (ExprKind::Call(_, args), Resolution::Function(_)) => program.tree.args(args),
+        _ => &[],
+    }
+}
