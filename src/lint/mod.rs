@@ -3,11 +3,13 @@
 mod context;
 mod facts;
 mod fix;
+mod page;
 mod rule;
 mod run;
 
 pub use context::{Context, Finding};
 pub use facts::Facts;
 pub use fix::{Allow, Fixed, Look, fix};
+pub use page::{Fence, FenceKind, Page};
 pub use rule::{Binary, Check, Group, Rule};
 pub use run::{Selection, UnknownRule, lint};

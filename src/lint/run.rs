@@ -50,6 +50,12 @@ impl Selection {
         Ok(Selection { rules: chosen })
     }
 
+    /// No rule but one of those chosen.
+    pub fn only(mut self, name: &str) -> Selection {
+        self.rules.retain(|r| *r == name);
+        self
+    }
+
     fn holds(&self, rule: &Rule) -> bool {
         self.rules.contains(&rule.name)
     }

@@ -48,11 +48,7 @@ fn convert(diagnostic: &Diagnostic, excerpt: &Excerpt) -> cs::Diagnostic<usize> 
                 .push(cs::Label::secondary(file, range).with_message(clean(&label.message)));
         }
     }
-    for used in &diagnostic.macros {
-        shown
-            .notes
-            .push(format!("it comes from the macro `{}`", clean(&used.name)));
-    }
+    shown.notes.extend(macro_note(diagnostic));
     shown
         .notes
         .extend(diagnostic.notes.iter().map(|n| clean(n)));
@@ -62,10 +58,41 @@ fn convert(diagnostic: &Diagnostic, excerpt: &Excerpt) -> cs::Diagnostic<usize> 
             .iter()
             .map(|h| format!("help: {}", clean(h))),
     );
-    if let Some(fix) = &diagnostic.fix {
+    if let Some(fix) = &diagnostic.fix
+        && !diagnostic.help.contains(&fix.title)
+    {
         shown.notes.push(format!("help: {}", clean(&fix.title)));
     }
     shown
+}
+
+/// The macros that the code came through, the one that stands in the text first.
+fn macro_note(diagnostic: &Diagnostic) -> Option<String> {
+    const SHOWN: usize = 4;
+    let names: Vec<String> = diagnostic
+        .macros
+        .iter()
+        .rev()
+        .map(|m| format!("`{}`", clean(&m.name)))
+        .collect();
+    match names.as_slice() {
+        [] => None,
+        [one] => Some(format!("it comes from the macro {one}")),
+        [first, rest @ ..] => {
+            let mut through = rest
+                .iter()
+                .take(SHOWN)
+                .cloned()
+                .collect::<Vec<_>>()
+                .join(", ");
+            if rest.len() > SHOWN {
+                through.push_str(&format!(" and {} more", rest.len() - SHOWN));
+            }
+            Some(format!(
+                "it comes from the macro {first}, through {through}"
+            ))
+        }
+    }
 }
 
 /// Writes the line that sums up.

@@ -38,13 +38,19 @@ pub struct Analysis<'a> {
 pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     let is_fragment = unit.stage == Stage::Fragment;
     let Preprocessed {
-        tokens,
+        mut tokens,
         names,
         version,
         mut diagnostics,
+        gave_up,
     } = preprocess(unit.sources, unit.files, is_fragment);
+    if gave_up {
+        tokens.tokens.drain(..tokens.tokens.len().saturating_sub(1));
+    }
     let (tree, problems) = parse(unit.sources, &tokens, &names, version, is_fragment);
-    diagnostics.extend(problems);
+    if !gave_up {
+        diagnostics.extend(problems);
+    }
     let has_errors = !diagnostics.is_empty();
     let parsed = Parsed {
         sources: unit.sources,
@@ -54,12 +60,15 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
         version,
         has_errors,
     };
-    let (program, problems) = if unit.infer_channels {
+    let (program, problems) = if unit.infer_channels && !gave_up {
         check_with_any_channels(parsed, unit)
     } else {
         check(parsed, unit.stage, unit.dialect, [None; 4])
     };
-    diagnostics.extend(problems);
+    // Of half a shader only what the preprocessor says is certain.
+    if !gave_up {
+        diagnostics.extend(problems);
+    }
     if let Some(cut) = program.tokens.cut {
         judge_cut(unit.sources, cut, &mut diagnostics);
     }

@@ -534,6 +534,8 @@ pub struct Tree {
     pub structs: Vec<StructDecl>,
     /// What stands at global scope, in order.
     pub items: Vec<Item>,
+    /// Names whose declarations could not be read and were reported.
+    pub lost: Vec<Name>,
     /// Arguments.
     pub expr_lists: Vec<ExprId>,
     /// Statements of blocks.

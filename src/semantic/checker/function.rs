@@ -431,6 +431,9 @@ impl Checker<'_> {
         let d = self.error(error::FUNCTION_MISMATCH, decl.header, message);
         let d = self.with_declaration(d, token, "the other one");
         self.report(d);
+        if let Some(before) = self.functions.get_mut(known.0 as usize) {
+            before.returns = Type::ERROR;
+        }
     }
 
     fn is_entry(&self, text: &str) -> bool {

@@ -114,6 +114,9 @@ pub fn check<'a>(
         returns_value: false,
         diagnostics: Vec::new(),
     };
+    for &name in &tree.lost {
+        checker.scopes.declare(name, Binding::Error);
+    }
     checker.items();
     checker.finish();
     let mut diagnostics = std::mem::take(&mut checker.diagnostics);

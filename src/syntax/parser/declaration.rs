@@ -542,6 +542,10 @@ impl Parser<'_> {
         let first = self.id();
         let mark = self.tree.exprs.len();
         while !self.is(TokenKind::LeftBrace) && !self.is(TokenKind::End) {
+            let token = self.next();
+            if token.kind == TokenKind::Identifier && self.kind(1) == TokenKind::LeftParen {
+                self.tree.lost.push(Name(token.value));
+            }
             self.advance();
         }
         let span = self.span(self.extent_from(first));

@@ -248,7 +248,15 @@ impl Parser<'_> {
             TokenKind::Float => ExprKind::Float(f32::from_bits(token.value)),
             TokenKind::True => ExprKind::Bool(true),
             TokenKind::False => ExprKind::Bool(false),
-            TokenKind::Bad => ExprKind::Error,
+            TokenKind::Bad => {
+                let first = self.advance();
+                // What was to be called, perhaps.
+                if self.is(TokenKind::LeftParen) {
+                    self.skip_parens();
+                }
+                let extent = self.extent_from(first);
+                return Ok(self.push_expr(ExprKind::Error, extent));
+            }
             _ => return Err(self.no_expression()),
         };
         let id = self.advance();

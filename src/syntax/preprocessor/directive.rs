@@ -672,7 +672,7 @@ impl Preprocessor<'_> {
             _ => {
                 self.set_version(Version::Es300);
                 let message = format!("WebGL2 has no GLSL version {number}");
-                let fix = Fix::suggestion(
+                let fix = Fix::safe(
                     "write `#version 300 es`",
                     vec![Edit::replace(span, "#version 300 es")],
                 );

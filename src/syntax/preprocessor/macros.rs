@@ -4,7 +4,7 @@
 //! stack of replacement lists, a macro disabled while its own list is being read, arguments
 //! expanded alone before they are put in.
 
-use super::{Input, Preprocessor, error_at};
+use super::{Input, Preprocessor, bad, error_at};
 use crate::diagnostic::error;
 use crate::syntax::names::Name;
 use crate::syntax::token::{Token, TokenKind};
@@ -92,6 +92,16 @@ pub struct Expansion {
     pub call: Span,
     /// The expansion whose result holds the call, or [`Token::DIRECT`].
     pub parent: u32,
+}
+
+/// What the parser sees in the place of a macro call that was reported.
+fn reported(name: Piece) -> Piece {
+    let token = Token {
+        kind: TokenKind::Bad,
+        value: bad::REPORTED,
+        ..name.token
+    };
+    Piece { token, ..name }
 }
 
 struct OpenList {
@@ -202,6 +212,7 @@ impl Expander {
             match self.arguments(pp, input, id, name) {
                 Some((found, close)) => (args, end) = (found, close),
                 None => {
+                    self.put_back.get_or_insert(reported(name));
                     self.enable(pp, was_kept);
                     if let Some(definition) = pp.macros.get_mut(id.0 as usize) {
                         definition.open_calls -= 1;

@@ -64,6 +64,8 @@ pub struct Preprocessed {
     pub version: Version,
     /// What is wrong.
     pub diagnostics: Vec<Diagnostic>,
+    /// Whether a budget ended the work, so that the tokens are not the whole shader.
+    pub gave_up: bool,
 }
 
 /// Runs the preprocessor over `files`, taken as one text, in a fragment (or vertex) shader.
@@ -72,6 +74,7 @@ pub fn preprocess(sources: &Sources, files: &[FileId], is_fragment: bool) -> Pre
     pp.define_predefined();
     pp.run();
     Preprocessed {
+        gave_up: pp.gave_up,
         version: pp.version,
         tokens: Tokens {
             macros: pp.macros,
@@ -115,6 +118,8 @@ mod bad {
     pub const CHARACTER: u32 = 1;
     pub const HASH: u32 = 2;
     pub const OVERFLOW: u32 = 3;
+    /// What stands for something that has been reported.
+    pub const REPORTED: u32 = 4;
 }
 
 struct Group {
@@ -148,6 +153,8 @@ struct Preprocessor<'a> {
     seen_code: bool,
     expanded: usize,
     gave_up: bool,
+    /// A `#` was just seen.
+    pasting: bool,
     /// `#line` moved the count of lines by this much.
     line_shift: i64,
     bad_words: Vec<Name>,
@@ -190,6 +197,7 @@ impl<'a> Preprocessor<'a> {
             seen_code: false,
             expanded: 0,
             gave_up: false,
+            pasting: false,
             line_shift: 0,
             bad_words: Vec::new(),
             out: Tokens::default(),
@@ -395,6 +403,9 @@ impl<'a> Preprocessor<'a> {
     /// Hands a fully expanded token to the parser.
     #[inline]
     fn emit(&mut self, mut token: Token) {
+        if self.pasting && !self.goes_on_pasting(&token) {
+            return;
+        }
         match token.kind {
             TokenKind::Identifier => {
                 let name = Name(token.value);
@@ -494,8 +505,9 @@ impl<'a> Preprocessor<'a> {
                         .label(own, "this `#`");
                     self.report_token(d, &token);
                 }
-                None
+                self.start_pasting(token)
             }
+            bad::REPORTED => Some(token),
             _ => {
                 let c = rest.chars().next().unwrap_or('\0');
                 self.report_character(&token, c);
@@ -505,6 +517,31 @@ impl<'a> Preprocessor<'a> {
                 (!is_blank).then_some(token)
             }
         }
+    }
+
+    /// `a ## b` stands for one token that nobody knows; gives what the parser shall see of it.
+    fn start_pasting(&mut self, token: Token) -> Option<Token> {
+        if std::mem::replace(&mut self.pasting, true) {
+            return None;
+        }
+        let is_word = |t: &Token| matches!(t.kind, TokenKind::Identifier | TokenKind::Type);
+        if self.out.tokens.last().is_some_and(is_word) {
+            self.out.tokens.pop();
+        }
+        Some(token)
+    }
+
+    /// Whether a token behind `#` is to be seen: another `#` is looked at, the word that belongs to
+    /// the paste goes away.
+    fn goes_on_pasting(&mut self, token: &Token) -> bool {
+        if token.kind == TokenKind::Bad && token.value == bad::HASH {
+            return true;
+        }
+        self.pasting = false;
+        !matches!(
+            token.kind,
+            TokenKind::Identifier | TokenKind::Int | TokenKind::Uint | TokenKind::Float
+        )
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
