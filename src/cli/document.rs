@@ -3,11 +3,9 @@
 use super::input::{Content, Encoding};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::lint::{Allow, Fixed, Look, Selection, fix, lint};
-use crate::port::{Project, ProjectError};
+use crate::port::{PassUnit, Project, ProjectError, compose};
 use crate::rules::RULES;
-use crate::semantic::{
-    Channels, Dialect, Kind, Pass, Stage, Unit, analyze, guess, shadertoy_header,
-};
+use crate::semantic::{Dialect, Kind, Pass, Stage, Unit, analyze, guess, shadertoy_header};
 use crate::text::{FileId, Role, Sources, Span};
 
 /// What the user says a shader is written for.
@@ -30,6 +28,17 @@ struct Part {
     stage: Stage,
     dialect: Dialect,
     infer_channels: bool,
+}
+
+impl Part {
+    fn of_pass(unit: PassUnit) -> Part {
+        Part {
+            files: unit.files,
+            stage: Stage::Fragment,
+            dialect: Dialect::ShaderToy(unit.kind),
+            infer_channels: false,
+        }
+    }
 }
 
 /// The findings in one input.
@@ -75,11 +84,13 @@ pub fn check(
             ProjectError::NotAnExport => DocumentError::NotAnExport,
             e => DocumentError::Export(e),
         })?;
-        export_parts(&mut sources, name, &project)
+        let composed = compose(&project, name).ok_or(DocumentError::TooLarge)?;
+        sources = composed.sources;
+        composed.units.into_iter().map(Part::of_pass).collect()
     } else {
-        shader_part(&mut sources, name, text, extension, choice).map(|p| vec![p])
+        let part = shader_part(&mut sources, name, text, extension, choice);
+        vec![part.ok_or(DocumentError::TooLarge)?]
     };
-    let parts = parts.ok_or(DocumentError::TooLarge)?;
     let mut diagnostics = Vec::new();
     for part in &parts {
         check_part(&sources, part, selection, &mut diagnostics);
@@ -164,63 +175,6 @@ fn check_part(
         lint(&analysis.program, &RULES, selection, diagnostics);
     }
     diagnostics.extend(analysis.diagnostics);
-}
-
-/// The shaders of an export: each pass with the player's header and every Common before it.
-fn export_parts(sources: &mut Sources, name: &str, project: &Project) -> Option<Vec<Part>> {
-    // Texts lie in the order in which they are compiled, so the headers come first.
-    let mut headers: Vec<(Pass, Channels, FileId)> = Vec::new();
-    for pass in &project.passes {
-        let key = (pass.kind, pass.channels());
-        if !headers
-            .iter()
-            .any(|(kind, channels, _)| (*kind, *channels) == key)
-        {
-            let text = shadertoy_header(key.0, key.1);
-            headers.push((key.0, key.1, sources.add("", None, Role::Prelude, text)?));
-        }
-    }
-    let mut add = |kind: Pass| -> Option<Vec<(usize, FileId)>> {
-        let passes = project.passes.iter().enumerate();
-        let wanted = passes.filter(|(_, p)| (p.kind == Pass::Common) == (kind == Pass::Common));
-        wanted
-            .map(|(i, p)| {
-                let part = if p.name.is_empty() {
-                    format!("pass {i}")
-                } else {
-                    p.name.clone()
-                };
-                Some((
-                    i,
-                    sources.add(name, Some(part), Role::User, p.code.clone())?,
-                ))
-            })
-            .collect()
-    };
-    let commons = add(Pass::Common)?;
-    let passes = add(Pass::Image)?;
-    let alone = if passes.is_empty() { &commons } else { &passes };
-    let mut parts = Vec::new();
-    for (i, file) in alone {
-        let pass = project.passes.get(*i)?;
-        let key = (pass.kind, pass.channels());
-        let header = headers
-            .iter()
-            .find(|(kind, channels, _)| (*kind, *channels) == key)?
-            .2;
-        let before = commons.iter().map(|(_, f)| *f).filter(|f| f != file);
-        let files = std::iter::once(header)
-            .chain(before)
-            .chain([*file])
-            .collect();
-        parts.push(Part {
-            files,
-            stage: Stage::Fragment,
-            dialect: Dialect::ShaderToy(pass.kind),
-            infer_channels: false,
-        });
-    }
-    Some(parts)
 }
 
 fn shader_part(

@@ -101,11 +101,8 @@ pub fn run(args: &Args) -> u8 {
     let (inputs, problems) = collect(&args.paths, args.stdin_filename.as_deref());
     problems.iter().for_each(|p| complain(p));
     let failed = !problems.is_empty();
-    if inputs.is_empty() {
-        if !failed {
-            complain("there is no shader in the folders given");
-        }
-        return FAILED;
+    if inputs.is_empty() && !failed {
+        complain("warning: there is no shader in the folders given");
     }
     match judge(args, &inputs, &selection) {
         Ok((summary, read_all)) => {

@@ -4,6 +4,7 @@
 pub mod document;
 pub mod input;
 mod lint;
+mod output;
 mod port;
 
 use clap::Parser;

@@ -21,6 +21,8 @@ pub struct Project {
     pub info: Info,
     /// Its passes, in the order of the export.
     pub passes: Vec<ProjectPass>,
+    /// Whether it comes from an export, so that ShaderToy's terms hold and passes have names.
+    pub is_export: bool,
 }
 
 /// Who made a project, and what it is called; all of it is text from outside.
@@ -70,6 +72,10 @@ pub struct Input {
     pub src: String,
     /// How it is sampled.
     pub sampler: SamplerSettings,
+    /// Name of the file that the user gave for it.
+    pub name: String,
+    /// That file as `data:` addresses, six for a cube map; none where no file is at hand.
+    pub urls: Vec<String>,
 }
 
 /// The kinds of input.
@@ -224,6 +230,7 @@ impl Project {
         Ok(Project {
             info: read_info(shader.get("info").unwrap_or(&Value::Null)),
             passes,
+            is_export: true,
         })
     }
 
@@ -234,6 +241,18 @@ impl Project {
 }
 
 impl ProjectPass {
+    /// What the user calls it; for a pass without a name, what it draws and its place.
+    pub fn title(&self, index: usize) -> String {
+        if !self.name.is_empty() {
+            return self.name.clone();
+        }
+        match self.kind {
+            Pass::Image => "Image".to_string(),
+            Pass::Common => "Common".to_string(),
+            _ => format!("pass {index}"),
+        }
+    }
+
     /// The type of each channel; a channel without input is a `sampler2D`.
     pub fn channels(&self) -> Channels {
         let mut channels = [Some(Sampler::Sampler2D); 4];
@@ -350,6 +369,8 @@ fn read_input(input: &Value, path: &str) -> Result<Input, ProjectError> {
             vflip: matches!(sampler.get("vflip"), Some(Value::String(s)) if s == "true")
                 || matches!(sampler.get("vflip"), Some(Value::Bool(true))),
         },
+        name: String::new(),
+        urls: Vec::new(),
     })
 }
 

@@ -248,6 +248,14 @@ impl Type {
         matches!(self.base, Base::Sampler(_))
     }
 
+    /// The sampler that it is, if it is one and no array.
+    pub const fn as_sampler(self) -> Option<Sampler> {
+        match self.base {
+            Base::Sampler(sampler) if self.array == 0 => Some(sampler),
+            _ => None,
+        }
+    }
+
     /// Scalar, columns and rows of a number, vector or matrix that is no array.
     pub const fn numeric(self) -> Option<(Scalar, u8, u8)> {
         match self.base {

@@ -1,0 +1,96 @@
+//! Each pass as the player compiles it: its header, every Common in order, its own code.
+
+use super::{Project, ProjectPass};
+use crate::semantic::{Analysis, Channels, Dialect, Pass, Stage, Unit, analyze, shadertoy_header};
+use crate::text::{FileId, Role, Sources};
+
+/// One pass, ready to be compiled.
+#[derive(Clone, Debug)]
+pub struct PassUnit {
+    /// Index of the pass in the project.
+    pub pass: usize,
+    /// What it draws.
+    pub kind: Pass,
+    /// Header, Commons and code, in the order in which they are compiled.
+    pub files: Vec<FileId>,
+}
+
+/// A project whose texts lie in one address space.
+#[derive(Debug)]
+pub struct Composed {
+    /// The texts: headers, then Commons, then passes.
+    pub sources: Sources,
+    /// The passes that run, in the order of the project. A project of Commons alone has those.
+    pub units: Vec<PassUnit>,
+}
+
+impl Composed {
+    /// Checks a pass.
+    pub fn analyze<'a>(&'a self, unit: &'a PassUnit) -> Analysis<'a> {
+        analyze(&Unit {
+            sources: &self.sources,
+            files: &unit.files,
+            stage: Stage::Fragment,
+            dialect: Dialect::ShaderToy(unit.kind),
+            infer_channels: false,
+        })
+    }
+}
+
+/// Puts the passes of a project together. `path` is the file that the user gave. Returns `None` when
+/// the texts are too large to be addressed.
+pub fn compose(project: &Project, path: &str) -> Option<Composed> {
+    let mut sources = Sources::new();
+    let headers = headers(project, &mut sources)?;
+    let commons = add(project, &mut sources, path, |p| p.kind == Pass::Common)?;
+    let passes = add(project, &mut sources, path, |p| p.kind != Pass::Common)?;
+    let alone = if passes.is_empty() { &commons } else { &passes };
+    let mut units = Vec::new();
+    for &(pass, file) in alone {
+        let found = project.passes.get(pass)?;
+        let key = (found.kind, found.channels());
+        let header = headers.iter().find(|h| (h.0, h.1) == key)?.2;
+        let before = commons.iter().map(|(_, f)| *f).filter(|f| *f != file);
+        let files = std::iter::once(header)
+            .chain(before)
+            .chain([file])
+            .collect();
+        units.push(PassUnit {
+            pass,
+            kind: found.kind,
+            files,
+        });
+    }
+    Some(Composed { sources, units })
+}
+
+/// The headers, one for each kind of pass and types of channels.
+fn headers(project: &Project, sources: &mut Sources) -> Option<Vec<(Pass, Channels, FileId)>> {
+    let mut headers: Vec<(Pass, Channels, FileId)> = Vec::new();
+    for pass in &project.passes {
+        let (kind, channels) = (pass.kind, pass.channels());
+        if !headers.iter().any(|h| (h.0, h.1) == (kind, channels)) {
+            let text = shadertoy_header(kind, channels);
+            headers.push((kind, channels, sources.add("", None, Role::Prelude, text)?));
+        }
+    }
+    Some(headers)
+}
+
+/// Adds the texts of some passes; gives their indexes and files.
+fn add(
+    project: &Project,
+    sources: &mut Sources,
+    path: &str,
+    wanted: impl Fn(&ProjectPass) -> bool,
+) -> Option<Vec<(usize, FileId)>> {
+    let passes = project.passes.iter().enumerate();
+    passes
+        .filter(|(_, pass)| wanted(pass))
+        .map(|(i, pass)| {
+            let part = project.is_export.then(|| pass.title(i));
+            let code = pass.code.clone();
+            Some((i, sources.add(path, part, Role::User, code)?))
+        })
+        .collect()
+}

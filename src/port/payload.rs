@@ -1,0 +1,230 @@
+//! What the player is handed: the project as JSON.
+
+use super::{Composed, Info, Input, InputKind, OutputId, Project, VERTEX, license_words};
+use crate::semantic::Pass;
+use crate::semantic::tunable::{Tunable, tunables};
+use crate::text::{Role, SourceFile, Sources};
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct Payload<'a> {
+    title: &'a str,
+    author: &'a str,
+    link: String,
+    license: String,
+    description: &'a str,
+    vertex: &'static str,
+    files: Vec<Text<'a>>,
+    passes: Vec<PassData<'a>>,
+    tunables: Vec<TunableData>,
+}
+
+#[derive(Serialize)]
+struct Text<'a> {
+    name: String,
+    text: &'a str,
+    hidden: bool,
+}
+
+#[derive(Serialize)]
+struct PassData<'a> {
+    kind: &'static str,
+    name: String,
+    files: Vec<u32>,
+    inputs: [Option<InputData<'a>>; 4],
+}
+
+#[derive(Serialize)]
+struct InputData<'a> {
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    buffer: Option<usize>,
+    filter: &'a str,
+    wrap: &'a str,
+    vflip: bool,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    gray: bool,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    name: &'a str,
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    urls: &'a [String],
+}
+
+#[derive(Serialize, PartialEq)]
+struct TunableData {
+    name: String,
+    label: String,
+    value: f64,
+    min: f64,
+    max: f64,
+    integer: bool,
+    file: usize,
+    start: usize,
+    end: usize,
+}
+
+/// The project as the player reads it.
+pub(super) fn payload(project: &Project, composed: &Composed) -> String {
+    let sources = &composed.sources;
+    let payload = Payload {
+        title: &project.info.name,
+        author: &project.info.author,
+        link: link(&project.info),
+        license: license(project),
+        description: &project.info.description,
+        vertex: VERTEX,
+        files: sources.files().iter().map(|f| text(project, f)).collect(),
+        passes: passes(project, composed),
+        tunables: all_tunables(composed),
+    };
+    // Only maps with other keys than strings, and failing writers, make this fail.
+    serde_json::to_string(&payload).unwrap_or_default()
+}
+
+fn text<'a>(project: &Project, file: &'a SourceFile) -> Text<'a> {
+    let only = project.passes.first().map(|p| p.title(0));
+    Text {
+        name: file.part.clone().or(only).unwrap_or_default(),
+        text: &file.text,
+        hidden: file.role == Role::Prelude,
+    }
+}
+
+/// Address of the shader's page, where its id is one.
+fn link(info: &Info) -> String {
+    let is_id =
+        (4..=8).contains(&info.id.len()) && info.id.bytes().all(|b| b.is_ascii_alphanumeric());
+    if is_id {
+        format!("https://www.shadertoy.com/view/{}", info.id)
+    } else {
+        String::new()
+    }
+}
+
+/// What the code says of its licence; for an export that says nothing, what ShaderToy says.
+fn license(project: &Project) -> String {
+    let said = project.passes.iter().find_map(|p| license_words(&p.code));
+    match said {
+        Some(words) => words,
+        None if project.is_export => "No licence is given in the code; on ShaderToy that means \
+             Creative Commons BY-NC-SA 3.0."
+            .to_string(),
+        None => String::new(),
+    }
+}
+
+fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassData<'a>> {
+    let running: Vec<_> = composed
+        .units
+        .iter()
+        .filter(|u| u.kind != Pass::Common)
+        .filter_map(|u| Some((u, project.passes.get(u.pass)?)))
+        .collect();
+    let drawn_by = |id: &str| {
+        let writes = |o: &OutputId| !id.is_empty() && o.0 == id;
+        let mut all = running.iter();
+        all.position(|(_, p)| p.kind == Pass::Buffer && p.output.as_ref().is_some_and(writes))
+    };
+    let draws_cube = running.iter().any(|(_, p)| p.kind == Pass::Cubemap);
+    let data = running.iter().map(|(unit, pass)| {
+        let mut inputs = [None, None, None, None];
+        for input in &pass.inputs {
+            if let Some(slot) = inputs.get_mut(input.channel as usize) {
+                *slot = Some(input_data(input, drawn_by(&input.id), draws_cube));
+            }
+        }
+        PassData {
+            kind: kind_word(pass.kind),
+            name: pass.title(unit.pass),
+            files: unit.files.iter().map(|f| f.0).collect(),
+            inputs,
+        }
+    });
+    data.collect()
+}
+
+fn kind_word(kind: Pass) -> &'static str {
+    match kind {
+        Pass::Image | Pass::Common => "image",
+        Pass::Buffer => "buffer",
+        Pass::Cubemap => "cubemap",
+        Pass::Sound => "sound",
+    }
+}
+
+/// Stock textures that the player keeps as one component.
+const GRAY: [&str; 4] = ["Xdf3zn", "4sf3Rn", "4dXGzn", "4sf3Rr"];
+/// What the Cube A pass writes to.
+const CUBE: &str = "4dX3Rr";
+
+fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> InputData<'a> {
+    let reads_pass = input.kind == InputKind::Cubemap && draws_cube && input.id == CUBE;
+    let is_buffer = input.kind == InputKind::Buffer;
+    let kind = match input.kind {
+        InputKind::Texture => "texture",
+        InputKind::Buffer => "buffer",
+        InputKind::Cubemap if reads_pass => "cubebuffer",
+        InputKind::Cubemap => "cubemap",
+        InputKind::Volume => "volume",
+        InputKind::Keyboard => "keyboard",
+        InputKind::Video => "video",
+        InputKind::Webcam => "webcam",
+        InputKind::Music | InputKind::MusicStream => "music",
+        InputKind::Microphone => "mic",
+    };
+    InputData {
+        kind,
+        buffer: if is_buffer { buffer } else { None },
+        filter: match input.sampler.filter.as_str() {
+            word @ ("linear" | "mipmap") => word,
+            _ => "nearest",
+        },
+        wrap: if input.sampler.wrap == "clamp" {
+            "clamp"
+        } else {
+            "repeat"
+        },
+        vflip: input.sampler.vflip,
+        gray: GRAY.contains(&input.id.as_str()),
+        name: &input.name,
+        urls: &input.urls,
+    }
+}
+
+/// The tunable numbers of all passes, each once, and with offsets as JavaScript counts them.
+fn all_tunables(composed: &Composed) -> Vec<TunableData> {
+    let mut found: Vec<TunableData> = Vec::new();
+    for unit in &composed.units {
+        let analysis = composed.analyze(unit);
+        for tunable in tunables(&analysis.program) {
+            if let Some(data) = tunable_data(&composed.sources, &tunable)
+                && !found.contains(&data)
+            {
+                found.push(data);
+            }
+        }
+    }
+    found
+}
+
+fn tunable_data(sources: &Sources, tunable: &Tunable) -> Option<TunableData> {
+    let span = tunable.value_span;
+    let file = sources.file_id_at(span.start)?;
+    let text = sources.file(file)?;
+    let units = |address: u32| {
+        let before = text.text.get(..(address - text.base) as usize)?;
+        Some(before.chars().map(char::len_utf16).sum())
+    };
+    let written = sources.text(span);
+    Some(TunableData {
+        name: sources.text(tunable.name).to_string(),
+        label: tunable.label.clone(),
+        value: tunable.value,
+        min: tunable.min,
+        max: tunable.max,
+        integer: !written.contains(['.', 'e', 'E']),
+        file: file.0 as usize,
+        start: units(span.start)?,
+        end: units(span.end)?,
+    })
+}

@@ -1,0 +1,191 @@
+// Small helpers over WebGL2: programs, textures, samplers.
+
+/** @typedef {{pass: string, line: number, text: string}} ShaderError */
+
+/** A shader that does not compile or link; `log` is what the compiler says. */
+class CompileError extends Error {
+  /** @param {string} log */
+  constructor(log) {
+    super(log);
+    this.log = log;
+  }
+}
+
+/** @typedef {{program: WebGLProgram, shaders: WebGLShader[]}} StartedProgram */
+
+/**
+ * Starts to compile and link a pass, without waiting for it.
+ * @param {WebGL2RenderingContext} gl
+ * @param {ProjectData} project
+ * @param {PassData} pass
+ * @returns {StartedProgram}
+ */
+function startProgram(gl, project, pass) {
+  const files = pass.files.map((f) => project.files[f]);
+  const source = files.map((file, i) => joined(file, i === files.length - 1)).join('');
+  const program = gl.createProgram();
+  const shaders = [
+    addShader(gl, program, gl.VERTEX_SHADER, project.vertex),
+    addShader(gl, program, gl.FRAGMENT_SHADER, source),
+  ];
+  gl.linkProgram(program);
+  return { program, shaders };
+}
+
+/**
+ * @param {WebGL2RenderingContext} gl
+ * @param {KHR_parallel_shader_compile} parallel
+ * @param {WebGLProgram} program
+ */
+function isCompiled(gl, parallel, program) {
+  return gl.isContextLost() || gl.getProgramParameter(program, parallel.COMPLETION_STATUS_KHR);
+}
+
+/**
+ * Waits for a program. Throws {@link CompileError} with the compiler's log.
+ * @param {WebGL2RenderingContext} gl
+ * @param {StartedProgram} started
+ */
+function finishProgram(gl, { program, shaders }) {
+  const isLinked = gl.getProgramParameter(program, gl.LINK_STATUS);
+  const logs = shaders.map((s) => gl.getShaderInfoLog(s) || '');
+  const linkLog = gl.getProgramInfoLog(program) || '';
+  shaders.forEach((s) => gl.deleteShader(s));
+  if (isLinked || gl.isContextLost()) return program;
+  gl.deleteProgram(program);
+  throw new CompileError(logs.find((log) => log.trim()) || linkLog || 'the shader does not link');
+}
+
+/**
+ * @param {WebGL2RenderingContext} gl
+ * @param {WebGLProgram} program
+ * @param {number} type
+ * @param {string} source
+ */
+function addShader(gl, program, type, source) {
+  const shader = /** @type {WebGLShader} */ (gl.createShader(type));
+  gl.shaderSource(shader, source);
+  gl.compileShader(shader);
+  gl.attachShader(program, shader);
+  return shader;
+}
+
+/**
+ * Looks uniforms up once each.
+ * @param {WebGL2RenderingContext} gl
+ * @param {WebGLProgram} program
+ * @returns {(name: string) => WebGLUniformLocation | null}
+ */
+function uniformLookup(gl, program) {
+  /** @type {Map<string, WebGLUniformLocation | null>} */
+  const known = new Map();
+  return (name) => {
+    let location = known.get(name);
+    if (location === undefined) {
+      location = gl.getUniformLocation(program, name);
+      known.set(name, location);
+    }
+    return location;
+  };
+}
+
+/**
+ * Sampler objects, one for each filter and wrap: two channels may read one texture differently.
+ * @param {WebGL2RenderingContext} gl
+ */
+function samplerCache(gl) {
+  /** @type {Map<string, WebGLSampler>} */
+  const made = new Map();
+  /** @param {string} filter @param {string} wrap */
+  const get = (filter, wrap) => {
+    const key = `${filter} ${wrap}`;
+    const known = made.get(key);
+    if (known) return known;
+    const sampler = /** @type {WebGLSampler} */ (gl.createSampler());
+    const mag = filter === 'linear' || filter === 'mipmap' ? gl.LINEAR : gl.NEAREST;
+    const min = filter === 'mipmap' ? gl.LINEAR_MIPMAP_LINEAR : mag;
+    const mode = wrap === 'clamp' ? gl.CLAMP_TO_EDGE : gl.REPEAT;
+    gl.samplerParameteri(sampler, gl.TEXTURE_MAG_FILTER, mag);
+    gl.samplerParameteri(sampler, gl.TEXTURE_MIN_FILTER, min);
+    gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_S, mode);
+    gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_T, mode);
+    gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_R, mode);
+    made.set(key, sampler);
+    return sampler;
+  };
+  const dispose = () => made.forEach((s) => gl.deleteSampler(s));
+  return { get, dispose };
+}
+
+/**
+ * A texture of one opaque black texel, which is what an input that is not loaded gives.
+ * @param {WebGL2RenderingContext} gl
+ * @param {number} target
+ */
+function blackTexture(gl, target) {
+  const texture = /** @type {WebGLTexture} */ (gl.createTexture());
+  const black = new Uint8Array([0, 0, 0, 255]);
+  gl.bindTexture(target, texture);
+  if (target === gl.TEXTURE_3D) {
+    gl.texImage3D(target, 0, gl.RGBA8, 1, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, black);
+  } else if (target === gl.TEXTURE_CUBE_MAP) {
+    for (let face = 0; face < 6; face++) {
+      const side = gl.TEXTURE_CUBE_MAP_POSITIVE_X + face;
+      gl.texImage2D(side, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, black);
+    }
+  } else {
+    gl.texImage2D(target, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, black);
+  }
+  gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  return texture;
+}
+
+/**
+ * A text as it is compiled: behind every text of the user but the last comes a line break.
+ * @param {{text: string, hidden: boolean}} file
+ * @param {boolean} isLast
+ */
+function joined(file, isLast) {
+  return file.hidden || isLast ? file.text : `${file.text}\n`;
+}
+
+/**
+ * Puts the lines of a compiler's log where they belong: into the user's own text.
+ * @param {string} log
+ * @param {{name: string, text: string, hidden: boolean}[]} files what was compiled, in order
+ * @param {string} passName
+ * @returns {ShaderError[]}
+ */
+function mapErrors(log, files, passName) {
+  const errors = [];
+  for (const line of log.split('\n')) {
+    const match = /^(?:ERROR|WARNING):\s*-?\d+:(-?\d+):\s*(.*)$/.exec(line.replace(/\0/g, ''));
+    if (match && line.startsWith('ERROR')) {
+      errors.push({ ...placeOf(Number(match[1]), files, passName), text: match[2] });
+    }
+  }
+  if (errors.length === 0 && log.trim()) {
+    errors.push({ pass: passName, line: 0, text: log.replace(/\0/g, '').trim() });
+  }
+  return errors;
+}
+
+/**
+ * @param {number} line in the compiled text, from 1
+ * @param {{name: string, text: string, hidden: boolean}[]} files
+ * @param {string} passName
+ */
+function placeOf(line, files, passName) {
+  let first = 1;
+  for (const [i, file] of files.entries()) {
+    const isLast = i === files.length - 1;
+    const count = joined(file, isLast).split(/\r\n|\r|\n/).length - 1;
+    if (line < first + count || isLast) {
+      const own = line - first + 1;
+      return file.hidden ? { pass: passName, line: 0 } : { pass: file.name, line: own };
+    }
+    first += count;
+  }
+  return { pass: passName, line: 0 };
+}

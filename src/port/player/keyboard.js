@@ -1,0 +1,50 @@
+// The keyboard as a texture of 256 x 3: row 0 holds keys that are down, row 1 those that went down
+// since the last frame, row 2 those that are toggled.
+
+class Keyboard {
+  /** @param {WebGL2RenderingContext} gl */
+  constructor(gl) {
+    this.gl = gl;
+    this.data = new Uint8Array(256 * 3);
+    this.texture = /** @type {WebGLTexture} */ (gl.createTexture());
+    this.isStale = false;
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, 256, 3, 0, gl.RED, gl.UNSIGNED_BYTE, this.data);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  }
+
+  /** @param {number} code JavaScript's keyCode @param {boolean} isDown */
+  set(code, isDown) {
+    if (!(code >= 0 && code < 256)) return;
+    if (!isDown) {
+      this.data[code] = 0;
+      this.data[code + 256] = 0;
+    } else if (this.data[code] === 0) {
+      this.data[code] = 255;
+      this.data[code + 256] = 255;
+      this.data[code + 512] = 255 - this.data[code + 512];
+    }
+    this.isStale = true;
+  }
+
+  releaseAll() {
+    this.data.fill(0, 0, 512);
+    this.isStale = true;
+  }
+
+  upload() {
+    if (!this.isStale) return;
+    const gl = this.gl;
+    this.isStale = false;
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 256, 3, gl.RED, gl.UNSIGNED_BYTE, this.data);
+  }
+
+  endFrame() {
+    if (!this.data.subarray(256, 512).some((v) => v !== 0)) return;
+    this.data.fill(0, 256, 512);
+    this.isStale = true;
+  }
+}

@@ -1,0 +1,447 @@
+// The player: draws every pass of a project in ShaderToy's order, with ShaderToy's uniforms.
+
+const FIRST_DELTA = 1 / 60;
+
+class Player {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {ProjectData} project
+   */
+  constructor(canvas, project) {
+    const gl = canvas.getContext('webgl2', {
+      alpha: false,
+      antialias: false,
+      depth: false,
+      stencil: false,
+      preserveDrawingBuffer: true,
+      powerPreference: 'high-performance',
+    });
+    if (!gl) throw new Error('this browser has no WebGL2');
+    this.canvas = canvas;
+    this.gl = gl;
+    this.project = project;
+    this.devices = new Devices();
+    this.mouse = new Mouse();
+    /** @type {ShaderError[]} */
+    this.errors = [];
+    this.clock = new Clock();
+    this.isPlaying = false;
+    this.isSoundOn = false;
+    /** @type {(() => void)[]} called when something changes that a page may show */
+    this.listeners = [];
+    /** @type {(PassProgram | null)[]} */
+    this.programs = [];
+    /** @type {Input[][]} by pass and channel; empty ones where another pass or the keyboard is read */
+    this.inputs = [];
+    /** @type {Map<number, Buffer>} by pass */
+    this.buffers = new Map();
+    /** @type {CubeBuffer | null} */
+    this.cube = null;
+    /** @type {Sound | null} */
+    this.sound = null;
+    this.#openContext();
+    this.ready = this.#load();
+    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    canvas.addEventListener('webglcontextrestored', () => void this.#reopen());
+  }
+
+  /** What belongs to the graphics context. */
+  #openContext() {
+    const gl = this.gl;
+    // The four channels have units of their own; whatever else binds a texture uses the fifth.
+    gl.activeTexture(gl.TEXTURE4);
+    this.canDrawFloats = gl.getExtension('EXT_color_buffer_float') !== null;
+    gl.getExtension('OES_texture_float_linear');
+    this.parallel = gl.getExtension('KHR_parallel_shader_compile');
+    this.keyboard = new Keyboard(gl);
+    this.samplers = samplerCache(gl);
+    this.black = {
+      flat: blackTexture(gl, gl.TEXTURE_2D),
+      cube: blackTexture(gl, gl.TEXTURE_CUBE_MAP),
+      volume: blackTexture(gl, gl.TEXTURE_3D),
+    };
+    const triangle = new Float32Array([-1, -1, 3, -1, -1, 3]);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, triangle, gl.STATIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
+    gl.disable(gl.DITHER);
+  }
+
+  async #reopen() {
+    this.buffers.clear();
+    this.cube = null;
+    this.sound = null;
+    this.#openContext();
+    this.ready = this.#load();
+    await this.ready;
+    this.restart();
+  }
+
+  async #load() {
+    this.inputs = this.project.passes.map((pass) =>
+      Array.from({ length: 4 }, (_, i) => {
+        const data = pass.inputs[i];
+        return data ? openInput(this.gl, data, this.devices) : emptyInput();
+      }),
+    );
+    this.#makeTargets();
+    await this.compile();
+    const loads = this.inputs.flat().map((input) => input.ready);
+    const results = await Promise.allSettled(loads);
+    for (const result of results) {
+      if (result.status === 'rejected') this.#complain(`an input cannot be read: ${result.reason}`);
+    }
+    if (this.isPlaying) this.inputs.flat().forEach((input) => input.play(true));
+    this.#changed();
+  }
+
+  #makeTargets() {
+    const { gl, project } = this;
+    project.passes.forEach((pass, i) => {
+      if (pass.kind === 'buffer') {
+        this.buffers.set(i, new Buffer(gl, gl.drawingBufferWidth, gl.drawingBufferHeight));
+      } else if (pass.kind === 'cubemap') {
+        this.cube = new CubeBuffer(gl);
+      }
+    });
+    const needsFloats = this.buffers.size > 0 || this.cube !== null;
+    if (needsFloats && !this.canDrawFloats) {
+      this.#complain('this device cannot draw into textures of floats, which buffers need');
+    }
+  }
+
+  /** Compiles all passes, all at once where the browser can. What fails is told in `errors`. */
+  async compile() {
+    const { gl, project } = this;
+    this.errors = this.errors.filter((e) => e.line < 0);
+    const started = project.passes.map((pass) => startProgram(gl, project, pass));
+    const programs = [];
+    for (const [i, pass] of project.passes.entries()) {
+      while (this.parallel && !isCompiled(gl, this.parallel, started[i].program)) {
+        await new Promise((resolve) => setTimeout(resolve, 4));
+      }
+      programs.push(this.#finishProgram(pass, started[i]));
+    }
+    this.programs.forEach((p) => p?.dispose());
+    this.programs = programs;
+    this.#changed();
+  }
+
+  /** @param {PassData} pass @param {StartedProgram} started */
+  #finishProgram(pass, started) {
+    try {
+      return new PassProgram(this.gl, finishProgram(this.gl, started), pass);
+    } catch (error) {
+      if (!(error instanceof CompileError)) throw error;
+      const files = pass.files.map((f) => this.project.files[f]);
+      this.errors.push(...mapErrors(error.log, files, pass.name));
+      return null;
+    }
+  }
+
+  /** An error that is no shader's; its line is -1. @param {string} text */
+  #complain(text) {
+    this.errors.push({ pass: '', line: -1, text });
+    this.#changed();
+  }
+
+  #changed() {
+    this.listeners.forEach((listener) => listener());
+  }
+
+  /** @param {number} width @param {number} height pixels */
+  resize(width, height) {
+    const [w, h] = [Math.max(1, Math.round(width)), Math.max(1, Math.round(height))];
+    if (this.canvas.width === w && this.canvas.height === h) return;
+    this.canvas.width = w;
+    this.canvas.height = h;
+    this.buffers.forEach((buffer, i) => buffer.resize(w, h, this.#hasMipmaps(i)));
+    if (!this.isPlaying && this.programs.length > 0) this.paint(this.clock.frozen());
+  }
+
+  /** Whether some channel reads a pass with mipmaps. @param {number} pass index */
+  #hasMipmaps(pass) {
+    const isCube = this.project.passes[pass].kind === 'cubemap';
+    return this.project.passes.some((p) =>
+      p.inputs.some(
+        (i) =>
+          i?.filter === 'mipmap' && (isCube ? i.kind === 'cubebuffer' : i.kind === 'buffer' && i.buffer === pass),
+      ),
+    );
+  }
+
+  /** Draws one frame. @param {{number: number, time: number, delta: number, rate: number}} tick */
+  paint(tick) {
+    if (this.gl.isContextLost()) return;
+    const frame = { ...tick, mouse: this.mouse.value(), date: dateUniform() };
+    if (frame.number === 0) this.#clear();
+    this.keyboard.upload();
+    this.inputs.flat().forEach((input) => input.update(frame.time));
+    for (const kind of ['buffer', 'cubemap', 'image']) {
+      this.project.passes.forEach((pass, i) => {
+        if (pass.kind === kind) this.#drawPass(i, frame);
+      });
+    }
+    this.keyboard.endFrame();
+    this.mouse.endFrame();
+  }
+
+  #clear() {
+    this.buffers.forEach((buffer, i) => buffer.clear(this.#hasMipmaps(i)));
+    const cubePass = this.project.passes.findIndex((p) => p.kind === 'cubemap');
+    this.cube?.clear(this.#hasMipmaps(cubePass));
+  }
+
+  /** @param {number} index @param {Frame} frame */
+  #drawPass(index, frame) {
+    const { gl } = this;
+    const program = this.programs[index];
+    if (!program) return;
+    const hasMipmaps = this.#hasMipmaps(index);
+    if (program.data.kind === 'cubemap') {
+      this.#bindPass(index, program, frame, CUBE_SIZE, CUBE_SIZE);
+      CUBE_CORNERS.forEach((corners, face) => {
+        this.cube?.bind(face);
+        program.setFace(corners);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+      });
+      this.cube?.flip(hasMipmaps);
+      return;
+    }
+    const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+    this.#bindPass(index, program, frame, width, height);
+    const buffer = this.buffers.get(index);
+    if (buffer) {
+      buffer.bind();
+    } else {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      gl.viewport(0, 0, width, height);
+    }
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    buffer?.flip(hasMipmaps);
+  }
+
+  /**
+   * @param {number} index
+   * @param {PassProgram} program
+   * @param {Frame} frame
+   * @param {number} width @param {number} height
+   */
+  #bindPass(index, program, frame, width, height) {
+    program.setFrame(frame, width, height);
+    const channels = [0, 1, 2, 3].map((channel) => this.#bindChannel(index, channel));
+    program.setChannels(channels);
+  }
+
+  /** Binds what a channel reads, and gives what the uniforms say of it. @param {number} pass @param {number} channel */
+  #bindChannel(pass, channel) {
+    const { gl } = this;
+    const data = this.project.passes[pass].inputs[channel];
+    const read = this.#read(pass, channel);
+    const isCube = data?.kind === 'cubemap' || data?.kind === 'cubebuffer';
+    const target = isCube ? gl.TEXTURE_CUBE_MAP : data?.kind === 'volume' ? gl.TEXTURE_3D : gl.TEXTURE_2D;
+    const black = isCube ? this.black.cube : data?.kind === 'volume' ? this.black.volume : this.black.flat;
+    gl.activeTexture(gl.TEXTURE0 + channel);
+    gl.bindTexture(target, read.texture ?? black);
+    const own = read.texture && data && data.kind !== 'keyboard';
+    const sampler = own ? this.samplers.get(data.filter, data.wrap) : this.samplers.get('nearest', 'clamp');
+    gl.bindSampler(channel, sampler);
+    gl.activeTexture(gl.TEXTURE4);
+    return read;
+  }
+
+  /** What a channel reads now. @param {number} pass @param {number} channel */
+  #read(pass, channel) {
+    const data = this.project.passes[pass].inputs[channel];
+    const none = { texture: null, size: [0, 0, 0], time: 0, isLoaded: false };
+    if (data?.kind === 'keyboard') {
+      const size = this.project.passes[pass].kind === 'cubemap' ? [0, 0, 0] : [256, 3, 1];
+      return { texture: this.keyboard.texture, size, time: 0, isLoaded: true };
+    }
+    if (data?.kind === 'buffer') {
+      const buffer = this.buffers.get(data.buffer ?? -1);
+      if (!buffer) return none;
+      const size = [buffer.width, buffer.height, 1];
+      return { texture: buffer.texture, size, time: 0, isLoaded: true };
+    }
+    if (data?.kind === 'cubebuffer') {
+      if (!this.cube) return none;
+      return { texture: this.cube.texture, size: [CUBE_SIZE, CUBE_SIZE, 1], time: 0, isLoaded: true };
+    }
+    return this.inputs[pass]?.[channel] ?? none;
+  }
+
+  play() {
+    if (this.isPlaying) return;
+    this.isPlaying = true;
+    this.clock.resume();
+    this.inputs.flat().forEach((input) => input.play(true));
+    this.#playSound();
+    const loop = () => {
+      if (!this.isPlaying) return;
+      this.paint(this.clock.tick());
+      requestAnimationFrame(loop);
+    };
+    requestAnimationFrame(loop);
+    this.#changed();
+  }
+
+  pause() {
+    if (!this.isPlaying) return;
+    this.isPlaying = false;
+    this.clock.pause();
+    this.inputs.flat().forEach((input) => input.play(false));
+    this.sound?.stop();
+    this.#changed();
+  }
+
+  /** Starts again at time 0. Keys and the mouse stay as they are. */
+  restart() {
+    this.clock.reset();
+    this.inputs.flat().forEach((input) => input.rewind());
+    this.#playSound();
+    if (!this.isPlaying) this.paint(this.clock.frozen());
+    this.#changed();
+  }
+
+  /** Goes to a time, in seconds, and draws what is seen then. @param {number} time */
+  seek(time) {
+    this.clock.seek(time);
+    this.#playSound();
+    if (!this.isPlaying) this.paint(this.clock.frozen());
+    this.#changed();
+  }
+
+  /**
+   * Restarts, and draws the frames from 0 to `last`, sixty a second. Resolves when the last stands on
+   * the canvas.
+   * @param {number} last
+   */
+  async renderFrame(last) {
+    await this.ready;
+    this.pause();
+    this.clock.reset();
+    this.inputs.flat().forEach((input) => input.rewind());
+    for (let number = 0; number <= last; number++) this.paint(this.clock.step());
+    this.gl.finish();
+    this.#changed();
+  }
+
+  /** Something happened while the clock stands: one frame is drawn. */
+  poke() {
+    if (!this.isPlaying) this.paint(this.clock.frozen());
+  }
+
+  /** @param {number} x @param {number} y pixels from the lower left corner @param {boolean} isDown */
+  setMouse(x, y, isDown) {
+    if (isDown && !this.mouse.isDown) this.mouse.press(x, y);
+    else if (isDown) this.mouse.move(x, y);
+    else this.mouse.release();
+  }
+
+  /** @param {number} code JavaScript's keyCode @param {boolean} isDown */
+  setKey(code, isDown) {
+    this.keyboard.set(code, isDown);
+  }
+
+  get hasSound() {
+    return this.project.passes.some((p) => p.kind === 'sound' || p.inputs.some((i) => i?.kind === 'music'));
+  }
+
+  /** @param {boolean} isOn */
+  setSound(isOn) {
+    this.isSoundOn = isOn;
+    this.devices.setAudible(isOn);
+    this.#playSound();
+    this.#changed();
+  }
+
+  #playSound() {
+    const index = this.project.passes.findIndex((p) => p.kind === 'sound');
+    const program = this.programs[index];
+    if (!program) return;
+    if (!this.isSoundOn || !this.isPlaying) return this.sound?.stop();
+    this.sound ??= new Sound(this.gl, (offset) => this.drawSound(index, program, offset));
+    void this.sound.play(this.devices, this.clock.time);
+  }
+
+  /**
+   * Draws a block of the sound pass into the framebuffer at hand.
+   * @param {number} index
+   * @param {PassProgram} program
+   * @param {number} offset
+   */
+  drawSound(index, program, offset) {
+    program.setBlock(offset);
+    const channels = [0, 1, 2, 3].map((channel) => this.#bindChannel(index, channel));
+    program.setChannels(channels);
+    const date = dateUniform();
+    this.gl.uniform4f(program.at('iDate'), date[0], date[1], date[2], Math.floor(date[3]));
+    this.gl.drawArrays(this.gl.TRIANGLES, 0, 3);
+  }
+
+  /**
+   * Puts a file onto a channel.
+   * @param {number} pass @param {number} channel @param {string} name @param {string} url
+   */
+  async setInput(pass, channel, name, url) {
+    const inputs = this.project.passes[pass].inputs;
+    const old = inputs[channel] ?? { kind: 'texture', filter: 'mipmap', wrap: 'repeat', vflip: true };
+    const data = { ...old, name, urls: old.kind === 'cubemap' ? Array(6).fill(url) : [url] };
+    const input = openInput(this.gl, data, this.devices);
+    await input.ready;
+    this.inputs[pass][channel].dispose();
+    this.inputs[pass][channel] = input;
+    inputs[channel] = data;
+    if (this.isPlaying) input.play(true);
+    this.poke();
+    this.#changed();
+  }
+
+  /** Gives a tunable number another value and compiles again. @param {string} name @param {number} value */
+  async setTunable(name, value) {
+    for (const tunable of this.project.tunables.filter((t) => t.name === name)) {
+      const text = tunable.integer ? String(Math.round(value)) : floatText(value);
+      tunable.value = value;
+      replaceNumber(this.project, tunable, text);
+    }
+    await this.compile();
+    this.poke();
+  }
+
+  dispose() {
+    this.pause();
+    this.inputs.flat().forEach((input) => input.dispose());
+    this.programs.forEach((p) => p?.dispose());
+    this.buffers.forEach((b) => b.dispose());
+    this.cube?.dispose();
+    this.sound?.dispose();
+    this.samplers.dispose();
+    this.devices.dispose();
+  }
+}
+
+/** A number as GLSL takes it for a float. @param {number} value */
+function floatText(value) {
+  const text = String(Number(value.toPrecision(6)));
+  return /[.e]/.test(text) ? text : `${text}.0`;
+}
+
+/**
+ * Writes a number into a text, and moves the tunables behind it.
+ * @param {ProjectData} project
+ * @param {TunableData} tunable
+ * @param {string} text
+ */
+function replaceNumber(project, tunable, text) {
+  const file = project.files[tunable.file];
+  const end = tunable.end;
+  const shift = text.length - (end - tunable.start);
+  file.text = file.text.slice(0, tunable.start) + text + file.text.slice(end);
+  for (const other of project.tunables) {
+    if (other.file !== tunable.file || other.start < tunable.start) continue;
+    if (other !== tunable) other.start += shift;
+    other.end += shift;
+  }
+}

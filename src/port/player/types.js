@@ -1,0 +1,60 @@
+// The shapes of what the converter hands to the player.
+
+/**
+ * A text that is compiled.
+ * @typedef {object} SourceText
+ * @property {string} name what the user calls it: "Common", "Image"
+ * @property {string} text
+ * @property {boolean} hidden whether the player brought it
+ */
+
+/**
+ * What a channel reads.
+ * @typedef {object} InputData
+ * @property {string} kind texture, buffer, cubebuffer, cubemap, volume, keyboard, video, webcam,
+ *   music or mic
+ * @property {number} [buffer] index of the pass that a buffer is drawn by
+ * @property {string} filter nearest, linear or mipmap
+ * @property {string} wrap clamp or repeat
+ * @property {boolean} vflip
+ * @property {string[]} [urls] data: or blob: addresses of the file, six for a cube map
+ * @property {string} [name] name of the file
+ * @property {boolean} [gray] whether only the red component is kept
+ */
+
+/**
+ * A pass.
+ * @typedef {object} PassData
+ * @property {string} kind image, buffer, cubemap or sound
+ * @property {string} name
+ * @property {number[]} files indexes of the texts that are compiled, in order
+ * @property {(InputData | null)[]} inputs one for each channel
+ */
+
+/**
+ * A number in the code that its author left to be tuned.
+ * @typedef {object} TunableData
+ * @property {string} name
+ * @property {string} label
+ * @property {number} value
+ * @property {number} min
+ * @property {number} max
+ * @property {boolean} integer
+ * @property {number} file index of the text
+ * @property {number} start offset of the number in it
+ * @property {number} end
+ */
+
+/**
+ * A shader with all its passes.
+ * @typedef {object} ProjectData
+ * @property {string} title
+ * @property {string} author
+ * @property {string} link
+ * @property {string} license
+ * @property {string} description
+ * @property {string} vertex
+ * @property {SourceText[]} files
+ * @property {PassData[]} passes in the order of the export
+ * @property {TunableData[]} tunables
+ */
