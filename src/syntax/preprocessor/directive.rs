@@ -1,21 +1,18 @@
 //! Directives: the lines that start with `#` (GLSL ES 3.00 section 3.4).
 
 use super::condition::{Problem, evaluate, evaluate_prefix};
-use super::macros::{Expander, Macro, MacroId, Piece};
-use super::{ExtensionUse, Group, Input, Preprocessor, bad, error_at};
+use super::macros::{Macro, MacroId, Piece};
+use super::{ExtensionUse, Preprocessor, bad, error_at};
 use crate::diagnostic::{Fix, error};
 use crate::syntax::names::{Name, Version};
 use crate::syntax::token::{RawKind, Token, TokenKind};
 use crate::text::{Edit, Role, Span};
 
 /// Extensions that a WebGL2 context knows without being asked, measured in Chromium.
-const KNOWN_EXTENSIONS: [&str; 2] = [
+pub(super) const KNOWN_EXTENSIONS: [&str; 2] = [
     "GL_OES_EGL_image_external",
     "GL_OES_EGL_image_external_essl3",
 ];
-
-/// Deepest nesting of `#if`.
-const MAX_GROUPS: usize = 100_000;
 
 impl Preprocessor<'_> {
     /// Defines the macros that the language has from the start.
@@ -32,7 +29,7 @@ impl Preprocessor<'_> {
         self.predefine(KNOWN_EXTENSIONS[0], 1);
     }
 
-    fn predefine(&mut self, name: &str, value: u32) {
+    pub(super) fn predefine(&mut self, name: &str, value: u32) {
         let name = self.names.intern(name);
         let mut definition = Macro::new(name, Span::default());
         definition.predefined = true;
@@ -156,7 +153,7 @@ impl Preprocessor<'_> {
         self.report(d);
     }
 
-    fn expected(&mut self, span: Span, rest: &[Piece], what: &str) {
+    pub(super) fn expected(&mut self, span: Span, rest: &[Piece], what: &str) {
         let at = rest.first().map_or(span.after(), |p| p.token.span);
         self.report(error_at(
             error::BAD_DIRECTIVE,
@@ -166,7 +163,7 @@ impl Preprocessor<'_> {
     }
 
     /// Reports what stands behind the end of a directive.
-    fn expect_end(&mut self, rest: &[Piece], directive: &str) {
+    pub(super) fn expect_end(&mut self, rest: &[Piece], directive: &str) {
         if let Some(first) = rest.first() {
             let last = rest.last().unwrap_or(first);
             let span = first.token.span.to(last.token.span);
@@ -217,7 +214,7 @@ impl Preprocessor<'_> {
         self.define_checked(definition);
     }
 
-    fn define_checked(&mut self, definition: Macro) {
+    pub(super) fn define_checked(&mut self, definition: Macro) {
         let Some(old) = self.macro_named(definition.name) else {
             return self.add_macro(definition);
         };
@@ -328,221 +325,6 @@ impl Preprocessor<'_> {
         self.expect_end(rest, "undef");
     }
 
-    fn open_group(&mut self, word: &str, span: Span, rest: &[Piece]) {
-        let skip_all = self.is_skipping();
-        let mut group = Group {
-            start: span,
-            skip_all,
-            skip: false,
-            taken: false,
-            else_at: None,
-        };
-        if !skip_all {
-            let holds = match word {
-                "if" => self.condition(span, rest),
-                _ => self.is_defined(span, rest, word) == (word == "ifdef"),
-            };
-            group.skip = !holds;
-            group.taken = holds;
-        }
-        if self.groups.len() < MAX_GROUPS {
-            self.groups.push(group);
-        } else if !self.gave_up {
-            self.gave_up = true;
-            let d = error_at(error::BROWSER_LIMIT, span, "too many `#if` are open");
-            self.report(d);
-        }
-    }
-
-    fn is_defined(&mut self, span: Span, rest: &[Piece], directive: &str) -> bool {
-        let Some((first, rest)) = rest
-            .split_first()
-            .filter(|(p, _)| p.token.kind == TokenKind::Identifier)
-        else {
-            self.expected(span, rest, &format!("a name behind `#{directive}`"));
-            return false;
-        };
-        let defined = self.ask_defined(Name(first.token.value));
-        self.expect_end(rest, directive);
-        defined
-    }
-
-    fn ask_defined(&mut self, name: Name) -> bool {
-        let Some(id) = self.macro_named(name) else {
-            return false;
-        };
-        if let Some(definition) = self.macros.get_mut(id.0 as usize) {
-            definition.uses += 1;
-        }
-        true
-    }
-
-    fn elif(&mut self, span: Span, rest: &[Piece]) {
-        let Some(group) = self.groups.last_mut() else {
-            return self.without_if("elif", span);
-        };
-        if group.skip_all {
-            return;
-        }
-        if let Some(at) = group.else_at {
-            return self.behind_else("elif", span, at);
-        }
-        group.skip = true;
-        if group.taken {
-            return;
-        }
-        let holds = self.condition(span, rest);
-        if let Some(group) = self.groups.last_mut() {
-            group.skip = !holds;
-            group.taken = holds;
-        }
-    }
-
-    fn else_group(&mut self, span: Span, rest: &[Piece]) {
-        let Some(group) = self.groups.last_mut() else {
-            return self.without_if("else", span);
-        };
-        if group.skip_all {
-            return;
-        }
-        if let Some(at) = group.else_at {
-            return self.behind_else("else", span, at);
-        }
-        group.else_at = Some(span);
-        group.skip = group.taken;
-        group.taken = true;
-        self.expect_end(rest, "else");
-    }
-
-    fn endif(&mut self, span: Span, rest: &[Piece]) {
-        match self.groups.pop() {
-            None => self.without_if("endif", span),
-            Some(group) if group.skip_all => {}
-            Some(_) => self.expect_end(rest, "endif"),
-        }
-    }
-
-    fn without_if(&mut self, word: &str, span: Span) {
-        let message = format!("`#{word}` has no `#if`");
-        self.report(error_at(error::UNBALANCED_CONDITIONAL, span, message));
-    }
-
-    fn behind_else(&mut self, word: &str, span: Span, at: Span) {
-        let message = format!("`#{word}` stands behind `#else`");
-        let d = error_at(error::UNBALANCED_CONDITIONAL, span, message);
-        self.report(d.label(at, "the `#else` is here"));
-    }
-
-    /// Value of the condition of `#if` or `#elif`; false where it has none, which is reported.
-    fn condition(&mut self, span: Span, rest: &[Piece]) -> bool {
-        let Some(pieces) = self.resolve_defined(span, rest) else {
-            return false;
-        };
-        let pieces = self.expand_all(pieces);
-        match evaluate(&pieces) {
-            Ok(value) => value != 0,
-            Err(problem) => {
-                self.report_condition(span, problem);
-                false
-            }
-        }
-    }
-
-    fn expand_all(&mut self, pieces: Vec<Piece>) -> Vec<Piece> {
-        let mut expander = Expander::default();
-        let mut input = Input::Pieces(pieces, 0);
-        let mut out = Vec::new();
-        loop {
-            let piece = expander.next(self, &mut input);
-            if piece.token.kind == TokenKind::End || self.gave_up {
-                return out;
-            }
-            out.push(piece);
-        }
-    }
-
-    /// Puts 0 or 1 in the place of `defined X` and `defined(X)`, before macros are expanded.
-    fn resolve_defined(&mut self, span: Span, line: &[Piece]) -> Option<Vec<Piece>> {
-        let mut out = Vec::with_capacity(line.len());
-        let mut rest = line;
-        while let Some((&first, more)) = rest.split_first() {
-            rest = more;
-            let is_defined = first.token.kind == TokenKind::Identifier
-                && self.names.text(Name(first.token.value)) == "defined";
-            if !is_defined {
-                out.push(first);
-                continue;
-            }
-            let (name, behind) = match rest {
-                [name, behind @ ..] if name.token.kind == TokenKind::Identifier => (name, behind),
-                [open, name, close, behind @ ..]
-                    if open.token.kind == TokenKind::LeftParen
-                        && name.token.kind == TokenKind::Identifier
-                        && close.token.kind == TokenKind::RightParen =>
-                {
-                    (name, behind)
-                }
-                _ => {
-                    self.expected(span, rest, "a name behind `defined`");
-                    return None;
-                }
-            };
-            let value = self.ask_defined(Name(name.token.value)) as u32;
-            out.push(Piece {
-                token: Token {
-                    kind: TokenKind::Int,
-                    value,
-                    ..first.token
-                },
-                ..first
-            });
-            rest = behind;
-        }
-        Some(out)
-    }
-
-    fn report_condition(&mut self, directive: Span, problem: Problem) {
-        let (span, message, note) = match problem {
-            Problem::Empty => (directive, "this has no condition".to_string(), None),
-            Problem::Undefined(span) => {
-                let name = self.sources.text(span);
-                let note =
-                    "in C an undefined name counts as 0; GLSL ES makes it an error (section 3.4)";
-                (span, format!("no macro `{name}` is defined"), Some(note))
-            }
-            Problem::Unexpected(span) => {
-                let text = self.sources.text(span);
-                let note = "a condition is made of integers, macros and operators";
-                (
-                    span,
-                    format!("`{text}` cannot stand in a condition"),
-                    Some(note),
-                )
-            }
-            Problem::Incomplete(span) => (span, "the condition ends too early".to_string(), None),
-            Problem::DivisionByZero(span) => (span, "this divides by zero".to_string(), None),
-            Problem::Shift(span) => (
-                span,
-                "this shifts by less than 0 or more than 31 bits".to_string(),
-                None,
-            ),
-            Problem::TooDeep(span) => (
-                span,
-                "this condition is nested too deeply".to_string(),
-                None,
-            ),
-        };
-        let mut d = error_at(error::PREPROCESSOR_EXPRESSION, span, message);
-        d.notes.extend(note.map(String::from));
-        if let Problem::Undefined(span) = problem {
-            let name = self.sources.text(span);
-            d = d.help(format!(
-                "ask `#ifdef {name}`, or `#if defined({name}) && {name} ...`"
-            ));
-        }
-        self.report(d);
-    }
-
     fn error_directive(&mut self, span: Span, word: &Piece, rest: &[Piece]) {
         let text = match (rest.first(), rest.last()) {
             (Some(a), Some(b)) => self.raw_text(a.token.span.to(b.token.span)).to_string(),
@@ -621,172 +403,6 @@ impl Preprocessor<'_> {
             ),
         };
         self.report(error_at(error::UNKNOWN_EXTENSION, span, message));
-    }
-
-    fn version(&mut self, span: Span, rest: &[Piece]) {
-        if self.seen_directive || self.seen_code {
-            return self.misplaced_version(span);
-        }
-        self.out.version_span = Some(span);
-        let number = rest
-            .first()
-            .filter(|p| p.token.kind == TokenKind::Int)
-            .map(|p| p.token.value);
-        let Some(number) = number else {
-            return self.expected(span, rest, "a version: `#version 300 es`");
-        };
-        let behind = rest.get(1..).unwrap_or(&[]);
-        let words: Vec<&str> = behind.iter().map(|p| self.raw_text(p.token.span)).collect();
-        match (number, words.as_slice()) {
-            (100, []) => self.set_version(Version::Es100),
-            (300, ["es"]) => {
-                self.set_version(Version::Es300);
-                self.check_first_line(span);
-            }
-            (300, []) => {
-                self.set_version(Version::Es300);
-                let fix = Fix::safe(
-                    "write `#version 300 es`",
-                    vec![Edit::insert(span.end, " es")],
-                );
-                let d = error_at(
-                    error::UNSUPPORTED_VERSION,
-                    span,
-                    "version 300 needs `es` behind it",
-                );
-                self.report(d.fix(fix));
-            }
-            (100 | 300, _) => {
-                self.set_version(if number == 100 {
-                    Version::Es100
-                } else {
-                    Version::Es300
-                });
-                let surplus = if number == 100 {
-                    behind
-                } else {
-                    behind.get(1..).unwrap_or(behind)
-                };
-                self.expect_end(surplus, "version");
-            }
-            _ => {
-                self.set_version(Version::Es300);
-                let message = format!("WebGL2 has no GLSL version {number}");
-                let fix = Fix::safe(
-                    "write `#version 300 es`",
-                    vec![Edit::replace(span, "#version 300 es")],
-                );
-                let d = error_at(error::UNSUPPORTED_VERSION, span, message).note(
-                    "it compiles `#version 300 es`, and `#version 100` (or none) as WebGL1 did",
-                );
-                self.report(d.fix(fix));
-            }
-        }
-    }
-
-    fn set_version(&mut self, version: Version) {
-        self.version = version;
-        let value = if version == Version::Es300 { 300 } else { 100 };
-        if let Some(name) = self.names.get("__VERSION__")
-            && let Some(id) = self.macro_named(name)
-            && let Some(piece) = self
-                .macros
-                .get_mut(id.0 as usize)
-                .and_then(|m| m.body.first_mut())
-        {
-            piece.token.value = value;
-        }
-        if version == Version::Es300 {
-            self.predefine(KNOWN_EXTENSIONS[1], 1);
-        }
-    }
-
-    /// GLSL ES 3.00 wants `#version` on the first line; comments and blanks may stand before it.
-    fn check_first_line(&mut self, span: Span) {
-        let before = self
-            .text
-            .get(..(span.start - self.base) as usize)
-            .unwrap_or("");
-        if before.contains(['\n', '\r']) {
-            let what = if before.trim().is_empty() {
-                "a blank line"
-            } else {
-                "a comment"
-            };
-            let d = error_at(
-                error::VERSION_PLACEMENT,
-                span,
-                format!(
-                    "`#version 300 es` must stand on the first line, but {what} comes before it"
-                ),
-            )
-            .note("no line may come before `#version 300 es`, not even an empty one")
-            .fix(self.move_version(span));
-            self.report(d);
-        }
-    }
-
-    fn misplaced_version(&mut self, span: Span) {
-        if self.files_hold_prelude() {
-            let d = error_at(
-                error::VERSION_PLACEMENT,
-                span,
-                "a ShaderToy pass cannot hold `#version`",
-            )
-            .note("the player puts `#version 300 es` and its own header before the pass")
-            .fix(Fix::safe("take it out", vec![Edit::delete(span)]));
-            return self.report(d);
-        }
-        let d = error_at(
-            error::VERSION_PLACEMENT,
-            span,
-            "`#version` must come before everything else",
-        )
-        .note(
-            "only blanks and comments may stand before it, and for `300 es` not even a line break",
-        )
-        .fix(self.move_version(span));
-        self.report(d);
-        // Judge the rest as what it says it is.
-        if self.raw_text(span).contains("300") {
-            self.set_version(Version::Es300);
-        }
-    }
-
-    /// Moves the directive to the very start of the file.
-    fn move_version(&self, span: Span) -> Fix {
-        let text = self.raw_text(span);
-        let from = (span.end - self.base) as usize;
-        let rest = self.text.get(from..).unwrap_or("");
-        let newline = if rest.starts_with("\r\n") {
-            2
-        } else {
-            rest.starts_with(['\n', '\r']) as u32
-        };
-        let before = self
-            .text
-            .get(..(span.start - self.base) as usize)
-            .unwrap_or("");
-        if before.trim_start_matches('\u{feff}').trim().is_empty() {
-            return Fix::safe(
-                "take out what stands before it",
-                vec![Edit::delete(Span::new(self.base, span.start))],
-            );
-        }
-        Fix::safe(
-            "move it to the first line",
-            vec![
-                Edit::insert(self.base, format!("{text}\n")),
-                Edit::delete(Span::new(span.start, span.end + newline)),
-            ],
-        )
-    }
-
-    fn files_hold_prelude(&self) -> bool {
-        self.sources
-            .files()
-            .first()
-            .is_some_and(|f| f.role == Role::Prelude)
     }
 
     fn line(&mut self, span: Span, rest: &[Piece]) {

@@ -6,7 +6,9 @@
 
 mod condition;
 mod directive;
+mod group;
 mod macros;
+mod version;
 
 pub use macros::{Expansion, Macro, MacroId, Piece};
 

@@ -1,0 +1,229 @@
+//! Conditional groups: `#if` to `#endif` (GLSL ES 3.00 section 3.4).
+
+use super::condition::{Problem, evaluate};
+use super::macros::{Expander, Piece};
+use super::{Group, Input, Preprocessor, error_at};
+use crate::diagnostic::error;
+use crate::syntax::names::Name;
+use crate::syntax::token::{Token, TokenKind};
+use crate::text::Span;
+
+/// Deepest nesting of `#if`.
+const MAX_GROUPS: usize = 100_000;
+
+impl Preprocessor<'_> {
+    pub(super) fn open_group(&mut self, word: &str, span: Span, rest: &[Piece]) {
+        let skip_all = self.is_skipping();
+        let mut group = Group {
+            start: span,
+            skip_all,
+            skip: false,
+            taken: false,
+            else_at: None,
+        };
+        if !skip_all {
+            let holds = match word {
+                "if" => self.condition(span, rest),
+                _ => self.is_defined(span, rest, word) == (word == "ifdef"),
+            };
+            group.skip = !holds;
+            group.taken = holds;
+        }
+        if self.groups.len() < MAX_GROUPS {
+            self.groups.push(group);
+        } else if !self.gave_up {
+            self.gave_up = true;
+            let d = error_at(error::BROWSER_LIMIT, span, "too many `#if` are open");
+            self.report(d);
+        }
+    }
+
+    pub(super) fn is_defined(&mut self, span: Span, rest: &[Piece], directive: &str) -> bool {
+        let Some((first, rest)) = rest
+            .split_first()
+            .filter(|(p, _)| p.token.kind == TokenKind::Identifier)
+        else {
+            self.expected(span, rest, &format!("a name behind `#{directive}`"));
+            return false;
+        };
+        let defined = self.ask_defined(Name(first.token.value));
+        self.expect_end(rest, directive);
+        defined
+    }
+
+    pub(super) fn ask_defined(&mut self, name: Name) -> bool {
+        let Some(id) = self.macro_named(name) else {
+            return false;
+        };
+        if let Some(definition) = self.macros.get_mut(id.0 as usize) {
+            definition.uses += 1;
+        }
+        true
+    }
+
+    pub(super) fn elif(&mut self, span: Span, rest: &[Piece]) {
+        let Some(group) = self.groups.last_mut() else {
+            return self.without_if("elif", span);
+        };
+        if group.skip_all {
+            return;
+        }
+        if let Some(at) = group.else_at {
+            return self.behind_else("elif", span, at);
+        }
+        group.skip = true;
+        if group.taken {
+            return;
+        }
+        let holds = self.condition(span, rest);
+        if let Some(group) = self.groups.last_mut() {
+            group.skip = !holds;
+            group.taken = holds;
+        }
+    }
+
+    pub(super) fn else_group(&mut self, span: Span, rest: &[Piece]) {
+        let Some(group) = self.groups.last_mut() else {
+            return self.without_if("else", span);
+        };
+        if group.skip_all {
+            return;
+        }
+        if let Some(at) = group.else_at {
+            return self.behind_else("else", span, at);
+        }
+        group.else_at = Some(span);
+        group.skip = group.taken;
+        group.taken = true;
+        self.expect_end(rest, "else");
+    }
+
+    pub(super) fn endif(&mut self, span: Span, rest: &[Piece]) {
+        match self.groups.pop() {
+            None => self.without_if("endif", span),
+            Some(group) if group.skip_all => {}
+            Some(_) => self.expect_end(rest, "endif"),
+        }
+    }
+
+    pub(super) fn without_if(&mut self, word: &str, span: Span) {
+        let message = format!("`#{word}` has no `#if`");
+        self.report(error_at(error::UNBALANCED_CONDITIONAL, span, message));
+    }
+
+    pub(super) fn behind_else(&mut self, word: &str, span: Span, at: Span) {
+        let message = format!("`#{word}` stands behind `#else`");
+        let d = error_at(error::UNBALANCED_CONDITIONAL, span, message);
+        self.report(d.label(at, "the `#else` is here"));
+    }
+
+    /// Value of the condition of `#if` or `#elif`; false where it has none, which is reported.
+    pub(super) fn condition(&mut self, span: Span, rest: &[Piece]) -> bool {
+        let Some(pieces) = self.resolve_defined(span, rest) else {
+            return false;
+        };
+        let pieces = self.expand_all(pieces);
+        match evaluate(&pieces) {
+            Ok(value) => value != 0,
+            Err(problem) => {
+                self.report_condition(span, problem);
+                false
+            }
+        }
+    }
+
+    pub(super) fn expand_all(&mut self, pieces: Vec<Piece>) -> Vec<Piece> {
+        let mut expander = Expander::default();
+        let mut input = Input::Pieces(pieces, 0);
+        let mut out = Vec::new();
+        loop {
+            let piece = expander.next(self, &mut input);
+            if piece.token.kind == TokenKind::End || self.gave_up {
+                return out;
+            }
+            out.push(piece);
+        }
+    }
+
+    /// Puts 0 or 1 in the place of `defined X` and `defined(X)`, before macros are expanded.
+    pub(super) fn resolve_defined(&mut self, span: Span, line: &[Piece]) -> Option<Vec<Piece>> {
+        let mut out = Vec::with_capacity(line.len());
+        let mut rest = line;
+        while let Some((&first, more)) = rest.split_first() {
+            rest = more;
+            let is_defined = first.token.kind == TokenKind::Identifier
+                && self.names.text(Name(first.token.value)) == "defined";
+            if !is_defined {
+                out.push(first);
+                continue;
+            }
+            let (name, behind) = match rest {
+                [name, behind @ ..] if name.token.kind == TokenKind::Identifier => (name, behind),
+                [open, name, close, behind @ ..]
+                    if open.token.kind == TokenKind::LeftParen
+                        && name.token.kind == TokenKind::Identifier
+                        && close.token.kind == TokenKind::RightParen =>
+                {
+                    (name, behind)
+                }
+                _ => {
+                    self.expected(span, rest, "a name behind `defined`");
+                    return None;
+                }
+            };
+            let value = self.ask_defined(Name(name.token.value)) as u32;
+            out.push(Piece {
+                token: Token {
+                    kind: TokenKind::Int,
+                    value,
+                    ..first.token
+                },
+                ..first
+            });
+            rest = behind;
+        }
+        Some(out)
+    }
+
+    pub(super) fn report_condition(&mut self, directive: Span, problem: Problem) {
+        let (span, message, note) = match problem {
+            Problem::Empty => (directive, "this has no condition".to_string(), None),
+            Problem::Undefined(span) => {
+                let name = self.sources.text(span);
+                let note =
+                    "in C an undefined name counts as 0; GLSL ES makes it an error (section 3.4)";
+                (span, format!("no macro `{name}` is defined"), Some(note))
+            }
+            Problem::Unexpected(span) => {
+                let text = self.sources.text(span);
+                let note = "a condition is made of integers, macros and operators";
+                (
+                    span,
+                    format!("`{text}` cannot stand in a condition"),
+                    Some(note),
+                )
+            }
+            Problem::Incomplete(span) => (span, "the condition ends too early".to_string(), None),
+            Problem::DivisionByZero(span) => (span, "this divides by zero".to_string(), None),
+            Problem::Shift(span) => (
+                span,
+                "this shifts by less than 0 or more than 31 bits".to_string(),
+                None,
+            ),
+            Problem::TooDeep(span) => (
+                span,
+                "this condition is nested too deeply".to_string(),
+                None,
+            ),
+        };
+        let mut d = error_at(error::PREPROCESSOR_EXPRESSION, span, message);
+        d.notes.extend(note.map(String::from));
+        if let Problem::Undefined(span) = problem {
+            let name = self.sources.text(span);
+            d = d.help(format!(
+                "ask `#ifdef {name}`, or `#if defined({name}) && {name} ...`"
+            ));
+        }
+        self.report(d);
+    }
+}

@@ -1,0 +1,177 @@
+//! `#version`, and where it may stand (GLSL ES 3.00 section 3.3).
+
+use super::directive::KNOWN_EXTENSIONS;
+use super::macros::Piece;
+use super::{Preprocessor, error_at};
+use crate::diagnostic::{Fix, error};
+use crate::syntax::names::Version;
+use crate::syntax::token::TokenKind;
+use crate::text::{Edit, Role, Span};
+
+impl Preprocessor<'_> {
+    pub(super) fn version(&mut self, span: Span, rest: &[Piece]) {
+        if self.seen_directive || self.seen_code {
+            return self.misplaced_version(span);
+        }
+        self.out.version_span = Some(span);
+        let number = rest
+            .first()
+            .filter(|p| p.token.kind == TokenKind::Int)
+            .map(|p| p.token.value);
+        let Some(number) = number else {
+            return self.expected(span, rest, "a version: `#version 300 es`");
+        };
+        let behind = rest.get(1..).unwrap_or(&[]);
+        let words: Vec<&str> = behind.iter().map(|p| self.raw_text(p.token.span)).collect();
+        match (number, words.as_slice()) {
+            (100, []) => self.set_version(Version::Es100),
+            (300, ["es"]) => {
+                self.set_version(Version::Es300);
+                self.check_first_line(span);
+            }
+            (300, []) => {
+                self.set_version(Version::Es300);
+                let fix = Fix::safe(
+                    "write `#version 300 es`",
+                    vec![Edit::insert(span.end, " es")],
+                );
+                let d = error_at(
+                    error::UNSUPPORTED_VERSION,
+                    span,
+                    "version 300 needs `es` behind it",
+                );
+                self.report(d.fix(fix));
+            }
+            (100 | 300, _) => {
+                self.set_version(if number == 100 {
+                    Version::Es100
+                } else {
+                    Version::Es300
+                });
+                let surplus = if number == 100 {
+                    behind
+                } else {
+                    behind.get(1..).unwrap_or(behind)
+                };
+                self.expect_end(surplus, "version");
+            }
+            _ => {
+                self.set_version(Version::Es300);
+                let message = format!("WebGL2 has no GLSL version {number}");
+                let fix = Fix::safe(
+                    "write `#version 300 es`",
+                    vec![Edit::replace(span, "#version 300 es")],
+                );
+                let d = error_at(error::UNSUPPORTED_VERSION, span, message).note(
+                    "it compiles `#version 300 es`, and `#version 100` (or none) as WebGL1 did",
+                );
+                self.report(d.fix(fix));
+            }
+        }
+    }
+
+    pub(super) fn set_version(&mut self, version: Version) {
+        self.version = version;
+        let value = if version == Version::Es300 { 300 } else { 100 };
+        if let Some(name) = self.names.get("__VERSION__")
+            && let Some(id) = self.macro_named(name)
+            && let Some(piece) = self
+                .macros
+                .get_mut(id.0 as usize)
+                .and_then(|m| m.body.first_mut())
+        {
+            piece.token.value = value;
+        }
+        if version == Version::Es300 {
+            self.predefine(KNOWN_EXTENSIONS[1], 1);
+        }
+    }
+
+    /// GLSL ES 3.00 wants `#version` on the first line; comments and blanks may stand before it.
+    pub(super) fn check_first_line(&mut self, span: Span) {
+        let before = self
+            .text
+            .get(..(span.start - self.base) as usize)
+            .unwrap_or("");
+        if before.contains(['\n', '\r']) {
+            let what = if before.trim().is_empty() {
+                "a blank line"
+            } else {
+                "a comment"
+            };
+            let d = error_at(
+                error::VERSION_PLACEMENT,
+                span,
+                format!(
+                    "`#version 300 es` must stand on the first line, but {what} comes before it"
+                ),
+            )
+            .note("no line may come before `#version 300 es`, not even an empty one")
+            .fix(self.move_version(span));
+            self.report(d);
+        }
+    }
+
+    pub(super) fn misplaced_version(&mut self, span: Span) {
+        if self.files_hold_prelude() {
+            let d = error_at(
+                error::VERSION_PLACEMENT,
+                span,
+                "a ShaderToy pass cannot hold `#version`",
+            )
+            .note("the player puts `#version 300 es` and its own header before the pass")
+            .fix(Fix::safe("take it out", vec![Edit::delete(span)]));
+            return self.report(d);
+        }
+        let d = error_at(
+            error::VERSION_PLACEMENT,
+            span,
+            "`#version` must come before everything else",
+        )
+        .note(
+            "only blanks and comments may stand before it, and for `300 es` not even a line break",
+        )
+        .fix(self.move_version(span));
+        self.report(d);
+        // Judge the rest as what it says it is.
+        if self.raw_text(span).contains("300") {
+            self.set_version(Version::Es300);
+        }
+    }
+
+    /// Moves the directive to the very start of the file.
+    pub(super) fn move_version(&self, span: Span) -> Fix {
+        let text = self.raw_text(span);
+        let from = (span.end - self.base) as usize;
+        let rest = self.text.get(from..).unwrap_or("");
+        let newline = if rest.starts_with("\r\n") {
+            2
+        } else {
+            rest.starts_with(['\n', '\r']) as u32
+        };
+        let before = self
+            .text
+            .get(..(span.start - self.base) as usize)
+            .unwrap_or("");
+        if before.trim_start_matches('\u{feff}').trim().is_empty() {
+            return Fix::safe(
+                "take out what stands before it",
+                vec![Edit::delete(Span::new(self.base, span.start))],
+            );
+        }
+        Fix::safe(
+            "move it to the first line",
+            vec![
+                Edit::insert(self.base, format!("{text}\n")),
+                Edit::delete(Span::new(span.start, span.end + newline)),
+            ],
+        )
+    }
+
+    pub(super) fn files_hold_prelude(&self) -> bool {
+        self.sources
+            .files()
+            .first()
+            .is_some_and(|f| f.role == Role::Prelude)
+    }
+}
