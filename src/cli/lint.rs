@@ -9,6 +9,7 @@ use crate::rules::RULES;
 use clap::{Parser, ValueEnum};
 use std::collections::BTreeMap;
 use std::io::{self, BufWriter, IsTerminal, Write};
+use std::panic::catch_unwind;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -217,7 +218,12 @@ fn examine(input: &InputFile, dialect: DialectChoice, selection: &Selection) -> 
         Ok(content) => content,
         Err(message) => return Outcome::Failed(message),
     };
-    match check(&input.name, content, dialect, selection) {
+    // A fault of this program costs one file its answer, never the others theirs.
+    let judged = catch_unwind(|| check(&input.name, content, dialect, selection));
+    let Ok(judged) = judged else {
+        return Outcome::Failed("shaderlint itself failed on this file; please report it".into());
+    };
+    match judged {
         Ok(findings) => Outcome::Checked(findings),
         Err(DocumentError::NotAnExport) if !input.is_explicit => Outcome::Skipped,
         Err(DocumentError::NotAnExport) => {

@@ -79,6 +79,7 @@ pub struct Input {
 }
 
 /// The kinds of input.
+#[expect(missing_docs, reason = "the variants are words of the field")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub enum InputKind {

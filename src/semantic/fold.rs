@@ -7,8 +7,16 @@ use super::types::Scalar;
 /// not known.
 pub type Fold = fn(args: &[&[Value]]) -> Option<Vec<Value>>;
 
-/// How to compute the function of this name.
+/// How to compute the function of this name (GLSL ES 3.00 chapter 8).
 pub fn fold_of(name: &str) -> Option<Fold> {
+    angle_or_power(name)
+        .or_else(|| common(name))
+        .or_else(|| geometric(name))
+        .or_else(|| relational_or_packing(name))
+}
+
+/// Angles and powers (sections 8.1 and 8.2).
+fn angle_or_power(name: &str) -> Option<Fold> {
     Some(match name {
         "radians" => |a| map(a, |x| x * (std::f32::consts::PI / 180.0)),
         "degrees" => |a| map(a, |x| x * (180.0 / std::f32::consts::PI)),
@@ -45,6 +53,13 @@ pub fn fold_of(name: &str) -> Option<Fold> {
         "log2" => |a| map(a, |x| if x <= 0.0 { 0.0 } else { x.log2() }),
         "sqrt" => |a| map(a, |x| if x < 0.0 { 0.0 } else { x.sqrt() }),
         "inversesqrt" => |a| map(a, |x| if x <= 0.0 { 0.0 } else { 1.0 / x.sqrt() }),
+        _ => return None,
+    })
+}
+
+/// Common functions (section 8.3).
+fn common(name: &str) -> Option<Fold> {
+    Some(match name {
         "abs" => |a| {
             each(a, |x| match x {
                 Value::Int(v) => Value::Int(v.wrapping_abs()),
@@ -94,21 +109,13 @@ pub fn fold_of(name: &str) -> Option<Fold> {
                 Value::Float(t * t * (3.0 - 2.0 * t))
             })
         },
-        "isnan" => |a| each(a, |x| Value::Bool(x.as_float().is_nan())),
-        "isinf" => |a| each(a, |x| Value::Bool(x.as_float().is_infinite())),
-        "floatBitsToInt" => |a| each(a, |x| Value::Int(x.as_float().to_bits() as i32)),
-        "floatBitsToUint" => |a| each(a, |x| Value::Uint(x.as_float().to_bits())),
-        "intBitsToFloat" | "uintBitsToFloat" => {
-            |a| each(a, |x| Value::Float(f32::from_bits(x.as_uint())))
-        }
-        "packSnorm2x16" => |a| {
-            pack(a, |x| {
-                ((x.clamp(-1.0, 1.0) * 32767.0).round() as i16) as u16
-            })
-        },
-        "packUnorm2x16" => |a| pack(a, |x| (x.clamp(0.0, 1.0) * 65535.0).round() as u16),
-        "unpackSnorm2x16" => |a| unpack(a, |x| (x as i16 as f32 / 32767.0).clamp(-1.0, 1.0)),
-        "unpackUnorm2x16" => |a| unpack(a, |x| x as f32 / 65535.0),
+        _ => return None,
+    })
+}
+
+/// Vectors and matrices (sections 8.5 and 8.6).
+fn geometric(name: &str) -> Option<Fold> {
+    Some(match name {
         "length" => |a| scalar(floats(a.first()?).iter().map(|x| x * x).sum::<f32>().sqrt()),
         "distance" => |a| scalar(zip(a)?.map(|(x, y)| (x - y) * (x - y)).sum::<f32>().sqrt()),
         "dot" => |a| scalar(zip(a)?.map(|(x, y)| x * y).sum()),
@@ -124,6 +131,30 @@ pub fn fold_of(name: &str) -> Option<Fold> {
         },
         "faceforward" | "reflect" | "refract" => vector_function(name)?,
         "matrixCompMult" => |a| map2(a, |x, y| x * y),
+        "determinant" => |a| scalar(determinant(&square(a.first()?)?)),
+        "transpose" | "outerProduct" | "inverse" => matrix_function(name)?,
+        _ => return None,
+    })
+}
+
+/// Comparisons, bit patterns and packing (sections 8.3, 8.4 and 8.7).
+fn relational_or_packing(name: &str) -> Option<Fold> {
+    Some(match name {
+        "isnan" => |a| each(a, |x| Value::Bool(x.as_float().is_nan())),
+        "isinf" => |a| each(a, |x| Value::Bool(x.as_float().is_infinite())),
+        "floatBitsToInt" => |a| each(a, |x| Value::Int(x.as_float().to_bits() as i32)),
+        "floatBitsToUint" => |a| each(a, |x| Value::Uint(x.as_float().to_bits())),
+        "intBitsToFloat" | "uintBitsToFloat" => {
+            |a| each(a, |x| Value::Float(f32::from_bits(x.as_uint())))
+        }
+        "packSnorm2x16" => |a| {
+            pack(a, |x| {
+                ((x.clamp(-1.0, 1.0) * 32767.0).round() as i16) as u16
+            })
+        },
+        "packUnorm2x16" => |a| pack(a, |x| (x.clamp(0.0, 1.0) * 65535.0).round() as u16),
+        "unpackSnorm2x16" => |a| unpack(a, |x| (x as i16 as f32 / 32767.0).clamp(-1.0, 1.0)),
+        "unpackUnorm2x16" => |a| unpack(a, |x| x as f32 / 65535.0),
         "lessThan" => |a| pair(a, |x, y| Value::Bool(less(x, y))),
         "lessThanEqual" => |a| pair(a, |x, y| Value::Bool(!less(y, x))),
         "greaterThan" => |a| pair(a, |x, y| Value::Bool(less(y, x))),
@@ -133,8 +164,6 @@ pub fn fold_of(name: &str) -> Option<Fold> {
         "any" => |a| Some(vec![Value::Bool(a.first()?.iter().any(|v| v.as_bool()))]),
         "all" => |a| Some(vec![Value::Bool(a.first()?.iter().all(|v| v.as_bool()))]),
         "not" => |a| each(a, |x| Value::Bool(!x.as_bool())),
-        "determinant" => |a| scalar(determinant(&square(a.first()?)?)),
-        "transpose" | "outerProduct" | "inverse" => matrix_function(name)?,
         _ => return None,
     })
 }

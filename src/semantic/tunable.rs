@@ -121,10 +121,11 @@ fn find_range(text: &str) -> Option<(usize, usize, f64, f64)> {
         });
         let right = behind.trim_start();
         let len = right.find(|c: char| !is_part(c)).unwrap_or(right.len());
-        let right_end = tilde + 1 + (behind.len() - right.len()) + len;
+        // A full stop behind the number ends a sentence.
+        let high = right.get(..len)?.trim_end_matches('.');
+        let right_end = tilde + 1 + (behind.len() - right.len()) + high.len();
         let low = left.get(start..).and_then(|t| t.parse::<f64>().ok());
-        let high = right.get(..len).map(|t| t.trim_end_matches('.'));
-        let high = high.and_then(|t| t.parse::<f64>().ok());
+        let high = high.parse::<f64>().ok();
         let (Some(min), Some(max)) = (low, high) else {
             continue;
         };

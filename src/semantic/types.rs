@@ -33,6 +33,7 @@ impl Scalar {
 }
 
 /// What a texture is looked up in.
+#[expect(missing_docs, reason = "the variants are words of the field")]
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[rustfmt::skip]
 pub enum Sampler {

@@ -146,6 +146,7 @@ pub enum PostfixOp {
 }
 
 /// Operators between two operands.
+#[expect(missing_docs, reason = "the variants are words of the field")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub enum BinaryOp {
@@ -397,6 +398,7 @@ pub struct Qualifier {
 }
 
 /// The kinds of qualifier (section 4.3 to 4.7).
+#[expect(missing_docs, reason = "the variants are words of the field")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub enum QualifierKind {

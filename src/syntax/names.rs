@@ -10,6 +10,7 @@ use std::sync::OnceLock;
 pub struct Name(pub u32);
 
 /// A word of the language that names a type.
+#[expect(missing_docs, reason = "the variants are words of the field")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[repr(u8)]
 #[rustfmt::skip]
@@ -62,48 +63,49 @@ pub enum WordClass {
     Reserved,
 }
 
+/// What a word is in each version.
+#[derive(Clone, Copy, Debug)]
+struct Classes {
+    es100: WordClass,
+    es300: WordClass,
+}
+
+impl Classes {
+    fn of(self, version: Version) -> WordClass {
+        match version {
+            Version::Es100 => self.es100,
+            Version::Es300 => self.es300,
+        }
+    }
+}
+
 /// What `word` is in `version`.
 pub fn classify(word: &str, version: Version) -> WordClass {
     special_words()
         .get(word)
-        .map_or(WordClass::Plain, |classes| classes[version as usize])
+        .map_or(WordClass::Plain, |classes| classes.of(version))
 }
 
-fn special_words() -> &'static FxHashMap<&'static str, [WordClass; 2]> {
-    static MAP: OnceLock<FxHashMap<&'static str, [WordClass; 2]>> = OnceLock::new();
+fn special_words() -> &'static FxHashMap<&'static str, Classes> {
+    static MAP: OnceLock<FxHashMap<&'static str, Classes>> = OnceLock::new();
     MAP.get_or_init(|| {
         let mut map = FxHashMap::default();
-        let mut add = |words: &'static str, classes| {
+        let mut add = |words: &'static str, es100, es300| {
+            let classes = Classes { es100, es300 };
             map.extend(words.split_ascii_whitespace().map(|w| (w, classes)));
         };
         use WordClass::{Plain, Reserved};
-        add(RESERVED_ALWAYS, [Reserved, Reserved]);
-        add(RESERVED_SINCE_300, [Plain, Reserved]);
-        add("packed", [Reserved, Plain]);
-        map.extend(KEYWORDS.iter().map(|&(word, in_100, kind)| {
-            let keyword = WordClass::Keyword(kind);
-            (
-                word,
-                match in_100 {
-                    In100::Same => [keyword, keyword],
-                    In100::Plain => [Plain, keyword],
-                    In100::Reserved => [Reserved, keyword],
-                    In100::Only => [keyword, Reserved],
-                },
-            )
-        }));
-        map.extend(TYPES.iter().map(|&(word, in_100, kind)| {
-            let ty = WordClass::Type(kind);
-            (
-                word,
-                match in_100 {
-                    In100::Same => [ty, ty],
-                    In100::Plain => [Plain, ty],
-                    In100::Reserved => [Reserved, ty],
-                    In100::Only => [ty, Reserved],
-                },
-            )
-        }));
+        add(RESERVED_ALWAYS, Reserved, Reserved);
+        add(RESERVED_SINCE_300, Plain, Reserved);
+        add("packed", Reserved, Plain);
+        for &(word, in_100, kind) in KEYWORDS {
+            let (es100, es300) = in_100.classes(WordClass::Keyword(kind));
+            add(word, es100, es300);
+        }
+        for &(word, in_100, kind) in TYPES {
+            let (es100, es300) = in_100.classes(WordClass::Type(kind));
+            add(word, es100, es300);
+        }
         map
     })
 }
@@ -134,6 +136,18 @@ enum In100 {
     Plain,
     Reserved,
     Only,
+}
+
+impl In100 {
+    /// What a word of version 3.00 is in both versions.
+    fn classes(self, class: WordClass) -> (WordClass, WordClass) {
+        match self {
+            In100::Same => (class, class),
+            In100::Plain => (WordClass::Plain, class),
+            In100::Reserved => (WordClass::Reserved, class),
+            In100::Only => (class, WordClass::Reserved),
+        }
+    }
 }
 
 #[rustfmt::skip]
@@ -186,7 +200,7 @@ struct Entry {
     start: u32,
     len: u32,
     hash: u32,
-    classes: [WordClass; 2],
+    classes: Classes,
 }
 
 /// The distinct words of one shader.
@@ -248,7 +262,7 @@ impl Names {
     pub fn class(&self, name: Name, version: Version) -> WordClass {
         self.entries
             .get(name.0 as usize)
-            .map_or(WordClass::Plain, |e| e.classes[version as usize])
+            .map_or(WordClass::Plain, |e| e.classes.of(version))
     }
 
     /// How many distinct words there are; every [`Name`] is smaller.
@@ -275,10 +289,10 @@ impl Names {
 
     fn insert(&mut self, slot: usize, hash: u32, word: &str) -> Name {
         let index = self.entries.len() as u32;
-        let classes = special_words()
-            .get(word)
-            .copied()
-            .unwrap_or([WordClass::Plain; 2]);
+        let classes = special_words().get(word).copied().unwrap_or(Classes {
+            es100: WordClass::Plain,
+            es300: WordClass::Plain,
+        });
         let start = self.text.len() as u32;
         self.text.push_str(word);
         self.entries.push(Entry {

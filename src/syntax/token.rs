@@ -49,6 +49,7 @@ pub struct RawToken {
 }
 
 /// What a token means to the parser.
+#[expect(missing_docs, reason = "the variants are words of the field")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub enum TokenKind {

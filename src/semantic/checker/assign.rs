@@ -210,13 +210,10 @@ impl Checker<'_> {
     /// Notes that something is written to an expression.
     pub(super) fn mark_written(&mut self, id: ExprId) {
         let mut at = id;
-        loop {
-            match self.tree.expr(at).kind {
-                ExprKind::Paren(inner) | ExprKind::Member(inner, _) | ExprKind::Index(inner, _) => {
-                    at = inner;
-                }
-                _ => break,
-            }
+        while let ExprKind::Paren(inner) | ExprKind::Member(inner, _) | ExprKind::Index(inner, _) =
+            self.tree.expr(at).kind
+        {
+            at = inner;
         }
         if let Some(id) = self.variable_of(at)
             && let Some(variable) = self.variables.get_mut(id.0 as usize)

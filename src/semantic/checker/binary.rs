@@ -130,9 +130,10 @@ impl Checker<'_> {
                 let mixed = (l.is_matrix() && r.is_vector()) || (l.is_vector() && r.is_matrix());
                 if same_shape {
                     Ok(l)
-                } else if mixed || !(l.is_scalar() || r.is_scalar()) {
-                    Err(Misfit::Shape)
-                } else if !r.is_scalar() && (assigns || is_shift) {
+                } else if mixed
+                    || !(l.is_scalar() || r.is_scalar())
+                    || (!r.is_scalar() && (assigns || is_shift))
+                {
                     Err(Misfit::Shape)
                 } else {
                     Ok(if l.is_scalar() { r } else { l })

@@ -151,7 +151,7 @@ impl Checker<'_> {
         if info.ty.is_error() {
             return ExprInfo::ERROR;
         }
-        if !info.ty.scalar_kind().is_some_and(|s| s != Scalar::Bool) {
+        if info.ty.scalar_kind().is_none_or(|s| s == Scalar::Bool) {
             self.bad_operand(id, symbol, operand);
             return ExprInfo::ERROR;
         }
@@ -602,11 +602,8 @@ impl Checker<'_> {
     /// A constant index must lie in the array, vector or matrix (section 5.7).
     fn check_index_range(&mut self, id: ExprId, object: ExprId, index: ExprId, size: u32) {
         let mut last = index;
-        loop {
-            match self.tree.expr(self.tree.unparen(last)).kind {
-                ExprKind::Comma(_, right) => last = right,
-                _ => break,
-            }
+        while let ExprKind::Comma(_, right) = self.tree.expr(self.tree.unparen(last)).kind {
+            last = right;
         }
         let info = self.info(last);
         let Some(value) = self.pool.scalar(info.constant).filter(|_| info.is_const) else {

@@ -1,0 +1,282 @@
+//! The commands as people and programs use them: flags, exit codes, every format on one fixture.
+
+use insta_cmd::{assert_cmd_snapshot, get_cargo_bin};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures")
+}
+
+fn command(name: &str, args: &[&str]) -> Command {
+    let mut command = Command::new(get_cargo_bin(name));
+    command
+        .current_dir(fixtures())
+        .args(args)
+        .env("NO_COLOR", "1");
+    command
+}
+
+fn lint(args: &[&str]) -> Command {
+    command("shaderlint", args)
+}
+
+fn lint_stdin(args: &[&str], text: &str) -> Output {
+    let mut child = lint(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(text.as_bytes())
+        .unwrap();
+    child.wait_with_output().unwrap()
+}
+
+#[test]
+fn format_human() {
+    assert_cmd_snapshot!(lint(&["mixed.glsl"]));
+}
+
+#[test]
+fn format_short() {
+    assert_cmd_snapshot!(lint(&["--format", "short", "mixed.glsl"]));
+}
+
+#[test]
+fn format_json() {
+    assert_cmd_snapshot!(lint(&["--format", "json", "mixed.glsl"]));
+}
+
+#[test]
+fn format_jsonl() {
+    assert_cmd_snapshot!(lint(&["--format", "jsonl", "mixed.glsl"]));
+}
+
+#[test]
+fn colors() {
+    assert_cmd_snapshot!(lint(&["--color", "always", "warned.glsl"]));
+}
+
+#[test]
+fn an_export_names_its_passes() {
+    assert_cmd_snapshot!(lint(&["export.json"]));
+}
+
+#[test]
+fn a_clean_file_prints_nothing() {
+    assert_cmd_snapshot!(lint(&["clean.glsl"]));
+}
+
+#[test]
+fn warnings_pass_unless_denied() {
+    assert_eq!(
+        lint(&["warned.glsl"]).output().unwrap().status.code(),
+        Some(0)
+    );
+    let denied = lint(&["--deny-warnings", "warned.glsl"]).output().unwrap();
+    assert_eq!(denied.status.code(), Some(1));
+    let ignored = lint(&["--deny-warnings", "--ignore", "numeric", "warned.glsl"]);
+    assert_eq!({ ignored }.output().unwrap().status.code(), Some(0));
+}
+
+#[test]
+fn a_folder_is_searched() {
+    assert_cmd_snapshot!(lint(&["--format", "short", "folder"]));
+}
+
+#[test]
+fn a_folder_without_shaders() {
+    assert_cmd_snapshot!(lint(&["without"]));
+}
+
+#[test]
+fn a_missing_file() {
+    assert_cmd_snapshot!(lint(&["missing.glsl", "clean.glsl"]));
+}
+
+#[test]
+fn a_file_that_is_no_export() {
+    assert_cmd_snapshot!(lint(&["folder/package.json"]));
+}
+
+#[test]
+fn an_empty_file() {
+    assert_cmd_snapshot!(lint(&["empty.glsl"]));
+}
+
+#[test]
+fn a_file_that_is_not_utf8() {
+    assert_cmd_snapshot!(lint(&["latin1.glsl"]));
+}
+
+#[test]
+fn a_nul() {
+    assert_cmd_snapshot!(lint(&["nul.glsl"]));
+}
+
+#[test]
+fn an_unknown_rule() {
+    assert_cmd_snapshot!(lint(&["--ignore", "float-equalty", "clean.glsl"]));
+}
+
+#[test]
+fn no_path() {
+    assert_cmd_snapshot!(lint(&[]));
+}
+
+#[test]
+fn help() {
+    assert_cmd_snapshot!(lint(&["--help"]));
+    assert_cmd_snapshot!(command("shaderport", &["--help"]));
+}
+
+#[test]
+fn standard_input() {
+    let out = lint_stdin(
+        &["-", "--stdin-filename", "a/b.vert", "--format", "short"],
+        "#version 300 es\nvoid main() { gl_Position = vec3(1.0); }\n",
+    );
+    let text = String::from_utf8(out.stdout).unwrap();
+    assert!(text.starts_with("a/b.vert:2:"), "{text}");
+    assert_eq!(out.status.code(), Some(1));
+}
+
+#[test]
+fn the_dialect_can_be_told() {
+    let code = "precision highp float;\nvoid main() { gl_FragColor = vec4(1.0); }\n";
+    for (dialect, errors) in [("auto", 0), ("webgl1", 0), ("webgl2", 1), ("shadertoy", 1)] {
+        let out = lint_stdin(&["-", "--dialect", dialect], code);
+        assert_eq!(out.status.code(), Some(errors), "{dialect}");
+    }
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    let run = || lint(&["--format", "json", "."]).output().unwrap().stdout;
+    assert_eq!(run(), run());
+}
+
+struct Folder(tempfile::TempDir);
+
+impl Folder {
+    fn new() -> Folder {
+        Folder(tempfile::tempdir().unwrap())
+    }
+
+    fn port(&self, args: &[&str]) -> (Option<i32>, String) {
+        let mut all: Vec<String> = args.iter().map(|a| a.to_string()).collect();
+        if let Some(input) = all.first_mut()
+            && !input.starts_with('-')
+        {
+            *input = fixtures().join(&input).to_string_lossy().into_owned();
+        }
+        let out = Command::new(get_cargo_bin("shaderport"))
+            .current_dir(self.0.path())
+            .args(&all)
+            .output()
+            .unwrap();
+        let fixtures = format!("{}/", fixtures().display());
+        let text = String::from_utf8(out.stderr).unwrap();
+        (out.status.code(), text.replace(&fixtures, ""))
+    }
+
+    fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.0.path().join(name)).unwrap()
+    }
+
+    fn files(&self) -> usize {
+        fs::read_dir(self.0.path()).unwrap().count()
+    }
+}
+
+#[test]
+fn a_page_is_written_once() {
+    let folder = Folder::new();
+    assert_eq!(
+        folder.port(&["clean.glsl", "-o", "a.html"]),
+        (Some(0), String::new())
+    );
+    assert!(folder.read("a.html").starts_with("<!doctype html>"));
+    let (code, text) = folder.port(&["warned.glsl", "-o", "a.html"]);
+    assert_eq!(code, Some(2));
+    assert_eq!(
+        text,
+        "shaderport: a.html is there already; --force writes over it\n"
+    );
+    let before = folder.read("a.html");
+    assert_eq!(
+        folder.port(&["warned.glsl", "-o", "a.html", "--force"]).0,
+        Some(0)
+    );
+    assert_ne!(before, folder.read("a.html"));
+    assert_eq!(folder.files(), 1);
+}
+
+#[test]
+fn shaders_are_written_as_a_pair() {
+    let folder = Folder::new();
+    assert_eq!(folder.port(&["clean.glsl", "-o", "a.frag"]).0, Some(0));
+    assert!(folder.read("a.frag").starts_with("#version 300 es\n"));
+    assert!(folder.read("a.vert").starts_with("#version 300 es\n"));
+    fs::remove_file(folder.0.path().join("a.frag")).unwrap();
+    assert_eq!(folder.port(&["clean.glsl", "-o", "a.frag"]).0, Some(2));
+    assert_eq!(
+        folder.files(),
+        1,
+        "neither of the two is written where one is in the way"
+    );
+}
+
+#[test]
+fn nothing_is_written_for_bad_input() {
+    let folder = Folder::new();
+    let check = |input: &str, message: &str| {
+        let (code, text) = folder.port(&[input, "-o", "a.html"]);
+        assert_eq!(
+            (code, text),
+            (Some(2), format!("shaderport: {input}: {message}\n"))
+        );
+    };
+    check("missing.glsl", "No such file or directory (os error 2)");
+    check(
+        "empty.glsl",
+        "this has no `mainImage`, which every ShaderToy shader has",
+    );
+    check(
+        "folder/late.frag",
+        "this has a `#version`, so it is WebGL code already",
+    );
+    check(
+        "folder/package.json",
+        "this is no ShaderToy export: it has no `renderpass`",
+    );
+    assert_eq!(folder.files(), 0);
+}
+
+#[test]
+fn what_comes_from_outside_cannot_leave_its_element() {
+    let folder = Folder::new();
+    let hostile = "</script><script>alert(1)</script><!--<script>\u{2028}`${x}`";
+    let code = format!("// {hostile}\nvoid mainImage(out vec4 c, in vec2 p) {{ c = vec4(1.0); }}");
+    let export = serde_json::json!({
+        "info": {"name": hostile, "username": hostile, "id": hostile, "description": hostile},
+        "renderpass": [{"type": "image", "name": hostile, "code": code, "inputs": [], "outputs": []}],
+    });
+    let path = folder.0.path().join("hostile.json");
+    fs::write(&path, export.to_string()).unwrap();
+    assert_eq!(
+        folder.port(&[path.to_str().unwrap(), "-o", "a.html"]).0,
+        Some(0)
+    );
+    let page = folder.read("a.html");
+    assert_eq!(page.matches("<script").count(), 2);
+    assert_eq!(page.matches("</script").count(), 2);
+    assert!(!page.contains("<!--") && !page.contains('\u{2028}'));
+}
