@@ -10,6 +10,7 @@ pub static RULE: Rule = Rule {
     group: Group::Numeric,
     severity: Severity::Warning,
     default: true,
+    options: &[],
     page: include_str!("float_equality.md"),
     check: Check::Binary(check),
 };

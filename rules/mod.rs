@@ -7,4 +7,8 @@ mod step_budget;
 use crate::lint::Rule;
 
 /// All rules, by name.
-pub static RULES: [&Rule; 2] = [&float_equality::RULE, &step_budget::RULE];
+#[rustfmt::skip]
+pub static RULES: &[&Rule] = &[
+    &float_equality::RULE,
+    &step_budget::RULE,
+];

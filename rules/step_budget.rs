@@ -1,7 +1,7 @@
 //! Ray marching loops that take more steps than a software renderer can.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
+use crate::lint::{Check, Context, Group, Rule, RuleOption};
 use crate::semantic::flow::{Loop, each_operand};
 use crate::semantic::tunable::{Range, range_behind};
 use crate::semantic::{FunctionRef, Resolution};
@@ -13,16 +13,29 @@ pub static RULE: Rule = Rule {
     group: Group::Budget,
     severity: Severity::Warning,
     default: true,
+    options: &[
+        RuleOption {
+            name: "main",
+            default: 64.0,
+            on_gpu: 256.0,
+            about: "Most steps of a loop that looks for what a pixel shows",
+        },
+        RuleOption {
+            name: "shadow",
+            default: 16.0,
+            on_gpu: 64.0,
+            about: "Most steps of a loop that looks for what stands before a light",
+        },
+        RuleOption {
+            name: "sum",
+            default: 80.0,
+            on_gpu: 512.0,
+            about: "Most steps of all marching loops together",
+        },
+    ],
     page: include_str!("step_budget.md"),
     check: Check::Program(check),
 };
-
-/// Most steps of a loop that looks for what a pixel shows.
-const MAIN: u64 = 64;
-/// Most steps of a loop that looks for what stands before a light.
-const SHADOW: u64 = 16;
-/// Most steps of all marching loops together.
-const SUM: u64 = 80;
 
 /// A marching loop, and how many steps it may take.
 struct March {
@@ -53,7 +66,7 @@ fn check(cx: &mut Context) {
     }
     let counted: Vec<&March> = marches.iter().filter(|m| m.documented.is_none()).collect();
     let sum = counted.iter().map(|m| m.steps).sum();
-    if !is_over && sum > SUM {
+    if !is_over && sum > cx.option("sum") as u64 {
         report_sum(cx, &counted, sum);
     }
 }
@@ -74,7 +87,7 @@ fn march(cx: &Context, looped: &Loop) -> Option<March> {
         .text(name)
         .to_lowercase()
         .contains("shadow");
-    let usual = if is_shadow { SHADOW } else { MAIN };
+    let usual = cx.option(if is_shadow { "shadow" } else { "main" }) as u64;
     Some(March {
         looped: *looped,
         steps,
@@ -199,10 +212,11 @@ fn report_sum(cx: &mut Context, marches: &[&March], sum: u64) {
         .filter(|m| m.looped.stmt != largest.looped.stmt)
         .filter_map(|m| Some((cx.program.expr_span(m.looped.limit?), m.steps)))
         .collect();
+    let (main, shadow, most) = (cx.option("main"), cx.option("shadow"), cx.option("sum"));
     let mut finding = cx
         .report_expr(
             limit,
-            format!("the marching loops take up to {sum} steps together; {SUM} are allowed"),
+            format!("the marching loops take up to {sum} steps together; {most} are allowed"),
         )
         .mark(format!("{} steps", largest.steps));
     for (span, steps) in others {
@@ -211,6 +225,6 @@ fn report_sum(cx: &mut Context, marches: &[&March], sum: u64) {
     finding
         .note("a software renderer takes too long for more, and shows nothing")
         .help(format!(
-            "take at most {MAIN} for the picture and {SHADOW} for shadows"
+            "take at most {main} for the picture and {shadow} for shadows"
         ));
 }

@@ -4,7 +4,7 @@
 
 use shaderlint::cli::document::{DialectChoice, check};
 use shaderlint::cli::input::Content;
-use shaderlint::lint::Selection;
+use shaderlint::lint::Settings;
 use shaderlint::port::{Project, compose, glsl};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
@@ -37,8 +37,8 @@ fn what_shaderlint_says() {
     for path in templates() {
         let text = fs::read_to_string(&path).unwrap();
         let name = path.file_name().unwrap().to_str().unwrap();
-        let selection = Selection::new(&RULES, &[], &[]).unwrap();
-        let findings = check(name, Content::utf8(&text), DialectChoice::Auto, &selection);
+        let settings = Settings::new(RULES, &[], &[]).unwrap();
+        let findings = check(name, Content::utf8(&text), DialectChoice::Auto, &settings);
         let findings = findings.unwrap_or_else(|_| panic!("{name} cannot be judged"));
         let said: Vec<String> = findings
             .diagnostics

@@ -6,28 +6,28 @@
 use shaderlint::cli::document::{DialectChoice, check, fix_text};
 use shaderlint::cli::input::Content;
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
-use shaderlint::lint::{Allow, Fence, FenceKind, Page, Selection};
+use shaderlint::lint::{Allow, Fence, FenceKind, Page, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
 use shaderlint::text::Sources;
 use std::fs;
 use std::path::Path;
 
-fn judge(name: &str, code: &str, selection: &Selection) -> (Sources, Vec<Diagnostic>) {
-    match check(name, Content::utf8(code), DialectChoice::Auto, selection) {
+fn judge(name: &str, code: &str, settings: &Settings) -> (Sources, Vec<Diagnostic>) {
+    match check(name, Content::utf8(code), DialectChoice::Auto, settings) {
         Ok(findings) => (findings.sources, findings.diagnostics),
         Err(_) => panic!("{name} cannot be judged"),
     }
 }
 
 /// Only the rule of the page runs, so that a page does not speak of others.
-fn selection(name: &str) -> Selection {
+fn settings(name: &str) -> Settings {
     let all = ["all".to_string()];
-    let none = Selection::new(&RULES, &[], &all).unwrap();
+    let none = Settings::new(RULES, &[], &all).unwrap();
     if ERRORS.contains(&name) {
         return none;
     }
-    Selection::new(&RULES, &[name.to_string()], &[])
+    Settings::new(RULES, &[name.to_string()], &[])
         .unwrap()
         .only(name)
 }
@@ -45,7 +45,7 @@ impl Example<'_> {
 
     /// What a fence must hold, and what is wrong with it besides.
     fn expected(&self, fence: &Fence) -> Result<Option<String>, String> {
-        let selection = selection(self.name);
+        let settings = settings(self.name);
         let code = self.content(fence);
         let bad = || {
             self.bad
@@ -54,8 +54,8 @@ impl Example<'_> {
         let fixed = |allow| {
             let bad = bad()?;
             let choice = DialectChoice::Auto;
-            let fixed = fix_text(bad.file, self.content(bad), choice, &selection, allow);
-            let (sources, left) = judge(bad.file, &fixed.text, &selection);
+            let fixed = fix_text(bad.file, self.content(bad), choice, &settings, allow);
+            let (sources, left) = judge(bad.file, &fixed.text, &settings);
             match left.first() {
                 Some(d) => Err(format!("left over:\n{}", render(&sources, d))),
                 None => Ok(Some(fixed.text)),
@@ -63,7 +63,7 @@ impl Example<'_> {
         };
         match fence.kind {
             FenceKind::Bad => {
-                let (sources, found) = judge(fence.file, code, &selection);
+                let (sources, found) = judge(fence.file, code, &settings);
                 let other = found.iter().find(|d| d.rule != self.name);
                 match other {
                     Some(d) => Err(format!("also found:\n{}", render(&sources, d))),
@@ -72,7 +72,7 @@ impl Example<'_> {
                 }
             }
             FenceKind::Good => {
-                let (sources, found) = judge(fence.file, code, &selection);
+                let (sources, found) = judge(fence.file, code, &settings);
                 match found.first() {
                     Some(d) => Err(format!("not good:\n{}", render(&sources, d))),
                     None => Ok(None),
@@ -80,7 +80,7 @@ impl Example<'_> {
             }
             FenceKind::Text => {
                 let bad = bad()?;
-                let (sources, found) = judge(bad.file, self.content(bad), &selection);
+                let (sources, found) = judge(bad.file, self.content(bad), &settings);
                 let text: Vec<String> = found.iter().map(|d| render(&sources, d)).collect();
                 Ok(Some(format!("{}\n", text.join("\n").trim_end())))
             }

@@ -134,7 +134,7 @@ fn every_rule_is_a_pair() {
     assert_eq!(names("md"), rules);
     let sorted: Vec<&str> = rules.iter().map(String::as_str).collect();
     assert_eq!(
-        RULES.map(|r| r.name).to_vec(),
+        RULES.iter().map(|r| r.name).collect::<Vec<_>>(),
         sorted,
         "the rules stand by name"
     );

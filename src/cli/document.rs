@@ -2,7 +2,7 @@
 
 use super::input::{Content, Encoding};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::lint::{Allow, Fixed, Look, Selection, fix, lint};
+use crate::lint::{Allow, Fixed, Look, Settings, fix, lint};
 use crate::port::{PassUnit, Project, ProjectError, compose};
 use crate::rules::RULES;
 use crate::semantic::{Dialect, Kind, Pass, Stage, Unit, analyze, guess, shadertoy_header};
@@ -64,7 +64,7 @@ pub fn check(
     name: &str,
     content: Content,
     choice: DialectChoice,
-    selection: &Selection,
+    settings: &Settings,
 ) -> Result<Findings, DocumentError> {
     let mut sources = Sources::new();
     let extension = name.rsplit('.').next().unwrap_or("");
@@ -93,7 +93,7 @@ pub fn check(
     };
     let mut diagnostics = Vec::new();
     for part in &parts {
-        check_part(&sources, part, selection, &mut diagnostics);
+        check_part(&sources, part, settings, &mut diagnostics);
     }
     if let (Encoding::Damaged(at), false) = (encoding, is_export) {
         report_damage(&sources, at, &mut diagnostics);
@@ -144,11 +144,11 @@ pub fn fix_text(
     name: &str,
     text: &str,
     choice: DialectChoice,
-    selection: &Selection,
+    settings: &Settings,
     allow: Allow,
 ) -> Fixed {
     fix(text, allow, |text| {
-        let findings = check(name, Content::utf8(text), choice, selection).ok()?;
+        let findings = check(name, Content::utf8(text), choice, settings).ok()?;
         let file = findings.sources.files().last()?;
         Some(Look {
             span: file.span(),
@@ -160,7 +160,7 @@ pub fn fix_text(
 fn check_part(
     sources: &Sources,
     part: &Part,
-    selection: &Selection,
+    settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let analysis = analyze(&Unit {
@@ -172,7 +172,7 @@ fn check_part(
     });
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
     if !analysis.diagnostics.iter().any(is_error) {
-        lint(&analysis.program, &RULES, selection, diagnostics);
+        lint(&analysis.program, RULES, settings, diagnostics);
     }
     diagnostics.extend(analysis.diagnostics);
 }

@@ -3,7 +3,7 @@
 use super::document::{DialectChoice, DocumentError, Findings, check};
 use super::input::{InputFile, collect, read};
 use super::{CLEAN, FAILED, FINDINGS};
-use crate::lint::Selection;
+use crate::lint::Settings;
 use crate::report::{Format, Reporter, Summary};
 use crate::rules::RULES;
 use clap::{Parser, ValueEnum};
@@ -86,8 +86,8 @@ impl ColorChoice {
 
 /// Runs the linter and gives the exit code.
 pub fn run(args: &Args) -> u8 {
-    let selection = match Selection::new(&RULES, &args.select, &args.ignore) {
-        Ok(selection) => selection,
+    let settings = match Settings::new(RULES, &args.select, &args.ignore) {
+        Ok(settings) => settings,
         Err(unknown) => {
             let near = unknown
                 .near
@@ -105,7 +105,7 @@ pub fn run(args: &Args) -> u8 {
     if inputs.is_empty() && !failed {
         complain("warning: there is no shader in the folders given");
     }
-    match judge(args, &inputs, &selection) {
+    match judge(args, &inputs, &settings) {
         Ok((summary, read_all)) => {
             if failed || !read_all {
                 FAILED
@@ -130,7 +130,7 @@ fn complain(message: &str) {
 
 /// Checks all inputs, several at a time, and prints their findings in order. Says whether all could
 /// be read.
-fn judge(args: &Args, inputs: &[InputFile], selection: &Selection) -> io::Result<(Summary, bool)> {
+fn judge(args: &Args, inputs: &[InputFile], settings: &Settings) -> io::Result<(Summary, bool)> {
     let format = match args.format {
         FormatChoice::Human => Format::Human,
         FormatChoice::Short => Format::Short,
@@ -154,10 +154,10 @@ fn judge(args: &Args, inputs: &[InputFile], selection: &Selection) -> io::Result
         .min(inputs.len());
     if threads <= 1 {
         for input in inputs {
-            print(input, examine(input, args.dialect, selection))?;
+            print(input, examine(input, args.dialect, settings))?;
         }
     } else {
-        in_parallel(inputs, threads, args.dialect, selection, &mut print)?;
+        in_parallel(inputs, threads, args.dialect, settings, &mut print)?;
     }
     Ok((reporter.finish()?, read_all))
 }
@@ -174,7 +174,7 @@ fn in_parallel(
     inputs: &[InputFile],
     threads: usize,
     dialect: DialectChoice,
-    selection: &Selection,
+    settings: &Settings,
     print: &mut impl FnMut(&InputFile, Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
     let next = AtomicUsize::new(0);
@@ -189,7 +189,7 @@ fn in_parallel(
                         return;
                     };
                     if sender
-                        .send((index, examine(input, dialect, selection)))
+                        .send((index, examine(input, dialect, settings)))
                         .is_err()
                     {
                         return;
@@ -213,13 +213,13 @@ fn in_parallel(
     })
 }
 
-fn examine(input: &InputFile, dialect: DialectChoice, selection: &Selection) -> Outcome {
+fn examine(input: &InputFile, dialect: DialectChoice, settings: &Settings) -> Outcome {
     let content = match read(input) {
         Ok(content) => content,
         Err(message) => return Outcome::Failed(message),
     };
     // A fault of this program costs one file its answer, never the others theirs.
-    let judged = catch_unwind(|| check(&input.name, content, dialect, selection));
+    let judged = catch_unwind(|| check(&input.name, content, dialect, settings));
     let Ok(judged) = judged else {
         return Outcome::Failed("shaderlint itself failed on this file; please report it".into());
     };

@@ -1,6 +1,6 @@
 //! What a rule works with.
 
-use super::{Facts, Rule};
+use super::{Facts, Rule, Settings};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
 use crate::semantic::Program;
 use crate::syntax::ast::{ExprId, Extent};
@@ -12,6 +12,7 @@ pub struct Context<'a, 'p> {
     pub program: &'a Program<'p>,
     /// What is known of it as a whole.
     pub facts: &'a Facts<'a, 'p>,
+    pub(super) settings: &'a Settings,
     pub(super) rule: &'static Rule,
     pub(super) severity: Severity,
     pub(super) diagnostics: &'a mut Vec<Diagnostic>,
@@ -21,6 +22,11 @@ pub struct Context<'a, 'p> {
 pub struct Finding<'a>(&'a mut Diagnostic);
 
 impl<'p> Context<'_, 'p> {
+    /// A number that the rule goes by; its name is one of the rule's options.
+    pub fn option(&self, name: &str) -> f64 {
+        self.settings.option(self.rule, name)
+    }
+
     /// Reports a finding at a node.
     pub fn report(&mut self, extent: Extent, message: impl Into<String>) -> Finding<'_> {
         let span = self.program.span(extent);

@@ -6,10 +6,12 @@ mod fix;
 mod page;
 mod rule;
 mod run;
+mod settings;
 
 pub use context::{Context, Finding};
 pub use facts::Facts;
 pub use fix::{Allow, Fixed, Look, fix};
 pub use page::{Fence, FenceKind, Page};
-pub use rule::{Binary, Check, Group, Rule};
-pub use run::{Selection, UnknownRule, lint};
+pub use rule::{Binary, Builtin, Check, Group, Rule, RuleOption};
+pub use run::lint;
+pub use settings::{Settings, Target, UnknownRule};

@@ -23,6 +23,16 @@ pub enum Group {
 }
 
 impl Group {
+    /// All groups.
+    pub const ALL: [Group; 6] = [
+        Group::Webgl2,
+        Group::Numeric,
+        Group::Portability,
+        Group::Budget,
+        Group::Look,
+        Group::Tidy,
+    ];
+
     /// The word for `--select` and the configuration.
     pub const fn name(self) -> &'static str {
         match self {
@@ -49,6 +59,17 @@ pub struct Binary {
     pub right: ExprId,
 }
 
+/// A call of a built-in function, as rules get it.
+#[derive(Clone, Copy, Debug)]
+pub struct Builtin<'a> {
+    /// The call.
+    pub id: ExprId,
+    /// The function.
+    pub name: &'static str,
+    /// Its arguments.
+    pub args: &'a [ExprId],
+}
+
 /// What a rule wants to look at. One walk over the tree serves all rules.
 #[derive(Clone, Copy)]
 pub enum Check {
@@ -56,12 +77,26 @@ pub enum Check {
     Program(fn(&mut Context)),
     /// Every `l op r`.
     Binary(fn(&mut Context, &Binary)),
+    /// Every call of a built-in function.
+    Builtin(fn(&mut Context, &Builtin)),
     /// Every expression.
     Expr(fn(&mut Context, ExprId)),
     /// Every statement.
     Stmt(fn(&mut Context, StmtId)),
     /// Every function with a body.
     Function(fn(&mut Context, FunctionRef)),
+}
+
+/// A number that a rule goes by, and that the configuration may set.
+pub struct RuleOption {
+    /// Its name in the configuration: words with hyphens.
+    pub name: &'static str,
+    /// Its value where a renderer on the processor draws.
+    pub default: f64,
+    /// Its value where a graphics card draws.
+    pub on_gpu: f64,
+    /// What it is, as a sentence without a full stop.
+    pub about: &'static str,
 }
 
 /// A lint rule. `NAME.rs` in `rules/` holds one; `NAME.md` beside it is what it means.
@@ -74,6 +109,8 @@ pub struct Rule {
     pub severity: Severity,
     /// Whether it runs without being asked for.
     pub default: bool,
+    /// The numbers that it goes by.
+    pub options: &'static [RuleOption],
     /// Its page.
     pub page: &'static str,
     /// What it does.
