@@ -65,6 +65,7 @@ impl<'a> Checker<'a> {
     fn check_type_of_variables(&mut self, qualified: &Qualified, base: Type, extent: Extent) {
         self.check_precision(base, qualified.precision, extent);
         self.check_invariant(qualified, extent);
+        self.check_interpolation(qualified, extent);
         let varying = matches!(
             qualified.storage,
             Wanted::FlatIn
@@ -104,6 +105,24 @@ impl<'a> Checker<'a> {
                 let d = self.error(error::INTERFACE_TYPE, extent, message);
                 self.report(d);
             }
+        }
+    }
+
+    /// `flat`, `smooth` and `centroid` need the `in` or `out` that they speak of. In a function they
+    /// were reported where they stand.
+    fn check_interpolation(&mut self, qualified: &Qualified, extent: Extent) {
+        let alone = matches!(
+            qualified.storage,
+            Wanted::Flat | Wanted::Smooth | Wanted::Centroid
+        );
+        if alone && self.at_global_scope() {
+            let word = qualified.storage.name();
+            let extent = qualified.extent.unwrap_or(extent);
+            let message = format!("`{word}` needs `in` or `out` behind it");
+            let d = self
+                .error(error::INVALID_QUALIFIER, extent, message)
+                .note("only what passes between stages is interpolated (section 4.3.9)");
+            self.report(d);
         }
     }
 

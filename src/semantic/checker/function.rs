@@ -1,6 +1,7 @@
 //! Functions: headers, prototypes and bodies (GLSL ES 3.00 section 6.1).
 
 use super::qualifier::Wanted;
+use super::super::builtins::REDEFINABLE;
 use super::*;
 
 impl Checker<'_> {
@@ -325,6 +326,9 @@ impl Checker<'_> {
         let Some((_, found)) = self.builtins.function(text) else {
             return true;
         };
+        if self.is_300() && REDEFINABLE.contains(&text) {
+            return true;
+        }
         if !self.is_300() {
             let types: Vec<Type> = params.iter().map(|p| p.ty).collect();
             if !self

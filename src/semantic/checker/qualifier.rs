@@ -192,9 +192,10 @@ impl Checker<'_> {
             .text(self.span(Extent::token(qualifier.extent.first)));
         let local = !self.at_global_scope();
         let message = match qualifier.kind {
-            Q::In | Q::Out | Q::Inout | Q::Uniform | Q::Attribute | Q::Varying | Q::Centroid
-                if local =>
-            {
+            Q::In | Q::Out | Q::Inout | Q::Uniform | Q::Attribute | Q::Varying if local => {
+                format!("a local variable cannot be `{word}`")
+            }
+            Q::Centroid | Q::Flat | Q::Smooth if local => {
                 format!("a local variable cannot be `{word}`")
             }
             Q::Layout(_) | Q::Invariant if local => {

@@ -92,6 +92,7 @@ impl Checker<'_> {
         match stmt.kind {
             StmtKind::Error => self.syntax_errors = true,
             StmtKind::Empty => {}
+            StmtKind::Expr(expr) if self.declares_nothing(expr) => {}
             StmtKind::Expr(expr) => self.root(expr, self.level),
             StmtKind::Decl(decl) => self.declaration(decl),
             StmtKind::Block(list) => {
@@ -136,6 +137,28 @@ impl Checker<'_> {
     fn misplaced(&mut self, extent: Extent, message: &str) {
         let d = self.error(error::MISPLACED_JUMP, extent, message);
         self.report(d);
+    }
+
+    /// `S;` for a struct, which parses as an expression but is a declaration without a name. What
+    /// `S[2];` says of its size is looked at all the same.
+    fn declares_nothing(&mut self, expr: ExprId) -> bool {
+        let (named, size) = match self.tree.expr(expr).kind {
+            ExprKind::Index(array, size) => (array, Some(size)),
+            _ => (expr, None),
+        };
+        let ExprKind::Name(name) = self.tree.expr(named).kind else {
+            return false;
+        };
+        if !matches!(self.scopes.get(name), Some(Binding::Struct(_))) {
+            return false;
+        }
+        // Expressions are checked in the order of the tree; these two have nothing to be checked.
+        self.exprs.push(ExprInfo::ERROR);
+        if let Some(size) = size {
+            self.root(size, self.level);
+            self.exprs.push(ExprInfo::ERROR);
+        }
+        true
     }
 
     /// An expression that is a node of its own at `level` of the browser's tree.
