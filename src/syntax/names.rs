@@ -280,11 +280,13 @@ impl Names {
         (0..self.entries.len() as u32).map(|i| (Name(i), self.text(Name(i))))
     }
 
+    #[inline]
     fn is(&self, index: u32, hash: u32, word: &str) -> bool {
-        self.entries
-            .get(index as usize)
-            .is_some_and(|e| e.hash == hash)
-            && self.text(Name(index)) == word
+        let entry = self.entries.get(index as usize);
+        entry.is_some_and(|e| {
+            let range = e.start as usize..(e.start + e.len) as usize;
+            e.hash == hash && self.text.as_bytes().get(range) == Some(word.as_bytes())
+        })
     }
 
     fn insert(&mut self, slot: usize, hash: u32, word: &str) -> Name {

@@ -358,12 +358,12 @@ impl<'a> Preprocessor<'a> {
         self.text.get(start as usize..end as usize).unwrap_or("")
     }
 
+    #[inline]
     fn piece(&mut self, raw: RawToken, space: bool) -> Piece {
-        let text = self.raw_text(raw.span);
-        let (kind, value) = if raw.spliced {
-            self.classify(raw.kind, &unsplice(text))
-        } else {
-            self.classify(raw.kind, text)
+        let (kind, value) = match raw.kind {
+            RawKind::Operator(kind) => (kind, 0),
+            _ if raw.spliced => self.classify(raw.kind, &unsplice(self.raw_text(raw.span))),
+            _ => self.classify(raw.kind, self.raw_text(raw.span)),
         };
         let spelled = raw.span.start;
         let token = Token {
