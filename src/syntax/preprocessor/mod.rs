@@ -247,6 +247,7 @@ impl<'a> Preprocessor<'a> {
         }
         self.base = file.base;
         self.role = file.role;
+        self.out.tokens.reserve(self.text.len() / 4);
         self.lexer = Lexer::new(self.text, file.base);
         self.at_line_start = true;
         self.line_shift = 0;
@@ -412,7 +413,8 @@ impl<'a> Preprocessor<'a> {
             TokenKind::Identifier => {
                 let name = Name(token.value);
                 match self.names.class(name, self.version) {
-                    WordClass::Plain => self.check_plain(name, &token),
+                    WordClass::Plain if self.names.is_odd(name) => self.check_odd(name, &token),
+                    WordClass::Plain => {}
                     WordClass::Keyword(kind) => token.kind = kind,
                     WordClass::Type(word) => {
                         token.kind = TokenKind::Type;
@@ -432,13 +434,11 @@ impl<'a> Preprocessor<'a> {
         self.out.tokens.push(token);
     }
 
-    #[inline]
-    fn check_plain(&mut self, name: Name, token: &Token) {
+    /// Reports a name that is too long or holds foreign letters.
+    #[cold]
+    fn check_odd(&mut self, name: Name, token: &Token) {
         let text = self.names.text(name);
-        if text.len() <= MAX_WORD && text.is_ascii() {
-            return;
-        }
-        if self.bad_words.contains(&name) {
+        if self.bad_words.contains(&name) || (text.len() <= MAX_WORD && text.is_ascii()) {
             return;
         }
         let d = if text.is_ascii() {
