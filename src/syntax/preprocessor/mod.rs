@@ -281,13 +281,9 @@ impl<'a> Preprocessor<'a> {
                     space = true;
                 }
                 RawKind::End => {
-                    if let Some(from) = self.skipped_from {
-                        self.out.inactive.push(Span::new(from, raw.span.start));
-                    }
-                    if !self.next_file() {
-                        let token = end_token(raw.span.start);
+                    if !self.end_file(raw.span.start) {
                         return Piece {
-                            token,
+                            token: end_token(raw.span.start),
                             space,
                             frozen: false,
                         };
@@ -307,11 +303,21 @@ impl<'a> Preprocessor<'a> {
         }
     }
 
+    /// Ends the present file and goes on with the next; false when there is none.
+    #[inline(never)]
+    fn end_file(&mut self, end: u32) -> bool {
+        if let Some(from) = self.skipped_from {
+            self.out.inactive.push(Span::new(from, end));
+        }
+        self.next_file()
+    }
+
     fn is_byte_order_mark(&self, span: Span) -> bool {
         span.start == self.base && self.raw_text(span) == "\u{feff}"
     }
 
     /// A byte order mark at the start of the file, which the browser takes for code.
+    #[cold]
     fn byte_order_mark(&mut self, span: Span) {
         let before_version = self.text.get(span.len() as usize..).is_some_and(|rest| {
             rest.trim_start()
@@ -337,6 +343,7 @@ impl<'a> Preprocessor<'a> {
         );
     }
 
+    #[inline(never)]
     fn comment(&mut self, raw: RawToken) {
         self.out.comments.push(raw.span);
         if raw.kind == RawKind::OpenComment {
@@ -359,7 +366,6 @@ impl<'a> Preprocessor<'a> {
         self.text.get(start as usize..end as usize).unwrap_or("")
     }
 
-    #[inline]
     fn piece(&mut self, raw: RawToken, space: bool) -> Piece {
         let (kind, value) = match raw.kind {
             RawKind::Operator(kind) => (kind, 0),
