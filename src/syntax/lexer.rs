@@ -6,6 +6,7 @@
 
 use super::token::{RawKind, RawToken, TokenKind};
 use crate::text::Span;
+use memchr::{memchr, memchr3};
 
 /// Splits one file into raw tokens, one at a call.
 pub struct Lexer<'a> {
@@ -148,8 +149,24 @@ fn goes_on(last: Option<&u8>, b: u8) -> bool {
     is_word(b) || b == b'.' || (matches!(b, b'+' | b'-') && matches!(last, Some(b'e' | b'E')))
 }
 
+/// Whether each byte may belong to a word. A look into a table is what reading words costs most.
+const WORD_BYTES: [bool; 256] = {
+    let mut all = [false; 256];
+    let mut b = 0;
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the compiler works it out, and would refuse"
+    )]
+    while b < all.len() {
+        all[b] = (b as u8).is_ascii_alphanumeric() || b as u8 == b'_';
+        b += 1;
+    }
+    all
+};
+
+#[inline]
 fn is_word(b: u8) -> bool {
-    b.is_ascii_alphanumeric() || b == b'_'
+    WORD_BYTES.get(b as usize).copied().unwrap_or(false)
 }
 
 /// Length of the backslash-newline pair at `at`, if there is one.
@@ -196,6 +213,7 @@ fn scan(bytes: &[u8]) -> (RawKind, usize) {
     }
 }
 
+#[inline]
 fn count(bytes: &[u8], class: impl Fn(u8) -> bool) -> usize {
     bytes.iter().position(|&b| !class(b)).unwrap_or(bytes.len())
 }
@@ -245,9 +263,11 @@ fn blanks(bytes: &[u8]) -> usize {
 /// Where the line comment that goes on at `at` ends; a backslash-newline does not end it.
 fn line_comment_end(bytes: &[u8], mut at: usize) -> usize {
     loop {
-        at += count(bytes.get(at..).unwrap_or(&[]), |b| {
-            b != b'\n' && b != b'\r' && b != b'\\'
-        });
+        let rest = bytes.get(at..).unwrap_or(&[]);
+        let Some(len) = memchr3(b'\n', b'\r', b'\\', rest) else {
+            return bytes.len();
+        };
+        at += len;
         match splice_len(bytes, at) {
             Some(len) => at += len,
             None if bytes.get(at) == Some(&b'\\') => at += 1,
@@ -259,7 +279,7 @@ fn line_comment_end(bytes: &[u8], mut at: usize) -> usize {
 /// Where the block comment that goes on at `at` ends, if it does.
 fn block_comment_end(bytes: &[u8], mut at: usize) -> Option<usize> {
     loop {
-        at += bytes.get(at..)?.iter().position(|&b| b == b'*')? + 1;
+        at += memchr(b'*', bytes.get(at..)?)? + 1;
         if bytes.get(at) == Some(&b'/') {
             return Some(at + 1);
         }

@@ -201,7 +201,11 @@ struct Entry {
     len: u32,
     hash: u32,
     classes: Classes,
+    is_odd: bool,
 }
+
+/// No word up to this length, in bytes, is odd for it.
+const USUAL_LENGTH: usize = 256;
 
 /// The distinct words of one shader.
 pub struct Names {
@@ -265,6 +269,11 @@ impl Names {
             .map_or(WordClass::Plain, |e| e.classes.of(version))
     }
 
+    /// Whether a name is very long or holds letters outside ASCII, so that it needs a closer look.
+    pub fn is_odd(&self, name: Name) -> bool {
+        self.entries.get(name.0 as usize).is_some_and(|e| e.is_odd)
+    }
+
     /// How many distinct words there are; every [`Name`] is smaller.
     pub fn len(&self) -> usize {
         self.entries.len()
@@ -280,11 +289,13 @@ impl Names {
         (0..self.entries.len() as u32).map(|i| (Name(i), self.text(Name(i))))
     }
 
+    #[inline]
     fn is(&self, index: u32, hash: u32, word: &str) -> bool {
-        self.entries
-            .get(index as usize)
-            .is_some_and(|e| e.hash == hash)
-            && self.text(Name(index)) == word
+        let entry = self.entries.get(index as usize);
+        entry.is_some_and(|e| {
+            let range = e.start as usize..(e.start + e.len) as usize;
+            e.hash == hash && self.text.as_bytes().get(range) == Some(word.as_bytes())
+        })
     }
 
     fn insert(&mut self, slot: usize, hash: u32, word: &str) -> Name {
@@ -300,6 +311,7 @@ impl Names {
             len: word.len() as u32,
             hash,
             classes,
+            is_odd: word.len() > USUAL_LENGTH || !word.is_ascii(),
         });
         if let Some(s) = self.slots.get_mut(slot) {
             *s = index + 1;

@@ -1,5 +1,7 @@
 //! From byte offsets to lines and columns.
 
+use memchr::memchr2_iter;
+
 /// A place as people and editors count it. All numbers but `byte` are 1-based.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Position {
@@ -24,8 +26,9 @@ impl LineIndex {
     pub fn new(text: &str) -> LineIndex {
         let bytes = text.as_bytes();
         let mut starts = vec![0];
-        for (i, &b) in bytes.iter().enumerate() {
-            if b == b'\n' || (b == b'\r' && bytes.get(i + 1) != Some(&b'\n')) {
+        for i in memchr2_iter(b'\n', b'\r', bytes) {
+            let goes_on = bytes.get(i) == Some(&b'\r') && bytes.get(i + 1) == Some(&b'\n');
+            if !goes_on {
                 starts.push(i as u32 + 1);
             }
         }

@@ -92,10 +92,10 @@ impl Checker<'_> {
             return Some(self.result_of_any(name));
         }
         let callee = *self.by_signature.get(&(name, types))?;
-        let function = self.functions.get(callee.0 as usize)?;
-        let returns = function.returns;
-        let directions: Vec<Direction> = function.params.iter().map(|p| p.direction).collect();
-        for (&arg, direction) in list.iter().zip(directions) {
+        let returns = self.functions.get(callee.0 as usize)?.returns;
+        for (i, &arg) in list.iter().enumerate() {
+            let function = self.functions.get(callee.0 as usize)?;
+            let direction = function.params.get(i)?.direction;
             if direction.writes() {
                 self.check_out_argument(arg, direction.name());
             }

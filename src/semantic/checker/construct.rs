@@ -190,7 +190,6 @@ impl Checker<'_> {
     }
 
     fn check_components(&mut self, id: ExprId, ty: Type, args: &[ExprId]) -> bool {
-        let name = self.name_of(ty);
         let wanted = ty.components();
         let mut given = 0;
         let mut has_matrix = false;
@@ -198,7 +197,7 @@ impl Checker<'_> {
         for &arg in args {
             let of = self.ty(arg);
             if of.numeric().is_none() {
-                let what = self.name_of(of);
+                let (name, what) = (self.name_of(ty), self.name_of(of));
                 let d = self.error_expr(
                     error::CONSTRUCTOR_ARGUMENTS,
                     arg,
@@ -225,6 +224,11 @@ impl Checker<'_> {
             self.report(d);
             return false;
         }
+        let too_few = given != 1 && given < wanted;
+        if surplus.is_none() && !too_few {
+            return true;
+        }
+        let name = self.name_of(ty);
         let plural = |n: u32| if n == 1 { "component" } else { "components" };
         let d = if let Some(arg) = surplus {
             let d = self.error_expr(
@@ -236,15 +240,13 @@ impl Checker<'_> {
                 ),
             );
             d.label(self.expr_span(arg), "nothing is left for this")
-        } else if given != 1 && given < wanted {
+        } else {
             let d = self.error_expr(
                 error::CONSTRUCTOR_ARGUMENTS,
                 id,
                 format!("`{name}` needs {wanted} components, but only {given} are given"),
             );
             self.label_arguments(d, args)
-        } else {
-            return true;
         };
         self.report(d);
         false

@@ -468,13 +468,13 @@ impl Checker<'_> {
     ) -> ExprInfo {
         let text = self.text(name);
         let token = self.tree.expr(id).extent.last;
-        let of = self.name_of(info.ty);
         let Some(components) = components(text) else {
-            let d = self.bad_swizzle(text, token, &of);
+            let d = self.bad_swizzle(text, token, &self.name_of(info.ty));
             self.report(d);
             return ExprInfo::ERROR;
         };
         if let Some(&over) = components.iter().find(|&&c| c >= rows) {
+            let of = self.name_of(info.ty);
             let letter = text
                 .chars()
                 .nth(components.iter().position(|&c| c == over).unwrap_or(0));
@@ -500,14 +500,13 @@ impl Checker<'_> {
             self.report(d);
             return ExprInfo::ERROR;
         }
-        let values = self.pool.values(info.constant);
-        let picked: Vec<Value> = components
-            .iter()
-            .filter_map(|&c| values.get(c as usize).copied())
-            .collect();
-        let known = picked.len() == components.len();
-        let constant = if known {
-            self.pool.add(picked)
+        let constant = if info.constant.is_known() {
+            let values = self.pool.values(info.constant);
+            let picked: Option<Vec<Value>> = components
+                .iter()
+                .map(|&c| values.get(c as usize).copied())
+                .collect();
+            picked.map_or(Constant::NONE, |values| self.pool.add(values))
         } else {
             Constant::NONE
         };

@@ -86,10 +86,12 @@ impl Parser<'_> {
     fn root(&mut self, min: Power) -> Parsed<ExprId> {
         let mark = self.tree.exprs.len();
         let depth = self.depth;
+        let open_args = self.open_args.len();
         let result = self.operators(min);
         if result.is_err() {
             self.tree.exprs.truncate(mark);
             self.depth = depth;
+            self.open_args.truncate(open_args);
         }
         result
     }
@@ -321,11 +323,12 @@ impl Parser<'_> {
         if self.kind(0) == TokenKind::Void && self.kind(1) == TokenKind::RightParen {
             self.advance();
         }
-        let mut args = Vec::new();
+        let mark = self.open_args.len();
         if !self.is(TokenKind::RightParen) {
             self.enter()?;
             loop {
-                args.push(self.operators(ASSIGN)?);
+                let arg = self.operators(ASSIGN)?;
+                self.open_args.push(arg);
                 if self.eat(TokenKind::Comma).is_none() {
                     break;
                 }
@@ -333,6 +336,7 @@ impl Parser<'_> {
             self.leave();
         }
         self.close(TokenKind::RightParen, open)?;
+        let args = self.open_args.drain(mark..);
         Ok(append(&mut self.tree.expr_lists, args))
     }
 

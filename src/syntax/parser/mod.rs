@@ -56,6 +56,7 @@ pub fn parse(
         function_open: 0,
         missing_brace_at: None,
         tree: Tree::default(),
+        open_args: Vec::new(),
         reserved: Vec::new(),
         diagnostics: Vec::new(),
     };
@@ -86,6 +87,8 @@ struct Parser<'a> {
     /// Where a missing `}` was reported.
     missing_brace_at: Option<usize>,
     tree: Tree,
+    /// The arguments of all calls that are being read, the innermost call's last.
+    open_args: Vec<ExprId>,
     /// Reserved words that have been reported.
     reserved: Vec<Name>,
     diagnostics: Vec<Diagnostic>,

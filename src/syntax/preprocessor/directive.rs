@@ -60,6 +60,7 @@ impl Preprocessor<'_> {
     }
 
     /// Reads the directive whose `#` stands at `hash`, up to the end of its line.
+    #[inline(never)]
     pub(super) fn directive(&mut self, hash: Span) {
         let mut line = Vec::new();
         let mut space = false;

@@ -124,27 +124,50 @@ pub(super) struct Expander {
 
 impl Expander {
     /// The next token with all macros expanded.
+    #[inline]
     pub fn next(&mut self, pp: &mut Preprocessor, input: &mut Input) -> Piece {
         loop {
-            let mut piece = self.take(pp, input);
+            let piece = if self.is_idle() {
+                input.next(pp)
+            } else {
+                self.take(pp, input)
+            };
             if piece.token.kind != TokenKind::Identifier || piece.frozen {
                 return piece;
             }
             let Some(id) = pp.macro_named(Name(piece.token.value)) else {
                 return piece;
             };
-            let Some(definition) = pp.macros.get_mut(id.0 as usize) else {
-                return piece;
-            };
-            if definition.disabled {
-                piece.frozen = true;
+            if let Some(piece) = self.call(pp, input, id, piece) {
                 return piece;
             }
-            if definition.params.is_some() && !self.at_left_paren(pp, input) {
-                return piece;
-            }
-            self.expand(pp, input, id, piece);
         }
+    }
+
+    /// Whether the next token comes straight from the input, as most do.
+    fn is_idle(&self) -> bool {
+        self.open.is_empty() && self.put_back.is_none()
+    }
+
+    /// Expands the macro that `piece` names, or gives the piece back where it is no call.
+    #[inline(never)]
+    fn call(
+        &mut self,
+        pp: &mut Preprocessor,
+        input: &mut Input,
+        id: MacroId,
+        mut piece: Piece,
+    ) -> Option<Piece> {
+        let definition = pp.macros.get(id.0 as usize)?;
+        if definition.disabled {
+            piece.frozen = true;
+            return Some(piece);
+        }
+        if definition.params.is_some() && !self.at_left_paren(pp, input) {
+            return Some(piece);
+        }
+        self.expand(pp, input, id, piece);
+        None
     }
 
     fn take(&mut self, pp: &mut Preprocessor, input: &mut Input) -> Piece {

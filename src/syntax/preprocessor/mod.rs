@@ -247,6 +247,7 @@ impl<'a> Preprocessor<'a> {
         }
         self.base = file.base;
         self.role = file.role;
+        self.out.tokens.reserve(self.text.len() / 4);
         self.lexer = Lexer::new(self.text, file.base);
         self.at_line_start = true;
         self.line_shift = 0;
@@ -280,13 +281,9 @@ impl<'a> Preprocessor<'a> {
                     space = true;
                 }
                 RawKind::End => {
-                    if let Some(from) = self.skipped_from {
-                        self.out.inactive.push(Span::new(from, raw.span.start));
-                    }
-                    if !self.next_file() {
-                        let token = end_token(raw.span.start);
+                    if !self.end_file(raw.span.start) {
                         return Piece {
-                            token,
+                            token: end_token(raw.span.start),
                             space,
                             frozen: false,
                         };
@@ -306,11 +303,21 @@ impl<'a> Preprocessor<'a> {
         }
     }
 
+    /// Ends the present file and goes on with the next; false when there is none.
+    #[inline(never)]
+    fn end_file(&mut self, end: u32) -> bool {
+        if let Some(from) = self.skipped_from {
+            self.out.inactive.push(Span::new(from, end));
+        }
+        self.next_file()
+    }
+
     fn is_byte_order_mark(&self, span: Span) -> bool {
         span.start == self.base && self.raw_text(span) == "\u{feff}"
     }
 
     /// A byte order mark at the start of the file, which the browser takes for code.
+    #[cold]
     fn byte_order_mark(&mut self, span: Span) {
         let before_version = self.text.get(span.len() as usize..).is_some_and(|rest| {
             rest.trim_start()
@@ -336,6 +343,7 @@ impl<'a> Preprocessor<'a> {
         );
     }
 
+    #[inline(never)]
     fn comment(&mut self, raw: RawToken) {
         self.out.comments.push(raw.span);
         if raw.kind == RawKind::OpenComment {
@@ -359,11 +367,10 @@ impl<'a> Preprocessor<'a> {
     }
 
     fn piece(&mut self, raw: RawToken, space: bool) -> Piece {
-        let text = self.raw_text(raw.span);
-        let (kind, value) = if raw.spliced {
-            self.classify(raw.kind, &unsplice(text))
-        } else {
-            self.classify(raw.kind, text)
+        let (kind, value) = match raw.kind {
+            RawKind::Operator(kind) => (kind, 0),
+            _ if raw.spliced => self.classify(raw.kind, &unsplice(self.raw_text(raw.span))),
+            _ => self.classify(raw.kind, self.raw_text(raw.span)),
         };
         let spelled = raw.span.start;
         let token = Token {
@@ -412,7 +419,8 @@ impl<'a> Preprocessor<'a> {
             TokenKind::Identifier => {
                 let name = Name(token.value);
                 match self.names.class(name, self.version) {
-                    WordClass::Plain => self.check_plain(name, &token),
+                    WordClass::Plain if self.names.is_odd(name) => self.check_odd(name, &token),
+                    WordClass::Plain => {}
                     WordClass::Keyword(kind) => token.kind = kind,
                     WordClass::Type(word) => {
                         token.kind = TokenKind::Type;
@@ -432,13 +440,11 @@ impl<'a> Preprocessor<'a> {
         self.out.tokens.push(token);
     }
 
-    #[inline]
-    fn check_plain(&mut self, name: Name, token: &Token) {
+    /// Reports a name that is too long or holds foreign letters.
+    #[cold]
+    fn check_odd(&mut self, name: Name, token: &Token) {
         let text = self.names.text(name);
-        if text.len() <= MAX_WORD && text.is_ascii() {
-            return;
-        }
-        if self.bad_words.contains(&name) {
+        if self.bad_words.contains(&name) || (text.len() <= MAX_WORD && text.is_ascii()) {
             return;
         }
         let d = if text.is_ascii() {

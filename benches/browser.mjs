@@ -1,0 +1,36 @@
+// node browser.mjs FILE...: prints, as a JSON list, the milliseconds that Chromium takes to compile
+// each shader. BROWSER_MODULES names the folder whose node_modules holds playwright-core, CHROMIUM
+// the program.
+import { createRequire } from 'node:module';
+import fs from 'node:fs';
+import path from 'node:path';
+
+const require = createRequire(path.resolve(process.env.BROWSER_MODULES, 'package.json'));
+const { chromium } = require('playwright-core');
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-watchdog'],
+});
+const page = await browser.newPage();
+await page.setContent('<canvas></canvas>');
+
+// The status is asked for, so that the time holds the whole compilation. A warm-up comes first.
+const times = await page.evaluate((sources) => {
+  const gl = document.querySelector('canvas').getContext('webgl2');
+  const compile = (source) => {
+    const shader = gl.createShader(gl.FRAGMENT_SHADER);
+    const start = performance.now();
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    gl.getShaderParameter(shader, gl.COMPILE_STATUS);
+    const time = performance.now() - start;
+    gl.deleteShader(shader);
+    return time;
+  };
+  compile('#version 300 es\nprecision highp float;out vec4 o;void main(){o=vec4(1.0);}');
+  return sources.map(compile);
+}, process.argv.slice(2).map((file) => fs.readFileSync(file, 'utf8')));
+
+await browser.close();
+console.log(JSON.stringify(times));

@@ -1,0 +1,165 @@
+//! What the broken shaders are thrown at. A target panics where something is wrong.
+
+use shaderlint::cli::document::{DialectChoice, Findings, check, fix_text};
+use shaderlint::cli::input::Content;
+use shaderlint::diagnostic::Severity;
+use shaderlint::lint::{Allow, Settings};
+use shaderlint::port::{Project, compose, glsl, html};
+use shaderlint::report::{Format, Reporter};
+use shaderlint::rules::RULES;
+use shaderlint::syntax::{parse, preprocess, tokenize};
+use shaderlint::text::{FileId, Role, Sources};
+
+/// Something to throw shaders at.
+pub struct Target {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Runs it.
+    pub run: fn(&str),
+}
+
+/// All targets.
+pub const TARGETS: [Target; 5] = [
+    Target {
+        name: "lex",
+        run: lex,
+    },
+    Target {
+        name: "parse",
+        run: parse_only,
+    },
+    Target {
+        name: "check",
+        run: check_all,
+    },
+    Target {
+        name: "fix",
+        run: fix,
+    },
+    Target {
+        name: "port",
+        run: port,
+    },
+];
+
+fn sources(text: &str) -> (Sources, Vec<FileId>) {
+    let mut sources = Sources::new();
+    let header = sources.add("", None, Role::Prelude, "#version 300 es\n");
+    let file = sources.add("a.glsl", None, Role::User, text);
+    let files = header.into_iter().chain(file).collect();
+    (sources, files)
+}
+
+/// Lexer and preprocessor: raw tokens put end to end are the text, and tokens stay in it.
+fn lex(text: &str) {
+    let mut at = 0;
+    for token in tokenize(text, 0) {
+        assert_eq!(token.span.start, at, "a gap between tokens");
+        at = token.span.end;
+    }
+    assert_eq!(at as usize, text.len(), "the tokens end early");
+    let (sources, files) = sources(text);
+    let read = preprocess(&sources, &files, true);
+    for token in &read.tokens.tokens {
+        assert!(
+            sources.file_at(token.span.start).is_some(),
+            "a token outside the files"
+        );
+    }
+}
+
+/// The parser: children are stored before their parents.
+fn parse_only(text: &str) {
+    let (sources, files) = sources(text);
+    let read = preprocess(&sources, &files, true);
+    let (tree, _) = parse(&sources, &read.tokens, &read.names, read.version, true);
+    for (i, expr) in tree.exprs.iter().enumerate() {
+        assert!(
+            expr.extent.first <= expr.extent.last,
+            "expression {i} is inside out"
+        );
+        assert!(
+            (expr.extent.last as usize) < read.tokens.tokens.len(),
+            "expression {i} has no end"
+        );
+    }
+}
+
+fn judge(text: &str) -> Option<Findings> {
+    let settings = Settings::new(RULES, &["all".to_string()], &[]).ok()?;
+    check(
+        "a.glsl",
+        Content::utf8(text),
+        DialectChoice::Auto,
+        &settings,
+    )
+    .ok()
+}
+
+fn errors(text: &str) -> usize {
+    let found = judge(text);
+    let all = found.iter().flat_map(|f| &f.diagnostics);
+    all.filter(|d| d.severity == Severity::Error).count()
+}
+
+/// Everything up to what is printed, in every format.
+fn check_all(text: &str) {
+    let Some(found) = judge(text) else { return };
+    for d in &found.diagnostics {
+        let file = found.sources.file_at(d.span.start);
+        assert!(
+            file.is_some_and(|f| f.role == Role::User),
+            "not in the user's text: {}",
+            d.message
+        );
+    }
+    for format in [Format::Human, Format::Short, Format::Json, Format::Jsonl] {
+        let mut out = Vec::new();
+        let mut reporter = Reporter::new(format, &mut out, true);
+        let written = reporter.file(&found.sources, &found.diagnostics);
+        assert!(
+            written.is_ok() && reporter.finish().is_ok(),
+            "{format:?} cannot be written"
+        );
+        assert!(
+            out.len() <= 1_000_000 + text.len() * 16,
+            "{format:?} has {} bytes",
+            out.len()
+        );
+    }
+}
+
+/// Fixes never bring errors.
+fn fix(text: &str) {
+    let Ok(settings) = Settings::new(RULES, &["all".to_string()], &[]) else {
+        return;
+    };
+    let before = errors(text);
+    for allow in [Allow::Safe, Allow::Unsafe] {
+        let fixed = fix_text("a.glsl", text, DialectChoice::Auto, &settings, allow);
+        let after = errors(&fixed.text);
+        assert!(
+            after <= before,
+            "{before} errors became {after}:\n{}",
+            fixed.text
+        );
+    }
+}
+
+/// The converter; a text that starts like JSON is taken for an export.
+fn port(text: &str) {
+    let project = if text.trim_start().starts_with(['{', '[']) {
+        Project::from_json(text).ok()
+    } else {
+        Project::from_shader("a", text).ok()
+    };
+    let Some(project) = project else { return };
+    let Some(composed) = compose(&project, "a.glsl") else {
+        return;
+    };
+    for unit in &composed.units {
+        composed.analyze(unit);
+    }
+    let _ = html(&project, &composed);
+    let _ = glsl(&project, &composed);
+}

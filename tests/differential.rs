@@ -1,0 +1,185 @@
+//! The same texts for two parsers, ours and glsl-lang's; each disagreement has a name.
+//!
+//! `SHADERLINT_CASES=DIR cargo test --test differential` reads the ShaderToy exports in
+//! `DIR/shadertoy` too.
+
+use glsl_lang::ast::TranslationUnit;
+use glsl_lang::parse::DefaultParse;
+use shaderlint::diagnostic::Severity;
+use shaderlint::syntax::{RawKind, parse, preprocess, tokenize};
+use shaderlint::text::{Role, Sources};
+use std::fs;
+use std::panic::catch_unwind;
+use std::path::Path;
+
+/// Why the other parser refuses what ours, like the browser, accepts.
+const EXPLANATIONS: [(&str, fn(&str) -> bool); 6] = [
+    ("a block comment that ends in `**/`", |t| t.contains("**/")),
+    ("an integer of 2^31 or more", has_large_integer),
+    ("a keyword of desktop GLSL as a name", has_foreign_keyword),
+    (
+        "an exponent before a minus: `5e2-.5`",
+        has_exponent_before_sign,
+    ),
+    (
+        "a struct's name used for something else",
+        reuses_struct_name,
+    ),
+    ("GL_ES, which it does not define", |t| t.contains("GL_ES")),
+];
+
+/// Words that desktop GLSL keeps for itself and GLSL ES 3.00 does not.
+const FOREIGN_KEYWORDS: [&str; 12] = [
+    "buffer",
+    "shared",
+    "subroutine",
+    "precise",
+    "double",
+    "sample",
+    "dvec2",
+    "dvec3",
+    "dvec4",
+    "texture2D",
+    "sampler",
+    "texture3D",
+];
+
+fn words(text: &str) -> Vec<(RawKind, &str)> {
+    let all = tokenize(text, 0).into_iter();
+    let text_of =
+        |t: shaderlint::syntax::RawToken| &text[t.span.start as usize..t.span.end as usize];
+    all.filter(|t| !matches!(t.kind, RawKind::Whitespace | RawKind::Newline))
+        .map(|t| (t.kind, text_of(t)))
+        .collect()
+}
+
+fn has_large_integer(text: &str) -> bool {
+    let value = |digits: &str| match digits.strip_prefix("0x").or(digits.strip_prefix("0X")) {
+        Some(hex) => u64::from_str_radix(hex, 16),
+        None => digits.parse(),
+    };
+    let is_large =
+        |word: &str| value(word.trim_end_matches(['u', 'U'])).is_ok_and(|v| v >= 1 << 31);
+    words(text)
+        .iter()
+        .any(|(kind, w)| *kind == RawKind::Integer && is_large(w))
+}
+
+fn has_foreign_keyword(text: &str) -> bool {
+    words(text)
+        .iter()
+        .any(|(_, w)| FOREIGN_KEYWORDS.contains(w))
+}
+
+fn has_exponent_before_sign(text: &str) -> bool {
+    let all = words(text);
+    let is_pair = |pair: &[(RawKind, &str)]| {
+        pair[0].0 == RawKind::Float
+            && pair[0].1.contains(['e', 'E'])
+            && matches!(pair[1].1, "-" | "+")
+    };
+    all.windows(2).any(is_pair)
+}
+
+fn reuses_struct_name(text: &str) -> bool {
+    let all = words(text);
+    let structs: Vec<&str> = all
+        .windows(2)
+        .filter(|w| w[0].1 == "struct")
+        .map(|w| w[1].1)
+        .collect();
+    // A type's name stands before a name or a call; after `.` or before `=` it is something else.
+    let is_other = |w: &[(RawKind, &str)]| {
+        structs.contains(&w[1].1) && (w[0].1 == "." || matches!(w[2].1, "=" | "." | ";" | ","))
+    };
+    all.windows(3).any(is_other)
+}
+
+/// Whether our preprocessor and parser take a text.
+fn we_take(text: &str) -> bool {
+    let mut sources = Sources::new();
+    let header = sources
+        .add("", None, Role::Prelude, "#version 300 es\n")
+        .unwrap();
+    let file = sources.add("a.glsl", None, Role::User, text).unwrap();
+    let read = preprocess(&sources, &[header, file], true);
+    let (_, problems) = parse(&sources, &read.tokens, &read.names, read.version, true);
+    let mut all = read.diagnostics.iter().chain(&problems);
+    !all.any(|d| d.severity == Severity::Error)
+}
+
+/// Whether glsl-lang takes a text. It aborts on some; that is a no.
+fn they_take(text: &str) -> bool {
+    let whole = format!("#version 300 es\n{text}");
+    catch_unwind(|| TranslationUnit::parse(whole.as_str()).is_ok()).unwrap_or(false)
+}
+
+fn push_files(folder: &Path, found: &mut Vec<(String, String)>) {
+    let Ok(entries) = fs::read_dir(folder) else {
+        return;
+    };
+    for path in entries.map(|e| e.unwrap().path()) {
+        let name = path.display().to_string();
+        if path.is_dir() {
+            push_files(&path, found);
+        } else if name.ends_with(".glsl") {
+            found.push((name, fs::read_to_string(&path).unwrap()));
+        }
+    }
+}
+
+/// The passes of the exports in a folder, each behind its common code.
+fn push_exports(folder: &Path, found: &mut Vec<(String, String)>) {
+    let Ok(entries) = fs::read_dir(folder) else {
+        return;
+    };
+    for path in entries.map(|e| e.unwrap().path()) {
+        let text = fs::read_to_string(&path).unwrap();
+        let Ok(project) = shaderlint::port::Project::from_json(&text) else {
+            continue;
+        };
+        let common: String = project.commons().map(|p| format!("{}\n", p.code)).collect();
+        let is_common =
+            |p: &shaderlint::port::ProjectPass| p.kind == shaderlint::semantic::Pass::Common;
+        for pass in project.passes.iter().filter(|p| !is_common(p)) {
+            found.push((
+                format!("{} {}", path.display(), pass.name),
+                format!("{common}{}", pass.code),
+            ));
+        }
+    }
+}
+
+#[test]
+fn every_disagreement_has_a_name() {
+    let mut texts = Vec::new();
+    push_files(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus"),
+        &mut texts,
+    );
+    if let Some(cases) = std::env::var_os("SHADERLINT_CASES") {
+        push_exports(&Path::new(&cases).join("shadertoy"), &mut texts);
+    }
+    assert!(!texts.is_empty());
+    let mut agreed = 0;
+    let mut explained = [0; EXPLANATIONS.len()];
+    let mut unexplained = Vec::new();
+    for (name, text) in &texts {
+        let (ours, theirs) = (we_take(text), they_take(text));
+        if ours == theirs {
+            agreed += 1;
+        } else if let Some(i) = EXPLANATIONS
+            .iter()
+            .position(|(_, holds)| ours && holds(text))
+        {
+            explained[i] += 1;
+        } else {
+            unexplained.push(format!("{name}: we {ours}, they {theirs}"));
+        }
+    }
+    println!("{agreed} of {} agreed", texts.len());
+    for ((why, _), count) in EXPLANATIONS.iter().zip(explained) {
+        println!("{count} for {why}");
+    }
+    assert!(unexplained.is_empty(), "{}", unexplained.join("\n"));
+}

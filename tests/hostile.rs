@@ -1,0 +1,478 @@
+//! Hostile inputs: whatever the text is, the answer comes soon and is short.
+//!
+//! The limits are those of a debug build on a busy machine; a release build takes a tenth.
+
+use shaderlint::cli::document::{DialectChoice, check};
+use shaderlint::cli::input::Content;
+use shaderlint::diagnostic::Severity;
+use shaderlint::lint::Settings;
+use shaderlint::report::{Format, Reporter};
+use shaderlint::rules::RULES;
+use std::time::{Duration, Instant};
+
+/// Longest time that an answer may take.
+const MAX_TIME: Duration = Duration::from_secs(10);
+/// Longest output, in bytes.
+const MAX_OUTPUT: usize = 1_000_000;
+
+/// What the shader is to the compiler.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Verdict {
+    Compiles,
+    Refused,
+}
+use Verdict::{Compiles, Refused};
+
+/// Judges a pass whose text is `code`.
+#[track_caller]
+fn judge(code: &str, expected: Verdict) {
+    let settings = Settings::new(RULES, &[], &[]).unwrap();
+    let start = Instant::now();
+    let choice = DialectChoice::Shadertoy;
+    let Ok(found) = check("a.glsl", Content::utf8(code), choice, &settings) else {
+        panic!("this cannot be judged");
+    };
+    let mut refused = found.diagnostics.iter();
+    let verdict = match refused.find(|d| d.severity == Severity::Error) {
+        Some(_) => Refused,
+        None => Compiles,
+    };
+    let first = found.diagnostics.first().map(|d| &d.message);
+    assert_eq!(verdict, expected, "{first:?}");
+    for format in [Format::Human, Format::Short, Format::Json] {
+        let mut out = Vec::new();
+        let mut reporter = Reporter::new(format, &mut out, false);
+        reporter.file(&found.sources, &found.diagnostics).unwrap();
+        reporter.finish().unwrap();
+        assert!(
+            out.len() <= MAX_OUTPUT,
+            "{format:?}: {} bytes of output",
+            out.len()
+        );
+    }
+    let time = start.elapsed();
+    assert!(time <= MAX_TIME, "the answer took {time:?}");
+}
+
+/// A pass whose `mainImage` holds `body`.
+fn body(body: &str) -> String {
+    format!(
+        "void mainImage(out vec4 o, in vec2 p) {{ float x = p.x; int n = int(p.y); o = vec4(x); {body} }}\n"
+    )
+}
+
+/// `text` for each number below `count`, put end to end.
+fn each(count: usize, text: impl Fn(usize) -> String) -> String {
+    (0..count).map(text).collect()
+}
+
+/// `before` and `behind` a hundred thousand times around `inner`.
+fn nest(count: usize, before: &str, inner: &str, behind: &str) -> String {
+    format!("{}{inner}{}", before.repeat(count), behind.repeat(count))
+}
+
+#[test]
+fn every_construct_nests_deeply() {
+    let constructs = [
+        ("(", "1.0", ")"),
+        ("-", "x", ""),
+        ("- ", "x", ""),
+        ("!", "true", ""),
+        ("abs(", "x", ")"),
+        ("vec4(", "x", ")"),
+        ("float[](", "x", ")"),
+        ("o[", "0", "]"),
+        ("o[int(", "0.0", ")]"),
+        ("x > 1.0 ? ", "x", " : x"),
+        ("x > 1.0 ? x : ", "x", ""),
+        ("x = ", "x", ""),
+        ("(float) ", "x", ""),
+        ("x, (", "x", ")"),
+    ];
+    for (before, inner, behind) in constructs {
+        judge(
+            &body(&format!("x = {};", nest(50_000, before, inner, behind))),
+            Refused,
+        );
+    }
+    let statements = [
+        ("{", ";", "}"),
+        ("if (x > 1.0) ", ";", ""),
+        ("if (x > 1.0) {", ";", "}"),
+        ("if (x > 1.0) ; else {", ";", "}"),
+        ("for (;;) ", ";", ""),
+        ("while (x > 1.0) {", ";", "}"),
+        ("do ", ";", " while (x > 1.0);"),
+        ("switch (n) { default: ", ";", "}"),
+        ("struct S { ", "float a;", "};"),
+        ("float f() { ", ";", "}"),
+    ];
+    for (before, inner, behind) in statements {
+        judge(&body(&nest(50_000, before, inner, behind)), Refused);
+    }
+}
+
+#[test]
+fn nothing_closes() {
+    let opened = [
+        "(",
+        "[",
+        "{",
+        "f(",
+        "o[",
+        "vec4(",
+        "if (",
+        "for (",
+        "while (",
+        "do {",
+        "switch (n) {",
+        "struct S {",
+        "case ",
+        "? ",
+        "x ? x : ",
+        "#if 1\n",
+        "#ifdef A\n",
+        "#define A(\n",
+        "layout(",
+        "float a[",
+        "/* ",
+        "(float)",
+        "void f(",
+        "uniform B {",
+        "\\\n",
+        "#",
+        "\"",
+        "precision ",
+        "else ",
+        "return ",
+    ];
+    for text in opened {
+        judge(&body(&text.repeat(20_000)), Refused);
+        judge(&text.repeat(20_000), Refused);
+    }
+    // What closes and was never opened.
+    for text in [
+        ")", "]", "}", "};", "*/", "#endif\n", "#else\n", ":", ";)", "},",
+    ] {
+        judge(&body(&text.repeat(20_000)), Refused);
+    }
+}
+
+#[test]
+fn chains_are_no_nesting() {
+    let count = 200;
+    judge(&body(&format!("x = {}x;", "x + ".repeat(count))), Compiles);
+    let arms = each(5_000, |i| {
+        format!("if (x < {i}.0) {{ o.x = {i}.0; }} else ")
+    });
+    judge(&body(&format!("{arms};")), Refused);
+    judge(&body(&"x += 1.0; ".repeat(100_000)), Compiles);
+    judge(&body(&format!("x = {}x;", "x + ".repeat(100_000))), Refused);
+    judge(&body(&format!("x = {}x;", "x, ".repeat(100_000))), Refused);
+    judge(
+        &body(&format!("o = o{};", ".xyzw".repeat(50_000))),
+        Compiles,
+    );
+    judge(&body(&format!("o = o{};", ".q.w".repeat(50_000))), Refused);
+}
+
+#[test]
+fn macros_explode() {
+    let doubled = |depth: usize| {
+        let lines = each(depth, |i| format!("#define M{} M{i} + M{i}\n", i + 1));
+        format!("#define M0 1.0\n{lines}{}", body(&format!("x = M{depth};")))
+    };
+    judge(&doubled(60), Refused);
+    let calls = |depth| nest(depth, "F(", "1.0", ")");
+    for definition in ["x", "x + x", "x x", "F(x)", "(x)"] {
+        for depth in [25, 5_000] {
+            let code = body(&format!("x = {};", calls(depth)));
+            judge(&format!("#define F(x) {definition}\n{code}"), Refused);
+        }
+    }
+    let chain = each(50_000, |i| format!("#define M{} M{i}\n", i + 1));
+    judge(
+        &format!("#define M0 1.0\n{chain}{}", body("x = M50000;")),
+        Compiles,
+    );
+    let ring = each(10_000, |i| format!("#define M{i} M{}\n", (i + 1) % 10_000));
+    judge(
+        &format!("{ring}{}", body("float M0 = 1.0; x = M0;")),
+        Compiles,
+    );
+    let params: Vec<String> = (0..10_000).map(|i| format!("a{i}")).collect();
+    let args = vec!["1.0"; 10_000].join(",");
+    let code = body(&format!("x = F({args});"));
+    judge(
+        &format!("#define F({}) a0\n{code}", params.join(",")),
+        Compiles,
+    );
+    judge(
+        &format!("#define A {}\n{}", "A ".repeat(100_000), body("A")),
+        Refused,
+    );
+    judge(
+        &format!("#define E\n{}", body(&"E ".repeat(200_000))),
+        Compiles,
+    );
+}
+
+#[test]
+fn directives_go_to_extremes() {
+    judge(
+        &format!("#if {}\n#endif\n{}", nest(50_000, "(", "1", ")"), body("")),
+        Refused,
+    );
+    judge(
+        &format!("#if {}1\n#endif\n{}", "!".repeat(100_000), body("")),
+        Refused,
+    );
+    let groups = nest(50_000, "#if 1\n", "", "#endif\n");
+    judge(&format!("{groups}{}", body("")), Compiles);
+    let arms = format!("#if 0\n{}#endif\n", "#elif 0\n".repeat(50_000));
+    judge(&format!("{arms}{}", body("")), Compiles);
+    for line in [
+        "99999999999999999999",
+        "-5 3",
+        "2147483647",
+        "0",
+        "4294967295",
+        "1 2 3",
+        "x",
+    ] {
+        judge(&format!("#line {line}\n{}", body("undefined;")), Refused);
+    }
+    judge(
+        &format!("{}{}", "#line 7\n".repeat(20_000), body("")),
+        Compiles,
+    );
+    judge(
+        &format!("{}{}", "#pragma x\n".repeat(50_000), body("")),
+        Compiles,
+    );
+    judge(
+        &format!("{}{}", "#nothing\n".repeat(50_000), body("")),
+        Refused,
+    );
+}
+
+#[test]
+fn words_numbers_and_comments_are_huge() {
+    judge(
+        &body(&format!("float {} = 1.0;", "a".repeat(1_000_000))),
+        Refused,
+    );
+    judge(
+        &body(&format!("float {} = 1.0;", "a".repeat(1_024))),
+        Compiles,
+    );
+    judge(&body(&format!("int i = {};", "9".repeat(100_000))), Refused);
+    judge(
+        &body(&format!("int i = 0x{};", "f".repeat(100_000))),
+        Refused,
+    );
+    judge(&body(&format!("x = 1{}.0;", "0".repeat(100_000))), Compiles);
+    judge(&body(&format!("x = 0.{}1;", "0".repeat(100_000))), Compiles);
+    judge(&body("x = 1.0e999999999999;"), Compiles);
+    judge(&body(&format!("o = o.{};", "x".repeat(100_000))), Refused);
+    judge(
+        &format!("/*{}*/{}", "line\n".repeat(100_000), body("")),
+        Compiles,
+    );
+    judge(
+        &format!("{}{}", "// line\n".repeat(100_000), body("")),
+        Compiles,
+    );
+    judge(
+        &format!("//{}\n{}", " \\\n".repeat(100_000), body("")),
+        Compiles,
+    );
+    judge(
+        &body(&format!("x{} = 1.0;", "\\\n".repeat(100_000))),
+        Compiles,
+    );
+    judge(&body(&"x\\\n=\\\n1.\\\n0;".repeat(20_000)), Compiles);
+    judge(&body(&"é".repeat(50_000)), Refused);
+    judge(&body(&"é ".repeat(50_000)), Refused);
+    judge(&body(&"\u{200b}$`@".repeat(50_000)), Refused);
+    judge(&body(&each(20_000, |i| format!("é{i};"))), Refused);
+    judge(&"\0".repeat(100_000), Refused);
+}
+
+#[test]
+fn there_are_very_many_of_each() {
+    let count = 10_000;
+    judge(
+        &format!(
+            "{}{}",
+            each(count, |i| format!("float f{i}(float x) {{ return x; }}\n")),
+            body("")
+        ),
+        Compiles,
+    );
+    let chain = each(count, |i| {
+        format!("float f{}(float x) {{ return f{i}(x); }}\n", i + 1)
+    });
+    judge(
+        &format!(
+            "float f0(float x) {{ return x; }}\n{chain}{}",
+            body("x = f10000(x);")
+        ),
+        Refused,
+    );
+    let fan = each(60, |i| {
+        format!(
+            "float f{}(float x) {{ return f{i}(x) + f{i}(x); }}\n",
+            i + 1
+        )
+    });
+    judge(
+        &format!(
+            "float f0(float x) {{ return x; }}\n{fan}{}",
+            body("x = f60(x);")
+        ),
+        Compiles,
+    );
+    judge(
+        &body(&each(count, |i| format!("float v{i} = x;"))),
+        Compiles,
+    );
+    judge(
+        &body(&each(count, |i| {
+            format!("float v{i} = x; {{ float v{i} = x; }}")
+        })),
+        Compiles,
+    );
+    judge(
+        &format!(
+            "{}{}",
+            each(count, |i| format!("const int c{i} = {i};\n")),
+            body("")
+        ),
+        Compiles,
+    );
+    judge(
+        &format!(
+            "{}{}",
+            each(count, |i| format!("struct S{i} {{ float a; }};\n")),
+            body("")
+        ),
+        Compiles,
+    );
+    let overloads = each(5_000, |i| {
+        format!("struct S{i} {{ float a; }}; float f(S{i} s) {{ return s.a; }}\n")
+    });
+    judge(
+        &format!("{overloads}{}", body("S1 s; s.a = 1.0; x = f(s);")),
+        Compiles,
+    );
+    judge(
+        &format!("{overloads}{}", body(&"x = f(x);".repeat(1_000))),
+        Refused,
+    );
+    judge(
+        &body(&format!(
+            "switch (n) {{ {} }}",
+            each(count, |i| format!("case {i}: x = 1.0; break;\n"))
+        )),
+        Compiles,
+    );
+    judge(
+        &body(&format!(
+            "switch (n) {{ {} }}",
+            "case 1: x = 1.0; break;\n".repeat(count)
+        )),
+        Refused,
+    );
+    let args = vec!["x"; count].join(", ");
+    judge(&body(&format!("x = f({args});")), Refused);
+    judge(&body(&format!("o = vec4({args});")), Refused);
+    judge(&body(&format!("float a[] = float[]({args});")), Compiles);
+    let params = vec!["float"; count].join(", ");
+    judge(
+        &format!("float f({params}) {{ return 1.0; }}\n{}", body("")),
+        Refused,
+    );
+    judge(
+        &body(&format!(
+            "float {};",
+            (0..count)
+                .map(|i| format!("v{i}"))
+                .collect::<Vec<_>>()
+                .join(", ")
+        )),
+        Compiles,
+    );
+    judge(
+        &format!(
+            "struct S {{ {} }};\n{}",
+            each(count, |i| format!("float m{i};")),
+            body("")
+        ),
+        Compiles,
+    );
+}
+
+#[test]
+fn there_are_very_many_errors() {
+    judge(
+        &body(&each(50_000, |i| format!("undefined{i};\n"))),
+        Refused,
+    );
+    judge(&body(&"undefined;\n".repeat(50_000)), Refused);
+    judge(&body(&"x = 1;\n".repeat(50_000)), Refused);
+    judge(&body(&"x = ;\n".repeat(50_000)), Refused);
+    judge(&body(&"float x float y\n".repeat(20_000)), Refused);
+    judge(&"x y z\n".repeat(50_000), Refused);
+    judge(
+        &format!(
+            "#define F undefined + 1\n{}",
+            body(&"x = F;\n".repeat(20_000))
+        ),
+        Refused,
+    );
+    judge(
+        &body(&format!("x = {};", "undefined + ".repeat(20_000))),
+        Refused,
+    );
+    let long = format!("x = {}1; ", "x + ".repeat(10)).repeat(10_000);
+    judge(&body(&long), Refused);
+}
+
+#[test]
+fn types_are_huge() {
+    judge(&body("float a[2147483647]; x = a[0];"), Refused);
+    judge(&body("float a[0]; float b[-1]; float c[n];"), Refused);
+    judge(&body("int a[10000000]; int b[10000000]; a = b;"), Refused);
+    let doubling = each(60, |i| format!("struct S{} {{ S{i} a, b; }};\n", i + 1));
+    judge(
+        &format!("struct S0 {{ float a, b; }};\n{doubling}{}", body("S60 s;")),
+        Refused,
+    );
+    let nested = each(5_000, |i| format!("struct S{} {{ S{i} a; }};\n", i + 1));
+    judge(
+        &format!("struct S0 {{ float a; }};\n{nested}{}", body("")),
+        Refused,
+    );
+    judge(
+        "struct A { A a; }; struct B { C c; }; struct C { B b; };",
+        Refused,
+    );
+    let constant = format!(
+        "const float a[] = float[]({});\n",
+        vec!["1.0"; 50_000].join(",")
+    );
+    judge(
+        &format!(
+            "{constant}{}",
+            body(&each(1_000, |i| format!("x += a[{i}];")))
+        ),
+        Refused,
+    );
+    let copies = each(2_000, |i| format!("const float[1000] b{} = b{i};\n", i + 1));
+    let first = format!(
+        "const float[1000] b0 = float[1000]({});\n",
+        vec!["1.0"; 1_000].join(",")
+    );
+    judge(&format!("{first}{copies}{}", body("")), Compiles);
+}

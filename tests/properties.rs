@@ -1,0 +1,179 @@
+//! What holds for every text, tried on thousands of random ones.
+
+use proptest::prelude::*;
+use shaderlint::cli::document::{DialectChoice, Findings, check, fix_text};
+use shaderlint::cli::input::Content;
+use shaderlint::diagnostic::{Diagnostic, Severity};
+use shaderlint::lint::{Allow, Settings};
+use shaderlint::rules::RULES;
+use shaderlint::syntax::tokenize;
+use shaderlint::text::{Role, Sources};
+
+/// Pieces of shaders; put together at random they make half-right code, where most can go wrong.
+const PIECES: &[&str] = &[
+    "float ",
+    "int ",
+    "vec3 ",
+    "mat2 ",
+    "const ",
+    "uniform ",
+    "in ",
+    "out ",
+    "struct S { float a; }; ",
+    "void mainImage(out vec4 o, in vec2 p) {\n",
+    "float f(float x) {\n",
+    "return ",
+    "if (",
+    "else ",
+    "for (int i = 0; i < 4; i++) ",
+    "while (",
+    "switch (",
+    "case 1: ",
+    "default: ",
+    "break; ",
+    "x ",
+    "y ",
+    "o ",
+    "o.xy ",
+    ".zw ",
+    "f(",
+    "g(",
+    "vec4(",
+    "iTime ",
+    "iChannel0 ",
+    "1 ",
+    "2.0 ",
+    "3u ",
+    "08 ",
+    "1f ",
+    "+ ",
+    "- ",
+    "* ",
+    "== ",
+    "= ",
+    "+= ",
+    "< ",
+    "&& ",
+    "? ",
+    ": ",
+    ", ",
+    "; ",
+    ";\n",
+    "( ",
+    ") ",
+    "{ ",
+    "} ",
+    "[",
+    "] ",
+    "}\n",
+    "\n",
+    "\\\n",
+    "// note\n",
+    "/* note */ ",
+    "/* ",
+    "#define F(a) a + a\n",
+    "#define G\n",
+    "F(",
+    "G ",
+    "#if 1\n",
+    "#ifdef G\n",
+    "#else\n",
+    "#endif\n",
+    "#line 7\n",
+    "é",
+    "→",
+    "\u{feff}",
+    "x = 1;\n",
+    "float z = x;\n",
+    "x += f(x);\n",
+    "o = vec4(x, y, 0.0, 1.0);\n",
+];
+
+fn texts() -> impl Strategy<Value = String> {
+    let pieces = prop::collection::vec(prop::sample::select(PIECES), 0..80);
+    pieces.prop_map(|all| all.concat())
+}
+
+fn judge(text: &str) -> Findings {
+    let settings = Settings::new(RULES, &["all".to_string()], &[]).unwrap();
+    let found = check(
+        "a.glsl",
+        Content::utf8(text),
+        DialectChoice::Auto,
+        &settings,
+    );
+    found.unwrap_or_else(|_| panic!("this cannot be judged"))
+}
+
+/// Rule and message of each finding, in order.
+fn summary(found: &Findings) -> Vec<(&'static str, String)> {
+    let all = found.diagnostics.iter();
+    all.map(|d| (d.rule, d.message.clone())).collect()
+}
+
+fn count_errors(diagnostics: &[Diagnostic]) -> usize {
+    let all = diagnostics.iter();
+    all.filter(|d| d.severity == Severity::Error).count()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn tokens_put_end_to_end_are_the_text(text in prop_oneof![texts(), any::<String>()]) {
+        let mut at = 0;
+        for token in tokenize(&text, 0) {
+            prop_assert_eq!(token.span.start, at);
+            prop_assert!(token.span.end > at);
+            prop_assert!(text.is_char_boundary(token.span.end as usize));
+            at = token.span.end;
+        }
+        prop_assert_eq!(at as usize, text.len());
+    }
+
+    #[test]
+    fn line_ends_make_no_difference(text in texts()) {
+        let (unix, windows) = (judge(&text), judge(&text.replace('\n', "\r\n")));
+        prop_assert_eq!(summary(&unix), summary(&windows));
+    }
+
+    #[test]
+    fn findings_lie_in_the_text_of_the_user(text in prop_oneof![texts(), any::<String>()]) {
+        let found = judge(&text);
+        for d in &found.diagnostics {
+            let labels = d.labels.iter().map(|l| l.span);
+            let edits = d.fix.iter().flat_map(|f| f.edits.iter().map(|e| e.span));
+            for span in std::iter::once(d.span).chain(labels).chain(edits) {
+                let file = found.sources.file_at(span.start).unwrap();
+                prop_assert_eq!(file.role, Role::User, "{}", d.message);
+                prop_assert!(file.span().contains(span), "{}", d.message);
+                let (start, end) = (span.start - file.base, span.end - file.base);
+                prop_assert!(file.text.get(start as usize..end as usize).is_some(), "{}", d.message);
+            }
+        }
+    }
+
+    #[test]
+    fn fixes_bring_no_new_error(text in texts()) {
+        let settings = Settings::new(RULES, &[], &[]).unwrap();
+        let before = count_errors(&judge(&text).diagnostics);
+        for allow in [Allow::Safe, Allow::Unsafe] {
+            let fixed = fix_text("a.glsl", &text, DialectChoice::Auto, &settings, allow);
+            let after = count_errors(&judge(&fixed.text).diagnostics);
+            prop_assert!(after <= before, "{before} errors became {after}:\n{}", fixed.text);
+        }
+    }
+
+    #[test]
+    fn positions_grow_with_addresses(text in any::<String>()) {
+        let mut sources = Sources::new();
+        let id = sources.add("a", None, Role::User, text.as_str()).unwrap();
+        let file = sources.file(id).unwrap();
+        let mut last = file.position(0);
+        for address in 1..=text.len() as u32 {
+            let next = file.position(address);
+            prop_assert!((last.line, last.column, last.utf16) <= (next.line, next.column, next.utf16));
+            last = next;
+        }
+    }
+}
