@@ -87,6 +87,7 @@ impl Checker<'_> {
             constant,
             token: None,
             function: None,
+            hides: None,
             written: false,
             read: false,
         });
