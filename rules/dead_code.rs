@@ -1,7 +1,7 @@
 //! Statements that never run.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, remove_lines};
+use crate::lint::{Check, Context, Group, Rule, remove_statement};
 use crate::syntax::ast::*;
 
 pub static RULE: Rule = Rule {
@@ -53,15 +53,17 @@ fn check_run(cx: &mut Context, run: &[StmtId], is_block: bool) {
     let (end, kind) = (tree.stmt(end), tree.stmt(first).kind);
     // The language wants a value behind a `discard`, and habit a `break` or `return` behind every
     // case and every function.
-    let is_jump = matches!(kind, StmtKind::Return(_) | StmtKind::Break);
+    let is_jump = matches!(
+        kind,
+        StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue
+    );
     if dead.len() == 1 && is_jump {
         return;
     }
     let extent = tree.stmt(first).extent.to(tree.stmt(last).extent);
-    let is_direct = |t| program.token(t).is_some_and(|t| t.is_direct());
-    if !is_direct(extent.first) || !is_direct(extent.last) {
+    let Some(edit) = remove_statement(program, extent) else {
         return;
-    }
+    };
     let jump = match end.kind {
         StmtKind::Return(_) => "`return`",
         StmtKind::Discard => "`discard`",
@@ -69,10 +71,7 @@ fn check_run(cx: &mut Context, run: &[StmtId], is_block: bool) {
         StmtKind::Continue => "`continue`",
         _ => "this",
     };
-    let fix = is_block.then(|| {
-        let edit = remove_lines(program, program.span(extent));
-        Fix::suggestion("take it out", vec![edit])
-    });
+    let fix = is_block.then(|| Fix::suggestion("take it out", vec![edit]));
     let end = program.span(end.extent);
     let message = match dead.len() {
         1 => "this statement never runs".to_string(),

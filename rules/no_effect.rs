@@ -67,7 +67,10 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
         ExprKind::Call(_, args) => {
             let name = program.token(inner.extent.first);
             let name = name.map_or("", |t| program.sources.text(t.span));
-            let message = format!("the result of `{name}` is thrown away, and it does nothing else");
+            let message = match program.ty(root).is_void() {
+                true => format!("`{name}` does nothing that is seen outside it"),
+                false => format!("the result of `{name}` is thrown away, and it does nothing else"),
+            };
             let first = tree.args(args).first().copied();
             let kept = first.filter(|&a| {
                 program.variable_of(a).is_some() && program.ty(a) == program.ty(root)

@@ -15,6 +15,9 @@ pub static RULE: Rule = Rule {
     check: Check::Expr(check),
 };
 
+/// Longest code that a message repeats, in bytes.
+const LONGEST: usize = 40;
+
 fn check(cx: &mut Context, id: ExprId) {
     let program = cx.program;
     let tree = &program.tree;
@@ -45,7 +48,11 @@ fn check(cx: &mut Context, id: ExprId) {
     let text = program.expr_text(arg);
     let has_comment = |e: &Edit| program.sources.text(e.span).contains('/');
     let fix = (!edits.iter().any(has_comment)).then(|| Fix::safe("take the constructor off", edits));
-    cx.report_expr(id, format!("`{text}` is a `{name}` already"))
+    let what = match text.len() {
+        0..=LONGEST if !text.contains('\n') => format!("`{text}`"),
+        _ => "this".to_string(),
+    };
+    cx.report_expr(id, format!("{what} has the type `{name}` already"))
         .fix(fix);
 }
 

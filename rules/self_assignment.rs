@@ -30,8 +30,9 @@ fn check(cx: &mut Context, id: ExprId) {
         return;
     }
     let text = program.sources.text(program.span(left));
+    let fix = removal(cx, id);
     cx.report(expr.extent, format!("`{text}` is assigned to itself"))
-        .fix(removal(cx, id));
+        .fix(fix);
 }
 
 fn removal(cx: &Context, id: ExprId) -> Option<Fix> {

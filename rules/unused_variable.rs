@@ -9,7 +9,7 @@ use crate::text::Edit;
 pub static RULE: Rule = Rule {
     name: "unused-variable",
     group: Group::Tidy,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: true,
     options: &[],
     page: include_str!("unused_variable.md"),

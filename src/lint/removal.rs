@@ -5,11 +5,14 @@ use crate::semantic::Program;
 use crate::syntax::ast::{Declarator, Extent};
 use crate::text::{Edit, Span};
 
-/// Takes a statement or declaration away. `None` where part of it comes from a macro.
+/// Takes a statement, declaration or function away. `None` where it starts or ends in a macro, or
+/// where directives stand in it, which may belong together with others outside.
 pub fn remove_statement(program: &Program, extent: Extent) -> Option<Edit> {
-    program
-        .is_direct(extent)
-        .then(|| remove_lines(program, program.span(extent)))
+    let is_direct = |t| program.token(t).is_some_and(|t| t.is_direct());
+    let span = program.span(extent);
+    let has_directive = program.sources.text(span).contains('#');
+    (is_direct(extent.first) && is_direct(extent.last) && !has_directive)
+        .then(|| remove_lines(program, span))
 }
 
 /// Takes the code under a span away: with its lines, and the comment behind it, where it has them
