@@ -16,13 +16,11 @@ pub static RULE: Rule = Rule {
 };
 
 /// Extensions of WebGL1, and what of WebGL2 does the same.
-const CORE: [(&str, &str); 6] = [
+const CORE: [(&str, &str); 4] = [
     ("GL_OES_standard_derivatives", "`dFdx`, `dFdy` and `fwidth` are"),
     ("GL_EXT_shader_texture_lod", "`textureLod` and `textureGrad` are"),
     ("GL_EXT_frag_depth", "`gl_FragDepth` is"),
     ("GL_EXT_draw_buffers", "several `out` variables are"),
-    ("GL_OES_texture_3D", "`sampler3D` is"),
-    ("GL_NV_shadow_samplers_cube", "`samplerCubeShadow` is"),
 ];
 
 fn check(cx: &mut Context) {
