@@ -38,7 +38,10 @@ fn check(cx: &mut Context, id: StmtId) {
         return;
     };
     let fix = operator.is_direct().then(|| {
-        Fix::suggestion("compare with `==`", vec![Edit::replace(operator.span, "==")])
+        Fix::suggestion(
+            "compare with `==`",
+            vec![Edit::replace(operator.span, "==")],
+        )
     });
     let text = program.expr_text(target);
     cx.report_expr(

@@ -24,8 +24,10 @@ fn check(cx: &mut Context, e: &Binary) {
     }
     if let Some(answer) = literal_answer(cx, e).or_else(|| sign_answer(cx, e)) {
         let finding = cx.report_expr(e.id, format!("this is always {answer}"));
-        if matches!(e.op, BinaryOp::Less | BinaryOp::GreaterEqual | BinaryOp::Greater | BinaryOp::LessEqual)
-            && program.ty(e.left).scalar_kind() == Some(Scalar::Uint)
+        if matches!(
+            e.op,
+            BinaryOp::Less | BinaryOp::GreaterEqual | BinaryOp::Greater | BinaryOp::LessEqual
+        ) && program.ty(e.left).scalar_kind() == Some(Scalar::Uint)
         {
             finding.note("a `uint` is never below zero");
         }

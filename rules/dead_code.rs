@@ -19,9 +19,8 @@ fn check(cx: &mut Context, id: StmtId) {
     match tree.stmt(id).kind {
         StmtKind::Block(body) => check_run(cx, tree.block(body), true),
         StmtKind::Switch { body, .. } => {
-            let is_label = |s: &StmtId| {
-                matches!(tree.stmt(*s).kind, StmtKind::Case(_) | StmtKind::Default)
-            };
+            let is_label =
+                |s: &StmtId| matches!(tree.stmt(*s).kind, StmtKind::Case(_) | StmtKind::Default);
             for run in tree.block(body).split(is_label) {
                 check_run(cx, run, false);
             }
@@ -71,12 +70,12 @@ fn check_run(cx: &mut Context, run: &[StmtId], is_block: bool) {
         StmtKind::Continue => "`continue`",
         _ => "this",
     };
-    let fix = is_block.then(|| Fix::suggestion("take it out", vec![edit]));
     let end = program.span(end.extent);
-    let message = match dead.len() {
-        1 => "this statement never runs".to_string(),
-        n => format!("these {n} statements never run"),
+    let (message, title) = match dead.len() {
+        1 => ("this statement never runs".to_string(), "take it out"),
+        n => (format!("these {n} statements never run"), "take them out"),
     };
+    let fix = is_block.then(|| Fix::suggestion(title, vec![edit]));
     cx.report(tree.stmt(first).extent, message)
         .label(end, format!("{jump} leaves before it"))
         .fix(fix);

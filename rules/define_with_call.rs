@@ -21,9 +21,8 @@ pub static RULE: Rule = Rule {
 fn check(cx: &mut Context) {
     let program = cx.program;
     let macros = &program.tokens.macros;
-    let is_candidate = |m: &&Macro| {
-        !m.predefined && m.params.is_none() && m.uses > 1 && holds_call(m)
-    };
+    let is_candidate =
+        |m: &&Macro| !m.predefined && m.params.is_none() && m.uses > 1 && holds_call(m);
     if !macros.iter().any(|m| is_candidate(&m)) {
         return;
     }

@@ -80,8 +80,11 @@ fn check_chain(cx: &mut Context, start: StmtId) {
         match asked.get(&code_hash(program, extent)) {
             Some(&before) if same_code(program, before, extent) => {
                 let before = program.span(before);
-                cx.report(extent, "this condition was asked before, so it is false here")
-                    .label(before, "asked here");
+                cx.report(
+                    extent,
+                    "this condition was asked before, so it is false here",
+                )
+                .label(before, "asked here");
             }
             Some(_) => {}
             None => {

@@ -17,8 +17,14 @@ pub static RULE: Rule = Rule {
 
 /// Extensions of WebGL1, and what of WebGL2 does the same.
 const CORE: [(&str, &str); 4] = [
-    ("GL_OES_standard_derivatives", "`dFdx`, `dFdy` and `fwidth` are"),
-    ("GL_EXT_shader_texture_lod", "`textureLod` and `textureGrad` are"),
+    (
+        "GL_OES_standard_derivatives",
+        "`dFdx`, `dFdy` and `fwidth` are",
+    ),
+    (
+        "GL_EXT_shader_texture_lod",
+        "`textureLod` and `textureGrad` are",
+    ),
     ("GL_EXT_frag_depth", "`gl_FragDepth` is"),
     ("GL_EXT_draw_buffers", "several `out` variables are"),
 ];
@@ -36,8 +42,13 @@ fn check(cx: &mut Context) {
             continue;
         };
         let edit = remove_lines(program, used.span);
-        cx.report_span(used.span, format!("WebGL2 has no extension `{name}`, and needs none"))
-            .note(format!("{what} part of GLSL ES 3.00; the browser warns about the name"))
-            .fix(Fix::safe("take it out", vec![edit]));
+        cx.report_span(
+            used.span,
+            format!("WebGL2 has no extension `{name}`, and needs none"),
+        )
+        .note(format!(
+            "{what} part of GLSL ES 3.00; the browser warns about the name"
+        ))
+        .fix(Fix::safe("take it out", vec![edit]));
     }
 }

@@ -45,8 +45,7 @@ fn check(cx: &mut Context, id: FunctionRef) {
     };
     let is_plain = color.direction == Direction::In && program.is_direct(param.extent);
     let has_prototype = function.declaration != function.definition.unwrap_or(function.declaration);
-    let fix = (is_plain && !has_prototype)
-        .then(|| Fix::suggestion("make it `out`", vec![edit]));
+    let fix = (is_plain && !has_prototype).then(|| Fix::suggestion("make it `out`", vec![edit]));
     let extent = Extent {
         first: param.extent.first,
         last: param.extent.last,

@@ -35,7 +35,7 @@ fn check(cx: &mut Context, id: ExprId) {
         ExprKind::Call(..) => clamp(cx, id)
             .or_else(|| length(cx, id))
             .or_else(|| distance(cx, id)),
-        ExprKind::Binary(BinaryOp::Add, a, b) => mix(cx, a, b),
+        ExprKind::Binary(BinaryOp::Add, a, b) if !is_summand(cx, id) => mix(cx, a, b),
         ExprKind::Binary(BinaryOp::Sub, a, b) => reflect(cx, a, b).or_else(|| fract(cx, a, b)),
         ExprKind::Binary(BinaryOp::Div, a, b) => normalize(cx, a, b),
         _ => None,
@@ -107,7 +107,9 @@ fn clamp(cx: &Context, id: ExprId) -> Option<Found> {
                 } else {
                     (first, second)
                 };
-                let fits = |e| [cx.program.ty(x), crate::semantic::Type::FLOAT].contains(&cx.program.ty(e));
+                let fits = |e| {
+                    [cx.program.ty(x), crate::semantic::Type::FLOAT].contains(&cx.program.ty(e))
+                };
                 let is_alike = cx.program.ty(low) == cx.program.ty(high);
                 if let (Some(least), Some(most)) = (bound(low), bound(high))
                     && least <= most
@@ -158,6 +160,16 @@ fn distance(cx: &Context, id: ExprId) -> Option<Found> {
         name: "distance",
         arguments: vec![a, b],
     })
+}
+
+/// Whether an expression is part of a longer sum, which has a shape of its own.
+fn is_summand(cx: &Context, id: ExprId) -> bool {
+    let parent = cx.facts.structure().parent(id);
+    let kind = parent.map(|p| cx.program.tree.expr(p).kind);
+    matches!(
+        kind,
+        Some(ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..))
+    )
 }
 
 /// `a * (1.0 - t) + b * t` or `a + (b - a) * t`.

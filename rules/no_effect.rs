@@ -58,11 +58,14 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
     let (message, fix) = match inner.kind {
         ExprKind::Binary(BinaryOp::Equal, left, right) => {
             let operator = program.token(tree.expr(left).extent.last + 1);
-            let fix = operator.filter(|_| tree.unparen(root) == root).map(|t| {
-                Fix::suggestion("assign with `=`", vec![Edit::replace(t.span, "=")])
-            });
+            let fix = operator
+                .filter(|_| tree.unparen(root) == root)
+                .map(|t| Fix::suggestion("assign with `=`", vec![Edit::replace(t.span, "=")]));
             let (left, right) = (program.expr_text(left), program.expr_text(right));
-            (format!("this compares `{left}` with `{right}` and forgets the answer"), fix)
+            (
+                format!("this compares `{left}` with `{right}` and forgets the answer"),
+                fix,
+            )
         }
         ExprKind::Call(_, args) => {
             let name = program.token(inner.extent.first);
@@ -72,9 +75,8 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
                 false => format!("the result of `{name}` is thrown away, and it does nothing else"),
             };
             let first = tree.args(args).first().copied();
-            let kept = first.filter(|&a| {
-                program.variable_of(a).is_some() && program.ty(a) == program.ty(root)
-            });
+            let kept = first
+                .filter(|&a| program.variable_of(a).is_some() && program.ty(a) == program.ty(root));
             let fix = kept.map(|a| {
                 let text = program.expr_text(a);
                 let start = program.expr_span(root).start;

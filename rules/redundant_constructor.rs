@@ -47,7 +47,8 @@ fn check(cx: &mut Context, id: ExprId) {
     };
     let text = program.expr_text(arg);
     let has_comment = |e: &Edit| program.sources.text(e.span).contains('/');
-    let fix = (!edits.iter().any(has_comment)).then(|| Fix::safe("take the constructor off", edits));
+    let fix =
+        (!edits.iter().any(has_comment)).then(|| Fix::safe("take the constructor off", edits));
     let what = match text.len() {
         0..=LONGEST if !text.contains('\n') => format!("`{text}`"),
         _ => "this".to_string(),

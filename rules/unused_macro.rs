@@ -29,8 +29,8 @@ fn check(cx: &mut Context) {
             continue;
         }
         let span = definition.name_span;
-        let fix = removal(cx, span)
-            .map(|edit| Fix::suggestion(format!("take `{name}` out"), vec![edit]));
+        let fix =
+            removal(cx, span).map(|edit| Fix::suggestion(format!("take `{name}` out"), vec![edit]));
         cx.report_span(span, format!("nothing uses the macro `{name}`"))
             .fix(fix);
     }
@@ -60,5 +60,7 @@ fn removal(cx: &Context, name: Span) -> Option<Edit> {
     let first = comments.partition_point(|c| c.start < span.start);
     let inside = comments.iter().skip(first);
     let mut inside = inside.take_while(|c| c.start < span.end);
-    inside.all(|c| c.end <= span.end).then(|| remove_lines(program, span))
+    inside
+        .all(|c| c.end <= span.end)
+        .then(|| remove_lines(program, span))
 }

@@ -34,9 +34,8 @@ pub fn remove_lines(program: &Program, span: Span) -> Edit {
     let is_last = rest.is_empty() || rest.starts_with("//");
     // A comment that goes on in the next line holds more than this statement's remark.
     let goes_on = rest.ends_with('\\');
-    let edit = |from: usize, to: usize| {
-        Edit::delete(Span::new(base + from as u32, base + to as u32))
-    };
+    let edit =
+        |from: usize, to: usize| Edit::delete(Span::new(base + from as u32, base + to as u32));
     match (is_first, is_last && !goes_on) {
         (true, true) => {
             let mut to = end + spaced.len() + usize::from(!newline.is_empty());

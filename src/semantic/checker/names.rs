@@ -269,10 +269,9 @@ impl Checker<'_> {
 
     /// `fragCoord` outside ShaderToy's `mainImage`, which gets it as a parameter.
     fn fragcoord_in_main(&self, token: TokenId) -> Diagnostic {
-        let message = "`fragCoord` is a parameter of ShaderToy's `mainImage`; nothing declares it here";
-        let d = self
-            .error_at(error::FRAGCOORD_IN_MAIN, token, message)
-            .help("WebGL has `gl_FragCoord.xy` for it");
+        let message =
+            "`fragCoord` is a parameter of ShaderToy's `mainImage`; nothing declares it here";
+        let d = self.error_at(error::FRAGCOORD_IN_MAIN, token, message);
         let holds = |e: Extent| (e.first..=e.last).contains(&token);
         let mut functions = self.tree.functions.iter();
         let body = functions.find(|f| f.body.is_some() && holds(f.extent));
@@ -281,13 +280,13 @@ impl Checker<'_> {
             .map(|b| self.token(self.tree.stmt(b).extent.first));
         match open.filter(|t| t.is_direct()) {
             Some(open) => d.fix(Fix::safe(
-                "declare it",
+                "declare it: `vec2 fragCoord = gl_FragCoord.xy;`",
                 vec![Edit::insert(
                     open.span.end,
                     "\n    vec2 fragCoord = gl_FragCoord.xy;",
                 )],
             )),
-            None => d,
+            None => d.help("WebGL has `gl_FragCoord.xy` for it"),
         }
     }
 

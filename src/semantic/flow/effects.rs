@@ -91,8 +91,7 @@ fn functions(program: &Program, structure: &Structure, calls: &CallGraph) -> Vec
             }
             ExprKind::Call(_, args) => {
                 let written = tree.args(args).iter().enumerate();
-                let mut written =
-                    written.filter(|(place, _)| writes_argument(program, id, *place));
+                let mut written = written.filter(|(place, _)| writes_argument(program, id, *place));
                 if written.any(|(_, &arg)| outlives(program, arg)) {
                     mark(structure.function_of_expr(id));
                 }

@@ -19,10 +19,9 @@ impl Reach {
         // Inner statements come before outer ones.
         for stmt in &tree.stmts {
             let ends = match stmt.kind {
-                StmtKind::Return(_)
-                | StmtKind::Discard
-                | StmtKind::Break
-                | StmtKind::Continue => true,
+                StmtKind::Return(_) | StmtKind::Discard | StmtKind::Break | StmtKind::Continue => {
+                    true
+                }
                 StmtKind::Block(body) => tree.block(body).iter().any(|&s| reach.ends(s)),
                 StmtKind::If {
                     then,
