@@ -1,7 +1,8 @@
 //! Every page means what it says: its bad examples are reported as it prints, its fixes give what
 //! it shows, its good examples are silent.
 //!
-//! `INSTA_UPDATE=always cargo test` writes what is printed and fixed into the pages.
+//! `INSTA_UPDATE=always cargo test` writes what is printed and fixed into the pages, and the table of
+//! all rules between its markers.
 
 use shaderlint::cli::document::{DialectChoice, check, fix_text};
 use shaderlint::cli::input::Content;
@@ -180,4 +181,81 @@ fn pages_of_errors() {
     run(ERRORS
         .iter()
         .map(|name| (format!("rules/errors/{name}.md"), *name)));
+}
+
+/// What stands around the table of rules, where a file has one.
+const MARKERS: (&str, &str) = ("<!-- rules -->\n", "<!-- /rules -->");
+
+/// A row for each rule. `folder` leads from the file to the pages.
+fn table(folder: &str) -> String {
+    let mut text = String::from(
+        "\n| rule | group | level | by default | fix | what it finds |\n|---|---|---|---|---|---|\n",
+    );
+    for rule in RULES {
+        let page = Page::new(rule.page);
+        let has = |kind| page.fences.iter().any(|f| f.kind == kind);
+        let fix = match (has(FenceKind::Fixed), has(FenceKind::Suggested)) {
+            (true, _) => "safe",
+            (false, true) => "unsafe",
+            (false, false) => "",
+        };
+        let row = [
+            format!(
+                "[{}]({folder}{}.md)",
+                rule.name,
+                rule.name.replace('-', "_")
+            ),
+            rule.group.name().to_string(),
+            rule.severity.name().to_string(),
+            if rule.default { "on" } else { "off" }.to_string(),
+            fix.to_string(),
+            page.summary.replace('|', "\\|"),
+        ];
+        text.push_str(&format!("| {} |\n", row.join(" | ")));
+    }
+    text.push('\n');
+    text
+}
+
+/// A file with its table as it should be; `None` where it has no table.
+fn with_table(text: &str, folder: &str) -> Option<String> {
+    let (before, rest) = text.split_once(MARKERS.0)?;
+    let (_, behind) = rest.split_once(MARKERS.1)?;
+    let table = table(folder);
+    Some(format!("{before}{}{table}{}{behind}", MARKERS.0, MARKERS.1))
+}
+
+#[test]
+fn tables_of_rules() {
+    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut stale = Vec::new();
+    for (path, folder, must) in [
+        ("rules/README.md", "", true),
+        ("README.md", "rules/", false),
+    ] {
+        let text = fs::read_to_string(root.join(path)).unwrap_or_default();
+        match with_table(&text, folder) {
+            Some(fresh) if fresh != text => {
+                stale.push(path);
+                if accept {
+                    fs::write(root.join(path), fresh).unwrap();
+                }
+            }
+            None if must => panic!("{path} has no place for the table of rules"),
+            _ => {}
+        }
+    }
+    assert!(stale.is_empty(), "the table of rules is stale in {stale:?}");
+}
+
+#[test]
+fn a_table_stands_between_its_markers() {
+    let text = "# A\n\n<!-- rules -->\nold\n<!-- /rules -->\n\nmore\n";
+    let fresh = with_table(text, "rules/").unwrap();
+    assert!(fresh.starts_with("# A\n\n<!-- rules -->\n\n| rule "));
+    assert!(fresh.ends_with(" |\n\n<!-- /rules -->\n\nmore\n"));
+    assert!(!fresh.contains("old"));
+    assert!(fresh.contains("| [float-equality](rules/float_equality.md) | numeric | "));
+    assert_eq!(with_table("# A\n", ""), None);
 }

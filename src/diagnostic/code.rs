@@ -69,6 +69,8 @@ errors! {
     // Names and declarations.
     /// A name that nothing declares.
     UNDECLARED_NAME = "undeclared-name";
+    /// `fragCoord` where only `gl_FragCoord` exists.
+    FRAGCOORD_IN_MAIN = "fragcoord-in-main";
     /// A function used before its declaration.
     USE_BEFORE_DECLARATION = "use-before-declaration";
     /// A type that nothing declares.

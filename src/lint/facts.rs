@@ -1,7 +1,9 @@
 //! What rules ask for about a shader as a whole. Each answer is made at the first question.
 
-use crate::semantic::flow::{CallGraph, Loops, Structure};
+use super::words::Words;
+use crate::semantic::flow::{CallGraph, Effects, Loops, Reach, Structure, Usage};
 use crate::semantic::{Dialect, FunctionRef, Program};
+use crate::text::Span;
 use std::cell::OnceCell;
 
 /// Answers about one shader.
@@ -11,6 +13,10 @@ pub struct Facts<'a, 'p> {
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
     entry: OnceCell<Option<FunctionRef>>,
+    effects: OnceCell<Effects>,
+    usage: OnceCell<Usage>,
+    reach: OnceCell<Reach>,
+    words: OnceCell<Words<'p>>,
 }
 
 impl<'a, 'p> Facts<'a, 'p> {
@@ -22,6 +28,10 @@ impl<'a, 'p> Facts<'a, 'p> {
             calls: OnceCell::new(),
             loops: OnceCell::new(),
             entry: OnceCell::new(),
+            effects: OnceCell::new(),
+            usage: OnceCell::new(),
+            reach: OnceCell::new(),
+            words: OnceCell::new(),
         }
     }
 
@@ -58,5 +68,36 @@ impl<'a, 'p> Facts<'a, 'p> {
             };
             is_entry(name).map(|i| FunctionRef(i as u32))
         })
+    }
+
+    /// Which expressions and functions do more than give a value.
+    pub fn effects(&self) -> &Effects {
+        self.effects
+            .get_or_init(|| Effects::of(self.program, self.structure(), self.calls()))
+    }
+
+    /// How each variable is used.
+    pub fn usage(&self) -> &Usage {
+        self.usage
+            .get_or_init(|| Usage::of(self.program, self.structure()))
+    }
+
+    /// Behind which statements nothing runs.
+    pub fn reach(&self) -> &Reach {
+        self.reach.get_or_init(|| Reach::of(self.program))
+    }
+
+    /// Where words stand that the compiler does not see.
+    pub fn words(&self) -> &Words<'p> {
+        self.words.get_or_init(|| Words::of(self.program))
+    }
+
+    /// Addresses of the last file, which is nobody's else: what it declares is used in it or not at
+    /// all. A file before it, such as ShaderToy's Common, belongs to other passes too. `None` where
+    /// nothing runs, because the text is a part that others make use of.
+    pub fn own_file(&self) -> Option<Span> {
+        self.entry()?;
+        let end = self.program.tokens.tokens.last()?.span.start;
+        Some(self.program.sources.file_at(end)?.span())
     }
 }

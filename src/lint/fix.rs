@@ -40,18 +40,21 @@ pub struct Fixed {
     pub applied: usize,
 }
 
-/// Applies fixes until there are none, or none that helps. A set of fixes that brings more errors
-/// than it takes away is not kept.
-pub fn fix(text: &str, allow: Allow, mut look: impl FnMut(&str) -> Option<Look>) -> Fixed {
+/// Applies fixes until there are none, or none that helps.
+///
+/// In each round the fixes of one look are applied, those left out that touch others. The text
+/// after a round has no more errors than before: fixes that would bring one are found and left out.
+pub fn fix(text: &str, allow: Allow, look: impl FnMut(&str) -> Option<Look>) -> Fixed {
+    let mut engine = Engine { look };
     let mut fixed = Fixed {
         text: text.to_string(),
         applied: 0,
     };
-    let Some(mut seen) = look(text) else {
+    let Some(mut seen) = (engine.look)(text) else {
         return fixed;
     };
     for _ in 0..MAX_ROUNDS {
-        let Some(next) = round(&fixed, &seen, allow, &mut look) else {
+        let Some(next) = engine.round(&fixed, &seen, allow) else {
             break;
         };
         (fixed, seen) = next;
@@ -59,26 +62,60 @@ pub fn fix(text: &str, allow: Allow, mut look: impl FnMut(&str) -> Option<Look>)
     fixed
 }
 
-/// One round: all fixes together, or else those that do no harm alone.
-fn round(
-    fixed: &Fixed,
-    seen: &Look,
-    allow: Allow,
-    look: &mut impl FnMut(&str) -> Option<Look>,
-) -> Option<(Fixed, Look)> {
-    let fixes = choose(&seen.diagnostics, seen.span, allow);
-    let mut attempt = |fixes: &[&Fix]| -> Option<(Fixed, Look)> {
+struct Engine<F> {
+    look: F,
+}
+
+/// What a round gives: the fixes that it kept, and what became of the text.
+struct Kept<'a> {
+    fixes: Vec<&'a Fix>,
+    after: Option<(Fixed, Look)>,
+}
+
+impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
+    /// One round: all fixes together, without those that do harm.
+    fn round(&mut self, fixed: &Fixed, seen: &Look, allow: Allow) -> Option<(Fixed, Look)> {
+        let fixes = choose(&seen.diagnostics, seen.span, allow);
+        let mut kept = Kept {
+            fixes: Vec::new(),
+            after: None,
+        };
+        // Halves are tried where the whole does harm, so that one bad fix among many costs few
+        // looks.
+        let mut todo = vec![fixes.as_slice()];
+        while let Some(next) = todo.pop() {
+            let together = [kept.fixes.as_slice(), next].concat();
+            if next.is_empty() {
+                continue;
+            }
+            match self.attempt(fixed, seen, &together) {
+                Some(after) => {
+                    kept = Kept {
+                        fixes: together,
+                        after: Some(after),
+                    };
+                }
+                None if next.len() > 1 => {
+                    let (first, second) = next.split_at(next.len() / 2);
+                    todo.extend([second, first]);
+                }
+                None => {}
+            }
+        }
+        kept.after
+    }
+
+    /// The text after some fixes, if it is another one and has no more errors than before.
+    fn attempt(&mut self, fixed: &Fixed, seen: &Look, fixes: &[&Fix]) -> Option<(Fixed, Look)> {
         let edits: Vec<Edit> = fixes.iter().flat_map(|f| f.edits.iter().cloned()).collect();
         let text = apply_edits(&fixed.text, seen.span.start, &edits).ok()?;
-        let after = look(&text)?;
-        let is_better = errors(&after) <= errors(seen) && text != fixed.text;
+        if text == fixed.text {
+            return None;
+        }
+        let after = (self.look)(&text)?;
         let applied = fixed.applied + fixes.len();
-        is_better.then_some((Fixed { text, applied }, after))
-    };
-    if fixes.is_empty() {
-        return None;
+        (errors(&after) <= errors(seen)).then_some((Fixed { text, applied }, after))
     }
-    attempt(&fixes).or_else(|| fixes.iter().find_map(|&fix| attempt(&[fix])))
 }
 
 fn errors(look: &Look) -> usize {
@@ -119,17 +156,20 @@ fn is_taken(taken: &[Span], span: Span) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::error;
+    use crate::diagnostic::{Origin, error};
 
-    /// Each `a` is an error that is mended by `b`; each `b` beside a `b` an error without a fix.
+    fn info(span: Span) -> Diagnostic {
+        Diagnostic::new("letter", Origin::Rule, Severity::Info, span, "a")
+    }
+
+    /// Each `a` can be written `b`; each `b` beside a `b` is an error without a fix.
     fn look(text: &str) -> Option<Look> {
         let mut diagnostics = Vec::new();
         for (i, c) in text.char_indices() {
             let span = Span::new(i as u32, i as u32 + 1);
             let edit = Edit::replace(span, "b");
             if c == 'a' {
-                let d = Diagnostic::error(error::SYNTAX_ERROR, span, "a");
-                diagnostics.push(d.fix(Fix::safe("b", vec![edit])));
+                diagnostics.push(info(span).fix(Fix::safe("b", vec![edit])));
             }
         }
         let twins = text.matches("bb").count();
@@ -150,5 +190,64 @@ mod tests {
     fn fixes_that_harm_are_not_kept() {
         let fixed = fix("aa", Allow::Safe, look);
         assert_eq!((fixed.text.as_str(), fixed.applied), ("ba", 1));
+    }
+
+    #[test]
+    fn one_fix_that_harms_does_not_keep_others_back() {
+        let fixed = fix("a.a.ab.a.a", Allow::Safe, look);
+        assert_eq!((fixed.text.as_str(), fixed.applied), ("b.b.ab.b.b", 4));
+    }
+
+    #[test]
+    fn one_bad_fix_among_many_costs_few_looks() {
+        let text = format!("{}ab.{}", "a.".repeat(500), "a.".repeat(500));
+        let mut looks = 0;
+        let fixed = fix(&text, Allow::Safe, |text| {
+            looks += 1;
+            self::look(text)
+        });
+        assert_eq!(fixed.applied, 1000);
+        assert!(looks < 40, "{looks} looks");
+    }
+
+    /// Each `(x)` offers to take both brackets off, which overlaps with what those inside offer.
+    fn brackets(text: &str) -> Option<Look> {
+        let mut open = Vec::new();
+        let mut diagnostics = Vec::new();
+        for (i, c) in text.char_indices() {
+            let i = i as u32;
+            match c {
+                '(' => open.push(i),
+                ')' => {
+                    let from = open.pop()?;
+                    let inner = text.get(from as usize + 1..i as usize)?;
+                    let span = Span::new(from, i + 1);
+                    let edit = Edit::replace(span, inner);
+                    diagnostics.push(info(span).fix(Fix::safe("b", vec![edit])));
+                }
+                _ => {}
+            }
+        }
+        let span = Span::new(0, text.len() as u32);
+        Some(Look { diagnostics, span })
+    }
+
+    #[test]
+    fn fixes_that_overlap_take_one_round_each() {
+        let fixed = fix("((a))+(b)", Allow::Safe, brackets);
+        assert_eq!((fixed.text.as_str(), fixed.applied), ("a+b", 3));
+    }
+
+    #[test]
+    fn fixes_that_want_a_look_are_not_applied_unasked() {
+        let unsafe_look = |text: &str| {
+            let mut look = look(text)?;
+            for fix in look.diagnostics.iter_mut().filter_map(|d| d.fix.as_mut()) {
+                fix.applicability = Applicability::Unsafe;
+            }
+            Some(look)
+        };
+        assert_eq!(fix("a", Allow::Safe, unsafe_look).text, "a");
+        assert_eq!(fix("a", Allow::Unsafe, unsafe_look).text, "b");
     }
 }

@@ -81,6 +81,8 @@ pub struct Variable {
     pub token: Option<TokenId>,
     /// The function that it belongs to.
     pub function: Option<FunctionRef>,
+    /// The variable of an outer scope that has the same name.
+    pub hides: Option<VariableId>,
     /// Whether anything writes to it after its declaration.
     pub written: bool,
     /// Whether anything reads it.

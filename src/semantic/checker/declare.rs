@@ -349,6 +349,10 @@ impl<'a> Checker<'a> {
             }
             return None;
         }
+        let hides = match self.scopes.get(ident.name) {
+            Some(Binding::Variable(outer)) => Some(outer),
+            _ => None,
+        };
         let id = VariableId(self.variables.len() as u32);
         self.variables.push(Variable {
             name: ident.name,
@@ -358,6 +362,7 @@ impl<'a> Checker<'a> {
             constant,
             token: Some(ident.token),
             function: self.current,
+            hides,
             written: false,
             read: false,
         });

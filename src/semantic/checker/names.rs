@@ -87,6 +87,7 @@ impl Checker<'_> {
             constant,
             token: None,
             function: None,
+            hides: None,
             written: false,
             read: false,
         });
@@ -256,10 +257,36 @@ impl Checker<'_> {
                 )
                 .fix(Fix::safe("write `iTime`", self.rename_all(name, "iTime"))),
             ),
+            "fragCoord" if is_fragment && !self.dialect.is_shadertoy() => {
+                Some(self.fragcoord_in_main(token))
+            }
             _ if is_fragment && OUTPUT_NAMES.contains(&text) && self.is_assigned(token) => {
                 Some(self.missing_output(text, token))
             }
             _ => None,
+        }
+    }
+
+    /// `fragCoord` outside ShaderToy's `mainImage`, which gets it as a parameter.
+    fn fragcoord_in_main(&self, token: TokenId) -> Diagnostic {
+        let message =
+            "`fragCoord` is a parameter of ShaderToy's `mainImage`; nothing declares it here";
+        let d = self.error_at(error::FRAGCOORD_IN_MAIN, token, message);
+        let holds = |e: Extent| (e.first..=e.last).contains(&token);
+        let mut functions = self.tree.functions.iter();
+        let body = functions.find(|f| f.body.is_some() && holds(f.extent));
+        let open = body
+            .and_then(|f| f.body)
+            .map(|b| self.token(self.tree.stmt(b).extent.first));
+        match open.filter(|t| t.is_direct()) {
+            Some(open) => d.fix(Fix::safe(
+                "declare it: `vec2 fragCoord = gl_FragCoord.xy;`",
+                vec![Edit::insert(
+                    open.span.end,
+                    "\n    vec2 fragCoord = gl_FragCoord.xy;",
+                )],
+            )),
+            None => d.help("WebGL has `gl_FragCoord.xy` for it"),
         }
     }
 

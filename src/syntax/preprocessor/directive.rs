@@ -14,6 +14,14 @@ pub(super) const KNOWN_EXTENSIONS: [&str; 2] = [
     "GL_OES_EGL_image_external_essl3",
 ];
 
+/// Extensions of WebGL1 that became part of GLSL ES 3.00.
+const CORE_EXTENSIONS: [&str; 4] = [
+    "GL_OES_standard_derivatives",
+    "GL_EXT_shader_texture_lod",
+    "GL_EXT_frag_depth",
+    "GL_EXT_draw_buffers",
+];
+
 impl Preprocessor<'_> {
     /// Defines the macros that the language has from the start.
     pub(super) fn define_predefined(&mut self) {
@@ -403,7 +411,20 @@ impl Preprocessor<'_> {
                 "`{how}` is no behavior; there are `require`, `enable`, `warn` and `disable`"
             ),
         };
-        self.report(error_at(error::UNKNOWN_EXTENSION, span, message));
+        let d = error_at(error::UNKNOWN_EXTENSION, span, message);
+        let is_core = self.version == Version::Es300 && CORE_EXTENSIONS.contains(&text.as_str());
+        if !is_core {
+            return self.report(d);
+        }
+        let line = Span::new(span.start, span.end + 1);
+        let gone = match self.sources.text(line).ends_with('\n') {
+            true => line,
+            false => span,
+        };
+        self.report(
+            d.note("GLSL ES 3.00 has what it added to WebGL1 built in")
+                .fix(Fix::safe("take it out", vec![Edit::delete(gone)])),
+        );
     }
 
     fn line(&mut self, span: Span, rest: &[Piece]) {

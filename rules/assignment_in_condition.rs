@@ -1,0 +1,53 @@
+//! `if (a = b)`.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::syntax::ast::*;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "assignment-in-condition",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("assignment_in_condition.md"),
+    check: Check::Stmt(check),
+};
+
+fn check(cx: &mut Context, id: StmtId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let condition = match tree.stmt(id).kind {
+        StmtKind::If { condition, .. } | StmtKind::Do { condition, .. } => condition,
+        StmtKind::While { condition, .. }
+        | StmtKind::For {
+            condition: Some(condition),
+            ..
+        } => match tree.stmt(condition).kind {
+            StmtKind::Expr(condition) => condition,
+            _ => return,
+        },
+        _ => return,
+    };
+    // A second pair of parentheses says that it is meant.
+    let ExprKind::Assign(None, target, _) = tree.expr(condition).kind else {
+        return;
+    };
+    let Some(operator) = program.token(tree.expr(target).extent.last + 1) else {
+        return;
+    };
+    let fix = operator.is_direct().then(|| {
+        Fix::suggestion(
+            "compare with `==`",
+            vec![Edit::replace(operator.span, "==")],
+        )
+    });
+    let text = program.expr_text(target);
+    cx.report_expr(
+        condition,
+        format!("this condition writes to `{text}` instead of comparing it"),
+    )
+    .help("if it is meant, put it in a second pair of parentheses")
+    .fix(fix);
+}

@@ -1,0 +1,82 @@
+//! Conditions whose answer stands in the text.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Binary, Check, Context, Group, Rule};
+use crate::semantic::flow::each_operand;
+use crate::semantic::{Scalar, Value};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "constant-condition",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("constant_condition.md"),
+    check: Check::Binary(check),
+};
+
+fn check(cx: &mut Context, e: &Binary) {
+    let program = cx.program;
+    let extent = program.tree.expr(e.id).extent;
+    if !(e.op.compares() || e.op.is_logical()) || !program.is_direct(extent) {
+        return;
+    }
+    if let Some(answer) = literal_answer(cx, e).or_else(|| sign_answer(cx, e)) {
+        let finding = cx.report_expr(e.id, format!("this is always {answer}"));
+        if matches!(
+            e.op,
+            BinaryOp::Less | BinaryOp::GreaterEqual | BinaryOp::Greater | BinaryOp::LessEqual
+        ) && program.ty(e.left).scalar_kind() == Some(Scalar::Uint)
+        {
+            finding.note("a `uint` is never below zero");
+        }
+    }
+}
+
+/// The answer where both sides are literals, or one side of `&&` and `||` decides alone. A name may
+/// be a switch that the author sets.
+fn literal_answer(cx: &Context, e: &Binary) -> Option<bool> {
+    let program = cx.program;
+    let tree = &program.tree;
+    let literal = |id| match tree.expr(tree.unparen(id)).kind {
+        ExprKind::Bool(value) => Some(value),
+        _ => None,
+    };
+    match (e.op, literal(e.left), literal(e.right)) {
+        (BinaryOp::And, Some(false), _) | (BinaryOp::And, _, Some(false)) => Some(false),
+        (BinaryOp::Or, Some(true), _) | (BinaryOp::Or, _, Some(true)) => Some(true),
+        _ if !e.op.compares() || has_name(cx, e.id) => None,
+        _ => match program.scalar(e.id)? {
+            Value::Bool(value) => Some(value),
+            _ => None,
+        },
+    }
+}
+
+fn has_name(cx: &Context, id: ExprId) -> bool {
+    let tree = &cx.program.tree;
+    let mut todo = vec![id];
+    while let Some(next) = todo.pop() {
+        let expr = tree.expr(next);
+        if let ExprKind::Name(_) = expr.kind {
+            return true;
+        }
+        each_operand(tree, expr, |child| todo.push(child));
+    }
+    false
+}
+
+/// The answer where something that is never negative is compared with zero.
+fn sign_answer(cx: &Context, e: &Binary) -> Option<bool> {
+    let program = cx.program;
+    let is_zero = |id| program.scalar(id).is_some_and(|v| v.as_float() == 0.0);
+    let is_uint = |id| program.ty(id).scalar_kind() == Some(Scalar::Uint);
+    match e.op {
+        BinaryOp::Less if is_uint(e.left) && is_zero(e.right) => Some(false),
+        BinaryOp::GreaterEqual if is_uint(e.left) && is_zero(e.right) => Some(true),
+        BinaryOp::Greater if is_uint(e.right) && is_zero(e.left) => Some(false),
+        BinaryOp::LessEqual if is_uint(e.right) && is_zero(e.left) => Some(true),
+        _ => None,
+    }
+}

@@ -1,0 +1,94 @@
+//! Statements that never run.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule, remove_statement};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "dead-code",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("dead_code.md"),
+    check: Check::Stmt(check),
+};
+
+fn check(cx: &mut Context, id: StmtId) {
+    let tree = &cx.program.tree;
+    match tree.stmt(id).kind {
+        StmtKind::Block(body) => check_run(cx, tree.block(body), true),
+        StmtKind::Switch { body, .. } => {
+            let is_label =
+                |s: &StmtId| matches!(tree.stmt(*s).kind, StmtKind::Case(_) | StmtKind::Default);
+            for run in tree.block(body).split(is_label) {
+                check_run(cx, run, false);
+            }
+        }
+        StmtKind::If {
+            condition, then, ..
+        } => check_never(cx, condition, then),
+        StmtKind::While { condition, body } => {
+            if let StmtKind::Expr(condition) = tree.stmt(condition).kind {
+                check_never(cx, condition, body);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Statements one behind the other.
+fn check_run(cx: &mut Context, run: &[StmtId], is_block: bool) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let Some(end) = run.iter().position(|&s| cx.facts.reach().ends(s)) else {
+        return;
+    };
+    let is_code = |s: &&StmtId| tree.stmt(**s).kind != StmtKind::Empty;
+    let dead: Vec<StmtId> = run.iter().skip(end + 1).filter(is_code).copied().collect();
+    let (Some(&first), Some(&last), Some(&end)) = (dead.first(), dead.last(), run.get(end)) else {
+        return;
+    };
+    let (end, kind) = (tree.stmt(end), tree.stmt(first).kind);
+    // The language wants a value behind a `discard`, and habit a `break` or `return` behind every
+    // case and every function.
+    let is_jump = matches!(
+        kind,
+        StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue
+    );
+    if dead.len() == 1 && is_jump {
+        return;
+    }
+    let extent = tree.stmt(first).extent.to(tree.stmt(last).extent);
+    let Some(edit) = remove_statement(program, extent) else {
+        return;
+    };
+    let jump = match end.kind {
+        StmtKind::Return(_) => "`return`",
+        StmtKind::Discard => "`discard`",
+        StmtKind::Break => "`break`",
+        StmtKind::Continue => "`continue`",
+        _ => "this",
+    };
+    let end = program.span(end.extent);
+    let (message, title) = match dead.len() {
+        1 => ("this statement never runs".to_string(), "take it out"),
+        n => (format!("these {n} statements never run"), "take them out"),
+    };
+    let fix = is_block.then(|| Fix::suggestion(title, vec![edit]));
+    cx.report(tree.stmt(first).extent, message)
+        .label(end, format!("{jump} leaves before it"))
+        .fix(fix);
+}
+
+/// `if (false)`.
+fn check_never(cx: &mut Context, condition: ExprId, body: StmtId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let kind = tree.expr(tree.unparen(condition)).kind;
+    let extent = tree.expr(condition).extent;
+    let is_empty = matches!(tree.stmt(body).kind, StmtKind::Block(b) if b.len == 0);
+    if kind == ExprKind::Bool(false) && program.is_direct(extent) && !is_empty {
+        cx.report(extent, "what stands behind this condition never runs");
+    }
+}

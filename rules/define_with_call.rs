@@ -1,0 +1,117 @@
+//! `#define SUN_DIR normalize(vec3(0.8, 0.4, -0.6))`.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::Type;
+use crate::syntax::ast::{ExprId, ExprKind};
+use crate::syntax::{Macro, TokenKind, Version};
+use crate::text::{Edit, Span};
+use rustc_hash::FxHashMap;
+
+pub static RULE: Rule = Rule {
+    name: "define-with-call",
+    group: Group::Tidy,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("define_with_call.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    let macros = &program.tokens.macros;
+    let is_candidate =
+        |m: &&Macro| !m.predefined && m.params.is_none() && m.uses > 1 && holds_call(m);
+    if !macros.iter().any(|m| is_candidate(&m)) {
+        return;
+    }
+    let types = types(cx);
+    for (i, definition) in macros.iter().enumerate() {
+        let Some(&ty) = types.get(&(i as u32)) else {
+            continue;
+        };
+        if !is_candidate(&definition) {
+            continue;
+        }
+        let name = program.names.text(definition.name);
+        let uses = definition.uses;
+        let fix = fix(cx, definition, ty);
+        let type_name = program.type_name(ty);
+        cx.report_span(
+            definition.name_span,
+            format!("`{name}` writes a call into each of its {uses} uses"),
+        )
+        .note(format!(
+            "its value never changes: a `const {type_name}` is computed once, and checked where it stands"
+        ))
+        .fix(fix);
+    }
+}
+
+/// Whether a name is called in a macro's body.
+fn holds_call(definition: &Macro) -> bool {
+    definition.body.windows(2).any(|pair| {
+        let kinds = [pair[0].token.kind, pair[1].token.kind];
+        kinds == [TokenKind::Identifier, TokenKind::LeftParen]
+    })
+}
+
+/// By macro: the type of what it stands for, where that is a whole expression with a constant value
+/// that a function of the language computes.
+fn types(cx: &Context) -> FxHashMap<u32, Type> {
+    let program = cx.program;
+    let tokens = &program.tokens;
+    let mut types = FxHashMap::default();
+    for (i, expr) in program.tree.exprs.iter().enumerate() {
+        let id = ExprId(i as u32);
+        if !matches!(expr.kind, ExprKind::Call(..)) || !program.expr(id).is_const {
+            continue;
+        }
+        let at = |t: u32| program.token(t).map(|t| t.expansion);
+        let Some(expansion) = at(expr.extent.first) else {
+            continue;
+        };
+        let Some(found) = tokens.expansions.get(expansion as usize) else {
+            continue;
+        };
+        let before = expr.extent.first.checked_sub(1).and_then(at);
+        let is_whole = before != Some(expansion)
+            && at(expr.extent.last + 1) != Some(expansion)
+            && program.builtin_called(id).is_some();
+        if is_whole {
+            types.insert(found.definition.0, program.ty(id));
+        }
+    }
+    types
+}
+
+/// Writes a constant in the place of the `#define`.
+fn fix(cx: &Context, definition: &Macro, ty: Type) -> Option<Fix> {
+    let program = cx.program;
+    let name = program.names.text(definition.name);
+    let is_only = program
+        .tokens
+        .macros
+        .iter()
+        .filter(|m| m.name == definition.name)
+        .count()
+        == 1;
+    if !is_only || program.version != Version::Es300 {
+        return None;
+    }
+    let (first, last) = (definition.body.first()?, definition.body.last()?);
+    let value = first.token.span.to(last.token.span);
+    let text = program.sources.text(value);
+    let file = program.sources.file_at(definition.name_span.start)?;
+    let before = file
+        .text
+        .get(..(definition.name_span.start - file.base) as usize)?;
+    let hash = file.base + before.rfind('#')? as u32;
+    if text.is_empty() || text.contains(['\n', '\\']) {
+        return None;
+    }
+    let constant = format!("const {} {name} = {text};", program.type_name(ty));
+    let edit = Edit::replace(Span::new(hash, value.end), constant);
+    Some(Fix::suggestion("make it a constant", vec![edit]))
+}

@@ -1,0 +1,95 @@
+//! Branches that do the same, and conditions that are asked twice.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule, code_hash, same_code};
+use crate::syntax::ast::*;
+use rustc_hash::FxHashMap;
+
+pub static RULE: Rule = Rule {
+    name: "duplicate-branch",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("duplicate_branch.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    let tree = &program.tree;
+    for (i, stmt) in tree.stmts.iter().enumerate() {
+        let StmtKind::If {
+            then,
+            otherwise: Some(otherwise),
+            ..
+        } = stmt.kind
+        else {
+            continue;
+        };
+        let bodies = [then, otherwise].map(|s| tree.stmt(s).extent);
+        let is_empty = bodies.iter().any(|b| b.last - b.first < 2);
+        if !is_empty && same_code(program, bodies[0], bodies[1]) {
+            let first = program.span(bodies[0]);
+            cx.report(bodies[1], "both branches of this `if` do the same")
+                .label(first, "the other one");
+        }
+        if !is_else(cx, StmtId(i as u32)) {
+            check_chain(cx, StmtId(i as u32));
+        }
+    }
+    for expr in &tree.exprs {
+        let ExprKind::Ternary(_, a, b) = expr.kind else {
+            continue;
+        };
+        let [first, second] = [a, b].map(|e| tree.expr(e).extent);
+        if program.is_direct(expr.extent) && same_code(program, first, second) {
+            let first = program.span(first);
+            cx.report(second, "both answers of `?:` are the same")
+                .label(first, "the other one");
+        }
+    }
+}
+
+/// Whether a statement is what stands behind an `else`.
+fn is_else(cx: &Context, id: StmtId) -> bool {
+    let outer = cx.facts.structure().outer(id);
+    outer.is_some_and(|o| {
+        matches!(cx.program.tree.stmt(o).kind, StmtKind::If { otherwise, .. } if otherwise == Some(id))
+    })
+}
+
+/// `if (a) ... else if (a) ...`: the second is never asked.
+fn check_chain(cx: &mut Context, start: StmtId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let mut asked: FxHashMap<u64, Extent> = FxHashMap::default();
+    let mut next = Some(start);
+    while let Some(StmtKind::If {
+        condition,
+        otherwise,
+        ..
+    }) = next.map(|s| tree.stmt(s).kind)
+    {
+        next = otherwise;
+        // What has effects may have another answer the second time.
+        if cx.facts.effects().has(condition) {
+            continue;
+        }
+        let extent = tree.expr(condition).extent;
+        match asked.get(&code_hash(program, extent)) {
+            Some(&before) if same_code(program, before, extent) => {
+                let before = program.span(before);
+                cx.report(
+                    extent,
+                    "this condition was asked before, so it is false here",
+                )
+                .label(before, "asked here");
+            }
+            Some(_) => {}
+            None => {
+                asked.insert(code_hash(program, extent), extent);
+            }
+        }
+    }
+}

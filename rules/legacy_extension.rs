@@ -1,0 +1,54 @@
+//! `#extension` for what GLSL ES 3.00 has built in.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule, remove_lines};
+use crate::syntax::Version;
+use crate::text::Role;
+
+pub static RULE: Rule = Rule {
+    name: "legacy-extension",
+    group: Group::Webgl2,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("legacy_extension.md"),
+    check: Check::Program(check),
+};
+
+/// Extensions of WebGL1, and what of WebGL2 does the same.
+const CORE: [(&str, &str); 4] = [
+    (
+        "GL_OES_standard_derivatives",
+        "`dFdx`, `dFdy` and `fwidth` are",
+    ),
+    (
+        "GL_EXT_shader_texture_lod",
+        "`textureLod` and `textureGrad` are",
+    ),
+    ("GL_EXT_frag_depth", "`gl_FragDepth` is"),
+    ("GL_EXT_draw_buffers", "several `out` variables are"),
+];
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    if program.version != Version::Es300 {
+        return;
+    }
+    for used in &program.tokens.extensions {
+        let name = program.names.text(used.name);
+        let file = program.sources.file_at(used.span.start);
+        let is_user = file.is_some_and(|f| f.role == Role::User);
+        let Some((_, what)) = CORE.iter().find(|(n, _)| *n == name && is_user) else {
+            continue;
+        };
+        let edit = remove_lines(program, used.span);
+        cx.report_span(
+            used.span,
+            format!("WebGL2 has no extension `{name}`, and needs none"),
+        )
+        .note(format!(
+            "{what} part of GLSL ES 3.00; the browser warns about the name"
+        ))
+        .fix(Fix::safe("take it out", vec![edit]));
+    }
+}

@@ -1,0 +1,56 @@
+//! `void mainImage(vec4 color, vec2 coord)`: a colour that never reaches its caller.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::{Direction, FunctionRef, Scalar, Type};
+use crate::syntax::ast::{Extent, QualifierKind};
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "mainimage-qualifiers",
+    group: Group::Webgl2,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("mainimage_qualifiers.md"),
+    check: Check::Function(check),
+};
+
+fn check(cx: &mut Context, id: FunctionRef) {
+    let program = cx.program;
+    let Some(function) = program.function(id) else {
+        return;
+    };
+    let definition = function.definition.and_then(|d| program.tree.function(d));
+    let (Some(color), Some(definition)) = (function.params.first(), definition) else {
+        return;
+    };
+    let is_lost = color.ty == Type::vector(Scalar::Float, 4)
+        && function.returns.is_void()
+        && !color.direction.writes();
+    if program.names.text(function.name) != "mainImage" || !is_lost {
+        return;
+    }
+    let Some(param) = program.tree.params(definition.params).first() else {
+        return;
+    };
+    let qualifiers = program.tree.qualifiers(param.qualifiers);
+    let direction = qualifiers
+        .iter()
+        .find(|q| q.kind == QualifierKind::In)
+        .map(|q| q.extent);
+    let edit = match direction {
+        Some(extent) => Edit::replace(program.span(extent), "out"),
+        None => Edit::insert(program.span(param.extent).start, "out "),
+    };
+    let is_plain = color.direction == Direction::In && program.is_direct(param.extent);
+    let has_prototype = function.declaration != function.definition.unwrap_or(function.declaration);
+    let fix = (is_plain && !has_prototype).then(|| Fix::suggestion("make it `out`", vec![edit]));
+    let extent = Extent {
+        first: param.extent.first,
+        last: param.extent.last,
+    };
+    cx.report(extent, "`mainImage` cannot hand its colour back")
+        .note("without `out` the parameter is a copy, which is lost at the end of the function")
+        .fix(fix);
+}

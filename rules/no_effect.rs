@@ -1,0 +1,101 @@
+//! Expressions whose value is thrown away, and that do nothing else.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule, remove_statement};
+use crate::semantic::flow::is_dropped;
+use crate::syntax::ast::*;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "no-effect",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("no_effect.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    let tree = &program.tree;
+    for (i, stmt) in tree.stmts.iter().enumerate() {
+        if let StmtKind::Expr(root) = stmt.kind
+            && is_idle(cx, root)
+            && is_dropped(program, cx.facts.structure(), root)
+        {
+            report_statement(cx, StmtId(i as u32), root);
+        }
+    }
+    for (i, expr) in tree.exprs.iter().enumerate() {
+        let ExprKind::Comma(left, right) = expr.kind else {
+            continue;
+        };
+        // Where the whole does nothing, it was reported as a statement.
+        let id = ExprId(i as u32);
+        let dropped = is_idle(cx, right) && is_dropped(program, cx.facts.structure(), id);
+        // Of `a, b, c` the tree is `(a, b), c`.
+        let is_list = matches!(tree.expr(left).kind, ExprKind::Comma(..));
+        if !dropped && !is_list && is_idle(cx, left) {
+            cx.report_expr(left, "the value left of the comma is thrown away")
+                .note("`a, b` computes both, and is `b`");
+        }
+    }
+}
+
+/// Whether an expression does nothing but have a value, and stands in the text as it is.
+fn is_idle(cx: &Context, id: ExprId) -> bool {
+    let program = cx.program;
+    !cx.facts.effects().has(id)
+        && !program.ty(id).is_error()
+        && program.is_direct(program.tree.expr(id).extent)
+}
+
+fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let inner = tree.expr(tree.unparen(root));
+    let (message, fix) = match inner.kind {
+        ExprKind::Binary(BinaryOp::Equal, left, right) => {
+            let operator = program.token(tree.expr(left).extent.last + 1);
+            let fix = operator
+                .filter(|_| tree.unparen(root) == root)
+                .map(|t| Fix::suggestion("assign with `=`", vec![Edit::replace(t.span, "=")]));
+            let (left, right) = (program.expr_text(left), program.expr_text(right));
+            (
+                format!("this compares `{left}` with `{right}` and forgets the answer"),
+                fix,
+            )
+        }
+        ExprKind::Call(_, args) => {
+            let name = program.token(inner.extent.first);
+            let name = name.map_or("", |t| program.sources.text(t.span));
+            let message = match program.ty(root).is_void() {
+                true => format!("`{name}` does nothing that is seen outside it"),
+                false => format!("the result of `{name}` is thrown away, and it does nothing else"),
+            };
+            let first = tree.args(args).first().copied();
+            let kept = first
+                .filter(|&a| program.variable_of(a).is_some() && program.ty(a) == program.ty(root));
+            let fix = kept.map(|a| {
+                let text = program.expr_text(a);
+                let start = program.expr_span(root).start;
+                let edit = Edit::insert(start, format!("{text} = "));
+                Fix::suggestion(format!("assign it to `{text}`"), vec![edit])
+            });
+            (message, fix.or_else(|| removal(cx, stmt)))
+        }
+        _ => ("this statement does nothing".to_string(), removal(cx, stmt)),
+    };
+    cx.report_expr(root, message).fix(fix);
+}
+
+fn removal(cx: &Context, stmt: StmtId) -> Option<Fix> {
+    let tree = &cx.program.tree;
+    let outer = tree.stmt(cx.facts.structure().outer(stmt)?).kind;
+    if !matches!(outer, StmtKind::Block(_)) {
+        return None;
+    }
+    let edit = remove_statement(cx.program, tree.stmt(stmt).extent)?;
+    Some(Fix::safe("take it out", vec![edit]))
+}

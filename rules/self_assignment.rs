@@ -1,0 +1,111 @@
+//! `x = x`, and `y = x; x = y`.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule, remove_statement, same_code};
+use crate::semantic::VariableId;
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "self-assignment",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("self_assignment.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let tree = &cx.program.tree;
+    for (i, expr) in tree.exprs.iter().enumerate() {
+        if let ExprKind::Assign(None, target, value) = expr.kind {
+            check_assignment(cx, ExprId(i as u32), target, value);
+        }
+    }
+    for stmt in &tree.stmts {
+        if let StmtKind::Block(body) = stmt.kind {
+            for pair in tree.block(body).windows(2) {
+                check_copy(cx, pair[0], pair[1]);
+            }
+        }
+    }
+}
+
+fn check_assignment(cx: &mut Context, id: ExprId, target: ExprId, value: ExprId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let whole = tree.expr(id).extent;
+    let [left, right] = [target, tree.unparen(value)].map(|e| tree.expr(e).extent);
+    if !same_code(program, left, right)
+        || !program.is_direct(whole)
+        || cx.facts.effects().has(target)
+    {
+        return;
+    }
+    let text = program.sources.text(program.span(left));
+    let fix = removal(cx, id);
+    cx.report(whole, format!("`{text}` is assigned to itself"))
+        .fix(fix);
+}
+
+/// Two statements, of which the second gives back what the first one took.
+fn check_copy(cx: &mut Context, first: StmtId, second: StmtId) {
+    let program = cx.program;
+    let Some((copy, from)) = copied(cx, first) else {
+        return;
+    };
+    let Some((to, back)) = copied(cx, second) else {
+        return;
+    };
+    let extent = program.tree.stmt(second).extent;
+    if (to, back) != (from, copy) || !program.is_direct(extent) {
+        return;
+    }
+    let name = |id| {
+        program
+            .variable(id)
+            .map_or("", |v| program.names.text(v.name))
+    };
+    let (to, copy) = (name(to), name(copy));
+    let before = program.span(program.tree.stmt(first).extent);
+    cx.report(extent, format!("`{to}` gets the value that it has"))
+        .label(before, format!("`{copy}` was just made from it"));
+}
+
+/// `to = from;` or `float to = from;` of two variables.
+fn copied(cx: &Context, stmt: StmtId) -> Option<(VariableId, VariableId)> {
+    let program = cx.program;
+    let tree = &program.tree;
+    match tree.stmt(stmt).kind {
+        StmtKind::Expr(root) => match tree.expr(root).kind {
+            ExprKind::Assign(None, to, from) => {
+                Some((program.variable_of(to)?, program.variable_of(from)?))
+            }
+            _ => None,
+        },
+        StmtKind::Decl(decl) => match tree.decl(decl)?.kind {
+            DeclKind::Variables { declarators, .. } => {
+                let &[only] = tree.declarators(declarators) else {
+                    return None;
+                };
+                let to = *program.declared.get(declarators.start as usize)?;
+                Some((to?, program.variable_of(only.init?)?))
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn removal(cx: &Context, id: ExprId) -> Option<Fix> {
+    let tree = &cx.program.tree;
+    let structure = cx.facts.structure();
+    let stmt = structure.stmt_of(id)?;
+    let outer = tree.stmt(structure.outer(stmt)?).kind;
+    let is_all = tree.stmt(stmt).kind == StmtKind::Expr(id);
+    if !is_all || !matches!(outer, StmtKind::Block(_)) {
+        return None;
+    }
+    let edit = remove_statement(cx.program, tree.stmt(stmt).extent)?;
+    Some(Fix::safe("take it out", vec![edit]))
+}

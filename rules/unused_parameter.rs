@@ -1,0 +1,59 @@
+//! Parameters that the function makes no use of.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::{Direction, FunctionRef, Storage};
+use crate::syntax::ast::Extent;
+
+pub static RULE: Rule = Rule {
+    name: "unused-parameter",
+    group: Group::Tidy,
+    severity: Severity::Info,
+    default: false,
+    options: &[],
+    page: include_str!("unused_parameter.md"),
+    check: Check::Function(check),
+};
+
+/// What players call, with the parameters that they give.
+const ENTRIES: [&str; 4] = ["mainImage", "mainCubemap", "mainSound", "mainVR"];
+
+fn check(cx: &mut Context, function: FunctionRef) {
+    let program = cx.program;
+    let Some(function) = program.function(function) else {
+        return;
+    };
+    let name = program.names.text(function.name);
+    let definition = function.definition.and_then(|d| program.tree.function(d));
+    let Some(definition) = definition.filter(|_| !ENTRIES.contains(&name)) else {
+        return;
+    };
+    let from = definition.params.start as usize;
+    for at in from..from + definition.params.len as usize {
+        let Some(id) = program.declared_params.get(at).copied().flatten() else {
+            continue;
+        };
+        let Some(param) = program.variable(id) else {
+            continue;
+        };
+        let usage = cx.facts.usage();
+        // What an `out` parameter gets, the caller reads.
+        let is_used = usage.is_read(id)
+            || matches!(param.storage, Storage::Param(d) if d == Direction::Out)
+            || (matches!(param.storage, Storage::Param(d) if d.writes())
+                && usage.writes(id).next().is_some());
+        let own = program.names.text(param.name);
+        let Some(token) = param.token else { continue };
+        let is_direct = program.token(token).is_some_and(|t| t.is_direct());
+        if is_used || own.starts_with('_') || !is_direct || cx.facts.words().is_unseen(own) {
+            continue;
+        }
+        cx.report(
+            Extent::token(token),
+            format!("`{name}` makes no use of its parameter `{own}`"),
+        )
+        .help(format!(
+            "leave it out, or call it `_{own}` if callers must give it"
+        ));
+    }
+}

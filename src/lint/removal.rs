@@ -1,0 +1,83 @@
+//! Edits that take code away and leave no debris: no blank line where a statement was, no comma
+//! without its name, no comment that spoke of nothing else.
+
+use crate::semantic::Program;
+use crate::syntax::ast::{Declarator, Extent};
+use crate::text::{Edit, Span};
+
+/// Takes a statement, declaration or function away. `None` where it starts or ends in a macro, or
+/// where directives stand in it, which may belong together with others outside.
+pub fn remove_statement(program: &Program, extent: Extent) -> Option<Edit> {
+    let is_direct = |t| program.token(t).is_some_and(|t| t.is_direct());
+    let span = program.span(extent);
+    let has_directive = program.sources.text(span).contains('#');
+    (is_direct(extent.first) && is_direct(extent.last) && !has_directive)
+        .then(|| remove_lines(program, span))
+}
+
+/// Takes the code under a span away: with its lines, and the comment behind it, where it has them
+/// for itself.
+pub fn remove_lines(program: &Program, span: Span) -> Edit {
+    let Some(file) = program.sources.file_at(span.start) else {
+        return Edit::delete(span);
+    };
+    let (text, base) = (&*file.text, file.base);
+    let (start, end) = ((span.start - base) as usize, (span.end - base) as usize);
+    let (Some(before), Some(behind)) = (text.get(..start), text.get(end..)) else {
+        return Edit::delete(span);
+    };
+    let line = before.rfind('\n').map_or(0, |i| i + 1);
+    let blanks = behind.len() - behind.trim_start_matches([' ', '\t']).len();
+    let (spaced, newline) = behind.split_at(behind.find('\n').unwrap_or(behind.len()));
+    let is_first = before.get(line..).is_some_and(|s| s.trim().is_empty());
+    let rest = spaced.trim();
+    let is_last = rest.is_empty() || rest.starts_with("//");
+    // A comment that goes on in the next line holds more than this statement's remark.
+    let goes_on = rest.ends_with('\\');
+    let edit =
+        |from: usize, to: usize| Edit::delete(Span::new(base + from as u32, base + to as u32));
+    match (is_first, is_last && !goes_on) {
+        (true, true) => {
+            let mut to = end + spaced.len() + usize::from(!newline.is_empty());
+            // Two blank lines that would meet become one.
+            let is_blank_above = line == 0 || before.get(..line).is_some_and(ends_in_blank_line);
+            let below = text.get(to..).unwrap_or("");
+            let next = below.find('\n').map_or(below.len(), |i| i + 1);
+            let is_blank_below = below.get(..next).is_some_and(|l| l.trim().is_empty());
+            if is_blank_above && is_blank_below {
+                to += next;
+            }
+            edit(line, to)
+        }
+        // Other code follows on the line: it moves up.
+        (true, false) => edit(start, end + blanks),
+        (false, _) if rest.is_empty() => {
+            let kept = before.trim_end_matches([' ', '\t']).len();
+            edit(kept, end)
+        }
+        (false, _) => edit(start, end + blanks),
+    }
+}
+
+fn ends_in_blank_line(text: &str) -> bool {
+    let mut lines = text.lines().rev();
+    lines.next().is_none_or(|l| l.trim().is_empty())
+}
+
+/// Takes one of several names of a declaration away, with its initializer and a comma. `None` where
+/// part of it comes from a macro, or there is only one.
+pub fn remove_declarator(program: &Program, all: &[Declarator], index: usize) -> Option<Edit> {
+    let this = all.get(index)?;
+    let span = |extent: Extent| program.is_direct(extent).then(|| program.span(extent));
+    let own = span(this.extent)?;
+    let before = index.checked_sub(1).and_then(|i| all.get(i));
+    let gone = match (before, all.get(index + 1)) {
+        (Some(before), _) => Span::new(span(before.extent)?.end, own.end),
+        (None, Some(next)) => Span::new(own.start, span(next.extent)?.start),
+        (None, None) => return None,
+    };
+    // A comment between two names may speak of either.
+    let text = program.sources.text(gone);
+    let has_comment = text.contains("//") || text.contains("/*");
+    (!has_comment).then(|| Edit::delete(gone))
+}

@@ -1,0 +1,39 @@
+//! Whether two pieces of code say the same, blanks and comments aside.
+
+use crate::semantic::Program;
+use crate::syntax::Token;
+use crate::syntax::ast::Extent;
+use std::hash::{Hash, Hasher};
+
+/// Whether two pieces of code are the same, token by token. Two macros are not, even if they stand
+/// for the same code today.
+pub fn same_code(program: &Program, a: Extent, b: Extent) -> bool {
+    let (left, right) = (tokens(program, a), tokens(program, b));
+    left.len() == right.len()
+        && left
+            .iter()
+            .zip(right)
+            .all(|(x, y)| same_token(program, x, y))
+}
+
+/// A number that is the same for pieces of code that are the same.
+pub fn code_hash(program: &Program, extent: Extent) -> u64 {
+    let mut hasher = rustc_hash::FxHasher::default();
+    for token in tokens(program, extent) {
+        token.kind.hash(&mut hasher);
+        token.value.hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+fn tokens<'a>(program: &'a Program, extent: Extent) -> &'a [Token] {
+    let range = extent.first as usize..=extent.last as usize;
+    program.tokens.tokens.get(range).unwrap_or(&[])
+}
+
+fn same_token(program: &Program, a: &Token, b: &Token) -> bool {
+    if (a.kind, a.value) != (b.kind, b.value) || a.is_direct() != b.is_direct() {
+        return false;
+    }
+    a.is_direct() || program.sources.text(a.span) == program.sources.text(b.span)
+}

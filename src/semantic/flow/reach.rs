@@ -1,0 +1,42 @@
+//! Which statements are never left at their end, so that nothing behind them runs.
+
+use crate::semantic::Program;
+use crate::syntax::ast::*;
+
+/// By statement: whether what stands behind it never runs.
+#[derive(Default, Debug)]
+pub struct Reach {
+    ends: Vec<bool>,
+}
+
+impl Reach {
+    /// Looks at every statement of a shader.
+    pub fn of(program: &Program) -> Reach {
+        let tree = &program.tree;
+        let mut reach = Reach {
+            ends: Vec::with_capacity(tree.stmts.len()),
+        };
+        // Inner statements come before outer ones.
+        for stmt in &tree.stmts {
+            let ends = match stmt.kind {
+                StmtKind::Return(_) | StmtKind::Discard | StmtKind::Break | StmtKind::Continue => {
+                    true
+                }
+                StmtKind::Block(body) => tree.block(body).iter().any(|&s| reach.ends(s)),
+                StmtKind::If {
+                    then,
+                    otherwise: Some(otherwise),
+                    ..
+                } => reach.ends(then) && reach.ends(otherwise),
+                _ => false,
+            };
+            reach.ends.push(ends);
+        }
+        reach
+    }
+
+    /// Whether what stands behind a statement never runs.
+    pub fn ends(&self, stmt: StmtId) -> bool {
+        self.ends.get(stmt.0 as usize).copied().unwrap_or(false)
+    }
+}
