@@ -1,7 +1,10 @@
 //! What rules ask for about a shader as a whole. Each answer is made at the first question.
 
-use crate::semantic::flow::{CallGraph, Loops, Structure};
-use crate::semantic::{Dialect, FunctionRef, Program};
+use super::march::{March, marches};
+use crate::semantic::flow::{
+    CallGraph, Effects, Gradient, Loops, Structure, Uniformity, Work, gradients,
+};
+use crate::semantic::{Dialect, FunctionRef, Program, Stage};
 use std::cell::OnceCell;
 
 /// Answers about one shader.
@@ -11,6 +14,11 @@ pub struct Facts<'a, 'p> {
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
     entry: OnceCell<Option<FunctionRef>>,
+    effects: OnceCell<Effects>,
+    work: OnceCell<Work>,
+    uniformity: OnceCell<Uniformity>,
+    gradients: OnceCell<Vec<Gradient>>,
+    marches: OnceCell<Vec<March>>,
 }
 
 impl<'a, 'p> Facts<'a, 'p> {
@@ -22,6 +30,11 @@ impl<'a, 'p> Facts<'a, 'p> {
             calls: OnceCell::new(),
             loops: OnceCell::new(),
             entry: OnceCell::new(),
+            effects: OnceCell::new(),
+            work: OnceCell::new(),
+            uniformity: OnceCell::new(),
+            gradients: OnceCell::new(),
+            marches: OnceCell::new(),
         }
     }
 
@@ -39,6 +52,43 @@ impl<'a, 'p> Facts<'a, 'p> {
     pub fn loops(&self) -> &Loops {
         self.loops
             .get_or_init(|| Loops::of(self.program, self.structure(), self.calls()))
+    }
+
+    /// Which functions have effects.
+    pub fn effects(&self) -> &Effects {
+        self.effects
+            .get_or_init(|| Effects::of(self.program, self.structure(), self.calls()))
+    }
+
+    /// How much the functions do.
+    pub fn work(&self) -> &Work {
+        self.work.get_or_init(|| {
+            Work::of(self.program, self.structure(), self.calls(), self.loops())
+        })
+    }
+
+    /// What differs from pixel to pixel; nothing does where nothing draws pixels.
+    pub fn uniformity(&self) -> &Uniformity {
+        self.uniformity.get_or_init(|| {
+            let entry = self.entry().filter(|_| self.program.stage == Stage::Fragment);
+            entry.map_or_else(Uniformity::default, |entry| {
+                Uniformity::of(self.program, self.structure(), self.calls(), entry)
+            })
+        })
+    }
+
+    /// The calls that take derivatives where neighbouring pixels may have parted.
+    pub fn gradients(&self) -> &[Gradient] {
+        self.gradients.get_or_init(|| {
+            let (structure, calls) = (self.structure(), self.calls());
+            gradients(self.program, structure, calls, self.loops(), self.uniformity())
+        })
+    }
+
+    /// The loops that march along a ray.
+    pub fn marches(&self) -> &[March] {
+        self.marches
+            .get_or_init(|| marches(self.program, self.loops(), self.calls(), self.entry()))
     }
 
     /// The function that draws: `mainImage` and its kin, or `main`.

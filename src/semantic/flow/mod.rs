@@ -1,11 +1,22 @@
 //! Questions about a checked shader as a whole: what stands where, who calls whom, how often loops
-//! turn. Each answer is made once, when it is asked for, and never changes.
+//! turn, what work it is, what differs from pixel to pixel. Each answer is made once, when it is
+//! asked for, and never changes.
 
+mod bounds;
 mod calls;
+mod effects;
 mod estimate;
+mod gradients;
 mod loops;
 mod structure;
+mod uniformity;
+mod work;
 
-pub use calls::CallGraph;
+pub use calls::{CallGraph, arguments};
+pub use effects::{Effects, each_written, root};
+pub use estimate::Estimate;
+pub use gradients::{Gradient, Parted, gradients};
 pub use loops::{Loop, Loops};
 pub use structure::{Structure, each_expr, each_inner, each_operand};
+pub use uniformity::{Uniformity, Varying};
+pub use work::{Nest, Work};
