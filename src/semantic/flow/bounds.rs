@@ -14,6 +14,8 @@ enum Pace {
     Times(f64),
     /// Up by at least something.
     Up,
+    /// By something that may not change while the loop runs.
+    Steady(ExprId),
 }
 
 /// A condition that must hold, or must not hold, for a loop to go on.
@@ -107,6 +109,9 @@ impl<'a, 'p> Bounds<'a, 'p> {
             (BinaryOp::Greater | BinaryOp::GreaterEqual, Pace::Times(by)) => by < 1.0,
             (BinaryOp::Less | BinaryOp::LessEqual, Pace::Up) => true,
             (BinaryOp::NotEqual, Pace::By(by)) => by != 0.0,
+            // Whole numbers that are shifted come to zero.
+            (BinaryOp::NotEqual, Pace::Times(by)) => by < 1.0,
+            (_, Pace::Steady(by)) => self.is_still(by, extent),
             _ => false,
         };
         let head = init.map_or(0, |i| self.writes_in(bound.counter, self.program.tree.stmt(i).extent));
@@ -228,6 +233,7 @@ impl<'a, 'p> Bounds<'a, 'p> {
             BinaryOp::ShiftRight => Pace::Times((-known()?).exp2()),
             BinaryOp::Add if program.variable_of(by) == Some(variable) => Pace::Times(2.0),
             BinaryOp::Add if self.is_above_zero(by) => Pace::Up,
+            BinaryOp::Add | BinaryOp::Sub => Pace::Steady(by),
             _ => return None,
         };
         Some((variable, pace))
@@ -353,7 +359,7 @@ fn turns(start: f64, op: BinaryOp, end: f64, pace: Pace) -> Option<u64> {
     let way = match pace {
         Pace::By(by) => (end - start) / by,
         Pace::Times(by) if start > 0.0 && end > 0.0 => (end / start).ln() / by.ln(),
-        Pace::Times(_) | Pace::Up => return None,
+        Pace::Times(_) | Pace::Up | Pace::Steady(_) => return None,
     };
     let count = match op {
         BinaryOp::Less | BinaryOp::Greater => way.ceil(),
