@@ -1,15 +1,20 @@
 //! Names that are words of other shading languages.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
+use crate::lint::{Check, Context, Group, Rule, RuleOption};
 use crate::syntax::ast::{Extent, TokenId};
 
 pub static RULE: Rule = Rule {
     name: "backend-keyword",
     group: Group::Portability,
     severity: Severity::Info,
-    default: false,
-    options: &[],
+    default: true,
+    options: &[RuleOption {
+        name: "wgsl",
+        default: 0.0,
+        on_gpu: 0.0,
+        about: "Whether words of WGSL alone are reported: 1 or 0",
+    }],
     page: include_str!("backend_keyword.md"),
     check: Check::Program(check),
 };
@@ -78,7 +83,8 @@ fn check(cx: &mut Context) {
             .filter(|(_, words)| words.contains(&name))
             .map(|(language, _)| *language)
             .collect();
-        if refusing.is_empty() {
+        let is_wgsl_alone = refusing == ["WGSL"];
+        if refusing.is_empty() || (is_wgsl_alone && cx.option("wgsl") == 0.0) {
             continue;
         }
         cx.report(

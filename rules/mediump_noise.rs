@@ -44,8 +44,12 @@ fn check(cx: &mut Context) {
     let Some((place, what)) = hash(cx).or_else(|| time(program)) else {
         return;
     };
-    cx.report(extent, format!("too few digits for {what}"))
-        .label(place, "computed here")
+    let is_users = cx.is_users(place);
+    let mut finding = cx.report(extent, format!("too few digits for {what}"));
+    if is_users {
+        finding = finding.label(place, "it stands here");
+    }
+    finding
         .note("on phones it has 10 bits behind the point: noise turns into stripes, and time stands still after seconds")
         .help("write `precision highp float;`");
 }

@@ -2,12 +2,18 @@
 //! means. `errors/` holds the pages of the compile errors.
 
 mod backend_keyword;
+mod bright_light;
 mod derivative_in_divergent_flow;
+mod directional_only_indoors;
 mod double_underscore;
 mod float_equality;
+mod fog_unclamped;
 mod gradient_in_loop;
+mod gray_material;
+mod height_band_spacing;
 mod isnan_optimised;
 mod loop_invariant_call;
+mod low_ambient;
 mod map_inlining;
 mod mediump_noise;
 mod nested_iterations;
@@ -29,12 +35,18 @@ use crate::lint::Rule;
 #[rustfmt::skip]
 pub static RULES: &[&Rule] = &[
     &backend_keyword::RULE,
+    &bright_light::RULE,
     &derivative_in_divergent_flow::RULE,
+    &directional_only_indoors::RULE,
     &double_underscore::RULE,
     &float_equality::RULE,
+    &fog_unclamped::RULE,
     &gradient_in_loop::RULE,
+    &gray_material::RULE,
+    &height_band_spacing::RULE,
     &isnan_optimised::RULE,
     &loop_invariant_call::RULE,
+    &low_ambient::RULE,
     &map_inlining::RULE,
     &mediump_noise::RULE,
     &nested_iterations::RULE,

@@ -43,7 +43,7 @@ pub fn gradients(
         let Some(stmt) = structure.stmt_of(call) else {
             continue;
         };
-        if !uniformity.varies(Varying::Stmt(stmt)) {
+        if !uniformity.varies(Varying::Stmt(stmt)) || !is_different(program, uniformity, call) {
             continue;
         }
         let ends = |s: &StmtId| ends_apart(program, loops, uniformity, *s);
@@ -75,6 +75,16 @@ fn is_gradient(name: &str) -> bool {
             })
         }
     }
+}
+
+/// Whether what a call compares differs at all: the same place everywhere has no slope.
+fn is_different(program: &Program, uniformity: &Uniformity, call: ExprId) -> bool {
+    let ExprKind::Call(_, args) = program.tree.expr(call).kind else {
+        return false;
+    };
+    let args = program.tree.args(args);
+    // A sampler is never different, so what is left is the place.
+    args.iter().any(|a| uniformity.varies(Varying::Expr(*a)))
 }
 
 /// Whether a statement is a loop that some pixels leave before others.
