@@ -3,8 +3,8 @@
 use super::{Facts, Rule, Settings};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
 use crate::semantic::Program;
-use crate::syntax::ast::{ExprId, Extent};
-use crate::text::Span;
+use crate::syntax::ast::{ExprId, Extent, TokenId};
+use crate::text::{Role, Span};
 
 /// A shader, and a place for findings.
 pub struct Context<'a, 'p> {
@@ -21,10 +21,23 @@ pub struct Context<'a, 'p> {
 /// A finding that is being put together; it counts as soon as it is made.
 pub struct Finding<'a>(&'a mut Diagnostic);
 
-impl<'p> Context<'_, 'p> {
+impl<'a, 'p> Context<'a, 'p> {
     /// A number that the rule goes by; its name is one of the rule's options.
     pub fn option(&self, name: &str) -> f64 {
         self.settings.option(self.rule, name)
+    }
+
+    /// Whether a place is in the user's text, and not in what a host puts before it.
+    pub fn is_users(&self, span: Span) -> bool {
+        let file = self.program.sources.file_at(span.start);
+        !span.is_empty() && file.is_some_and(|f| f.role == Role::User)
+    }
+
+    /// The name that a token of the user's text is.
+    pub fn user_name(&self, token: TokenId) -> Option<&'a str> {
+        let token = self.program.token(token)?;
+        let text = self.program.sources.text(token.span);
+        (self.is_users(token.span) && token.is_direct()).then_some(text)
     }
 
     /// Reports a finding at a node.

@@ -1,8 +1,12 @@
 //! What rules ask for about a shader as a whole. Each answer is made at the first question.
 
+use super::march::{March, marches};
 use super::words::Words;
-use crate::semantic::flow::{CallGraph, Effects, Loops, Reach, Structure, Usage};
-use crate::semantic::{Dialect, FunctionRef, Program};
+use crate::semantic::flow::{
+    CallGraph, Effects, Gradient, Loops, Purity, Reach, Structure, Uniformity, Usage, Work,
+    gradients,
+};
+use crate::semantic::{Dialect, FunctionRef, Program, Stage};
 use crate::text::Span;
 use std::cell::OnceCell;
 
@@ -14,9 +18,14 @@ pub struct Facts<'a, 'p> {
     loops: OnceCell<Loops>,
     entry: OnceCell<Option<FunctionRef>>,
     effects: OnceCell<Effects>,
+    purity: OnceCell<Purity>,
     usage: OnceCell<Usage>,
     reach: OnceCell<Reach>,
     words: OnceCell<Words<'p>>,
+    work: OnceCell<Work>,
+    uniformity: OnceCell<Uniformity>,
+    gradients: OnceCell<Vec<Gradient>>,
+    marches: OnceCell<Vec<March>>,
 }
 
 impl<'a, 'p> Facts<'a, 'p> {
@@ -29,9 +38,14 @@ impl<'a, 'p> Facts<'a, 'p> {
             loops: OnceCell::new(),
             entry: OnceCell::new(),
             effects: OnceCell::new(),
+            purity: OnceCell::new(),
             usage: OnceCell::new(),
             reach: OnceCell::new(),
             words: OnceCell::new(),
+            work: OnceCell::new(),
+            uniformity: OnceCell::new(),
+            gradients: OnceCell::new(),
+            marches: OnceCell::new(),
         }
     }
 
@@ -49,6 +63,50 @@ impl<'a, 'p> Facts<'a, 'p> {
     pub fn loops(&self) -> &Loops {
         self.loops
             .get_or_init(|| Loops::of(self.program, self.structure(), self.calls()))
+    }
+
+    /// Which functions give the same answer to the same arguments.
+    pub fn purity(&self) -> &Purity {
+        self.purity
+            .get_or_init(|| Purity::of(self.program, self.structure(), self.calls()))
+    }
+
+    /// How much the functions do.
+    pub fn work(&self) -> &Work {
+        self.work
+            .get_or_init(|| Work::of(self.program, self.structure(), self.calls(), self.loops()))
+    }
+
+    /// What differs from pixel to pixel; nothing does where nothing draws pixels.
+    pub fn uniformity(&self) -> &Uniformity {
+        self.uniformity.get_or_init(|| {
+            let entry = self
+                .entry()
+                .filter(|_| self.program.stage == Stage::Fragment);
+            entry.map_or_else(Uniformity::default, |entry| {
+                Uniformity::of(self.program, self.structure(), self.calls(), entry)
+            })
+        })
+    }
+
+    /// The calls that take derivatives where neighbouring pixels may have parted.
+    pub fn gradients(&self) -> &[Gradient] {
+        self.gradients.get_or_init(|| {
+            let (structure, calls) = (self.structure(), self.calls());
+            gradients(
+                self.program,
+                structure,
+                calls,
+                self.loops(),
+                self.uniformity(),
+            )
+        })
+    }
+
+    /// The loops that march along a ray.
+    pub fn marches(&self) -> &[March] {
+        self.marches
+            .get_or_init(|| marches(self.program, self.loops(), self.calls(), self.entry()))
     }
 
     /// The function that draws: `mainImage` and its kin, or `main`.

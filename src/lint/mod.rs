@@ -3,6 +3,8 @@
 mod context;
 mod facts;
 mod fix;
+pub mod light;
+pub mod march;
 mod page;
 mod removal;
 mod rule;

@@ -63,6 +63,29 @@ impl CallGraph {
         reached
     }
 
+    /// All functions, each behind those that it calls.
+    pub fn bottom_up(&self) -> Vec<FunctionRef> {
+        let mut order = Vec::with_capacity(self.of.len());
+        let mut open = vec![false; self.of.len()];
+        for root in 0..self.of.len() as u32 {
+            // A function comes a second time when all that it calls is done.
+            let mut todo = vec![(FunctionRef(root), false)];
+            while let Some((next, is_done)) = todo.pop() {
+                if is_done {
+                    order.push(next);
+                    continue;
+                }
+                match open.get_mut(next.0 as usize) {
+                    Some(seen) if !*seen => *seen = true,
+                    _ => continue,
+                }
+                todo.push((next, true));
+                todo.extend(self.calls_by(next).map(|c| (c.callee, false)));
+            }
+        }
+        order
+    }
+
     /// A shortest chain of functions from `entry` to `to`, both included.
     pub fn chain(&self, entry: FunctionRef, to: FunctionRef) -> Option<Vec<FunctionRef>> {
         let mut from: Vec<Option<FunctionRef>> = vec![None; self.of.len()];

@@ -98,6 +98,32 @@ impl<'a, 'p> Estimate<'a, 'p> {
         }
     }
 
+    /// Where the value of an expression is given: the argument of the call that gives the largest,
+    /// where it is a parameter, and itself otherwise.
+    pub fn source(&self, expr: ExprId) -> ExprId {
+        let mut at = expr;
+        for _ in 0..MAX_DEPTH {
+            let Some(arg) = self.largest_argument(at) else {
+                break;
+            };
+            at = arg;
+        }
+        at
+    }
+
+    fn largest_argument(&self, expr: ExprId) -> Option<ExprId> {
+        let id = self.program.variable_of(expr)?;
+        let variable = self.program.variable(id)?;
+        let position = self.position.get(id.0 as usize).copied().flatten()?;
+        let calls = self.calls.calls_of(variable.function?);
+        let args = calls.filter_map(|c| {
+            let arg = *arguments(self.program, c.expr).get(position as usize)?;
+            Some((self.value(arg)?, arg))
+        });
+        let largest = args.reduce(|most, next| if next.0 > most.0 { next } else { most });
+        largest.map(|(_, arg)| arg)
+    }
+
     fn variable(&self, id: VariableId, depth: u32) -> Option<f64> {
         let variable = self.program.variable(id)?;
         if variable.written {

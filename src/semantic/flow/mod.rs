@@ -1,17 +1,28 @@
 //! Questions about a checked shader as a whole: what stands where, who calls whom, how often loops
-//! turn. Each answer is made once, when it is asked for, and never changes.
+//! turn, what work it is, what differs from pixel to pixel. Each answer is made once, when it is
+//! asked for, and never changes.
 
+mod bounds;
 mod calls;
 mod effects;
 mod estimate;
+mod gradients;
 mod loops;
+mod purity;
 mod reach;
 mod structure;
+mod uniformity;
 mod usage;
+mod work;
 
-pub use calls::CallGraph;
+pub use calls::{CallGraph, arguments};
 pub use effects::{Effects, root};
+pub use estimate::Estimate;
+pub use gradients::{Gradient, Parted, gradients};
 pub use loops::{Loop, Loops};
+pub use purity::{Purity, each_written};
 pub use reach::Reach;
 pub use structure::{Structure, each_expr, each_inner, each_operand};
+pub use uniformity::{Uniformity, Varying};
 pub use usage::{Usage, is_dropped};
+pub use work::{Nest, Work};

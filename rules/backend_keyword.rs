@@ -1,0 +1,110 @@
+//! Names that are words of other shading languages.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::syntax::ast::{Extent, TokenId};
+
+pub static RULE: Rule = Rule {
+    name: "backend-keyword",
+    group: Group::Portability,
+    severity: Severity::Info,
+    default: true,
+    options: &[RuleOption {
+        name: "wgsl",
+        default: 0.0,
+        on_gpu: 0.0,
+        about: "Whether words of WGSL alone are reported: 1 or 0",
+    }],
+    page: include_str!("backend_keyword.md"),
+    check: Check::Program(check),
+};
+
+/// Languages that shaders are brought to, and the words that each keeps for itself and WebGL leaves
+/// free.
+#[rustfmt::skip]
+const LANGUAGES: [(&str, &[&str]); 5] = [
+    ("desktop GLSL", &[
+        "packed", "buffer", "shared", "precise", "dmat2", "dmat3", "dmat4", "samplerCubeArray",
+        "imageCubeArray",
+    ]),
+    ("Vulkan GLSL", &[
+        "sampler", "samplerShadow", "texture1D", "texture2D", "texture3D", "textureCube",
+        "texture2DArray", "textureBuffer", "subpassInput", "subpassInputMS",
+    ]),
+    ("HLSL", &[
+        "auto", "bool2", "bool3", "bool4", "cbuffer", "tbuffer", "char", "compile", "const_cast",
+        "delete", "dynamic_cast", "explicit", "export", "float2", "float3", "float4", "friend",
+        "groupshared", "image", "int2", "int3", "int4", "line", "lineadj", "linear", "matrix",
+        "mutable", "new", "nointerpolation", "operator", "packoffset", "pass", "pixelfragment",
+        "point", "precise", "private", "protected", "register", "row_major", "column_major",
+        "sampler", "shared", "signed", "snorm", "stateblock", "string", "technique", "texture",
+        "throw", "triangle", "triangleadj", "try", "catch", "typename", "uniform", "unorm", "vector",
+        "vertexfragment", "virtual", "dword", "float16_t", "min16float",
+    ]),
+    ("Metal", &[
+        "access", "alignas", "alignof", "and", "array", "as_type", "atomic", "auto", "bitand",
+        "bitor", "catch", "char", "compl", "constant", "constexpr", "decltype", "delete", "device",
+        "explicit", "export", "final", "fragment", "friend", "kernel", "metal", "mutable", "new",
+        "noexcept", "not", "nullptr", "operator", "or", "packed", "private", "protected", "ptrdiff_t",
+        "register", "sampler", "signed", "size_t", "thread", "threadgroup", "throw", "try",
+        "typename", "uchar", "uint2", "uint3", "uint4", "float2", "float3", "float4", "int2", "int3",
+        "int4", "half2", "half3", "half4", "ushort", "ulong", "vec", "vertex", "virtual", "xor",
+    ]),
+    ("WGSL", &[
+        "abstract", "alias", "as", "async", "await", "auto", "become", "binding_array", "catch",
+        "const_assert", "continuing", "crate", "debugger", "delete", "demote", "diagnostic",
+        "enable", "export", "extends", "final", "finally", "fn", "from", "get", "impl", "implements",
+        "import", "instanceof", "let", "loop", "macro", "match", "meta", "module", "move", "mut",
+        "mutable", "new", "nil", "null", "NULL", "nullptr", "of", "operator", "override", "package",
+        "pass", "precise", "private", "protected", "ptr", "pub", "quat", "ref", "regardless",
+        "register", "requires", "require", "self", "set", "shared", "signed", "snorm", "super",
+        "target", "throw", "trait", "try", "type", "typeof", "unless", "unorm", "unsafe", "unsized",
+        "use", "var", "virtual", "wgsl", "where", "with", "yield",
+    ]),
+];
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    let variables = program.variables.iter().filter_map(|v| v.token);
+    let functions = program.functions.iter().filter_map(|f| {
+        let decl = program.tree.function(f.declaration)?;
+        Some(decl.ident.token)
+    });
+    let structs = program
+        .tree
+        .structs
+        .iter()
+        .filter_map(|s| Some(s.name?.token));
+    let mut tokens: Vec<TokenId> = variables.chain(functions).chain(structs).collect();
+    tokens.sort_unstable();
+    tokens.dedup();
+    for token in tokens {
+        let Some(name) = cx.user_name(token) else {
+            continue;
+        };
+        let refusing: Vec<&str> = LANGUAGES
+            .iter()
+            .filter(|(_, words)| words.contains(&name))
+            .map(|(language, _)| *language)
+            .collect();
+        let is_wgsl_alone = refusing == ["WGSL"];
+        if refusing.is_empty() || (is_wgsl_alone && cx.option("wgsl") == 0.0) {
+            continue;
+        }
+        cx.report(
+            Extent::token(token),
+            format!("`{name}` is a word of {}", listed(&refusing)),
+        )
+        .note("WebGL takes it as a name; a port of the shader, and some drivers, do not")
+        .help("take another name");
+    }
+}
+
+/// `a`, `a and b`, `a, b and c`.
+fn listed(words: &[&str]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => one.to_string(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}

@@ -1,0 +1,32 @@
+//! Macro names with two underscores in a row.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "double-underscore",
+    group: Group::Portability,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("double_underscore.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    for definition in &program.tokens.macros {
+        let span = definition.name_span;
+        let name = program.sources.text(span);
+        if !name.contains("__") || !cx.is_users(span) {
+            continue;
+        }
+        let mut shorter = name.to_string();
+        while shorter.contains("__") {
+            shorter = shorter.replace("__", "_");
+        }
+        cx.report_span(span, format!("the macro name `{name}` holds two underscores in a row"))
+            .note("GLSL keeps such names for itself: the browser takes them for macros, some drivers do not")
+            .help(format!("write `{shorter}`"));
+    }
+}

@@ -1,0 +1,73 @@
+//! Fog that swallows everything.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::light::has_word;
+use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption};
+use crate::semantic::{Program, VariableId};
+use crate::syntax::ast::*;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "fog-unclamped",
+    group: Group::Look,
+    severity: Severity::Warning,
+    default: false,
+    options: &[RuleOption {
+        name: "most",
+        default: 0.7,
+        on_gpu: 0.7,
+        about: "Thickest fog",
+    }],
+    page: include_str!("fog_unclamped.md"),
+    check: Check::Builtin(check),
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let (&[_, _, amount], "mix") = (call.args, call.name) else {
+        return;
+    };
+    let program = cx.program;
+    let Some(variable) = program.variable_of(amount) else {
+        return;
+    };
+    let name = program
+        .variable(variable)
+        .map_or("", |v| program.names.text(v.name));
+    if !has_word(name, &["fog", "haze", "mist"]) || is_limited(program, variable) {
+        return;
+    }
+    let most = cx.option("most");
+    let text = format!("clamp({}, 0.0, {most})", program.expr_text(amount));
+    let extent = program.tree.expr(amount).extent;
+    let fix = program.is_direct(extent).then(|| {
+        let edit = Edit::replace(program.expr_span(amount), text.clone());
+        Fix::suggestion("limit the fog", vec![edit])
+    });
+    cx.report_expr(amount, format!("`{name}` is not limited"))
+        .note("far away nothing is left but the fog's own colour")
+        .help(format!("write `{text}`"))
+        .fix(fix);
+}
+
+/// Whether a variable's value is limited where it is given.
+fn is_limited(program: &Program, variable: VariableId) -> bool {
+    let declared = program.declared.iter().position(|d| *d == Some(variable));
+    let init = declared.and_then(|i| program.tree.declarator_lists.get(i)?.init);
+    let mut values: Vec<ExprId> = init.into_iter().collect();
+    for expr in &program.tree.exprs {
+        if let ExprKind::Assign(_, target, value) = expr.kind
+            && program.variable_of(target) == Some(variable)
+        {
+            values.push(value);
+        }
+    }
+    // A parameter is given elsewhere.
+    values.is_empty() || values.iter().any(|v| limits(program, *v))
+}
+
+fn limits(program: &Program, value: ExprId) -> bool {
+    crate::lint::light::factors(program, value).iter().any(|f| {
+        let name = program.builtin_called(*f);
+        matches!(name, Some("clamp" | "min" | "smoothstep" | "mix"))
+    })
+}

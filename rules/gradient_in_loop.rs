@@ -1,0 +1,46 @@
+//! Textures with derivatives inside loops that pixels leave apart.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::flow::Parted;
+use crate::syntax::ast::Extent;
+
+pub static RULE: Rule = Rule {
+    name: "gradient-in-loop",
+    group: Group::Portability,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("gradient_in_loop.md"),
+    check: Check::Program(check),
+};
+
+/// Most findings in one shader.
+const MAX_FINDINGS: usize = 8;
+
+fn check(cx: &mut Context) {
+    let facts = cx.facts;
+    let program = cx.program;
+    let looped = facts.gradients().iter().filter_map(|g| match g.parted {
+        Parted::Loop(stmt) => Some((g, stmt)),
+        Parted::Branch(_) => None,
+    });
+    for (gradient, stmt) in looped.take(MAX_FINDINGS) {
+        let head = program.span(Extent::token(program.tree.stmt(stmt).extent.first));
+        let name = gradient.name;
+        let finding = cx
+            .report_expr(
+                gradient.call,
+                format!("`{name}` takes derivatives in a loop that pixels leave apart"),
+            )
+            .label(head, "some pixels leave this loop before others")
+            .note("they are undefined here, and Direct3D unrolls the loop for them or refuses it");
+        if name.starts_with("texture") {
+            finding.help(
+                "use `textureLod` with a level of your own, or `textureGrad` with derivatives from before the loop",
+            );
+        } else {
+            finding.help("take the derivative before the loop");
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! `isnan` and `isinf`, which compilers may leave out.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "isnan-optimised",
+    group: Group::Portability,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("isnan_optimised.md"),
+    check: Check::Builtin(check),
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    if !matches!(call.name, "isnan" | "isinf") {
+        return;
+    }
+    let name = call.name;
+    let finding = cx
+        .report_expr(call.id, format!("`{name}` may be false for every number"))
+        .note("compilers may take it that such numbers never come up, and some do");
+    finding.help(match name {
+        "isnan" => "keep the number from becoming one: guard the division, root or power before",
+        _ => "compare with a large number: `abs(x) > 1e30`",
+    });
+}

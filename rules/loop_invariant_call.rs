@@ -1,0 +1,136 @@
+//! Expensive calls that give the same in every turn of a loop.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::semantic::flow::{each_operand, each_written};
+use crate::semantic::{Program, Resolution, Storage, VariableId};
+use crate::syntax::ast::*;
+use std::collections::BTreeSet;
+
+pub static RULE: Rule = Rule {
+    name: "loop-invariant-call",
+    group: Group::Budget,
+    severity: Severity::Info,
+    default: true,
+    options: &[RuleOption {
+        name: "operations",
+        default: 12.0,
+        on_gpu: 40.0,
+        about: "Fewest operations of a call that is reported",
+    }],
+    page: include_str!("loop_invariant_call.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    let facts = cx.facts;
+    let mut writes: Option<Writes> = None;
+    for call in &program.calls {
+        if facts.work().operations(call.callee) < cx.option("operations")
+            || !facts.purity().is_pure(call.callee)
+            || program.expr(call.expr).is_const
+        {
+            continue;
+        }
+        let Some(stmt) = facts.structure().stmt_of(call.expr) else {
+            continue;
+        };
+        let around = facts.structure().outwards(stmt);
+        let Some(looped) = around
+            .filter_map(|s| facts.loops().get(s))
+            .find(|l| runs_each_turn(program, l.stmt, call.expr) && l.turns != Some(1))
+        else {
+            continue;
+        };
+        let writes = writes.get_or_insert_with(|| Writes::of(program));
+        let extent = program.tree.stmt(looped.stmt).extent;
+        if !is_still(program, writes, call.expr, extent) {
+            continue;
+        }
+        let Some(function) = program.function(call.callee) else {
+            continue;
+        };
+        let name = program.names.text(function.name);
+        let head = program.span(Extent::token(extent.first));
+        let turns = looped
+            .turns
+            .map_or(String::new(), |t| format!(", {t} times"));
+        cx.report_expr(
+            call.expr,
+            format!("`{name}` gives the same in every turn of the loop"),
+        )
+        .label(head, format!("computed again in each turn{turns}"))
+        .help("compute it once before the loop");
+    }
+}
+
+/// Whether an expression stands in a loop where each turn may reach it, its first value left out.
+fn runs_each_turn(program: &Program, looped: StmtId, expr: ExprId) -> bool {
+    let tree = &program.tree;
+    let at = tree.expr(expr).extent.first;
+    match tree.stmt(looped).kind {
+        StmtKind::For { init, .. } => tree.stmt(init).extent.last < at,
+        _ => true,
+    }
+}
+
+/// Where variables are written to, declarations included: first tokens, in order.
+struct Writes(Vec<Vec<TokenId>>);
+
+impl Writes {
+    fn of(program: &Program) -> Writes {
+        let mut all = vec![Vec::new(); program.variables.len()];
+        let mut add = |v: VariableId, token| {
+            if let Some(list) = all.get_mut(v.0 as usize) {
+                list.push(token);
+            }
+        };
+        for (i, expr) in program.tree.exprs.iter().enumerate() {
+            each_written(program, ExprId(i as u32), |v| add(v, expr.extent.first));
+        }
+        for (i, variable) in program.variables.iter().enumerate() {
+            variable
+                .token
+                .into_iter()
+                .for_each(|t| add(VariableId(i as u32), t));
+        }
+        all.iter_mut().for_each(|list| list.sort_unstable());
+        Writes(all)
+    }
+
+    fn is_written_in(&self, variable: VariableId, extent: Extent) -> bool {
+        let Some(all) = self.0.get(variable.0 as usize) else {
+            return true;
+        };
+        let next = all.partition_point(|t| *t < extent.first);
+        all.get(next).is_some_and(|t| *t <= extent.last)
+    }
+}
+
+/// Whether an expression has no effects and names nothing that changes in a loop.
+fn is_still(program: &Program, writes: &Writes, expr: ExprId, extent: Extent) -> bool {
+    let mut todo = vec![expr];
+    let mut seen = BTreeSet::new();
+    while let Some(e) = todo.pop() {
+        let mut assigns = false;
+        each_written(program, e, |_| assigns = true);
+        if assigns {
+            return false;
+        }
+        if let Resolution::Variable(v) = program.expr(e).resolution
+            && seen.insert(v)
+        {
+            let storage = program.variable(v).map(|v| (v.storage, v.written));
+            // A function that the loop calls may write to a global variable.
+            let is_shared = matches!(storage, Some((Storage::Global | Storage::Output, true)));
+            if is_shared || writes.is_written_in(v, extent) {
+                return false;
+            }
+        }
+        each_operand(&program.tree, program.tree.expr(e), |child| {
+            todo.push(child)
+        });
+    }
+    true
+}

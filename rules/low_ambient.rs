@@ -1,0 +1,74 @@
+//! Too little light in the shade, indoors and at sunset.
+
+use crate::diagnostic::Severity;
+use crate::lint::light::{INDOORS, given, has_word, named};
+use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::text::Span;
+
+pub static RULE: Rule = Rule {
+    name: "low-ambient",
+    group: Group::Look,
+    severity: Severity::Warning,
+    default: false,
+    options: &[
+        RuleOption {
+            name: "indoors",
+            default: 0.2,
+            on_gpu: 0.2,
+            about: "Least ambient light in closed places",
+        },
+        RuleOption {
+            name: "sunset",
+            default: 0.3,
+            on_gpu: 0.3,
+            about: "Least ambient light where the sun stands low",
+        },
+    ],
+    page: include_str!("low_ambient.md"),
+    check: Check::Program(check),
+};
+
+const SUNSET: &[&str] = &["sunset", "sunrise", "dusk", "dawn", "twilight"];
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    let dim: Vec<_> = given(cx)
+        .into_iter()
+        .filter(|g| has_word(g.name, &["ambient", "amb"]))
+        .filter_map(|g| {
+            let values: Vec<f64> = program
+                .values(g.init)
+                .iter()
+                .map(|v| v.as_float() as f64)
+                .collect();
+            let is_light = matches!(values.len(), 1 | 3);
+            is_light.then(|| (g, values.iter().sum::<f64>() / values.len() as f64))
+        })
+        .filter(|(_, light)| *light < cx.option("indoors").max(cx.option("sunset")))
+        .collect();
+    if dim.is_empty() {
+        return;
+    }
+    let sunset = named(cx, SUNSET).or_else(|| remarked(cx, SUNSET));
+    let (place, least, shown) = match (sunset, named(cx, INDOORS)) {
+        (Some(shown), _) => ("at sunset", cx.option("sunset"), shown),
+        (None, Some(shown)) => ("indoors", cx.option("indoors"), shown),
+        (None, None) => return,
+    };
+    for (given, light) in dim.into_iter().filter(|(_, light)| *light < least) {
+        cx.report_expr(
+            given.init,
+            format!("`{}` is {light:.2}; {place} it takes {least}", given.name),
+        )
+        .label(shown, format!("{place}, by its name"))
+        .note("what the sun does not reach is lit by nothing else, and becomes black")
+        .help(format!("take at least `vec3({least})`"));
+    }
+}
+
+/// A comment that has one of these words.
+fn remarked(cx: &Context, wanted: &[&str]) -> Option<Span> {
+    let program = cx.program;
+    let mut comments = program.tokens.comments.iter().copied();
+    comments.find(|c| cx.is_users(*c) && has_word(program.sources.text(*c), wanted))
+}

@@ -1,0 +1,71 @@
+//! Large scene functions that one function calls many times.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::semantic::FunctionRef;
+use crate::syntax::ast::ExprId;
+use std::collections::BTreeMap;
+
+pub static RULE: Rule = Rule {
+    name: "map-inlining",
+    group: Group::Budget,
+    severity: Severity::Info,
+    default: true,
+    options: &[
+        RuleOption {
+            name: "calls",
+            default: 4.0,
+            on_gpu: 4.0,
+            about: "Fewest calls of one function in another that are reported",
+        },
+        RuleOption {
+            name: "size",
+            default: 200.0,
+            on_gpu: 200.0,
+            about: "Fewest operations of the called function that are reported",
+        },
+    ],
+    page: include_str!("map_inlining.md"),
+    check: Check::Function(check),
+};
+
+/// Most further calls that a finding points at.
+const MAX_LABELS: usize = 7;
+
+fn check(cx: &mut Context, function: FunctionRef) {
+    let program = cx.program;
+    let mut by_callee: BTreeMap<FunctionRef, Vec<ExprId>> = BTreeMap::new();
+    for call in cx.facts.calls().calls_by(function) {
+        by_callee.entry(call.callee).or_default().push(call.expr);
+    }
+    for (callee, calls) in by_callee {
+        let takes_place = program
+            .function(callee)
+            .is_some_and(|f| f.params.iter().any(|p| p.ty.components() >= 2));
+        let is_many = calls.len() as f64 >= cx.option("calls");
+        if !is_many || !takes_place {
+            continue;
+        }
+        let size = cx.facts.work().size(callee);
+        let (Some(name), true) = (program.function(callee), size >= cx.option("size")) else {
+            continue;
+        };
+        let name = program.names.text(name.name);
+        let count = calls.len();
+        let Some(first) = calls.first() else {
+            continue;
+        };
+        let mut finding = cx
+            .report_expr(
+                *first,
+                format!("`{name}` is called {count} times here and copied each time"),
+            )
+            .mark(format!("{size:.0} operations"));
+        for call in calls.iter().skip(1).take(MAX_LABELS) {
+            finding = finding.label(program.expr_span(*call), "again");
+        }
+        finding
+            .note("compilers replace each call by the function's text, which takes seconds where that is large")
+            .help(format!("call `{name}` once in a loop that starts with `min(iFrame, 0)`, which is never unrolled"));
+    }
+}

@@ -1,0 +1,65 @@
+//! Nested loops that turn more often for a pixel than a renderer can take.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::syntax::ast::{Extent, StmtKind};
+
+pub static RULE: Rule = Rule {
+    name: "nested-iterations",
+    group: Group::Budget,
+    severity: Severity::Info,
+    default: true,
+    options: &[RuleOption {
+        name: "turns",
+        default: 1000.0,
+        on_gpu: 100_000.0,
+        about: "Most turns of all innermost loops for one pixel",
+    }],
+    page: include_str!("nested_iterations.md"),
+    check: Check::Program(check),
+};
+
+/// Most loops that a finding points at.
+const MAX_LABELS: usize = 6;
+
+fn check(cx: &mut Context) {
+    let Some(entry) = cx.facts.entry() else {
+        return;
+    };
+    let turns = cx.facts.work().turns(entry);
+    let most = cx.option("turns");
+    if turns <= most {
+        return;
+    }
+    let program = cx.program;
+    let nests = cx.facts.work().heaviest(program, cx.facts.loops(), entry);
+    let Some(inner) = nests.last() else {
+        return;
+    };
+    let keyword = |stmt| Extent::token(program.tree.stmt(stmt).extent.first);
+    let chain: Vec<String> = nests.iter().map(|n| n.turns.to_string()).collect();
+    let total = if turns < 1e15 {
+        (turns as u64).to_string()
+    } else {
+        format!("{turns:.0e}")
+    };
+    let mut finding = cx
+        .report(
+            keyword(inner.stmt),
+            format!("up to {total} turns of loops for each pixel; {most} are allowed"),
+        )
+        .mark(format!("{} turns in here", inner.turns));
+    for nest in nests.iter().rev().skip(1).take(MAX_LABELS) {
+        let is_loop = !matches!(program.tree.stmt(nest.stmt).kind, StmtKind::Block(_));
+        if is_loop {
+            finding = finding.label(
+                program.span(keyword(nest.stmt)),
+                format!("times {}", nest.turns),
+            );
+        }
+    }
+    if chain.len() > 1 {
+        finding = finding.note(format!("the deepest nest is {}", chain.join(" × ")));
+    }
+    finding.help("take fewer turns in one of the loops, or leave them early");
+}

@@ -1,0 +1,149 @@
+//! Scene functions that compute every primitive at every step.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::semantic::flow::{each_inner, each_operand};
+use crate::semantic::{FunctionRef, Resolution};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "no-early-exit",
+    group: Group::Budget,
+    severity: Severity::Info,
+    default: true,
+    options: &[
+        RuleOption {
+            name: "primitives",
+            default: 8.0,
+            on_gpu: 16.0,
+            about: "Fewest calls in a scene function that want a test before them",
+        },
+        RuleOption {
+            name: "operations",
+            default: 120.0,
+            on_gpu: 600.0,
+            about: "Fewest operations of a scene function that wants a test",
+        },
+    ],
+    page: include_str!("no_early_exit.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let facts = cx.facts;
+    let program = cx.program;
+    let mut scenes: Vec<(FunctionRef, StmtId)> = Vec::new();
+    for march in facts.marches().iter().filter(|m| m.looped.ends_early) {
+        if scenes.iter().all(|(f, _)| *f != march.scene) {
+            scenes.push((march.scene, march.looped.stmt));
+        }
+    }
+    for (scene, looped) in scenes {
+        let Some(function) = program.function(scene) else {
+            continue;
+        };
+        let Some(decl) = function.definition.and_then(|d| program.tree.function(d)) else {
+            continue;
+        };
+        let primitives = facts.calls().calls_by(scene).map(|c| c.callee);
+        let primitives: Vec<_> = primitives.filter(|c| is_primitive(cx, *c)).collect();
+        let count = primitives.len();
+        // Many calls of one function are the samples of a grid.
+        if primitives.iter().all(|c| Some(c) == primitives.first()) {
+            continue;
+        }
+        let operations = facts.work().operations(scene);
+        let is_large =
+            count as f64 >= cx.option("primitives") && operations >= cx.option("operations");
+        if !is_large || decl.body.is_none_or(|b| branches(cx, b)) {
+            continue;
+        }
+        let name = program.names.text(function.name);
+        let step = program.span(Extent::token(program.tree.stmt(looped).extent.first));
+        cx.report(
+            Extent::token(decl.ident.token),
+            format!("`{name}` computes all its {count} parts at every step"),
+        )
+        .label(step, "called at each step of this loop")
+        .note("most steps are far from most parts; a software renderer runs out of time and shows nothing")
+        .help("test a box around each group first, and return or skip it where the place is outside");
+    }
+}
+
+/// Whether a function takes a place and gives a distance or a material.
+fn is_primitive(cx: &Context, callee: FunctionRef) -> bool {
+    let Some(function) = cx.program.function(callee) else {
+        return false;
+    };
+    let has_place = function.params.iter().any(|p| p.ty.components() >= 2);
+    has_place && function.returns.components() == 1
+}
+
+/// Whether anything in a body is skipped on a condition.
+fn branches(cx: &Context, body: StmtId) -> bool {
+    let tree = &cx.program.tree;
+    let mut todo = vec![body];
+    while let Some(next) = todo.pop() {
+        let stmt = tree.stmt(next);
+        if let StmtKind::If {
+            condition,
+            then,
+            otherwise,
+        } = stmt.kind
+        {
+            let holds = |s: StmtId| holds_call(cx, s);
+            if (leaves(tree, then) && asks_place(cx, condition))
+                || holds(then)
+                || otherwise.is_some_and(holds)
+            {
+                return true;
+            }
+        }
+        if matches!(stmt.kind, StmtKind::Switch { .. }) {
+            return true;
+        }
+        each_inner(tree, stmt, |s| todo.push(s));
+    }
+    false
+}
+
+/// Whether a condition is about a place, and not about what was found there.
+fn asks_place(cx: &Context, condition: ExprId) -> bool {
+    let program = cx.program;
+    let mut todo = vec![condition];
+    while let Some(e) = todo.pop() {
+        if matches!(program.tree.expr(e).kind, ExprKind::Name(_)) && program.ty(e).is_vector() {
+            return true;
+        }
+        each_operand(&program.tree, program.tree.expr(e), |child| {
+            todo.push(child)
+        });
+    }
+    false
+}
+
+fn leaves(tree: &Tree, stmt: StmtId) -> bool {
+    match tree.stmt(stmt).kind {
+        StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => true,
+        StmtKind::Block(list) => tree.block(list).last().is_some_and(|s| {
+            matches!(
+                tree.stmt(*s).kind,
+                StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue
+            )
+        }),
+        _ => false,
+    }
+}
+
+/// Whether a branch holds a call of one of the shader's functions.
+fn holds_call(cx: &Context, stmt: StmtId) -> bool {
+    let extent = cx.program.tree.stmt(stmt).extent;
+    let Some(function) = cx.facts.structure().function_of(stmt) else {
+        return false;
+    };
+    cx.facts.calls().calls_by(function).any(|c| {
+        let e = cx.program.tree.expr(c.expr).extent;
+        let is_function = matches!(cx.program.expr(c.expr).resolution, Resolution::Function(_));
+        is_function && extent.first <= e.first && e.last <= extent.last
+    })
+}

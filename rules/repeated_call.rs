@@ -1,0 +1,119 @@
+//! The same expensive call twice in one statement.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::semantic::flow::{each_operand, each_written};
+use crate::semantic::{FunctionRef, Program};
+use crate::syntax::TokenKind;
+use crate::syntax::ast::*;
+use rustc_hash::FxHashMap;
+use std::collections::hash_map::Entry;
+
+pub static RULE: Rule = Rule {
+    name: "repeated-call",
+    group: Group::Budget,
+    severity: Severity::Info,
+    default: true,
+    options: &[RuleOption {
+        name: "operations",
+        default: 20.0,
+        on_gpu: 60.0,
+        about: "Fewest operations of a call that is reported",
+    }],
+    page: include_str!("repeated_call.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    let facts = cx.facts;
+    // By statement, function and spelling; a call stands in one statement.
+    let mut first: FxHashMap<(StmtId, FunctionRef, Vec<Word>), ExprId> = FxHashMap::default();
+    for call in &program.calls {
+        if facts.work().operations(call.callee) < cx.option("operations")
+            || !facts.purity().is_pure(call.callee)
+        {
+            continue;
+        }
+        let Some(stmt) = facts.structure().stmt_of(call.expr) else {
+            continue;
+        };
+        let extent = program.tree.expr(call.expr).extent;
+        // A long call is not written twice by chance, and spelling all of them out takes time.
+        if extent.last - extent.first > MAX_TOKENS || is_taken_apart(cx, stmt) {
+            continue;
+        }
+        let spelling = spelling(program, extent);
+        match first.entry((stmt, call.callee, spelling)) {
+            Entry::Vacant(slot) => {
+                slot.insert(call.expr);
+            }
+            Entry::Occupied(found) => {
+                report(cx, call.callee, *found.get(), call.expr);
+            }
+        }
+    }
+}
+
+/// Longest call that is compared, in tokens.
+const MAX_TOKENS: u32 = 64;
+
+fn report(cx: &mut Context, callee: FunctionRef, before: ExprId, again: ExprId) {
+    let program = cx.program;
+    let Some(function) = program.function(callee) else {
+        return;
+    };
+    let name = program.names.text(function.name);
+    let before = program.expr_span(before);
+    let uses = program.macros_at(program.tree.expr(again).extent.first);
+    let mut finding = cx.report_expr(again, format!("the same call of `{name}` as before"));
+    if program.expr_span(again) != before {
+        finding = finding.label(before, "the same");
+    }
+    match uses.last() {
+        Some(used) => {
+            let name = used.name.clone();
+            finding.help(format!(
+                "`{name}` writes its argument out more than once: keep the call in a variable"
+            ))
+        }
+        None => finding.help("keep it in a variable"),
+    };
+}
+
+/// A token without its place.
+type Word = (TokenKind, u32);
+
+/// The tokens of a node.
+fn spelling(program: &Program, extent: Extent) -> Vec<Word> {
+    (extent.first..=extent.last)
+        .filter_map(|t| program.token(t))
+        .map(|t| (t.kind, t.value))
+        .collect()
+}
+
+/// Whether a statement writes to anything while it is computed, so that two calls in it may differ,
+/// or computes only one of two sides.
+fn is_taken_apart(cx: &Context, stmt: StmtId) -> bool {
+    let program = cx.program;
+    let tree = &program.tree;
+    let mut roots = Vec::new();
+    crate::semantic::flow::each_expr(tree, tree.stmt(stmt), |e| roots.push(e));
+    let is_assignment = |e: ExprId| matches!(tree.expr(e).kind, ExprKind::Assign(..));
+    let mut todo = Vec::new();
+    for root in roots {
+        match tree.expr(root).kind {
+            ExprKind::Assign(_, target, value) => todo.extend([target, value]),
+            _ => todo.push(root),
+        }
+    }
+    while let Some(e) = todo.pop() {
+        let mut writes = is_assignment(e);
+        each_written(program, e, |_| writes = true);
+        if writes || matches!(tree.expr(e).kind, ExprKind::Ternary(..)) {
+            return true;
+        }
+        each_operand(tree, tree.expr(e), |child| todo.push(child));
+    }
+    false
+}

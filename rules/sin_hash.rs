@@ -1,0 +1,131 @@
+//! `fract(sin(x) * 43758.5453)`: a hash that differs from GPU to GPU.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::light::factors;
+use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption};
+use crate::semantic::{Program, Scalar, Type};
+use crate::syntax::Version;
+use crate::syntax::ast::*;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "sin-hash",
+    group: Group::Portability,
+    severity: Severity::Info,
+    default: true,
+    options: &[RuleOption {
+        name: "factor",
+        default: 100.0,
+        on_gpu: 100.0,
+        about: "Smallest factor that makes a sine a hash",
+    }],
+    page: include_str!("sin_hash.md"),
+    check: Check::Builtin(check),
+};
+
+/// Name of the function that takes its place.
+const HASH: &str = "integerHash";
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let &[arg] = call.args else { return };
+    if call.name != "fract" {
+        return;
+    }
+    let program = cx.program;
+    let factors = factors(program, arg);
+    let limit = cx.option("factor");
+    let is_large = factors.iter().any(|f| {
+        let values = program.values(*f);
+        values.iter().any(|v| v.as_float().abs() as f64 >= limit)
+    });
+    let sine = factors.iter().find_map(|f| sine(program, *f));
+    let (Some(sine), true) = (sine, is_large) else {
+        return;
+    };
+    let fix = fix(cx, call.id, sine);
+    cx.report_expr(call.id, "this hash draws another picture on every GPU")
+        .note("`sin` is exact to a few digits only, and the factor brings the others up")
+        .help("hash integers: they are the same everywhere")
+        .fix(fix);
+}
+
+/// The argument of `sin` or `cos`.
+fn sine(program: &Program, factor: ExprId) -> Option<ExprId> {
+    let name = program.builtin_called(factor)?;
+    let ExprKind::Call(_, args) = program.tree.expr(factor).kind else {
+        return None;
+    };
+    let first = program.tree.args(args).first().copied();
+    first.filter(|_| matches!(name, "sin" | "cos"))
+}
+
+/// Calls an integer hash instead, which is put before the function.
+fn fix(cx: &Context, call: ExprId, sine: ExprId) -> Option<Fix> {
+    let program = cx.program;
+    let node = program.tree.expr(call);
+    if program.version != Version::Es300 || program.ty(call) != Type::FLOAT {
+        return None;
+    }
+    let key = key(program, sine);
+    let function = cx.facts.structure().function_of_expr(call)?;
+    let decl = program
+        .tree
+        .function(program.function(function)?.definition?)?;
+    if !program.is_direct(node.extent) || !program.is_direct(Extent::token(decl.extent.first)) {
+        return None;
+    }
+    let ty = program.ty(key);
+    let (columns, size) = (ty.scalar_kind(), ty.components());
+    if columns != Some(Scalar::Float) || !(1..=4).contains(&size) || ty.is_matrix() {
+        return None;
+    }
+    let mut edits = vec![Edit::replace(
+        program.expr_span(call),
+        format!("{HASH}({})", program.expr_text(key)),
+    )];
+    let known = program.functions.iter().enumerate().any(|(i, f)| {
+        let is_it =
+            program.names.text(f.name) == HASH && f.params.first().map(|p| p.ty) == Some(ty);
+        is_it && i < function.0 as usize
+    });
+    if !known {
+        let start = program.token(decl.extent.first)?.span.start;
+        edits.push(Edit::insert(start, definition(size)));
+    }
+    Some(Fix::suggestion("hash integers", edits))
+}
+
+/// What is hashed: `p` of `dot(p, vec2(12.9898, 78.233))`, or all of it.
+fn key(program: &Program, sine: ExprId) -> ExprId {
+    let at = program.tree.unparen(sine);
+    match (program.builtin_called(at), program.tree.expr(at).kind) {
+        (Some("dot"), ExprKind::Call(_, args)) => match *program.tree.args(args) {
+            [p, by] if program.expr(by).is_const => p,
+            [by, p] if program.expr(by).is_const => p,
+            _ => sine,
+        },
+        _ => sine,
+    }
+}
+
+/// The hash of a number or vector, as a function.
+fn definition(size: u32) -> String {
+    let (ty, bits) = match size {
+        1 => ("float".to_string(), "floatBitsToUint(p)".to_string()),
+        n => {
+            let names = ["x", "y", "z", "w"];
+            let factors = ["1597334673u", "3812015801u", "2798796415u", "1979697957u"];
+            let parts: Vec<String> = names
+                .iter()
+                .zip(factors)
+                .take(n as usize)
+                .map(|(c, by)| format!("floatBitsToUint(p.{c}) * {by}"))
+                .collect();
+            (format!("vec{n}"), parts.join(" ^ "))
+        }
+    };
+    format!(
+        "float {HASH}({ty} p) {{\n    uint h = {bits};\n    h = (h ^ (h >> 16u)) * 2246822507u;\n    \
+         h = (h ^ (h >> 13u)) * 3266489909u;\n    return float((h ^ (h >> 16u)) >> 8u) / 16777216.0;\n}}\n\n"
+    )
+}

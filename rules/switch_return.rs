@@ -1,0 +1,46 @@
+//! `return` inside `switch`.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::flow::each_inner;
+use crate::syntax::ast::{Extent, StmtId, StmtKind};
+
+pub static RULE: Rule = Rule {
+    name: "switch-return",
+    group: Group::Portability,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("switch_return.md"),
+    check: Check::Stmt(check),
+};
+
+fn check(cx: &mut Context, stmt: StmtId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let node = tree.stmt(stmt);
+    let StmtKind::Switch { body, .. } = node.kind else {
+        return;
+    };
+    let mut todo = tree.block(body).to_vec();
+    let mut first: Option<StmtId> = None;
+    while let Some(next) = todo.pop() {
+        match tree.stmt(next).kind {
+            StmtKind::Return(_) => first = Some(first.map_or(next, |f| f.min(next))),
+            // It answers for itself.
+            StmtKind::Switch { .. } => {}
+            _ => each_inner(tree, tree.stmt(next), |s| todo.push(s)),
+        }
+    }
+    let Some(first) = first else {
+        return;
+    };
+    let leaves = program.span(tree.stmt(first).extent);
+    cx.report(
+        Extent::token(node.extent.first),
+        "this `switch` is left by `return`",
+    )
+    .label(leaves, "leaves the function")
+    .note("compilers to Direct3D have lost such a `return`, or called the function's value unset")
+    .help("set a variable, `break`, and return it behind the `switch`; or use `if` and `else`");
+}

@@ -1,0 +1,35 @@
+//! Numbers outside the range that their own comment gives.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::tunable::tunables;
+
+pub static RULE: Rule = Rule {
+    name: "tunable-range",
+    group: Group::Budget,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("tunable_range.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    for found in tunables(program) {
+        let (value, min, max) = (found.value, found.min, found.max);
+        if (min..=max).contains(&value) {
+            continue;
+        }
+        let side = if value < min { "below" } else { "above" };
+        let text = program.sources.text(found.value_span);
+        cx.report_span(
+            found.value_span,
+            format!("`{text}` is {side} the range that the comment gives"),
+        )
+        .label(found.range, "the range")
+        .help(format!(
+            "take a number from {min} to {max}, or mend the comment"
+        ));
+    }
+}
