@@ -1,7 +1,9 @@
 //! What rules ask for about a shader as a whole. Each answer is made at the first question.
 
+use crate::semantic::flow::range::{Evaluator, Range, Ranges};
 use crate::semantic::flow::{CallGraph, Loops, Structure};
 use crate::semantic::{Dialect, FunctionRef, Program};
+use crate::syntax::ast::ExprId;
 use std::cell::OnceCell;
 
 /// Answers about one shader.
@@ -10,6 +12,7 @@ pub struct Facts<'a, 'p> {
     structure: OnceCell<Structure>,
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
+    ranges: OnceCell<Ranges>,
     entry: OnceCell<Option<FunctionRef>>,
 }
 
@@ -21,6 +24,7 @@ impl<'a, 'p> Facts<'a, 'p> {
             structure: OnceCell::new(),
             calls: OnceCell::new(),
             loops: OnceCell::new(),
+            ranges: OnceCell::new(),
             entry: OnceCell::new(),
         }
     }
@@ -39,6 +43,23 @@ impl<'a, 'p> Facts<'a, 'p> {
     pub fn loops(&self) -> &Loops {
         self.loops
             .get_or_init(|| Loops::of(self.program, self.structure(), self.calls()))
+    }
+
+    /// What numbers expressions may take.
+    pub fn ranges(&self) -> Evaluator<'_, 'p> {
+        let structure = self.structure();
+        Evaluator {
+            program: self.program,
+            structure,
+            ranges: self
+                .ranges
+                .get_or_init(|| Ranges::of(self.program, structure)),
+        }
+    }
+
+    /// What numbers the components of a number or vector may be.
+    pub fn range(&self, expr: ExprId) -> Vec<Range> {
+        self.ranges().components(expr).collect()
     }
 
     /// The function that draws: `mainImage` and its kin, or `main`.

@@ -4,6 +4,7 @@
 mod calls;
 mod estimate;
 mod loops;
+pub mod range;
 mod structure;
 
 pub use calls::CallGraph;
