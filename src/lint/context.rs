@@ -3,7 +3,7 @@
 use super::{Facts, Rule, Settings};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
 use crate::semantic::Program;
-use crate::syntax::ast::{ExprId, Extent};
+use crate::syntax::ast::{ExprId, ExprKind, Extent};
 use crate::text::Span;
 
 /// A shader, and a place for findings.
@@ -25,6 +25,28 @@ impl<'p> Context<'_, 'p> {
     /// A number that the rule goes by; its name is one of the rule's options.
     pub fn option(&self, name: &str) -> f64 {
         self.settings.option(self.rule, name)
+    }
+
+    /// Code with an operator, in parentheses if it would fall apart in the place of an expression.
+    pub fn in_place_of(&self, expr: ExprId, code: String) -> String {
+        let parent = self.facts.structure().parent(expr);
+        let kind = parent.map(|p| self.program.tree.expr(p).kind);
+        match kind {
+            Some(
+                ExprKind::Binary(..)
+                | ExprKind::Unary(..)
+                | ExprKind::Postfix(..)
+                | ExprKind::Member(..)
+                | ExprKind::Index(..)
+                | ExprKind::Method(..),
+            ) => format!("({code})"),
+            _ => code,
+        }
+    }
+
+    /// Whether an expression stands in the text just so, outside any macro call.
+    pub fn is_direct(&self, expr: ExprId) -> bool {
+        self.program.is_direct(self.program.tree.expr(expr).extent)
     }
 
     /// Reports a finding at a node.

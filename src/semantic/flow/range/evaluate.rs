@@ -63,10 +63,24 @@ impl Evaluator<'_, '_> {
         }
         let range = match self.constant(expr, component) {
             Some(range) => range,
+            None if component == LENGTH => self.measured(expr, depth + 1),
             None => self.fit(expr, self.compute(expr, component, depth + 1)),
         };
         self.ranges.exprs.borrow_mut().insert(key, range);
         range
+    }
+
+    /// The length of a vector: as a whole, or else from its components.
+    fn measured(&self, expr: ExprId, depth: u32) -> Range {
+        let whole = self.compute(expr, LENGTH, depth);
+        let mut length = if whole.hi.value.is_finite() {
+            whole
+        } else {
+            let count = self.program.ty(expr).element().components() as u8;
+            self.length((0..count).map(|c| self.part(expr, c, depth)))
+        };
+        length.raise(0.0);
+        length
     }
 
     fn constant(&self, expr: ExprId, component: u8) -> Option<Range> {

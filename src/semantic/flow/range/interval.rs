@@ -416,6 +416,18 @@ impl fmt::Display for Range {
     }
 }
 
+impl Range {
+    /// As messages say it of an integer: `-3..-1`, `4 or more`.
+    pub fn of_integer(&self) -> String {
+        self.to_string().replace(".0", "")
+    }
+
+    /// `may be` where some of it is at fault, `is` where all of it is.
+    pub fn may_or_is(&self, is_all: impl Fn(&Range) -> bool) -> &'static str {
+        if is_all(self) { "is" } else { "may be" }
+    }
+}
+
 /// A number to four figures, as GLSL writes floats.
 fn number(value: f64, f: &mut fmt::Formatter) -> fmt::Result {
     if value == 0.0 || value.abs() < 1e-30 {
