@@ -140,10 +140,10 @@ fn wave(x: Range, crest: f64) -> Range {
 pub fn of_host(name: &str, component: u8) -> Option<Range> {
     let from = |lo, reach| Range::new(lo, f64::INFINITY, reach);
     Some(match (name, component) {
-        ("iTime" | "iTimeDelta", _) => from(0.0, Reach::Held),
+        ("iTime" | "iTimeDelta", _) => from(0.0, Reach::Touched),
         ("iFrame" | "gl_VertexID" | "gl_InstanceID", _) => from(0.0, Reach::Held).exactly(),
         ("iResolution", _) => from(1.0, Reach::Loose).exactly(),
-        ("iChannelResolution", _) => from(0.0, Reach::Held).exactly(),
+        ("iChannelResolution", _) => from(0.0, Reach::Loose).exactly(),
         ("iChannelTime" | "iSampleRate" | "iFrameRate", _) => from(0.0, Reach::Loose),
         ("iMouse", _) => Range::ANY.exactly(),
         ("iDate", 1) => Range::new(0.0, 11.0, Reach::Touched).exactly(),

@@ -3,7 +3,7 @@
 use super::builtins::{of_function, of_host};
 use super::guards::Guard;
 use super::interval::{Range, Reach, above, below};
-use super::places::{Components, PlaceId, Write, Written, swizzle};
+use super::places::{ChangeKind, Components, PlaceId, Write, Written, swizzle};
 use super::{Ranges, is_same};
 use crate::semantic::flow::Structure;
 use crate::semantic::{Base, FunctionRef, Program, Resolution, Scalar, Storage, VariableId};
@@ -15,6 +15,15 @@ const MAX_DEPTH: u32 = 120;
 const MAX_GUARDS: usize = 24;
 /// Stands for the length of a vector among its components.
 const LENGTH: u8 = 4;
+
+/// What a condition may speak of.
+#[derive(Clone, Copy)]
+enum Subject {
+    /// A component of a variable.
+    Variable(VariableId, u8),
+    /// An expression, written alike.
+    Written(ExprId),
+}
 
 /// Answers questions about ranges.
 #[derive(Clone, Copy)]
@@ -37,7 +46,49 @@ impl Evaluator<'_, '_> {
     pub fn components(&self, expr: ExprId) -> impl Iterator<Item = Range> {
         let ty = self.program.ty(expr);
         let count = if ty.is_matrix() { 0 } else { ty.components() };
-        (0..count as u8).map(move |c| self.part(expr, c, 0))
+        (0..count as u8).map(move |c| {
+            let mut range = self.part(expr, c, 0);
+            if count == 1 && !range.is_any() {
+                self.narrow_written(expr, &mut range);
+            }
+            range
+        })
+    }
+
+    /// Narrows by the conditions around that speak of the same expression: `f(x) > 0.0 ? log(f(x))`.
+    fn narrow_written(&self, expr: ExprId, range: &mut Range) {
+        let tree = &self.program.tree;
+        if self.ranges.places.named(self.program, expr).is_some() {
+            return;
+        }
+        let mut conditions = Vec::new();
+        let mut inner = expr;
+        for _ in 0..MAX_GUARDS {
+            let Some(outer) = self.structure.parent(inner) else {
+                break;
+            };
+            if let ExprKind::Ternary(c, a, _) = tree.expr(outer).kind
+                && inner != c
+            {
+                conditions.push((c, inner == a));
+            }
+            inner = outer;
+        }
+        let around = self.structure.stmt_of(expr).into_iter();
+        let around = around.flat_map(|s| self.ranges.guards.around(s).take(MAX_GUARDS));
+        conditions.extend(around.filter_map(|g| match g {
+            Guard::Holds {
+                condition, truth, ..
+            } => Some((condition, truth)),
+            Guard::Loop(_) => None,
+        }));
+        let before = *range;
+        for (condition, truth) in conditions {
+            self.apply(condition, truth, Subject::Written(expr), range, 0);
+        }
+        if range.lo.value > range.hi.value {
+            *range = Range::ANY.like(&before);
+        }
     }
 
     /// The range of a component; a scalar stands for all components, as in `v * 2.0`.
@@ -198,7 +249,10 @@ impl Evaluator<'_, '_> {
                 }
             }
             _ => match program.variable_of(expr) {
-                Some(variable) => self.variable(variable, component, depth),
+                Some(variable) => match self.last_written(expr, variable, component, depth) {
+                    Some(range) => range,
+                    None => self.variable(variable, component, depth),
+                },
                 None => Range::ANY,
             },
         };
@@ -209,6 +263,10 @@ impl Evaluator<'_, '_> {
             let at = named.map_or(Some(component), |n| n.at(component));
             if let Some(at) = at {
                 self.narrow(expr, variable, at, &mut range, depth);
+            }
+            // The conditions cannot all hold for what is known: some of it is wrong.
+            if range.lo.value > range.hi.value {
+                range = Range::ANY.like(&range);
             }
         }
         range
@@ -243,6 +301,75 @@ impl Evaluator<'_, '_> {
         self.place(PlaceId(id.0), component, depth)
     }
 
+    /// The value that a variable has at a place because the last write before it, in the order of
+    /// the text, always runs just before it.
+    fn last_written(&self, at: ExprId, id: VariableId, component: u8, depth: u32) -> Option<Range> {
+        let program = self.program;
+        let tree = &program.tree;
+        self.narrowable(PlaceId(id.0))?;
+        if component == LENGTH || !program.variable(id)?.written {
+            return None;
+        }
+        let here = tree.expr(at).extent.first;
+        let places = &self.ranges.places;
+        let change = places.last_change(id, component, here)?;
+        let by = match change.kind {
+            ChangeKind::First(init) => init,
+            ChangeKind::Assigned(assign) => assign,
+            ChangeKind::Other => return None,
+        };
+        let written = self.structure.stmt_of(by)?;
+        let is_alone = match tree.stmt(written).kind {
+            StmtKind::Expr(e) => e == by,
+            StmtKind::Decl(_) => matches!(change.kind, ChangeKind::First(_)),
+            _ => false,
+        };
+        let block = self.structure.outer(written)?;
+        if !is_alone || !matches!(tree.stmt(block).kind, StmtKind::Block(_)) {
+            return None;
+        }
+        let ways = self.structure.outwards(self.structure.stmt_of(at)?);
+        let mut is_inside = false;
+        for outer in ways.take(MAX_GUARDS) {
+            if outer == block {
+                is_inside = true;
+                break;
+            }
+            let stmt = tree.stmt(outer);
+            let is_loop = matches!(
+                stmt.kind,
+                StmtKind::For { .. } | StmtKind::While { .. } | StmtKind::Do { .. }
+            );
+            // What a turn writes, the next one reads.
+            if is_loop && places.is_written_in(id, stmt.extent.first, stmt.extent.last + 1) {
+                return None;
+            }
+        }
+        if !is_inside {
+            return None;
+        }
+        match change.kind {
+            ChangeKind::First(init) => Some(self.part(init, component, depth + 1)),
+            _ => self.assigned(by, component, depth + 1),
+        }
+    }
+
+    /// The value of a component of a variable once an assignment has run.
+    fn assigned(&self, assign: ExprId, component: u8, depth: u32) -> Option<Range> {
+        let ExprKind::Assign(op, target, value) = self.program.tree.expr(assign).kind else {
+            return None;
+        };
+        let (_, to) = self.ranges.places.named(self.program, target)?;
+        let at = match to {
+            Some(to) => to.position(component)?,
+            None => component,
+        };
+        Some(match op {
+            None => self.part(value, at, depth),
+            Some(op) => self.binary(op, target, value, at, depth),
+        })
+    }
+
     /// What a place may hold.
     pub(super) fn place(&self, place: PlaceId, component: u8, depth: u32) -> Range {
         let source = 1u64 << ((place.0 * 4 + component as u32) % 64);
@@ -266,11 +393,24 @@ impl Evaluator<'_, '_> {
             range.sources |= source;
         }
         range.mixed |= writes.len() > 1 && self.is_parameter(place);
+        if writes.len() > 1 && !self.is_steady(place) {
+            range = range.loose();
+        }
         self.ranges
             .places_known
             .borrow_mut()
             .insert(key, Some(range));
         range
+    }
+
+    /// Whether each value of a place reaches its uses: what the callers of a function pass, and
+    /// the turns of a loop's counter. Of other writes it is not known which come last.
+    fn is_steady(&self, place: PlaceId) -> bool {
+        let variable = VariableId(place.0);
+        if self.is_parameter(place) {
+            return !self.ranges.places.is_changed(variable);
+        }
+        self.ranges.counters.contains(&variable)
     }
 
     fn is_parameter(&self, place: PlaceId) -> bool {
@@ -565,7 +705,7 @@ impl Evaluator<'_, '_> {
             BinaryOp::Mul => x.mul(y),
             BinaryOp::Div if is_whole => x.div(y).rising(f64::trunc),
             BinaryOp::Div => match self.is_share(a, b, component) {
-                true => Range::new(0.0, 1.0, Reach::Touched).like(&x),
+                true => Range::new(0.0, below(1.0), Reach::Touched).like(&x),
                 false => x.div(y),
             },
             BinaryOp::Rem if y.lo.value > 0.0 => {
@@ -575,12 +715,13 @@ impl Evaluator<'_, '_> {
                 } else {
                     -y.hi.value + 1.0
                 };
-                let reach = if x.hi.value.is_infinite() && y.single().is_some() {
-                    Reach::Touched
-                } else {
-                    Reach::Loose
-                };
-                Range::new(least, most, reach).like(&x).like(&y)
+                let mut range = Range::new(least, most, Reach::Touched).like(&x).like(&y);
+                if x.is_finite() || y.single().is_none() {
+                    range = range.loose();
+                } else if !x.reaches_below(0.0) {
+                    range.lo.reach = Reach::Loose;
+                }
+                range
             }
             BinaryOp::BitAnd if x.lo.value >= 0.0 || y.lo.value >= 0.0 => {
                 let of = |r: Range| {
@@ -670,7 +811,7 @@ impl Evaluator<'_, '_> {
         depth: u32,
     ) {
         let tree = &self.program.tree;
-        let subject = (variable, component);
+        let subject = Subject::Variable(variable, component);
         let mut inner = at;
         for _ in 0..MAX_GUARDS {
             let Some(outer) = self.structure.parent(inner) else {
@@ -713,8 +854,16 @@ impl Evaluator<'_, '_> {
                 Guard::Loop(_) => {}
                 Guard::Holds { from, .. } if places.is_written_in(variable, from, here) => return,
                 Guard::Holds {
-                    condition, truth, ..
-                } => self.apply(condition, truth, subject, range, depth),
+                    condition,
+                    truth,
+                    turns,
+                    ..
+                } => {
+                    self.apply(condition, truth, subject, range, depth);
+                    if turns && self.ranges.counters.contains(&variable) {
+                        range.touch_ends();
+                    }
+                }
             }
         }
     }
@@ -724,7 +873,7 @@ impl Evaluator<'_, '_> {
         &self,
         condition: ExprId,
         truth: bool,
-        subject: (VariableId, u8),
+        subject: Subject,
         range: &mut Range,
         depth: u32,
     ) {
@@ -763,10 +912,14 @@ impl Evaluator<'_, '_> {
         }
     }
 
-    fn is_subject(&self, expr: ExprId, (variable, component): (VariableId, u8)) -> bool {
+    fn is_subject(&self, expr: ExprId, subject: Subject) -> bool {
         if !self.program.ty(expr).is_scalar() {
             return false;
         }
+        let (variable, component) = match subject {
+            Subject::Variable(variable, component) => (variable, component),
+            Subject::Written(written) => return is_same(self.program, expr, written),
+        };
         match self.ranges.places.named(self.program, expr) {
             Some((place, named)) => {
                 place.0 == variable.0 && named.map_or(Some(0), |n| n.at(0)) == Some(component)
@@ -775,7 +928,7 @@ impl Evaluator<'_, '_> {
         }
     }
 
-    fn is_abs_of(&self, expr: ExprId, subject: (VariableId, u8)) -> bool {
+    fn is_abs_of(&self, expr: ExprId, subject: Subject) -> bool {
         let tree = &self.program.tree;
         let expr = tree.unparen(expr);
         match tree.expr(expr).kind {

@@ -16,6 +16,8 @@ pub enum Guard {
         truth: bool,
         /// The first token behind it.
         from: TokenId,
+        /// Whether a loop goes on while it holds, so that its last turn comes near to the limit.
+        turns: bool,
     },
     /// A loop begins.
     Loop(Extent),
@@ -68,6 +70,7 @@ impl Guards {
             condition,
             truth,
             from,
+            turns: false,
         };
         match stmt.kind {
             StmtKind::Block(body) => {
@@ -142,6 +145,7 @@ impl Guards {
                     condition,
                     truth: true,
                     from: tree.stmt(body).extent.first,
+                    turns: true,
                 };
                 guards = self.push(guard, guards);
             }

@@ -235,6 +235,12 @@ impl Range {
         }
     }
 
+    /// Both ends are come near to.
+    pub fn touch_ends(&mut self) {
+        self.lo = bound(self.lo.value, self.lo.reach.max(Reach::Touched));
+        self.hi = bound(self.hi.value, self.hi.reach.max(Reach::Touched));
+    }
+
     /// A range made of the ends of two; whether the ends come together hangs on their sources.
     fn made_of(a: &Range, b: &Range, lo: Bound, hi: Bound) -> Range {
         let range = Range {
@@ -244,11 +250,8 @@ impl Range {
             sources: a.sources | b.sources,
             mixed: a.mixed | b.mixed,
         };
-        if a.sources & b.sources == 0 {
-            range
-        } else {
-            range.loose()
-        }
+        let is_free = a.sources & b.sources == 0 && !(a.mixed && b.mixed);
+        if is_free { range } else { range.loose() }
     }
 
     /// `-a`

@@ -18,17 +18,20 @@ pub use evaluate::Evaluator;
 pub use interval::{Bound, Range, Reach};
 pub use places::{Components, root as root_variable, swizzle};
 
-use crate::semantic::Program;
 use crate::semantic::flow::Structure;
+use crate::semantic::{Program, VariableId};
+use crate::syntax::ast::*;
 use guards::Guards;
 use places::Places;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::RefCell;
 
 /// What the analysis has found out so far.
 pub struct Ranges {
     places: Places,
     guards: Guards,
+    /// Variables that count the turns of a `for` loop, one by one, and nothing else.
+    counters: FxHashSet<VariableId>,
     /// By expression and component.
     exprs: RefCell<FxHashMap<(u32, u8), Range>>,
     /// By place and component; `None` while the answer is being made.
@@ -43,6 +46,7 @@ impl Ranges {
         Ranges {
             places: Places::of(program, |stmt| structure.function_of(stmt)),
             guards: Guards::of(program),
+            counters: counters(program),
             exprs: RefCell::default(),
             places_known: RefCell::default(),
             results: RefCell::default(),
@@ -51,10 +55,46 @@ impl Ranges {
 }
 
 /// Whether two expressions are written alike and give the same value, as far as a short look tells.
-pub fn is_same(
-    program: &Program,
-    a: crate::syntax::ast::ExprId,
-    b: crate::syntax::ast::ExprId,
-) -> bool {
+pub fn is_same(program: &Program, a: ExprId, b: ExprId) -> bool {
     origins::is_same(program, a, b, &mut 48)
+}
+
+/// Finds the variables that are declared in the head of a `for` loop and changed by its step alone,
+/// by one.
+fn counters(program: &Program) -> FxHashSet<VariableId> {
+    let tree = &program.tree;
+    let mut found = FxHashSet::default();
+    let mut changes: FxHashMap<VariableId, u32> = FxHashMap::default();
+    for expr in &tree.exprs {
+        let target = match expr.kind {
+            ExprKind::Assign(_, target, _) | ExprKind::Postfix(_, target) => target,
+            ExprKind::Unary(op, target) if op.assigns() => target,
+            _ => continue,
+        };
+        if let Some(variable) = root_variable(program, target) {
+            *changes.entry(variable).or_default() += 1;
+        }
+    }
+    for stmt in &tree.stmts {
+        let StmtKind::For {
+            init,
+            step: Some(step),
+            ..
+        } = stmt.kind
+        else {
+            continue;
+        };
+        let (ExprKind::Postfix(_, target) | ExprKind::Unary(_, target)) = tree.expr(step).kind
+        else {
+            continue;
+        };
+        let Some(variable) = program.variable_of(target) else {
+            continue;
+        };
+        let is_declared = matches!(tree.stmt(init).kind, StmtKind::Decl(_));
+        if is_declared && changes.get(&variable) == Some(&1) {
+            found.insert(variable);
+        }
+    }
+    found
 }

@@ -31,7 +31,12 @@ impl Evaluator<'_, '_> {
         let stored = |x: &FxHashSet<Origin>, y: &FxHashSet<Origin>| {
             x.contains(&Origin::Texture) && (y.iter().any(is_whole) || y.contains(&Origin::Texture))
         };
-        !left.is_disjoint(&right) || stored(&left, &right) || stored(&right, &left)
+        let exact = |e| self.component(e, component).exact;
+        !left.is_disjoint(&right)
+            || stored(&left, &right)
+            || stored(&right, &left)
+            || (left.contains(&Origin::Texture) && exact(b))
+            || (right.contains(&Origin::Texture) && exact(a))
     }
 
     fn origins(&self, expr: ExprId, component: u8) -> FxHashSet<Origin> {

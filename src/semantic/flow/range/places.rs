@@ -7,6 +7,9 @@
 use crate::semantic::{Base, FunctionRef, Program, Resolution, Storage, Type, VariableId};
 use crate::syntax::ast::*;
 
+/// How many writes before a use are looked at.
+const MAX_CHANGES: usize = 12;
+
 /// Index of a place.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct PlaceId(pub u32);
@@ -42,14 +45,36 @@ pub enum Written {
     Unknown,
 }
 
+/// A write to a variable where it stands in the text.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Change {
+    /// Its last token: until then the old value is there.
+    pub token: TokenId,
+    /// The components that it writes to, a bit each.
+    pub mask: u8,
+    /// What it is.
+    pub kind: ChangeKind,
+}
+
+/// The kinds of write in the text.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum ChangeKind {
+    /// The declaration, with the first value.
+    First(ExprId),
+    /// An assignment to the variable, or to some of its components.
+    Assigned(ExprId),
+    /// Anything else.
+    Other,
+}
+
 /// All places of a shader.
 #[derive(Default, Debug)]
 pub struct Places {
     writes: Vec<Vec<Write>>,
     /// By struct: the place of its first member.
     members: Vec<u32>,
-    /// By variable: the tokens at which it is written to, in order.
-    written_at: Vec<Vec<TokenId>>,
+    /// By variable: the writes in the text, in order.
+    written_at: Vec<Vec<Change>>,
     /// By function: what it returns.
     returns: Vec<Vec<ExprId>>,
 }
@@ -116,7 +141,7 @@ impl Places {
             places.expr(program, ExprId(i as u32), expr);
         }
         for list in &mut places.written_at {
-            list.sort_unstable();
+            list.sort_unstable_by_key(|c| c.token);
         }
         for (i, stmt) in program.tree.stmts.iter().enumerate() {
             if let StmtKind::Return(Some(value)) = stmt.kind
@@ -138,8 +163,22 @@ impl Places {
     pub fn is_written_in(&self, variable: VariableId, from: TokenId, to: TokenId) -> bool {
         let at = self.written_at.get(variable.0 as usize);
         let at = at.map_or(&[][..], Vec::as_slice);
-        let first = at.partition_point(|t| *t < from);
-        at.get(first).is_some_and(|t| *t < to)
+        let first = at.partition_point(|c| c.token < from);
+        at.get(first).is_some_and(|c| c.token < to)
+    }
+
+    /// The last write to a component of a variable that stands before a token.
+    pub fn last_change(&self, variable: VariableId, component: u8, to: TokenId) -> Option<Change> {
+        let all = self.written_at.get(variable.0 as usize)?;
+        let before = all.get(..all.partition_point(|c| c.token < to))?;
+        let touches = |c: &&Change| c.mask & 1 << component != 0;
+        before.iter().rev().take(MAX_CHANGES).find(touches).copied()
+    }
+
+    /// Whether a variable is written to in the text, not counting its declaration.
+    pub fn is_changed(&self, variable: VariableId) -> bool {
+        let all = self.written_at.get(variable.0 as usize);
+        all.is_some_and(|l| l.iter().any(|c| !matches!(c.kind, ChangeKind::First(_))))
     }
 
     /// What a function returns.
@@ -200,7 +239,12 @@ impl Places {
         for (declarator, variable) in tree.declarator_lists.iter().zip(&program.declared) {
             if let (Some(init), &Some(variable)) = (declarator.init, variable) {
                 self.add(PlaceId(variable.0), Written::Value(init), None);
-                self.note(variable, declarator.ident.token);
+                let first = Change {
+                    token: declarator.extent.last,
+                    mask: 0xff,
+                    kind: ChangeKind::First(init),
+                };
+                self.note(variable, first);
             }
         }
         for (i, variable) in program.variables.iter().enumerate() {
@@ -239,10 +283,9 @@ impl Places {
         }
     }
 
-    /// Notes that a variable is written to at a token.
-    fn note(&mut self, variable: VariableId, token: TokenId) {
+    fn note(&mut self, variable: VariableId, change: Change) {
         if let Some(list) = self.written_at.get_mut(variable.0 as usize) {
-            list.push(token);
+            list.push(change);
         }
     }
 
@@ -253,11 +296,13 @@ impl Places {
                     None => Written::Value(value),
                     Some(op) => Written::Combined(op, value),
                 };
-                self.write(program, target, value, expr.extent.last);
+                let kind = ChangeKind::Assigned(id);
+                self.write(program, target, value, expr.extent.last, kind);
             }
             ExprKind::Unary(op, target) if op.assigns() => {
                 let by = if op == UnaryOp::Increment { 1.0 } else { -1.0 };
-                self.write(program, target, Written::Step(by), expr.extent.last);
+                let kind = ChangeKind::Other;
+                self.write(program, target, Written::Step(by), expr.extent.last, kind);
             }
             ExprKind::Postfix(op, target) => {
                 let by = if op == PostfixOp::Increment {
@@ -265,7 +310,8 @@ impl Places {
                 } else {
                     -1.0
                 };
-                self.write(program, target, Written::Step(by), expr.extent.last);
+                let kind = ChangeKind::Other;
+                self.write(program, target, Written::Step(by), expr.extent.last, kind);
             }
             ExprKind::Call(_, args) => match program.expr(id).resolution {
                 Resolution::Function(callee) => self.call(program, callee, args),
@@ -278,7 +324,8 @@ impl Places {
                 }
                 Resolution::Builtin(_) if program.builtin_called(id) == Some("modf") => {
                     if let Some(&whole) = program.tree.args(args).get(1) {
-                        self.write(program, whole, Written::Unknown, expr.extent.last);
+                        let kind = ChangeKind::Other;
+                        self.write(program, whole, Written::Unknown, expr.extent.last, kind);
                     }
                 }
                 _ => {}
@@ -289,11 +336,27 @@ impl Places {
 
     /// A write to what an expression names. `token` is the last of the write: until then the old
     /// value is there.
-    fn write(&mut self, program: &Program, target: ExprId, value: Written, token: TokenId) {
+    fn write(
+        &mut self,
+        program: &Program,
+        target: ExprId,
+        value: Written,
+        token: TokenId,
+        kind: ChangeKind,
+    ) {
+        let named = self.named(program, target);
         if let Some(variable) = root(program, target) {
-            self.note(variable, token);
+            let is_whole = named.is_some_and(|(place, _)| place.0 == variable.0)
+                && !program.ty(target).is_array()
+                && !matches!(program.tree.expr(target).kind, ExprKind::Index(..));
+            let mask = match named {
+                Some((_, Some(to))) if is_whole => to.mask(),
+                _ => 0xff,
+            };
+            let kind = if is_whole { kind } else { ChangeKind::Other };
+            self.note(variable, Change { token, mask, kind });
         }
-        if let Some((place, to)) = self.named(program, target) {
+        if let Some((place, to)) = named {
             self.add(place, value, to);
         } else if let Some(place) = self.around(program, target) {
             self.add(place, Written::Unknown, None);
@@ -338,7 +401,7 @@ impl Places {
             if direction.writes() {
                 let value = variable.map_or(Written::Unknown, |v| Written::Copy(PlaceId(v.0)));
                 let token = program.tree.expr(arg).extent.last;
-                self.write(program, arg, value, token);
+                self.write(program, arg, value, token, ChangeKind::Other);
             }
         }
     }
