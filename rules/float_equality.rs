@@ -2,8 +2,9 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Binary, Check, Context, Group, Rule};
-use crate::semantic::Scalar;
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+use crate::semantic::flow::range::is_same;
+use crate::semantic::{Scalar, Storage};
+use crate::syntax::ast::{BinaryOp, ExprId};
 
 pub static RULE: Rule = Rule {
     name: "float-equality",
@@ -15,19 +16,17 @@ pub static RULE: Rule = Rule {
     check: Check::Binary(check),
 };
 
-/// Built-in functions whose results are whole numbers, so that comparing two of them is exact.
-const WHOLE: [&str; 6] = ["floor", "ceil", "round", "roundEven", "trunc", "sign"];
-
 fn check(cx: &mut Context, e: &Binary) {
     if !matches!(e.op, BinaryOp::Equal | BinaryOp::NotEqual) {
         return;
     }
     let program = cx.program;
     let is_float = program.ty(e.left).scalar_kind() == Some(Scalar::Float);
-    if !is_float || program.expr(e.id).is_const {
+    if !is_float || program.expr(e.id).is_const || is_same(program, e.left, e.right) {
         return;
     }
-    if is_whole(cx, e.left) && is_whole(cx, e.right) {
+    let count = program.ty(e.left).components();
+    if program.ty(e.left).is_matrix() || (0..count as u8).all(|c| is_exact(cx, e, c)) {
         return;
     }
     let (left, right) = (program.expr_text(e.left), program.expr_text(e.right));
@@ -53,22 +52,28 @@ fn check(cx: &mut Context, e: &Binary) {
     .help(format!("compare with a tolerance: `{instead}`"));
 }
 
-/// Whether an expression yields whole numbers, or is a literal, which was put there to be found
-/// again.
-fn is_whole(cx: &Context, id: ExprId) -> bool {
-    let program = cx.program;
-    let id = program.tree.unparen(id);
-    match program.tree.expr(id).kind {
-        ExprKind::Call(..) => program
-            .builtin_called(id)
-            .is_some_and(|name| WHOLE.contains(&name)),
-        ExprKind::Unary(_, inner) => is_whole(cx, inner),
-        _ => {
-            program.expr(id).is_const
-                && program
-                    .values(id)
-                    .iter()
-                    .all(|v| v.as_float().fract() == 0.0)
-        }
-    }
+/// Whether no rounding can come between the two.
+fn is_exact(cx: &Context, e: &Binary, component: u8) -> bool {
+    let ranges = cx.facts.ranges();
+    let (left, right) = (
+        ranges.component(e.left, component),
+        ranges.component(e.right, component),
+    );
+    // A division or root is to be kept from exactly zero, and what a value is bounded by is held.
+    let is_edge = |value: Option<f64>, other: &crate::semantic::flow::range::Range| {
+        value.is_some_and(|v| v == 0.0 || other.holds(v))
+    };
+    (left.exact && right.exact)
+        || is_edge(left.single(), &right)
+        || is_edge(right.single(), &left)
+        || (left.exact && is_given(cx, e.right))
+        || (right.exact && is_given(cx, e.left))
+        || ranges.may_be_copies(e.left, e.right, component)
+}
+
+/// Whether a value comes from the host as it stands.
+fn is_given(cx: &Context, expr: ExprId) -> bool {
+    let root = crate::semantic::flow::range::root_variable(cx.program, expr);
+    let variable = root.and_then(|v| cx.program.variable(v));
+    variable.is_some_and(|v| v.storage == Storage::Uniform)
 }

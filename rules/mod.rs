@@ -4,6 +4,7 @@
 mod assignment_in_condition;
 mod backend_keyword;
 mod bright_light;
+mod clamp_bounds;
 mod constant_condition;
 mod dead_code;
 mod define_with_call;
@@ -16,18 +17,26 @@ mod fog_unclamped;
 mod gradient_in_loop;
 mod gray_material;
 mod height_band_spacing;
+mod index_range;
+mod integer_division;
+mod inverse_trig_range;
 mod isnan_optimised;
 mod legacy_extension;
+mod log_nonpositive;
 mod loop_invariant_call;
 mod low_ambient;
 mod mainimage_qualifiers;
 mod manual_builtin;
 mod map_inlining;
 mod mediump_noise;
+mod nan_compare;
+mod negative_to_uint;
 mod nested_iterations;
 mod no_early_exit;
 mod no_effect;
+mod normalize_zero;
 mod octave_budget;
+mod pow_negative_base;
 mod precision_missing_for_sampler;
 mod redundant_constructor;
 mod repeated_call;
@@ -35,7 +44,10 @@ mod self_assignment;
 mod shadow_steps;
 mod shadowed_name;
 mod shadows_builtin;
+mod shift_range;
 mod sin_hash;
+mod smoothstep_edges;
+mod sqrt_negative;
 mod step_budget;
 mod switch_return;
 mod tunable_range;
@@ -46,6 +58,7 @@ mod unused_parameter;
 mod unused_uniform;
 mod unused_variable;
 mod vec2_resolution;
+mod zero_division;
 
 use crate::lint::Rule;
 
@@ -55,6 +68,7 @@ pub static RULES: &[&Rule] = &[
     &assignment_in_condition::RULE,
     &backend_keyword::RULE,
     &bright_light::RULE,
+    &clamp_bounds::RULE,
     &constant_condition::RULE,
     &dead_code::RULE,
     &define_with_call::RULE,
@@ -67,18 +81,26 @@ pub static RULES: &[&Rule] = &[
     &gradient_in_loop::RULE,
     &gray_material::RULE,
     &height_band_spacing::RULE,
+    &index_range::RULE,
+    &integer_division::RULE,
+    &inverse_trig_range::RULE,
     &isnan_optimised::RULE,
     &legacy_extension::RULE,
+    &log_nonpositive::RULE,
     &loop_invariant_call::RULE,
     &low_ambient::RULE,
     &mainimage_qualifiers::RULE,
     &manual_builtin::RULE,
     &map_inlining::RULE,
     &mediump_noise::RULE,
+    &nan_compare::RULE,
+    &negative_to_uint::RULE,
     &nested_iterations::RULE,
     &no_early_exit::RULE,
     &no_effect::RULE,
+    &normalize_zero::RULE,
     &octave_budget::RULE,
+    &pow_negative_base::RULE,
     &precision_missing_for_sampler::RULE,
     &redundant_constructor::RULE,
     &repeated_call::RULE,
@@ -86,7 +108,10 @@ pub static RULES: &[&Rule] = &[
     &shadow_steps::RULE,
     &shadowed_name::RULE,
     &shadows_builtin::RULE,
+    &shift_range::RULE,
     &sin_hash::RULE,
+    &smoothstep_edges::RULE,
+    &sqrt_negative::RULE,
     &step_budget::RULE,
     &switch_return::RULE,
     &tunable_range::RULE,
@@ -97,4 +122,5 @@ pub static RULES: &[&Rule] = &[
     &unused_uniform::RULE,
     &unused_variable::RULE,
     &vec2_resolution::RULE,
+    &zero_division::RULE,
 ];

@@ -3,7 +3,7 @@
 use super::{Facts, Rule, Settings};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
 use crate::semantic::Program;
-use crate::syntax::ast::{ExprId, Extent, TokenId};
+use crate::syntax::ast::{ExprId, ExprKind, Extent, TokenId};
 use crate::text::{Role, Span};
 
 /// A shader, and a place for findings.
@@ -38,6 +38,28 @@ impl<'a, 'p> Context<'a, 'p> {
         let token = self.program.token(token)?;
         let text = self.program.sources.text(token.span);
         (self.is_users(token.span) && token.is_direct()).then_some(text)
+    }
+
+    /// Code with an operator, in parentheses if it would fall apart in the place of an expression.
+    pub fn in_place_of(&self, expr: ExprId, code: String) -> String {
+        let parent = self.facts.structure().parent(expr);
+        let kind = parent.map(|p| self.program.tree.expr(p).kind);
+        match kind {
+            Some(
+                ExprKind::Binary(..)
+                | ExprKind::Unary(..)
+                | ExprKind::Postfix(..)
+                | ExprKind::Member(..)
+                | ExprKind::Index(..)
+                | ExprKind::Method(..),
+            ) => format!("({code})"),
+            _ => code,
+        }
+    }
+
+    /// Whether an expression stands in the text just so, outside any macro call.
+    pub fn is_direct(&self, expr: ExprId) -> bool {
+        self.program.is_direct(self.program.tree.expr(expr).extent)
     }
 
     /// Reports a finding at a node.

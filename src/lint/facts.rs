@@ -2,11 +2,13 @@
 
 use super::march::{March, marches};
 use super::words::Words;
+use crate::semantic::flow::range::{Evaluator, Range, Ranges};
 use crate::semantic::flow::{
     CallGraph, Effects, Gradient, Loops, Purity, Reach, Structure, Uniformity, Usage, Work,
     gradients,
 };
 use crate::semantic::{Dialect, FunctionRef, Program, Stage};
+use crate::syntax::ast::ExprId;
 use crate::text::Span;
 use std::cell::OnceCell;
 
@@ -16,6 +18,7 @@ pub struct Facts<'a, 'p> {
     structure: OnceCell<Structure>,
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
+    ranges: OnceCell<Ranges>,
     entry: OnceCell<Option<FunctionRef>>,
     effects: OnceCell<Effects>,
     purity: OnceCell<Purity>,
@@ -36,6 +39,7 @@ impl<'a, 'p> Facts<'a, 'p> {
             structure: OnceCell::new(),
             calls: OnceCell::new(),
             loops: OnceCell::new(),
+            ranges: OnceCell::new(),
             entry: OnceCell::new(),
             effects: OnceCell::new(),
             purity: OnceCell::new(),
@@ -107,6 +111,23 @@ impl<'a, 'p> Facts<'a, 'p> {
     pub fn marches(&self) -> &[March] {
         self.marches
             .get_or_init(|| marches(self.program, self.loops(), self.calls(), self.entry()))
+    }
+
+    /// What numbers expressions may take.
+    pub fn ranges(&self) -> Evaluator<'_, 'p> {
+        let structure = self.structure();
+        Evaluator {
+            program: self.program,
+            structure,
+            ranges: self
+                .ranges
+                .get_or_init(|| Ranges::of(self.program, structure)),
+        }
+    }
+
+    /// What numbers the components of a number or vector may be.
+    pub fn range(&self, expr: ExprId) -> Vec<Range> {
+        self.ranges().components(expr).collect()
     }
 
     /// The function that draws: `mainImage` and its kin, or `main`.

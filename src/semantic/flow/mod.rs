@@ -9,6 +9,7 @@ mod estimate;
 mod gradients;
 mod loops;
 mod purity;
+pub mod range;
 mod reach;
 mod structure;
 mod uniformity;

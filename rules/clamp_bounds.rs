@@ -1,0 +1,45 @@
+//! `clamp` with its bounds the wrong way round.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "clamp-bounds",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("clamp_bounds.md"),
+    check: Check::Builtin(check),
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let ("clamp", &[x, low, high]) = (call.name, call.args) else {
+        return;
+    };
+    let program = cx.program;
+    let is_known = |e| !program.values(e).is_empty();
+    let bounds = cx.facts.range(low).into_iter().zip(cx.facts.range(high));
+    let is_crossed = bounds.into_iter().any(|(a, b)| a.lo.value > b.hi.value);
+    let is_moved = is_known(x) && is_known(low) && !is_known(high);
+    if !is_crossed && !is_moved {
+        return;
+    }
+    let text = |e| program.expr_text(e).to_string();
+    let (first, second, third) = (text(x), text(low), text(high));
+    let (message, instead) = if is_moved {
+        let message = "`clamp` bounds a constant, and takes its upper bound from what varies";
+        (message, format!("clamp({third}, {first}, {second})"))
+    } else {
+        let message = "the lower bound of `clamp` is greater than the upper";
+        (message, format!("clamp({first}, {third}, {second})"))
+    };
+    let fix = cx.is_direct(call.id).then(|| {
+        let edit = Edit::replace(program.expr_span(call.id), instead.clone());
+        Fix::suggestion(format!("write `{instead}`"), vec![edit])
+    });
+    cx.report_expr(call.id, message)
+        .note("the value stands first, then the lower bound, then the upper; crossed bounds are undefined")
+        .fix(fix);
+}

@@ -1,0 +1,43 @@
+//! Indexes outside their array, vector or matrix.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::Type;
+use crate::syntax::ast::{ExprId, ExprKind};
+
+pub static RULE: Rule = Rule {
+    name: "index-range",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("index_range.md"),
+    check: Check::Expr(check),
+};
+
+fn check(cx: &mut Context, id: ExprId) {
+    let program = cx.program;
+    let ExprKind::Index(object, index) = program.tree.expr(id).kind else {
+        return;
+    };
+    let ty = program.ty(object);
+    let count = match (ty.is_array(), ty.numeric()) {
+        (true, _) if ty.array == Type::UNSIZED => return,
+        (true, _) => ty.array,
+        (false, Some((_, 1, rows))) => rows as u32,
+        (false, Some((_, columns, _))) => columns as u32,
+        _ => return,
+    };
+    let last = count as f64 - 1.0;
+    let ranges = cx.facts.range(index);
+    let Some(range) = ranges.first() else { return };
+    if !range.reaches_below(0.0) && !range.reaches_above(last) {
+        return;
+    }
+    let is = range.may_or_is(|r| r.is_below(0.0) || r.is_above(last));
+    let (known, what) = (range.of_integer(), program.type_name(ty));
+    cx.report_expr(index, format!("the index {is} outside 0..{last}: {known}"))
+        .note(format!(
+            "`{what}` has {count} elements; beyond them lies anything"
+        ));
+}

@@ -1,0 +1,48 @@
+//! `asin` and `acos` of numbers that are no sine or cosine.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::flow::range::Range;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "inverse-trig-range",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("inverse_trig_range.md"),
+    check: Check::Builtin(check),
+};
+
+/// How far beyond 1.0 a range may go by the rounding of its own computation.
+const ROUNDING: f64 = 1e-5;
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let ("asin" | "acos", &[of]) = (call.name, call.args) else {
+        return;
+    };
+    let (least, most) = (-1.0 - ROUNDING, 1.0 + ROUNDING);
+    let is_beyond = |r: &Range| r.reaches_below(least) || r.reaches_above(most);
+    let Some(range) = cx.facts.range(of).into_iter().find(is_beyond) else {
+        return;
+    };
+    let span = cx.program.expr_span(of);
+    let fix = cx.is_direct(of).then(|| {
+        let edits = vec![
+            Edit::insert(span.start, "clamp("),
+            Edit::insert(span.end, ", -1.0, 1.0)"),
+        ];
+        Fix::suggestion("bound it with `clamp(..., -1.0, 1.0)`", edits)
+    });
+    let is = range.may_or_is(|r| r.is_below(least) || r.is_above(most));
+    cx.report_expr(
+        of,
+        format!(
+            "the argument of `{}` {is} outside -1.0..1.0: {range}",
+            call.name
+        ),
+    )
+    .note("there is no angle with such a sine or cosine; the result is undefined")
+    .fix(fix);
+}

@@ -1,0 +1,38 @@
+//! Logarithms of zero and of negative numbers.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "log-nonpositive",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("log_nonpositive.md"),
+    check: Check::Builtin(check),
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let ("log" | "log2", &[of]) = (call.name, call.args) else {
+        return;
+    };
+    let ranges = cx.facts.range(of);
+    let negative = ranges.iter().find(|r| r.reaches_below(0.0));
+    let Some(range) = negative.or(ranges.iter().find(|r| r.holds(0.0))) else {
+        return;
+    };
+    let what = if negative.is_some() {
+        "negative"
+    } else {
+        "zero"
+    };
+    let is = range.may_or_is(|r| r.is_below(0.0) || r.single() == Some(0.0));
+    let text = cx.program.expr_text(of).to_string();
+    cx.report_expr(
+        of,
+        format!("the argument of `{}` {is} {what}: {range}", call.name),
+    )
+    .note("the logarithm of zero or less is undefined: an infinity or a NaN")
+    .help(format!("bound it with `max({text}, 1e-6)`"));
+}

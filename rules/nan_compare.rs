@@ -1,0 +1,44 @@
+//! `x != x` as a test for NaN.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Binary, Check, Context, Group, Rule};
+use crate::semantic::Scalar;
+use crate::semantic::flow::range::is_same;
+use crate::syntax::Version;
+use crate::syntax::ast::BinaryOp;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "nan-compare",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("nan_compare.md"),
+    check: Check::Binary(check),
+};
+
+fn check(cx: &mut Context, e: &Binary) {
+    let program = cx.program;
+    let is_float = program.ty(e.left).scalar_kind() == Some(Scalar::Float);
+    let compares = matches!(e.op, BinaryOp::Equal | BinaryOp::NotEqual);
+    if !compares || !is_float || !is_same(program, e.left, e.right) || program.expr(e.id).is_const {
+        return;
+    }
+    let text = program.expr_text(e.left).to_string();
+    let test = match program.ty(e.left).is_scalar() {
+        true => format!("isnan({text})"),
+        false => format!("any(isnan({text}))"),
+    };
+    let test = match e.op {
+        BinaryOp::Equal => format!("!{test}"),
+        _ => test,
+    };
+    let fix = (cx.is_direct(e.id) && program.version == Version::Es300).then(|| {
+        let edit = Edit::replace(program.expr_span(e.id), test.clone());
+        Fix::suggestion(format!("write `{test}`"), vec![edit])
+    });
+    cx.report_expr(e.id, "a number is compared with itself")
+        .note("compilers take it for equal and drop the test, so it does not find NaN everywhere")
+        .fix(fix);
+}

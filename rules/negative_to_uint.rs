@@ -1,0 +1,61 @@
+//! Negative floats that become unsigned.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::Scalar;
+use crate::syntax::ast::{ExprId, ExprKind};
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "negative-to-uint",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("negative_to_uint.md"),
+    check: Check::Expr(check),
+};
+
+fn check(cx: &mut Context, id: ExprId) {
+    let program = cx.program;
+    let ExprKind::Construct(ty, args) = program.tree.expr(id).kind else {
+        return;
+    };
+    let made = program.ty(id);
+    if made.scalar_kind() != Some(Scalar::Uint) {
+        return;
+    }
+    for &arg in program.tree.args(args) {
+        if program.ty(arg).scalar_kind() != Some(Scalar::Float) {
+            continue;
+        }
+        // Towards zero, so what lies between -1 and 0 becomes 0.
+        let bad = cx
+            .facts
+            .range(arg)
+            .into_iter()
+            .find(|r| r.reaches_below(-1.0));
+        let Some(range) = bad else { continue };
+        let is = range.may_or_is(|r| r.is_below(0.0));
+        let whole = program.type_name(program.ty(arg).with_scalar(Scalar::Int));
+        let is_direct = cx.is_direct(id) && program.tree.args(args).len() == 1;
+        let fix = is_direct.then(|| {
+            let span = program.expr_span(arg);
+            let edits = vec![
+                Edit::insert(span.start, format!("{whole}(")),
+                Edit::insert(span.end, ")"),
+            ];
+            Fix::suggestion(format!("go through `{whole}`"), edits)
+        });
+        let name = program
+            .sources
+            .text(program.span(program.tree.ty(ty).extent))
+            .to_string();
+        cx.report_expr(
+            arg,
+            format!("what becomes a `{name}` {is} negative: {range}"),
+        )
+        .note("a negative float has no unsigned value; GPUs give 0, or wrap round, or anything")
+        .fix(fix);
+    }
+}

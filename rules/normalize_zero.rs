@@ -1,0 +1,26 @@
+//! `normalize` of a vector without a direction.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "normalize-zero",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("normalize_zero.md"),
+    check: Check::Builtin(check),
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let ("normalize", &[of]) = (call.name, call.args) else {
+        return;
+    };
+    let ranges = cx.facts.range(of);
+    if ranges.is_empty() || !ranges.iter().all(|r| r.single() == Some(0.0)) {
+        return;
+    }
+    cx.report_expr(of, "`normalize` of a zero vector")
+        .note("it divides by the length, which is zero: the result is undefined, and mostly NaN");
+}

@@ -1,0 +1,56 @@
+//! `pow` of a negative number.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::Value;
+use crate::syntax::ast::{ExprId, ExprKind};
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "pow-negative-base",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("pow_negative_base.md"),
+    check: Check::Builtin(check),
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let ("pow", &[base, exponent]) = (call.name, call.args) else {
+        return;
+    };
+    let bad = cx
+        .facts
+        .range(base)
+        .into_iter()
+        .find(|r| r.reaches_below(0.0));
+    let Some(range) = bad else { return };
+    let exponents = cx.program.values(exponent);
+    let square = !exponents.is_empty() && exponents.iter().all(|e| *e == Value::Float(2.0));
+    let text = cx.program.expr_text(base).to_string();
+    let fix = (square && is_simple(cx, base) && cx.is_direct(call.id)).then(|| {
+        let product = cx.in_place_of(call.id, format!("{text} * {text}"));
+        let edit = Edit::replace(cx.program.expr_span(call.id), product.clone());
+        Fix::suggestion(format!("write `{product}`"), vec![edit])
+    });
+    let help = match square {
+        true => "multiply it with itself, which is defined for all numbers".to_string(),
+        false => format!("bound it with `max({text}, 0.0)`, or take `abs({text})`"),
+    };
+    let is = range.may_or_is(|r| r.is_below(0.0));
+    cx.report_expr(base, format!("the base of `pow` {is} negative: {range}"))
+        .note("`pow` of a negative number is undefined, and a NaN on many GPUs, whatever the exponent")
+        .help(help)
+        .fix(fix);
+}
+
+/// Whether an expression is short and costs nothing to write twice.
+fn is_simple(cx: &Context, expr: ExprId) -> bool {
+    let tree = &cx.program.tree;
+    match tree.expr(expr).kind {
+        ExprKind::Name(_) => true,
+        ExprKind::Member(object, _) => matches!(tree.expr(object).kind, ExprKind::Name(_)),
+        _ => false,
+    }
+}

@@ -1,0 +1,38 @@
+//! Shifts by more bits than an integer has.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+
+pub static RULE: Rule = Rule {
+    name: "shift-range",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("shift_range.md"),
+    check: Check::Expr(check),
+};
+
+fn check(cx: &mut Context, id: ExprId) {
+    let (op, by) = match cx.program.tree.expr(id).kind {
+        ExprKind::Binary(op, _, by) | ExprKind::Assign(Some(op), _, by) => (op, by),
+        _ => return,
+    };
+    if !matches!(op, BinaryOp::ShiftLeft | BinaryOp::ShiftRight) {
+        return;
+    }
+    let is_bad =
+        |r: &crate::semantic::flow::range::Range| r.reaches_below(0.0) || r.reaches_above(31.0);
+    let Some(range) = cx.facts.range(by).into_iter().find(is_bad) else {
+        return;
+    };
+    let is = range.may_or_is(|r| r.is_below(0.0) || r.is_above(31.0));
+    let known = range.of_integer();
+    cx.report_expr(
+        by,
+        format!("the number of bits to shift by {is} outside 0..31: {known}"),
+    )
+    .note("integers have 32 bits; a shift by a negative number, or by 32 or more, is undefined")
+    .help("keep it inside with `& 31`");
+}

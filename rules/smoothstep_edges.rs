@@ -1,0 +1,49 @@
+//! `smoothstep` with its edges the wrong way round.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "smoothstep-edges",
+    group: Group::Numeric,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("smoothstep_edges.md"),
+    check: Check::Builtin(check),
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let ("smoothstep", &[low, high, x]) = (call.name, call.args) else {
+        return;
+    };
+    let edges = cx.facts.range(low).into_iter().zip(cx.facts.range(high));
+    let (mut is_wrong, mut is_equal) = (false, false);
+    for (a, b) in edges {
+        is_equal |= a.single().is_some() && a.single() == b.single();
+        is_wrong |= a.lo.value > b.hi.value;
+    }
+    if !is_wrong && !is_equal {
+        return;
+    }
+    let text = |e| cx.program.expr_text(e).to_string();
+    let (a, b, of) = (text(low), text(high), text(x));
+    if is_equal {
+        cx.report_expr(call.id, "the edges of `smoothstep` are equal")
+            .note("the result is undefined; between the edges it divides by zero")
+            .help(format!("write `step({a}, {of})`, or move the edges apart"));
+        return;
+    }
+    let instead = cx.in_place_of(call.id, format!("1.0 - smoothstep({b}, {a}, {of})"));
+    let fix = cx.is_direct(call.id).then(|| {
+        let edit = Edit::replace(cx.program.expr_span(call.id), instead.clone());
+        Fix::suggestion(format!("write `{instead}`"), vec![edit])
+    });
+    cx.report_expr(
+        call.id,
+        "the first edge of `smoothstep` is greater than the second",
+    )
+    .note("the result is undefined, though most drivers draw a falling step")
+    .fix(fix);
+}

@@ -1,0 +1,49 @@
+//! Roots of negative numbers.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "sqrt-negative",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("sqrt_negative.md"),
+    check: Check::Builtin(check),
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let ("sqrt" | "inversesqrt", &[of]) = (call.name, call.args) else {
+        return;
+    };
+    let is_inverse = call.name == "inversesqrt";
+    let ranges = cx.facts.range(of);
+    if let Some(range) = ranges.iter().find(|r| r.reaches_below(0.0)) {
+        let least = if is_inverse { "1e-6" } else { "0.0" };
+        let span = cx.program.expr_span(of);
+        let fix = cx.is_direct(of).then(|| {
+            let edits = vec![
+                Edit::insert(span.start, "max("),
+                Edit::insert(span.end, format!(", {least})")),
+            ];
+            Fix::suggestion(format!("bound it with `max(..., {least})`"), edits)
+        });
+        let is = range.may_or_is(|r| r.is_below(0.0));
+        cx.report_expr(
+            of,
+            format!("the argument of `{}` {is} negative: {range}", call.name),
+        )
+        .note("the root of a negative number is undefined, and a NaN on most GPUs")
+        .fix(fix);
+    } else if is_inverse && let Some(range) = ranges.iter().find(|r| r.holds(0.0)) {
+        let is = range.may_or_is(|r| r.single() == Some(0.0));
+        cx.report_expr(
+            of,
+            format!("the argument of `inversesqrt` {is} zero: {range}"),
+        )
+        .note("the inverse root of zero is undefined")
+        .help("bound it with `max(..., 1e-6)`");
+    }
+}

@@ -1,0 +1,476 @@
+//! Ranges of numbers, and arithmetic on them.
+
+use std::fmt;
+
+/// How well a value takes a bound of its range.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Reach {
+    /// Never beyond it, but perhaps never near it.
+    Loose,
+    /// It comes as near as one likes.
+    Touched,
+    /// It takes the bound itself, and not only in passing: `max(x, 0.0)` is 0 over whole areas.
+    Held,
+}
+
+/// An end of a range.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Bound {
+    /// The number, perhaps infinite.
+    pub value: f64,
+    /// How well it is taken.
+    pub reach: Reach,
+}
+
+/// What a number may be.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Range {
+    /// The least.
+    pub lo: Bound,
+    /// The greatest.
+    pub hi: Bound,
+    /// Whether it comes about without rounding: whole numbers, halves and the like.
+    pub exact: bool,
+    /// What it hangs on, a bit for each unknown. Two numbers that hang on the same are not free of
+    /// each other, so bounds made of both are not reached for certain.
+    pub sources: u64,
+    /// Whether it mixes what several callers of a function pass.
+    pub mixed: bool,
+}
+
+/// The largest number below `value` that a `float` can be.
+pub fn below(value: f64) -> f64 {
+    if value.is_finite() {
+        (value as f32).next_down() as f64
+    } else {
+        value
+    }
+}
+
+/// The smallest number above `value` that a `float` can be.
+pub fn above(value: f64) -> f64 {
+    -below(-value)
+}
+
+fn bound(value: f64, reach: Reach) -> Bound {
+    let reach = if value.is_finite() {
+        reach
+    } else {
+        Reach::Loose
+    };
+    // A product of zero and infinity: whatever it is, nothing is known.
+    let value = if value.is_nan() { 0.0 } else { value };
+    Bound { value, reach }
+}
+
+/// The lesser of two ends of different values that may both be.
+fn least(a: Bound, b: Bound) -> Bound {
+    match a.value.total_cmp(&b.value) {
+        std::cmp::Ordering::Less => a,
+        std::cmp::Ordering::Greater => b,
+        std::cmp::Ordering::Equal if a.reach >= b.reach => a,
+        std::cmp::Ordering::Equal => b,
+    }
+}
+
+fn greatest(a: Bound, b: Bound) -> Bound {
+    least(a.negated(), b.negated()).negated()
+}
+
+impl Bound {
+    fn negated(self) -> Bound {
+        // No -0.0, which would be below 0.0.
+        bound(0.0 - self.value, self.reach)
+    }
+
+    /// Whether values come as near to it as one likes.
+    pub fn is_reached(self) -> bool {
+        self.reach >= Reach::Touched
+    }
+
+    fn at_most(self, reach: Reach) -> Bound {
+        bound(self.value, self.reach.min(reach))
+    }
+}
+
+impl Range {
+    /// Any number.
+    pub const ANY: Range = Range {
+        lo: Bound {
+            value: f64::NEG_INFINITY,
+            reach: Reach::Loose,
+        },
+        hi: Bound {
+            value: f64::INFINITY,
+            reach: Reach::Loose,
+        },
+        exact: false,
+        sources: 0,
+        mixed: false,
+    };
+
+    /// One number.
+    pub fn constant(value: f64) -> Range {
+        let scaled = value * 256.0;
+        Range {
+            exact: scaled.fract() == 0.0 && scaled.abs() < 4_294_967_296.0,
+            ..Range::new(value, value, Reach::Held)
+        }
+    }
+
+    /// From `lo` to `hi`, both taken as `reach` says.
+    pub fn new(lo: f64, hi: f64, reach: Reach) -> Range {
+        Range {
+            lo: bound(lo, reach),
+            hi: bound(hi, reach),
+            ..Range::ANY
+        }
+    }
+
+    /// The same numbers, which come about without rounding.
+    pub fn exactly(self) -> Range {
+        Range {
+            exact: true,
+            ..self
+        }
+    }
+
+    /// The same, hanging on what `of` hangs on.
+    pub fn like(self, of: &Range) -> Range {
+        Range {
+            sources: self.sources | of.sources,
+            mixed: self.mixed | of.mixed,
+            ..self
+        }
+    }
+
+    /// The same, with neither bound reached for certain.
+    pub fn loose(self) -> Range {
+        Range {
+            lo: self.lo.at_most(Reach::Loose),
+            hi: self.hi.at_most(Reach::Loose),
+            ..self
+        }
+    }
+
+    /// The same, with no bound that is more than touched.
+    pub fn touched(self) -> Range {
+        Range {
+            lo: self.lo.at_most(Reach::Touched),
+            hi: self.hi.at_most(Reach::Touched),
+            ..self
+        }
+    }
+
+    /// Whether nothing is known.
+    pub fn is_any(&self) -> bool {
+        self.lo.value.is_infinite() && self.hi.value.is_infinite()
+    }
+
+    /// Whether both ends are numbers.
+    pub fn is_finite(&self) -> bool {
+        self.lo.value.is_finite() && self.hi.value.is_finite()
+    }
+
+    /// The number that it is, if it is one alone.
+    pub fn single(&self) -> Option<f64> {
+        (self.lo.value == self.hi.value).then_some(self.lo.value)
+    }
+
+    /// Whether a number lies in it.
+    pub fn contains(&self, value: f64) -> bool {
+        self.lo.value <= value && value <= self.hi.value
+    }
+
+    /// Whether all of it is less than `value`.
+    pub fn is_below(&self, value: f64) -> bool {
+        self.hi.value < value
+    }
+
+    /// Whether all of it is greater than `value`.
+    pub fn is_above(&self, value: f64) -> bool {
+        self.lo.value > value
+    }
+
+    /// Whether some of it is for certain less than `value`.
+    pub fn reaches_below(&self, value: f64) -> bool {
+        self.is_below(value) || (self.lo.value < value && self.lo.is_reached())
+    }
+
+    /// Whether some of it is for certain greater than `value`.
+    pub fn reaches_above(&self, value: f64) -> bool {
+        self.is_above(value) || (self.hi.value > value && self.hi.is_reached())
+    }
+
+    /// Whether it is for certain `value`, and not only in passing.
+    pub fn holds(&self, value: f64) -> bool {
+        [self.lo, self.hi].contains(&Bound {
+            value,
+            reach: Reach::Held,
+        })
+    }
+
+    /// What is one or the other.
+    pub fn join(self, other: Range) -> Range {
+        Range {
+            lo: least(self.lo, other.lo),
+            hi: greatest(self.hi, other.hi),
+            exact: self.exact && other.exact,
+            sources: self.sources | other.sources,
+            mixed: self.mixed | other.mixed,
+        }
+    }
+
+    /// No less than `lo`: what a comparison told.
+    pub fn raise(&mut self, lo: f64) {
+        if lo > self.lo.value {
+            self.lo = bound(lo, self.lo.reach.min(Reach::Touched));
+        }
+    }
+
+    /// No greater than `hi`.
+    pub fn lower(&mut self, hi: f64) {
+        if hi < self.hi.value {
+            self.hi = bound(hi, self.hi.reach.min(Reach::Touched));
+        }
+    }
+
+    /// Both ends are come near to.
+    pub fn touch_ends(&mut self) {
+        self.lo = bound(self.lo.value, self.lo.reach.max(Reach::Touched));
+        self.hi = bound(self.hi.value, self.hi.reach.max(Reach::Touched));
+    }
+
+    /// A range made of the ends of two; whether the ends come together hangs on their sources.
+    fn made_of(a: &Range, b: &Range, lo: Bound, hi: Bound) -> Range {
+        let range = Range {
+            lo,
+            hi,
+            exact: a.exact && b.exact,
+            sources: a.sources | b.sources,
+            mixed: a.mixed | b.mixed,
+        };
+        let is_free = a.sources & b.sources == 0 && !(a.mixed && b.mixed);
+        if is_free { range } else { range.loose() }
+    }
+
+    /// `-a`
+    pub fn neg(self) -> Range {
+        Range {
+            lo: self.hi.negated(),
+            hi: self.lo.negated(),
+            ..self
+        }
+    }
+
+    /// `a + b`
+    pub fn add(self, other: Range) -> Range {
+        let sum = |a: Bound, b: Bound| bound(a.value + b.value, a.reach.min(b.reach));
+        let (lo, hi) = (sum(self.lo, other.lo), sum(self.hi, other.hi));
+        Range::made_of(&self, &other, lo, hi)
+    }
+
+    /// `a - b`
+    pub fn sub(self, other: Range) -> Range {
+        self.add(other.neg())
+    }
+
+    /// `a * b`
+    pub fn mul(self, other: Range) -> Range {
+        let (lo, hi) = ends(&self, &other, |a, b| {
+            if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
+        });
+        Range::made_of(&self, &other, lo, hi)
+    }
+
+    /// `a / b`; nothing is known where `b` may be on both sides of zero.
+    pub fn div(self, other: Range) -> Range {
+        let crosses = other.lo.value < 0.0 && other.hi.value > 0.0;
+        if crosses || other.single() == Some(0.0) {
+            return Range::ANY.like(&self).like(&other);
+        }
+        let sign = if other.hi.value <= 0.0 { -1.0 } else { 1.0 };
+        let (lo, hi) = ends(&self, &other, |a, b| match (a, b) {
+            (0.0, _) => 0.0,
+            (_, 0.0) => a * sign * f64::INFINITY,
+            (a, b) if a.is_infinite() && b.is_infinite() => a * sign,
+            (a, b) => a / b,
+        });
+        let mut range = Range::made_of(&self, &other, lo, hi);
+        // Only a power of two divides without rounding.
+        let divisor = other.single().unwrap_or(3.0).abs();
+        range.exact = self.exact && divisor >= 1.0 && is_power_of_two(divisor) && divisor <= 256.0;
+        range
+    }
+
+    /// `a * a`
+    pub fn square(self) -> Range {
+        let (a, b) = (self.lo.value * self.lo.value, self.hi.value * self.hi.value);
+        let (mut lo, hi) = if a <= b {
+            (bound(a, self.lo.reach), bound(b, self.hi.reach))
+        } else {
+            (bound(b, self.hi.reach), bound(a, self.lo.reach))
+        };
+        if self.contains(0.0) && lo.value > 0.0 {
+            lo = bound(0.0, self.inner_reach());
+        }
+        Range { lo, hi, ..self }
+    }
+
+    /// How well a value between the ends is taken: in passing, if both ends are reached.
+    fn inner_reach(&self) -> Reach {
+        self.lo.reach.min(self.hi.reach).min(Reach::Touched)
+    }
+
+    /// `abs(a)`
+    pub fn abs(self) -> Range {
+        if self.lo.value >= 0.0 {
+            return self;
+        }
+        if self.hi.value <= 0.0 {
+            return self.neg();
+        }
+        Range {
+            lo: bound(0.0, self.inner_reach()),
+            hi: greatest(self.hi, self.lo.negated()),
+            ..self
+        }
+    }
+
+    /// `min(a, b)`
+    pub fn min(self, other: Range) -> Range {
+        self.neg().max(other.neg()).neg()
+    }
+
+    /// `max(a, b)`
+    pub fn max(self, other: Range) -> Range {
+        let (low, high) = if self.lo.value <= other.lo.value {
+            (self.lo, other.lo)
+        } else {
+            (other.lo, self.lo)
+        };
+        // The higher of the lower ends is the result where the other value lies below it, which it
+        // does for certain, or as far as anybody who writes `max` thinks.
+        let is_below = low.is_reached() || low.value.is_infinite();
+        let reach = if is_below { high.reach } else { Reach::Loose };
+        Range {
+            lo: bound(high.value, reach),
+            hi: greatest(self.hi, other.hi),
+            exact: self.exact && other.exact,
+            sources: self.sources | other.sources,
+            mixed: self.mixed | other.mixed,
+        }
+    }
+
+    /// The range of a function that never falls.
+    pub fn rising(self, f: impl Fn(f64) -> f64) -> Range {
+        Range {
+            lo: bound(f(self.lo.value), self.lo.reach),
+            hi: bound(f(self.hi.value), self.hi.reach),
+            exact: false,
+            ..self
+        }
+    }
+}
+
+/// The least and greatest of a function of the ends of two ranges.
+fn ends(a: &Range, b: &Range, f: impl Fn(f64, f64) -> f64) -> (Bound, Bound) {
+    let at = |a: Bound, b: Bound| bound(f(a.value, b.value), a.reach.min(b.reach));
+    let corners = [
+        at(a.lo, b.lo),
+        at(a.lo, b.hi),
+        at(a.hi, b.lo),
+        at(a.hi, b.hi),
+    ];
+    let first = corners[0];
+    let lo = corners.iter().fold(first, |x, &y| least(x, y));
+    let hi = corners.iter().fold(first, |x, &y| greatest(x, y));
+    (lo, hi)
+}
+
+/// Whether a number is 1, 2, 4 and so on.
+pub fn is_power_of_two(value: f64) -> bool {
+    value >= 1.0 && value <= 2f64.powi(52) && value.fract() == 0.0 && {
+        (value as u64).is_power_of_two()
+    }
+}
+
+/// As messages say it: `-3.0..-1.0`, `-1.0 or more`.
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let (lo, hi) = (self.lo.value, self.hi.value);
+        match (lo.is_finite(), hi.is_finite()) {
+            _ if lo == hi => number(lo, f),
+            (true, true) => {
+                number(lo, f)?;
+                f.write_str("..")?;
+                number(hi, f)
+            }
+            (true, false) => {
+                number(lo, f)?;
+                f.write_str(" or more")
+            }
+            (false, true) => {
+                number(hi, f)?;
+                f.write_str(" or less")
+            }
+            (false, false) => f.write_str("any number"),
+        }
+    }
+}
+
+impl Range {
+    /// As messages say it of an integer: `-3..-1`, `4 or more`.
+    pub fn of_integer(&self) -> String {
+        self.to_string().replace(".0", "")
+    }
+
+    /// `may be` where some of it is at fault, `is` where all of it is.
+    pub fn may_or_is(&self, is_all: impl Fn(&Range) -> bool) -> &'static str {
+        if is_all(self) { "is" } else { "may be" }
+    }
+}
+
+/// A number to four figures, as GLSL writes floats.
+fn number(value: f64, f: &mut fmt::Formatter) -> fmt::Result {
+    if value == 0.0 || value.abs() < 1e-30 {
+        return f.write_str("0.0");
+    }
+    let digits = 3 - value.abs().log10().floor() as i32;
+    if !(-8..=8).contains(&digits) {
+        return write!(f, "{value:e}");
+    }
+    let scale = 10f64.powi(digits);
+    write!(f, "{:?}", (value * scale).round() / scale)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arithmetic_of_ranges() {
+        let unit = Range::new(-1.0, 1.0, Reach::Touched);
+        let two = Range::constant(2.0);
+        assert_eq!(unit.sub(two).to_string(), "-3.0..-1.0");
+        assert_eq!(unit.mul(two.neg()).to_string(), "-2.0..2.0");
+        assert_eq!(unit.square().to_string(), "0.0..1.0");
+        assert_eq!(two.div(unit).to_string(), "any number");
+        assert_eq!(Range::ANY.max(two).to_string(), "2.0 or more");
+        assert_eq!(Range::constant(0.1 + 0.2).to_string(), "0.3");
+        assert_eq!(Range::constant(12345.678).to_string(), "12350.0");
+    }
+
+    #[test]
+    fn bounds_are_reached_only_where_the_values_are_free() {
+        let sine = Range {
+            sources: 1,
+            ..Range::new(-1.0, 1.0, Reach::Touched)
+        };
+        let other = Range { sources: 2, ..sine };
+        assert!(sine.add(other).reaches_below(-1.5));
+        assert!(!sine.add(sine).reaches_below(-1.5));
+        assert!(Range::ANY.max(Range::constant(0.0)).holds(0.0));
+        assert!(!sine.abs().holds(0.0));
+    }
+}

@@ -1,0 +1,165 @@
+//! Ranges of expressions, as messages say them.
+
+use super::{Evaluator, Ranges};
+use crate::semantic::flow::Structure;
+use crate::semantic::{Dialect, Pass, Stage, Unit, analyze, shadertoy_header};
+use crate::syntax::ast::{ExprKind, StmtKind};
+use crate::text::{Role, Sources};
+
+/// The range of what `float test()` returns at its last `return`.
+fn range(code: &str) -> (String, bool, bool) {
+    let mut sources = Sources::default();
+    let header = sources
+        .add(
+            "header",
+            None,
+            Role::Prelude,
+            shadertoy_header(Pass::Image, [None; 4]),
+        )
+        .unwrap();
+    let user = sources.add("test", None, Role::User, code).unwrap();
+    let unit = Unit {
+        sources: &sources,
+        files: &[header, user],
+        stage: Stage::Fragment,
+        dialect: Dialect::ShaderToy(Pass::Image),
+        infer_channels: true,
+    };
+    let analysis = analyze(&unit);
+    assert!(
+        analysis.diagnostics.is_empty(),
+        "{:?}",
+        analysis.diagnostics
+    );
+    let program = &analysis.program;
+    let structure = Structure::of(program);
+    let ranges = Ranges::of(program, &structure);
+    let evaluator = Evaluator {
+        program,
+        structure: &structure,
+        ranges: &ranges,
+    };
+    let returned = program.tree.stmts.iter().rev().find_map(|s| match s.kind {
+        StmtKind::Return(Some(e)) if !matches!(program.tree.expr(e).kind, ExprKind::Error) => {
+            Some(e)
+        }
+        _ => None,
+    });
+    let range = evaluator.component(returned.unwrap(), 0);
+    let reached = range.lo.is_reached() && range.hi.is_reached();
+    (range.to_string(), reached, range.exact)
+}
+
+#[track_caller]
+fn check(expr: &str, expected: &str) {
+    let code = format!(
+        "float unknown(float a) {{ return texture(iChannel0, vec2(a)).x; }}
+         void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
+         float test(float x, vec3 v, int n) {{ return {expr}; }}"
+    );
+    assert_eq!(range(&code).0, expected, "{expr}");
+}
+
+#[track_caller]
+fn check_body(body: &str, expected: &str) {
+    let code = format!(
+        "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
+         float test(float x, vec3 v, int n) {{ {body} }}"
+    );
+    assert_eq!(range(&code).0, expected, "{body}");
+}
+
+#[test]
+fn built_in_functions_have_ranges() {
+    check("x", "any number");
+    check("sin(x) - 2.0", "-3.0..-1.0");
+    check("sin(x) * 0.5 + 0.5", "0.0..1.0");
+    check("sin(0.1)", "0.09983");
+    check("abs(x)", "0.0 or more");
+    check("x * x", "0.0 or more");
+    check("dot(v, v)", "0.0 or more");
+    check("length(v)", "0.0 or more");
+    check("distance(v, vec3(1.0))", "0.0 or more");
+    check("dot(normalize(v), normalize(v.zxy))", "-1.0..1.0");
+    check("1.0 - dot(normalize(v), vec3(0.0, 1.0, 0.0))", "0.0..2.0");
+    check("normalize(v).y", "-1.0..1.0");
+    check("fract(x) * 4.0", "0.0..4.0");
+    check("mod(x, 3.0) + 1.0", "1.0..4.0");
+    check("clamp(x, -2.0, 3.0)", "-2.0..3.0");
+    check("max(x, 0.25)", "0.25 or more");
+    check("min(x, 0.25)", "0.25 or less");
+    check("smoothstep(0.1, 0.2, x) - 0.5", "-0.5..0.5");
+    check("mix(-2.0, 5.0, step(0.5, x))", "-2.0..5.0");
+    check("sqrt(clamp(x, 0.0, 4.0))", "0.0..2.0");
+    check("exp(-abs(x))", "0.0..1.0");
+    check("pow(clamp(x, 0.0, 2.0), 3.0)", "0.0..8.0");
+    check("vec3(1.0, sin(x), x).y", "-1.0..1.0");
+    check("float(n % 4)", "-3.0..3.0");
+    check("float(n & 7)", "0.0..7.0");
+    check("unknown(x)", "any number");
+}
+
+#[test]
+fn hosts_fill_in_known_ranges() {
+    check("iTime", "0.0 or more");
+    check("iResolution.y", "1.0 or more");
+    check("gl_FragCoord.x / iResolution.x", "0.0..1.0");
+    check("float(iFrame) * -1.0", "0.0 or less");
+}
+
+#[test]
+fn variables_hold_what_is_written_to_them() {
+    check_body("float a = 1.0; if (x > 0.0) a = 4.0; return a;", "1.0..4.0");
+    check_body(
+        "float a = 0.0; for (int i = 0; i < 3; i++) a += abs(x); return a;",
+        "0.0 or more",
+    );
+    check_body(
+        "vec2 a = vec2(0.0, 5.0); a.x = sin(x); return a.x;",
+        "-1.0..1.0",
+    );
+    check_body("vec2 a = vec2(0.0, 5.0); a.x = sin(x); return a.y;", "5.0");
+    check_body("float[2] a = float[2](1.0, 3.0); return a[n];", "1.0..3.0");
+    check_body("float a; modf(x, a); return a;", "any number");
+    check_body("float a = x; a = a + 1.0; return a;", "any number");
+}
+
+#[test]
+fn conditions_narrow_ranges() {
+    check_body("if (x > 2.0) return x; return 0.0 * x;", "0.0");
+    check_body(
+        "if (x > 2.0) { float y = x; return y; } else return 3.0;",
+        "3.0",
+    );
+    check_body("if (x <= 2.0) return 0.0; return x;", "2.0 or more");
+    check_body(
+        "if (x <= 2.0) return 0.0; x -= 1.0; return x;",
+        "any number",
+    );
+    check_body("return x > 1.0 && x < 5.0 ? x : 2.0;", "1.0..5.0");
+    check_body("if (abs(x) > 1.0) discard; return x;", "-1.0..1.0");
+    check_body(
+        "float a[5]; for (int i = 0; i < 5; i++) { n += i; } return 1.0;",
+        "1.0",
+    );
+    check_body(
+        "for (int i = 0; i < 5; i++) { if (x < v.x) { return float(i); } } return v.x > 0.0 ? v.x : 1.0;",
+        "0.0 or more",
+    );
+}
+
+#[test]
+fn a_loop_counter_stays_below_its_limit() {
+    let code = "void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
+        float test() { for (int i = 2; i < 9; i++) { return float(i); } }";
+    assert_eq!(range(code).0, "2.0..8.0");
+}
+
+#[test]
+fn parameters_take_what_callers_pass() {
+    let code = "float f(float a) { return a; }
+        void mainImage(out vec4 o, vec2 p) { o = vec4(f(1.0), f(3.0), 0.0, 1.0); }
+        float test() { return f(2.0); }";
+    let (text, reached, _) = range(code);
+    assert_eq!((text.as_str(), reached), ("1.0..3.0", false));
+}
