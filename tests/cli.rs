@@ -250,14 +250,57 @@ fn nothing_is_written_for_bad_input() {
         "this has no `mainImage`, which every ShaderToy shader has",
     );
     check(
-        "folder/late.frag",
-        "this has a `#version`, so it is WebGL code already",
+        "whole.frag",
+        "line 3: nothing sets the uniform `float unknown`; a page knows those of ShaderToy, such \
+         as `vec3 iResolution` and `float iTime`",
     );
     check(
         "folder/package.json",
         "this is no ShaderToy export: it has no `renderpass`",
     );
     assert_eq!(folder.files(), 0);
+}
+
+#[test]
+fn a_folder_of_passes_is_one_project() {
+    let folder = Folder::new();
+    let (code, text) = folder.port(&["passes", "--channel", "0=buffer_a", "-o", "out"]);
+    assert_eq!((code, text.as_str()), (Some(0), ""));
+    assert_eq!(folder.files(), 1);
+    for file in ["image.frag", "buffer_a.frag", "pass.vert"] {
+        assert!(
+            folder
+                .read(&format!("out/{file}"))
+                .starts_with("#version 300 es\n")
+        );
+    }
+    assert!(folder.read("out/image.frag").contains("#define SHARED"));
+    let (code, text) = folder.port(&["passes", "--channel", "0=buffer_b", "-o", "a.html"]);
+    assert_eq!(code, Some(2));
+    assert_eq!(
+        text,
+        "shaderport: --channel: there is no pass `buffer_b` to read\n"
+    );
+    let twice = ["passes", "--pass", "image=clean.glsl", "-o", "a.html"];
+    assert_eq!(folder.port(&twice).0, Some(2));
+    assert_eq!(folder.files(), 1);
+}
+
+#[test]
+fn main_is_rewritten_where_it_is_safe() {
+    let folder = Folder::new();
+    let rewritten = ["clean.glsl", "--main", "rewrite", "-o", "a.frag"];
+    assert_eq!(folder.port(&rewritten), (Some(0), String::new()));
+    insta::assert_snapshot!(folder.read("a.frag"));
+    let kept = ["returns.glsl", "--main", "rewrite", "-o", "b.frag"];
+    let (code, text) = folder.port(&kept);
+    assert_eq!(code, Some(0));
+    insta::assert_snapshot!(text);
+    assert!(
+        folder
+            .read("b.frag")
+            .contains("mainImage(color, gl_FragCoord.xy);")
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Each pass as the player compiles it: its header, every Common in order, its own code.
 
-use super::{Project, ProjectPass};
+use super::{Project, ProjectPass, Wrapper};
 use crate::semantic::{Analysis, Channels, Dialect, Pass, Stage, Unit, analyze, shadertoy_header};
 use crate::text::{FileId, Role, Sources};
 
@@ -11,6 +11,8 @@ pub struct PassUnit {
     pub pass: usize,
     /// What it draws.
     pub kind: Pass,
+    /// Who declares what stands around its code.
+    pub wrapper: Wrapper,
     /// Header, Commons and code, in the order in which they are compiled.
     pub files: Vec<FileId>,
 }
@@ -22,6 +24,8 @@ pub struct Composed {
     pub sources: Sources,
     /// The passes that run, in the order of the project. A project of Commons alone has those.
     pub units: Vec<PassUnit>,
+    /// The pass that each text is the code of; headers are of none.
+    owners: Vec<Option<usize>>,
 }
 
 impl Composed {
@@ -31,9 +35,17 @@ impl Composed {
             sources: &self.sources,
             files: &unit.files,
             stage: Stage::Fragment,
-            dialect: Dialect::ShaderToy(unit.kind),
+            dialect: match unit.wrapper {
+                Wrapper::Player => Dialect::ShaderToy(unit.kind),
+                Wrapper::Own => Dialect::WebGl { whole: true },
+            },
             infer_channels: false,
         })
+    }
+
+    /// Index of the pass whose code a text is.
+    pub fn owner(&self, file: FileId) -> Option<usize> {
+        self.owners.get(file.0 as usize).copied().flatten()
     }
 }
 
@@ -49,19 +61,30 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
     for &(pass, file) in alone {
         let found = project.passes.get(pass)?;
         let key = (found.kind, found.channels());
-        let header = headers.iter().find(|h| (h.0, h.1) == key)?.2;
-        let before = commons.iter().map(|(_, f)| *f).filter(|f| *f != file);
-        let files = std::iter::once(header)
-            .chain(before)
-            .chain([file])
-            .collect();
+        let mut files = Vec::new();
+        if found.wrapper == Wrapper::Player {
+            files.push(headers.iter().find(|h| (h.0, h.1) == key)?.2);
+            files.extend(commons.iter().map(|(_, f)| *f).filter(|f| *f != file));
+        }
+        files.push(file);
         units.push(PassUnit {
             pass,
             kind: found.kind,
+            wrapper: found.wrapper,
             files,
         });
     }
-    Some(Composed { sources, units })
+    let mut owners = vec![None; sources.files().len()];
+    for &(pass, file) in commons.iter().chain(&passes) {
+        if let Some(owner) = owners.get_mut(file.0 as usize) {
+            *owner = Some(pass);
+        }
+    }
+    Some(Composed {
+        sources,
+        units,
+        owners,
+    })
 }
 
 /// The headers, one for each kind of pass and types of channels.
@@ -89,7 +112,7 @@ fn add(
         .filter(|(_, pass)| wanted(pass))
         .map(|(i, pass)| {
             let part = project.is_export.then(|| pass.title(i));
-            let code = pass.code.clone();
+            let (code, path) = (pass.code.clone(), pass.file.as_deref().unwrap_or(path));
             Some((i, sources.add(path, part, Role::User, code)?))
         })
         .collect()

@@ -1,6 +1,6 @@
 //! The shaders alone, as text.
 
-use super::{Composed, Project};
+use super::{Composed, Project, credits};
 use crate::text::{FileId, Role};
 
 /// The vertex shader of every pass: one triangle that covers the picture.
@@ -18,6 +18,8 @@ void main() {\n    gl_Position = vec4(pos, 0.0, 1.0);\n}\n";
 pub struct GlslPass {
     /// What the user calls it.
     pub name: String,
+    /// What its file is called, without ending.
+    pub slug: &'static str,
     /// The fragment shader.
     pub fragment: String,
 }
@@ -28,10 +30,21 @@ pub fn glsl(project: &Project, composed: &Composed) -> Vec<GlslPass> {
         let pass = project.passes.get(unit.pass)?;
         Some(GlslPass {
             name: pass.title(unit.pass),
-            fragment: fragment(composed, &unit.files),
+            slug: pass.slug(),
+            fragment: signed(project, fragment(composed, &unit.files)),
         })
     };
     composed.units.iter().filter_map(pass).collect()
+}
+
+/// Puts who made it behind the `#version`, which must come first.
+pub(super) fn signed(project: &Project, fragment: String) -> String {
+    let lines = credits::lines(project);
+    let credits: String = lines.iter().map(|line| format!("// {line}\n")).collect();
+    match fragment.split_once('\n') {
+        Some((version, rest)) if !credits.is_empty() => format!("{version}\n{credits}{rest}"),
+        _ => fragment,
+    }
 }
 
 /// The texts as the player joins them: behind every text of the user but the last comes a line

@@ -4,40 +4,39 @@
 //! escaped that could end the element; the policy lets only the page's own script and style in.
 
 use super::payload::payload;
-use super::{Composed, Project};
+use super::script::{PLAYER, escape};
+use super::{Composed, Project, credits};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest, Sha256};
 
 const PAGE: &str = include_str!("player/page.html");
 const STYLE: &str = include_str!("player/page.css");
-
-/// The player, in the order in which its files use each other.
-const PLAYER: [&str; 11] = [
-    include_str!("player/types.js"),
-    include_str!("player/gl.js"),
-    include_str!("player/mouse.js"),
-    include_str!("player/keyboard.js"),
-    include_str!("player/targets.js"),
-    include_str!("player/devices.js"),
-    include_str!("player/inputs.js"),
-    include_str!("player/program.js"),
-    include_str!("player/sound.js"),
-    include_str!("player/clock.js"),
-    include_str!("player/player.js"),
+const PAGE_SCRIPTS: [&str; 4] = [
+    include_str!("player/capture.js"),
+    include_str!("player/channels.js"),
+    include_str!("player/panel.js"),
+    include_str!("player/page.js"),
 ];
-const PAGE_SCRIPT: &str = include_str!("player/page.js");
 
 /// The page.
 pub fn html(project: &Project, composed: &Composed) -> String {
     let script = format!(
-        "(() => {{\n'use strict';\n{}{PAGE_SCRIPT}openPage();\n}})();\n",
-        PLAYER.concat()
+        "(() => {{\n'use strict';\n{}{}openPage();\n}})();\n",
+        PLAYER.concat(),
+        PAGE_SCRIPTS.concat()
     );
+    let title = match project.info.name.as_str() {
+        "" => "shader",
+        name => name,
+    };
+    let credits = credits::lines(project).join("\n");
     let project = escape(&payload(project, composed));
     fill(
         PAGE,
         &[
+            ("title", &attribute(title)),
+            ("credits", &attribute(&credits)),
             ("policy", &policy(&script, STYLE)),
             ("style", STYLE),
             ("project", &project),
@@ -73,18 +72,19 @@ fn policy(script: &str, style: &str) -> String {
     )
 }
 
-/// Escapes JSON so that it can stand in an HTML element and in JavaScript.
-fn escape(json: &str) -> String {
-    let mut out = String::with_capacity(json.len() + json.len() / 16);
-    let mut from = 0;
-    for (i, c) in json.char_indices() {
-        if matches!(c, '<' | '>' | '&' | '\u{2028}' | '\u{2029}') {
-            out.push_str(json.get(from..i).unwrap_or(""));
-            out.push_str(&format!("\\u{:04x}", c as u32));
-            from = i + c.len_utf8();
+/// Escapes text so that it can stand in an element or in a quoted attribute.
+fn attribute(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\0' | '\u{2028}' | '\u{2029}' => {}
+            _ => out.push(c),
         }
     }
-    out.push_str(json.get(from..).unwrap_or(""));
     out
 }
 
@@ -93,19 +93,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn json_stays_inside_its_element() {
-        let escaped = escape("\"</script><!--&\u{2028}é\"");
-        assert_eq!(
-            escaped,
-            "\"\\u003c/script\\u003e\\u003c!--\\u0026\\u2028é\""
-        );
+    fn the_page_cannot_end_its_elements() {
+        for text in PAGE_SCRIPTS.iter().chain([&STYLE]) {
+            assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
+        }
     }
 
     #[test]
-    fn the_player_cannot_end_its_element() {
-        for text in PLAYER.iter().chain([&PAGE_SCRIPT, &STYLE]) {
-            assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
-        }
+    fn text_stays_inside_its_attribute() {
+        assert_eq!(attribute("\"><b&"), "&quot;&gt;&lt;b&amp;");
     }
 
     #[test]

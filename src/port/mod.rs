@@ -5,19 +5,35 @@
 //! comes of it. The user's text is never reprinted: it travels as it is, behind the player's own
 //! header.
 
+mod channel;
 mod compose;
 mod credits;
+mod export;
 mod glsl;
 mod html;
+mod json;
+mod parts;
 mod payload;
 mod project;
+mod rewrite;
+mod script;
 mod single;
+mod supply;
+mod whole;
 
+pub use channel::{ChannelOrder, ChannelSource, Media, kind_of_file};
 pub use compose::{Composed, PassUnit, compose};
 pub use credits::license_words;
+pub use export::{MAX_EXPORT, ProjectError};
 pub use glsl::{GlslPass, VERTEX, glsl};
 pub use html::html;
+pub use json::json;
+pub use parts::{Part, PartsError, PassRole};
 pub use project::{
-    Info, Input, InputKind, OutputId, Project, ProjectError, ProjectPass, SamplerSettings,
+    Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, Wrapper,
 };
+pub use rewrite::{NotSafe, rewrite};
+pub use script::{Module, module, react, three};
 pub use single::ShaderError;
+pub use supply::{Missing, missing};
+pub use whole::Unsupported;

@@ -1,9 +1,10 @@
 //! What the player is handed: the project as JSON.
 
-use super::{Composed, Info, Input, InputKind, OutputId, Project, VERTEX, license_words};
+use super::whole::{self, Known};
+use super::{Composed, Input, InputKind, OutputId, PassUnit, Project, VERTEX, Wrapper, credits};
 use crate::semantic::Pass;
 use crate::semantic::tunable::{Tunable, tunables};
-use crate::text::{Role, SourceFile, Sources};
+use crate::text::{FileId, Role, SourceFile, Sources};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -32,6 +33,15 @@ struct PassData<'a> {
     name: String,
     files: Vec<u32>,
     inputs: [Option<InputData<'a>>; 4],
+    #[serde(flatten)]
+    own: Option<OwnData>,
+}
+
+/// What the player must know of a shader that brings its own uniforms.
+#[derive(Serialize)]
+struct OwnData {
+    vertex: String,
+    uniforms: Vec<Known>,
 }
 
 #[derive(Serialize)]
@@ -69,11 +79,14 @@ pub(super) fn payload(project: &Project, composed: &Composed) -> String {
     let payload = Payload {
         title: &project.info.name,
         author: &project.info.author,
-        link: link(&project.info),
-        license: license(project),
+        link: credits::link(&project.info),
+        license: credits::license(project),
         description: &project.info.description,
         vertex: VERTEX,
-        files: sources.files().iter().map(|f| text(project, f)).collect(),
+        files: (0..)
+            .zip(sources.files())
+            .map(|(i, f)| text(project, composed.owner(FileId(i)), f))
+            .collect(),
         passes: passes(project, composed),
         tunables: all_tunables(composed),
     };
@@ -81,35 +94,12 @@ pub(super) fn payload(project: &Project, composed: &Composed) -> String {
     serde_json::to_string(&payload).unwrap_or_default()
 }
 
-fn text<'a>(project: &Project, file: &'a SourceFile) -> Text<'a> {
-    let only = project.passes.first().map(|p| p.title(0));
+fn text<'a>(project: &Project, owner: Option<usize>, file: &'a SourceFile) -> Text<'a> {
+    let pass = owner.and_then(|i| Some((i, project.passes.get(i)?)));
     Text {
-        name: file.part.clone().or(only).unwrap_or_default(),
+        name: pass.map_or(String::new(), |(i, pass)| pass.title(i)),
         text: &file.text,
         hidden: file.role == Role::Prelude,
-    }
-}
-
-/// Address of the shader's page, where its id is one.
-fn link(info: &Info) -> String {
-    let is_id =
-        (4..=8).contains(&info.id.len()) && info.id.bytes().all(|b| b.is_ascii_alphanumeric());
-    if is_id {
-        format!("https://www.shadertoy.com/view/{}", info.id)
-    } else {
-        String::new()
-    }
-}
-
-/// What the code says of its licence; for an export that says nothing, what ShaderToy says.
-fn license(project: &Project) -> String {
-    let said = project.passes.iter().find_map(|p| license_words(&p.code));
-    match said {
-        Some(words) => words,
-        None if project.is_export => "No licence is given in the code; on ShaderToy that means \
-             Creative Commons BY-NC-SA 3.0."
-            .to_string(),
-        None => String::new(),
     }
 }
 
@@ -138,9 +128,20 @@ fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassData<'a>> {
             name: pass.title(unit.pass),
             files: unit.files.iter().map(|f| f.0).collect(),
             inputs,
+            own: own(composed, unit),
         }
     });
     data.collect()
+}
+
+fn own(composed: &Composed, unit: &PassUnit) -> Option<OwnData> {
+    (unit.wrapper == Wrapper::Own).then(|| {
+        let program = composed.analyze(unit).program;
+        OwnData {
+            vertex: whole::vertex(&program),
+            uniforms: whole::uniforms(&program),
+        }
+    })
 }
 
 fn kind_word(kind: Pass) -> &'static str {
@@ -154,11 +155,9 @@ fn kind_word(kind: Pass) -> &'static str {
 
 /// Stock textures that the player keeps as one component.
 const GRAY: [&str; 4] = ["Xdf3zn", "4sf3Rn", "4dXGzn", "4sf3Rr"];
-/// What the Cube A pass writes to.
-const CUBE: &str = "4dX3Rr";
 
 fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> InputData<'a> {
-    let reads_pass = input.kind == InputKind::Cubemap && draws_cube && input.id == CUBE;
+    let reads_pass = input.kind == InputKind::Cubemap && draws_cube && input.id == OutputId::CUBE;
     let is_buffer = input.kind == InputKind::Buffer;
     let kind = match input.kind {
         InputKind::Texture => "texture",

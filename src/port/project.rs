@@ -1,18 +1,7 @@
-//! ShaderToy projects, and the JSON they are exported as.
-//!
-//! Three shapes occur: the REST API's `{"Shader": {...}}` with numeric ids and `ctype`, the site's
-//! own endpoint and export, an array or object with string ids and `type`, and the bare object that
-//! the site's editor saves. All carry `info` and `renderpass`.
+//! ShaderToy projects: passes, and what their channels read.
 
 use crate::semantic::{Channels, Pass, Sampler};
-use serde_json::Value;
-use std::fmt;
 use std::sync::Arc;
-
-/// Most passes a project may have; ShaderToy itself loads 8, and the largest seen has 11.
-const MAX_PASSES: usize = 16;
-/// Largest export that is read, in bytes.
-pub const MAX_EXPORT: usize = 8 * 1024 * 1024;
 
 /// A ShaderToy project.
 #[derive(Clone, PartialEq, Debug)]
@@ -53,11 +42,55 @@ pub struct ProjectPass {
     pub inputs: Vec<Input>,
     /// What it writes to.
     pub output: Option<OutputId>,
+    /// Who declares its uniforms and `main`.
+    pub wrapper: Wrapper,
+    /// Path of its own file, where it has one.
+    pub file: Option<String>,
 }
 
-/// What a pass writes to, as inputs name it.
+/// Who declares what stands around the code of a pass: its uniforms, its output and `main`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Wrapper {
+    /// ShaderToy's player.
+    Player,
+    /// The code itself, a whole WebGL2 shader.
+    Own,
+}
+
+/// What a pass writes to, as inputs name it: the id that exports use.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct OutputId(pub String);
+
+/// The ids of the buffers A to D.
+const BUFFERS: [&str; 4] = ["4dXGR8", "XsXGR8", "4sXGR8", "XdfGR8"];
+/// The numbers that the REST API has for them.
+const BUFFER_NUMBERS: [&str; 4] = ["257", "258", "259", "260"];
+
+impl OutputId {
+    /// What the picture is written to.
+    pub const IMAGE: &'static str = "4dfGRr";
+    /// What the cube map is written to.
+    pub const CUBE: &'static str = "4dX3Rr";
+    /// What the sound is written to.
+    pub const SOUND: &'static str = "XsfGRr";
+
+    /// The id as exports write it, for that of an export or of the REST API.
+    pub fn new(id: &str) -> OutputId {
+        let number = BUFFER_NUMBERS.iter().position(|n| *n == id);
+        let id = number.and_then(|i| BUFFERS.get(i)).map_or(id, |b| b);
+        OutputId(id.to_string())
+    }
+
+    /// A buffer, by its number from 0 to 3.
+    pub fn buffer(number: usize) -> Option<OutputId> {
+        BUFFERS.get(number).map(|id| OutputId(id.to_string()))
+    }
+
+    /// The number of the buffer that it is.
+    pub fn number(&self) -> Option<usize> {
+        BUFFERS.iter().position(|id| *id == self.0)
+    }
+}
 
 /// What a channel reads.
 #[derive(Clone, PartialEq, Debug)]
@@ -87,7 +120,8 @@ pub enum InputKind {
 }
 
 impl InputKind {
-    fn of(word: &str) -> Option<InputKind> {
+    /// The kind that a word of an export names.
+    pub fn of(word: &str) -> Option<InputKind> {
         Some(match word {
             "texture" => InputKind::Texture,
             "buffer" => InputKind::Buffer,
@@ -101,6 +135,22 @@ impl InputKind {
             "mic" => InputKind::Microphone,
             _ => return None,
         })
+    }
+
+    /// As exports write it.
+    pub const fn word(self) -> &'static str {
+        match self {
+            InputKind::Texture => "texture",
+            InputKind::Buffer => "buffer",
+            InputKind::Cubemap => "cubemap",
+            InputKind::Volume => "volume",
+            InputKind::Keyboard => "keyboard",
+            InputKind::Video => "video",
+            InputKind::Webcam => "webcam",
+            InputKind::Music => "music",
+            InputKind::MusicStream => "musicstream",
+            InputKind::Microphone => "mic",
+        }
     }
 
     /// The type of the channel that reads it.
@@ -125,123 +175,113 @@ pub struct SamplerSettings {
     pub vflip: bool,
 }
 
-/// Why a text is no project.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum ProjectError {
-    /// It is no JSON.
-    Json {
-        /// 1-based.
-        line: usize,
-        /// 1-based.
-        column: usize,
-        /// What the JSON parser says.
-        message: String,
-    },
-    /// It is JSON, but no ShaderToy export.
-    NotAnExport,
-    /// It is larger than [`MAX_EXPORT`].
-    TooLarge(usize),
-    /// Something in it is not as it should be.
-    Field {
-        /// Where, like `renderpass[1].type`.
-        path: String,
-        /// What is wrong.
-        message: String,
-    },
-}
-
-impl fmt::Display for ProjectError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            ProjectError::Json {
-                line,
-                column,
-                message,
-            } => {
-                write!(f, "line {line}, column {column}: {message}")
-            }
-            ProjectError::NotAnExport => {
-                write!(f, "this is no ShaderToy export: it has no `renderpass`")
-            }
-            ProjectError::TooLarge(size) => {
-                write!(f, "this export has {size} bytes; {MAX_EXPORT} are allowed")
-            }
-            ProjectError::Field { path, message } => write!(f, "`{path}`: {message}"),
+impl SamplerSettings {
+    /// What most inputs of a kind are set to on the site.
+    pub fn usual(kind: InputKind) -> SamplerSettings {
+        let (filter, wrap, vflip) = match kind {
+            InputKind::Texture => ("mipmap", "repeat", true),
+            InputKind::Volume => ("mipmap", "repeat", false),
+            InputKind::Cubemap => ("mipmap", "clamp", false),
+            InputKind::Keyboard => ("nearest", "clamp", true),
+            _ => ("linear", "clamp", true),
+        };
+        SamplerSettings {
+            filter: filter.to_string(),
+            wrap: wrap.to_string(),
+            vflip,
         }
     }
 }
 
-impl std::error::Error for ProjectError {}
-
-fn field(path: impl Into<String>, message: impl Into<String>) -> ProjectError {
-    ProjectError::Field {
-        path: path.into(),
-        message: message.into(),
+impl Input {
+    /// An input that holds nothing yet, sampled as most of its kind are.
+    pub fn empty(channel: u8, kind: InputKind) -> Input {
+        Input {
+            channel,
+            kind,
+            id: String::new(),
+            src: String::new(),
+            sampler: SamplerSettings::usual(kind),
+            name: String::new(),
+            urls: Vec::new(),
+        }
     }
 }
 
 impl Project {
-    /// Reads an export of any of the three shapes.
-    pub fn from_json(text: &str) -> Result<Project, ProjectError> {
-        if text.len() > MAX_EXPORT {
-            return Err(ProjectError::TooLarge(text.len()));
-        }
-        let json: Value = serde_json::from_str(text).map_err(|e| ProjectError::Json {
-            line: e.line(),
-            column: e.column(),
-            message: e
-                .to_string()
-                .split(" at line ")
-                .next()
-                .unwrap_or("")
-                .to_string(),
-        })?;
-        let shader = match &json {
-            Value::Array(all) if all.len() == 1 => &json[0],
-            Value::Array(all)
-                if all.len() > 1 && all.iter().all(|s| s.get("renderpass").is_some()) =>
-            {
-                return Err(field(
-                    "[1]",
-                    "there are several shaders in this file; give one at a time",
-                ));
-            }
-            Value::Object(map) => map.get("Shader").unwrap_or(&json),
-            _ => return Err(ProjectError::NotAnExport),
-        };
-        let Some(Value::Array(passes)) = shader.get("renderpass") else {
-            return Err(ProjectError::NotAnExport);
-        };
-        if passes.is_empty() || passes.len() > MAX_PASSES {
-            let message = format!("{} passes; 1 to {MAX_PASSES} are allowed", passes.len());
-            return Err(field("renderpass", message));
-        }
-        let passes = passes
-            .iter()
-            .enumerate()
-            .map(|(i, p)| read_pass(p, &format!("renderpass[{i}]")))
-            .collect::<Result<Vec<_>, _>>()?;
-        let images = passes.iter().filter(|p| p.kind == Pass::Image).count();
-        if images > 1 {
-            return Err(field(
-                "renderpass",
-                format!("{images} passes of type `image`; only one is allowed"),
-            ));
-        }
-        Ok(Project {
-            info: read_info(shader.get("info").unwrap_or(&Value::Null)),
-            passes,
-            is_export: true,
-        })
+    /// Whether some pass draws what an id names.
+    pub fn draws(&self, kind: Pass, id: &str) -> bool {
+        let mut all = self.passes.iter().filter(|p| p.kind == kind);
+        all.any(|p| p.output.as_ref().is_some_and(|o| o.0 == id))
     }
 
-    /// The code that is put before every other pass.
-    pub fn commons(&self) -> impl Iterator<Item = &ProjectPass> {
-        self.passes.iter().filter(|p| p.kind == Pass::Common)
+    /// What ShaderToy's player does with two channels that read one buffer in two ways: the wrap
+    /// that was loaded last holds for all, and in each pass the filter of the last channel.
+    pub fn share_samplers(&mut self) {
+        let is_shared = |i: &Input| {
+            i.kind == InputKind::Buffer || (i.kind == InputKind::Cubemap && i.id == OutputId::CUBE)
+        };
+        let mut wraps: Vec<(String, String)> = Vec::new();
+        for input in self
+            .passes
+            .iter()
+            .flat_map(|p| &p.inputs)
+            .filter(|i| is_shared(i))
+        {
+            wraps.retain(|(id, _)| *id != input.id);
+            wraps.push((input.id.clone(), input.sampler.wrap.clone()));
+        }
+        for pass in &mut self.passes {
+            let mut order: Vec<(u8, String, String)> = pass
+                .inputs
+                .iter()
+                .filter(|i| is_shared(i))
+                .map(|i| (i.channel, i.id.clone(), i.sampler.filter.clone()))
+                .collect();
+            order.sort_by_key(|(channel, ..)| *channel);
+            for input in pass.inputs.iter_mut().filter(|i| is_shared(i)) {
+                if let Some((_, wrap)) = wraps.iter().find(|(id, _)| *id == input.id) {
+                    input.sampler.wrap.clone_from(wrap);
+                }
+                if let Some((.., filter)) = order.iter().rev().find(|(_, id, _)| *id == input.id) {
+                    input.sampler.filter.clone_from(filter);
+                }
+            }
+        }
     }
 }
 
 impl ProjectPass {
+    /// A pass with nothing but its code.
+    pub fn new(kind: Pass, code: impl Into<Arc<str>>) -> ProjectPass {
+        ProjectPass {
+            kind,
+            name: String::new(),
+            code: code.into(),
+            inputs: Vec::new(),
+            output: None,
+            wrapper: Wrapper::Player,
+            file: None,
+        }
+    }
+
+    /// What the pass is called in file names and options: `image`, `buffer_a`, `common`.
+    pub fn slug(&self) -> &'static str {
+        match self.kind {
+            Pass::Image => "image",
+            Pass::Common => "common",
+            Pass::Cubemap => "cubemap",
+            Pass::Sound => "sound",
+            Pass::Buffer => match self.output.as_ref().and_then(OutputId::number) {
+                Some(0) => "buffer_a",
+                Some(1) => "buffer_b",
+                Some(2) => "buffer_c",
+                Some(3) => "buffer_d",
+                _ => "buffer",
+            },
+        }
+    }
+
     /// What the user calls it; for a pass without a name, what it draws and its place.
     pub fn title(&self, index: usize) -> String {
         if !self.name.is_empty() {
@@ -266,171 +306,34 @@ impl ProjectPass {
     }
 }
 
-fn text(value: Option<&Value>) -> String {
-    match value {
-        Some(Value::String(s)) => s.clone(),
-        Some(Value::Number(n)) => n.to_string(),
-        _ => String::new(),
-    }
-}
-
-fn read_info(info: &Value) -> Info {
-    let tags = match info.get("tags") {
-        Some(Value::Array(tags)) => tags.iter().map(|t| text(Some(t))).collect(),
-        _ => Vec::new(),
-    };
-    Info {
-        id: text(info.get("id")),
-        name: text(info.get("name")),
-        author: text(info.get("username")),
-        description: text(info.get("description")),
-        tags,
-    }
-}
-
-fn read_pass(pass: &Value, path: &str) -> Result<ProjectPass, ProjectError> {
-    let kind = match pass.get("type") {
-        Some(Value::String(kind)) => match kind.as_str() {
-            "image" => Pass::Image,
-            "buffer" => Pass::Buffer,
-            "common" => Pass::Common,
-            "sound" => Pass::Sound,
-            "cubemap" => Pass::Cubemap,
-            other => {
-                return Err(field(
-                    format!("{path}.type"),
-                    format!("`{other}` is no type of pass"),
-                ));
-            }
-        },
-        _ => {
-            return Err(field(
-                format!("{path}.type"),
-                "the type of the pass is missing",
-            ));
-        }
-    };
-    let Some(Value::String(code)) = pass.get("code") else {
-        return Err(field(
-            format!("{path}.code"),
-            "the code of the pass is missing",
-        ));
-    };
-    let inputs = match pass.get("inputs") {
-        None | Some(Value::Null) => Vec::new(),
-        Some(Value::Array(inputs)) => inputs
-            .iter()
-            .enumerate()
-            .filter(|(_, i)| !i.is_null())
-            .map(|(i, input)| read_input(input, &format!("{path}.inputs[{i}]")))
-            .collect::<Result<Vec<_>, _>>()?,
-        Some(_) => return Err(field(format!("{path}.inputs"), "this must be a list")),
-    };
-    let output = match pass.get("outputs") {
-        Some(Value::Array(outputs)) => outputs.first().map(|o| OutputId(text(o.get("id")))),
-        _ => None,
-    };
-    let name = text(pass.get("name"));
-    Ok(ProjectPass {
-        kind,
-        name,
-        code: code.as_str().into(),
-        inputs,
-        output,
-    })
-}
-
-fn read_input(input: &Value, path: &str) -> Result<Input, ProjectError> {
-    let word = text(input.get("type").or_else(|| input.get("ctype")));
-    let kind = InputKind::of(&word).ok_or_else(|| {
-        field(
-            format!("{path}.type"),
-            format!("`{word}` is no type of input"),
-        )
-    })?;
-    let channel = input
-        .get("channel")
-        .and_then(Value::as_u64)
-        .filter(|c| *c < 4);
-    let Some(channel) = channel else {
-        return Err(field(
-            format!("{path}.channel"),
-            "a channel is a number from 0 to 3",
-        ));
-    };
-    let sampler = input.get("sampler").unwrap_or(&Value::Null);
-    Ok(Input {
-        channel: channel as u8,
-        kind,
-        id: text(input.get("id")),
-        src: text(input.get("filepath").or_else(|| input.get("src"))),
-        sampler: SamplerSettings {
-            filter: text(sampler.get("filter")),
-            wrap: text(sampler.get("wrap")),
-            vflip: matches!(sampler.get("vflip"), Some(Value::String(s)) if s == "true")
-                || matches!(sampler.get("vflip"), Some(Value::Bool(true))),
-        },
-        name: String::new(),
-        urls: Vec::new(),
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const PASS: &str = r#"{"type":"image","code":"x","name":"","outputs":[{"id":"4dfGRr"}],
-        "inputs":[{"id":"4dXGR8","type":"buffer","channel":2,"sampler":{"filter":"linear","vflip":"true"}}]}"#;
-
     #[test]
-    fn the_three_shapes_give_the_same_project() {
-        let shader = format!(
-            r#"{{"ver":"0.1","info":{{"name":"n","username":"u"}},"renderpass":[{PASS}]}}"#
-        );
-        let bare = Project::from_json(&shader).unwrap();
-        assert_eq!(bare.info.author, "u");
-        assert_eq!(bare.passes[0].inputs[0].channel, 2);
-        assert!(bare.passes[0].inputs[0].sampler.vflip);
-        assert_eq!(
-            Project::from_json(&format!("[{shader}]")).as_ref(),
-            Ok(&bare)
-        );
-        assert_eq!(
-            Project::from_json(&format!(r#"{{"Shader":{shader}}}"#)).as_ref(),
-            Ok(&bare)
-        );
-    }
-
-    #[test]
-    fn numeric_ids_and_ctype_are_read() {
-        let json = r#"{"Shader":{"renderpass":[{"type":"image","code":"","inputs":
-            [{"id":257,"ctype":"cubemap","src":"/a.png","channel":0}]}]}}"#;
-        let project = Project::from_json(json).unwrap();
-        assert_eq!(project.passes[0].inputs[0].id, "257");
-        assert_eq!(project.passes[0].channels()[0], Some(Sampler::SamplerCube));
-    }
-
-    #[track_caller]
-    fn check(json: &str, expected: &str) {
-        assert_eq!(Project::from_json(json).unwrap_err().to_string(), expected);
-    }
-
-    #[test]
-    fn errors_tell_the_place() {
-        check("{", "line 1, column 1: EOF while parsing an object");
-        check("{}", "this is no ShaderToy export: it has no `renderpass`");
-        check(
-            r#"{"renderpass":[{"type":"foo","code":""}]}"#,
-            "`renderpass[0].type`: `foo` is no type of pass",
-        );
-        check(
-            r#"{"renderpass":[{"type":"image","code":"","inputs":[{"type":"x","channel":0}]}]}"#,
-            "`renderpass[0].inputs[0].type`: `x` is no type of input",
-        );
-        let two = r#"{"renderpass":[{"type":"image","code":""},{"type":"image","code":""}]}"#;
-        check(
-            two,
-            "`renderpass`: 2 passes of type `image`; only one is allowed",
-        );
+    fn the_players_samplers_are_shared() {
+        let reader = |channel, filter: &str, wrap: &str| Input {
+            id: "4dXGR8".to_string(),
+            sampler: SamplerSettings {
+                filter: filter.to_string(),
+                wrap: wrap.to_string(),
+                vflip: false,
+            },
+            ..Input::empty(channel, InputKind::Buffer)
+        };
+        let mut first = ProjectPass::new(Pass::Image, "");
+        first.inputs = vec![reader(1, "linear", "clamp"), reader(0, "mipmap", "clamp")];
+        let mut second = ProjectPass::new(Pass::Buffer, "");
+        second.inputs = vec![reader(0, "nearest", "repeat")];
+        let mut project = Project {
+            info: Info::default(),
+            passes: vec![first, second],
+            is_export: true,
+        };
+        project.share_samplers();
+        let all: Vec<_> = project.passes.iter().flat_map(|p| &p.inputs).collect();
+        assert!(all.iter().all(|i| i.sampler.wrap == "repeat"));
+        let filters: Vec<_> = all.iter().map(|i| i.sampler.filter.as_str()).collect();
+        assert_eq!(filters, ["linear", "linear", "nearest"]);
     }
 }

@@ -1,6 +1,7 @@
 //! A shader file as a project of one pass.
 
-use super::{Info, Input, InputKind, Project, ProjectPass, SamplerSettings};
+use super::whole::{Unsupported, whole};
+use super::{Info, Input, InputKind, Project, ProjectPass};
 use crate::semantic::{
     Dialect, Kind, Pass, Program, Sampler, Stage, Unit, VariableId, analyze, guess,
     shadertoy_header,
@@ -8,10 +9,12 @@ use crate::semantic::{
 use crate::text::{Role, Sources};
 
 /// Why a shader file cannot be ported.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ShaderError {
-    /// It has a `#version`: it is WebGL code already.
-    Versioned,
+    /// It is a whole shader, and needs what no page of ours gives.
+    Unsupported(Unsupported),
+    /// It is WebGL1 code.
+    WebGl1,
     /// It has none of ShaderToy's entry functions.
     NoEntry,
     /// It is too large to be addressed.
@@ -20,29 +23,35 @@ pub enum ShaderError {
 
 impl std::fmt::Display for ShaderError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            ShaderError::Versioned => "this has a `#version`, so it is WebGL code already",
-            ShaderError::NoEntry => "this has no `mainImage`, which every ShaderToy shader has",
-            ShaderError::TooLarge => "this is too large",
-        })
+        match self {
+            ShaderError::Unsupported(what) => what.fmt(f),
+            ShaderError::WebGl1 => f.write_str(
+                "this is WebGL1 code; write it for ShaderToy, with a `mainImage`, or for WebGL2, \
+                 with `#version 300 es`",
+            ),
+            ShaderError::NoEntry => {
+                f.write_str("this has no `mainImage`, which every ShaderToy shader has")
+            }
+            ShaderError::TooLarge => f.write_str("this is too large"),
+        }
     }
 }
 
 impl Project {
-    /// A project of one pass. Its channels are of the types that their uses need, and empty.
+    /// A project of one pass: one of ShaderToy's, or a whole WebGL2 fragment shader. Its channels
+    /// are of the types that their uses need, and empty.
     pub fn from_shader(title: &str, code: &str) -> Result<Project, ShaderError> {
-        let kind = match guess(code).kind {
-            Some(Kind::ShaderToy(kind)) => kind,
-            Some(Kind::Versioned) => return Err(ShaderError::Versioned),
+        let pass = match guess(code).kind {
+            Some(Kind::ShaderToy(kind)) => {
+                let inputs = channels_used(None, code, kind).ok_or(ShaderError::TooLarge)?;
+                ProjectPass {
+                    inputs,
+                    ..ProjectPass::new(kind, code)
+                }
+            }
+            Some(Kind::Versioned) => whole(code).map_err(ShaderError::Unsupported)?,
+            Some(Kind::WebGl1) => return Err(ShaderError::WebGl1),
             _ => return Err(ShaderError::NoEntry),
-        };
-        let inputs = channels_used(code, kind).ok_or(ShaderError::TooLarge)?;
-        let pass = ProjectPass {
-            kind,
-            name: String::new(),
-            code: code.into(),
-            inputs,
-            output: None,
         };
         let info = Info {
             name: title.to_string(),
@@ -56,12 +65,17 @@ impl Project {
     }
 }
 
-/// The channels that code reads, as inputs of the types that it needs.
-fn channels_used(code: &str, kind: Pass) -> Option<Vec<Input>> {
+/// The channels that code reads, as inputs of the types that it needs. `common` is put before it.
+pub(super) fn channels_used(common: Option<&str>, code: &str, kind: Pass) -> Option<Vec<Input>> {
+    if kind == Pass::Common {
+        return Some(Vec::new());
+    }
     let mut sources = Sources::new();
-    let header = sources.add("", None, Role::Prelude, shadertoy_header(kind, [None; 4]))?;
-    let file = sources.add("", None, Role::User, code)?;
-    let files = [header, file];
+    let header = shadertoy_header(kind, [None; 4]);
+    let mut files = vec![sources.add("", None, Role::Prelude, header)?];
+    for text in common.into_iter().chain([code]) {
+        files.push(sources.add("", None, Role::User, text)?);
+    }
     let analysis = analyze(&Unit {
         sources: &sources,
         files: &files,
@@ -71,25 +85,12 @@ fn channels_used(code: &str, kind: Pass) -> Option<Vec<Input>> {
     });
     let program = &analysis.program;
     let used = (0..4_u8).filter_map(|channel| {
-        let sampler = channel_type(program, channel)?;
-        Some(Input {
-            channel,
-            kind: match sampler {
-                Sampler::SamplerCube => InputKind::Cubemap,
-                Sampler::Sampler3D => InputKind::Volume,
-                _ => InputKind::Texture,
-            },
-            id: String::new(),
-            src: String::new(),
-            // What most channels of the site are set to.
-            sampler: SamplerSettings {
-                filter: "mipmap".to_string(),
-                wrap: "repeat".to_string(),
-                vflip: sampler == Sampler::Sampler2D,
-            },
-            name: String::new(),
-            urls: Vec::new(),
-        })
+        let kind = match channel_type(program, channel)? {
+            Sampler::SamplerCube => InputKind::Cubemap,
+            Sampler::Sampler3D => InputKind::Volume,
+            _ => InputKind::Texture,
+        };
+        Some(Input::empty(channel, kind))
     });
     Some(used.collect())
 }

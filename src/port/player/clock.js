@@ -10,9 +10,14 @@ class Clock {
     this.last = /** @type {number | null} */ (null);
     this.frames = 0;
     this.since = 0;
-    window.addEventListener('focus', () => {
+    this.rebase = () => {
       this.last = null;
-    });
+    };
+    window.addEventListener('focus', this.rebase);
+  }
+
+  dispose() {
+    window.removeEventListener('focus', this.rebase);
   }
 
   reset() {

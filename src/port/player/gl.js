@@ -25,7 +25,7 @@ function startProgram(gl, project, pass) {
   const source = files.map((file, i) => joined(file, i === files.length - 1)).join('');
   const program = gl.createProgram();
   const shaders = [
-    addShader(gl, program, gl.VERTEX_SHADER, project.vertex),
+    addShader(gl, program, gl.VERTEX_SHADER, pass.vertex ?? project.vertex),
     addShader(gl, program, gl.FRAGMENT_SHADER, source),
   ];
   gl.linkProgram(program);
@@ -117,6 +117,15 @@ function samplerCache(gl) {
   return { get, dispose };
 }
 
+/** One for each type of channel. @param {WebGL2RenderingContext} gl */
+function blackTextures(gl) {
+  return {
+    flat: blackTexture(gl, gl.TEXTURE_2D),
+    cube: blackTexture(gl, gl.TEXTURE_CUBE_MAP),
+    volume: blackTexture(gl, gl.TEXTURE_3D),
+  };
+}
+
 /**
  * A texture of one opaque black texel, which is what an input that is not loaded gives.
  * @param {WebGL2RenderingContext} gl
@@ -141,12 +150,16 @@ function blackTexture(gl, target) {
   return texture;
 }
 
+/** Telephones and tablets, which shaders may ask after. */
+const isWeakDevice = /Android|iPhone|iPad|Mobile/.test(navigator.userAgent);
+
 /**
  * A text as it is compiled: behind every text of the user but the last comes a line break.
  * @param {{text: string, hidden: boolean}} file
  * @param {boolean} isLast
  */
 function joined(file, isLast) {
+  if (file.hidden && isWeakDevice) return file.text.replace('HW_PERFORMANCE 1', 'HW_PERFORMANCE 0');
   return file.hidden || isLast ? file.text : `${file.text}\n`;
 }
 

@@ -40,6 +40,9 @@ class Player {
     /** @type {Sound | null} */
     this.sound = null;
     this.#openContext();
+    this.keyboard = new Keyboard(gl);
+    this.samplers = samplerCache(gl);
+    this.black = blackTextures(gl);
     this.ready = this.#load();
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => void this.#reopen());
@@ -53,13 +56,6 @@ class Player {
     this.canDrawFloats = gl.getExtension('EXT_color_buffer_float') !== null;
     gl.getExtension('OES_texture_float_linear');
     this.parallel = gl.getExtension('KHR_parallel_shader_compile');
-    this.keyboard = new Keyboard(gl);
-    this.samplers = samplerCache(gl);
-    this.black = {
-      flat: blackTexture(gl, gl.TEXTURE_2D),
-      cube: blackTexture(gl, gl.TEXTURE_CUBE_MAP),
-      volume: blackTexture(gl, gl.TEXTURE_3D),
-    };
     const triangle = new Float32Array([-1, -1, 3, -1, -1, 3]);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, triangle, gl.STATIC_DRAW);
@@ -73,6 +69,9 @@ class Player {
     this.cube = null;
     this.sound = null;
     this.#openContext();
+    this.keyboard = new Keyboard(this.gl);
+    this.samplers = samplerCache(this.gl);
+    this.black = blackTextures(this.gl);
     this.ready = this.#load();
     await this.ready;
     this.restart();
@@ -255,6 +254,8 @@ class Player {
   #read(pass, channel) {
     const data = this.project.passes[pass].inputs[channel];
     const none = { texture: null, size: [0, 0, 0], time: 0, isLoaded: false };
+    const isSound = this.project.passes[pass].kind === 'sound';
+    if (isSound && data?.kind !== 'texture' && data?.kind !== 'volume') return none;
     if (data?.kind === 'keyboard') {
       const size = this.project.passes[pass].kind === 'cubemap' ? [0, 0, 0] : [256, 3, 1];
       return { texture: this.keyboard.texture, size, time: 0, isLoaded: true };
@@ -412,6 +413,7 @@ class Player {
 
   dispose() {
     this.pause();
+    this.clock.dispose();
     this.inputs.flat().forEach((input) => input.dispose());
     this.programs.forEach((p) => p?.dispose());
     this.buffers.forEach((b) => b.dispose());

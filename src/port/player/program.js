@@ -16,7 +16,7 @@ class PassProgram {
       gl.uniform1i(this.at(`iChannel${channel}`), channel);
       gl.uniform1i(this.at(`iCh${channel}.sampler`), channel);
     }
-    gl.uniform1f(this.at('iSampleRate'), 44100);
+    if (!data.uniforms) gl.uniform1f(this.at('iSampleRate'), 44100);
   }
 
   /**
@@ -27,6 +27,7 @@ class PassProgram {
   setFrame(frame, width, height) {
     const { gl, at } = this;
     gl.useProgram(this.program);
+    if (this.data.uniforms) return this.#setOwn(this.data.uniforms, frame, width, height);
     gl.uniform3f(at('iResolution'), width, height, 1);
     gl.uniform1f(at('iTime'), frame.time);
     gl.uniform1f(at('iTimeDelta'), frame.delta);
@@ -34,6 +35,34 @@ class PassProgram {
     gl.uniform1i(at('iFrame'), frame.number);
     gl.uniform4fv(at('iMouse'), frame.mouse);
     gl.uniform4fv(at('iDate'), frame.date);
+  }
+
+  /**
+   * Sets the uniforms of a shader that brings its own.
+   * @param {OwnUniform[]} uniforms
+   * @param {Frame} frame
+   * @param {number} width @param {number} height
+   */
+  #setOwn(uniforms, frame, width, height) {
+    const { gl, at } = this;
+    /** @type {Record<string, number[]>} */
+    const values = {
+      iResolution: [width, height, 1],
+      iTime: [frame.time],
+      iTimeDelta: [frame.delta],
+      iFrameRate: [frame.rate],
+      iSampleRate: [44100],
+      iMouse: frame.mouse,
+      iDate: frame.date,
+    };
+    for (const { name, means, size } of uniforms) {
+      const value = values[means].slice(0, size);
+      if (size === 1) gl.uniform1fv(at(name), value);
+      else if (size === 2) gl.uniform2fv(at(name), value);
+      else if (size === 3) gl.uniform3fv(at(name), value);
+      else gl.uniform4fv(at(name), value);
+    }
+    gl.uniform1i(at('iFrame'), frame.number);
   }
 
   /**

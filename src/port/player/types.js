@@ -29,6 +29,16 @@
  * @property {string} name
  * @property {number[]} files indexes of the texts that are compiled, in order
  * @property {(InputData | null)[]} inputs one for each channel
+ * @property {string} [vertex] the vertex shader, where the pass has its own
+ * @property {OwnUniform[]} [uniforms] what a pass with its own uniforms calls those of ShaderToy
+ */
+
+/**
+ * A uniform of a shader that brings its own.
+ * @typedef {object} OwnUniform
+ * @property {string} name
+ * @property {string} means what ShaderToy calls it
+ * @property {number} size how many numbers it takes
  */
 
 /**

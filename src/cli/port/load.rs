@@ -1,0 +1,261 @@
+//! From paths to a project: shader files, folders, exports, and what goes onto channels.
+
+use super::Args;
+use crate::cli::input::{Content, Encoding, InputFile, read};
+use crate::port::{
+    ChannelOrder, ChannelSource, InputKind, Media, OutputId, Part, PassRole, Project, kind_of_file,
+};
+use crate::semantic::Pass;
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Largest file that is put into an output, in bytes.
+const MAX_MEDIA: u64 = 64 * 1024 * 1024;
+
+/// Endings of the shader files that a folder is searched for.
+const SHADERS: [&str; 4] = ["glsl", "frag", "fs", "shadertoy"];
+
+/// The project that the arguments name.
+pub(super) fn load(args: &Args) -> Result<Project, String> {
+    let orders = args
+        .channel
+        .iter()
+        .map(|text| ChannelOrder::read(text))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(|e| format!("--channel: {e}"))?;
+    let mut project = match &args.input[..] {
+        [] if args.pass.is_empty() => {
+            return Err("give a shader file, a folder or a ShaderToy export".to_string());
+        }
+        [one] if args.pass.is_empty() && !one.is_dir() => one_file(one)?,
+        several => parts(several, &args.pass)?,
+    };
+    if project
+        .passes
+        .iter()
+        .all(|p| !matches!(p.kind, Pass::Image | Pass::Cubemap | Pass::Sound))
+    {
+        return Err(format!(
+            "{}: there is no pass of type `image`",
+            name_of(args)
+        ));
+    }
+    if let Some(folder) = &args.media {
+        find_media(&mut project, folder)?;
+    }
+    for order in &orders {
+        let media = match &order.source {
+            ChannelSource::File(path) => Some(media(Path::new(path), is_cube(&project, order))?),
+            _ => None,
+        };
+        project
+            .put(order, media)
+            .map_err(|e| format!("--channel: {e}"))?;
+    }
+    if args.strict_player {
+        project.share_samplers();
+    }
+    Ok(project)
+}
+
+/// How the input is called in messages.
+pub(super) fn name_of(args: &Args) -> String {
+    args.input
+        .first()
+        .map_or("passes".to_string(), |path| shown(path))
+}
+
+/// A path with forward slashes.
+fn shown(path: &Path) -> String {
+    path.to_string_lossy().replace('\\', "/")
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem()
+        .map_or(String::new(), |s| s.to_string_lossy().into_owned())
+}
+
+fn one_file(path: &Path) -> Result<Project, String> {
+    let name = shown(path);
+    let text = read_text(path)?;
+    let project = if text.trim_start().starts_with(['{', '[']) {
+        Project::from_json(&text).map_err(|e| e.to_string())
+    } else {
+        let title = if name == "-" {
+            String::new()
+        } else {
+            stem(path)
+        };
+        Project::from_shader(&title, &text).map_err(|e| e.to_string())
+    };
+    project.map_err(|e| format!("{name}: {e}"))
+}
+
+fn read_text(path: &Path) -> Result<String, String> {
+    let name = shown(path);
+    let is_stdin = path.as_os_str() == "-";
+    let input = InputFile {
+        name: name.clone(),
+        path: (!is_stdin).then(|| path.to_path_buf()),
+        is_explicit: true,
+    };
+    let Content { text, encoding } = read(&input).map_err(|e| format!("{name}: {e}"))?;
+    match encoding {
+        Encoding::Utf16 => Err(format!("{name}: the file is UTF-16; save it as UTF-8")),
+        Encoding::Binary => Err(format!("{name}: the file is no text")),
+        Encoding::Utf8 | Encoding::Damaged(_) => Ok(text),
+    }
+}
+
+/// Several files and folders, and those that `--pass` names, as passes.
+fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
+    let mut files: Vec<(PassRole, PathBuf)> = Vec::new();
+    for text in named {
+        let (role, path) = text
+            .split_once('=')
+            .ok_or_else(|| format!("--pass: `{text}` is no pass; write it like `image=FILE`"))?;
+        let role = PassRole::of_name(role).ok_or_else(|| format!("--pass: `{role}` is no pass"))?;
+        files.push((role, PathBuf::from(path)));
+    }
+    for path in paths {
+        if path.is_dir() {
+            files.extend(in_folder(path)?);
+        } else {
+            let role = PassRole::of_name(&stem(path)).ok_or_else(|| {
+                format!(
+                    "{}: its name tells no pass; call it like `image.glsl` or `buffer_a.glsl`, or \
+                     say `--pass image=FILE`",
+                    shown(path)
+                )
+            })?;
+            files.push((role, path.clone()));
+        }
+    }
+    let parts = files
+        .into_iter()
+        .map(|(role, path)| {
+            Ok(Part {
+                role,
+                file: shown(&path),
+                code: read_text(&path)?.into(),
+            })
+        })
+        .collect::<Result<Vec<_>, String>>()?;
+    let title = match paths {
+        [folder] if folder.is_dir() => {
+            let whole = folder.canonicalize().unwrap_or_else(|_| folder.clone());
+            whole
+                .file_name()
+                .map_or(String::new(), |n| n.to_string_lossy().into_owned())
+        }
+        _ => String::new(),
+    };
+    Project::from_parts(&title, parts).map_err(|e| e.to_string())
+}
+
+/// The passes that lie in a folder.
+fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
+    let wrong = |e: std::io::Error| format!("{}: {e}", shown(folder));
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).map_err(wrong)? {
+        let path = entry.map_err(wrong)?.path();
+        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        if SHADERS.contains(&ending)
+            && path.is_file()
+            && let Some(role) = PassRole::of_name(&stem(&path))
+        {
+            found.push((role, path));
+        }
+    }
+    found.sort();
+    if found.is_empty() {
+        return Err(format!(
+            "{}: no file in it is called like a pass: `image.glsl`, `buffer_a.glsl`, `common.glsl`",
+            shown(folder)
+        ));
+    }
+    Ok(found)
+}
+
+/// Whether an order is for a channel that reads a cube map.
+fn is_cube(project: &Project, order: &ChannelOrder) -> bool {
+    project
+        .passes
+        .iter()
+        .filter(|p| {
+            p.kind == order.pass.kind() && p.output == order.pass.output()
+                || order.pass == PassRole::Image && p.kind == Pass::Image
+        })
+        .flat_map(|p| &p.inputs)
+        .any(|i| i.channel == order.channel && i.kind == InputKind::Cubemap)
+}
+
+/// Reads a file that goes onto a channel. The faces of a cube map lie in `NAME`, `NAME_1` to
+/// `NAME_5`; where only the first is there, it is all of them.
+fn media(path: &Path, is_cube: bool) -> Result<Media, String> {
+    let name = shown(path);
+    let (_, kind) = kind_of_file(&name)
+        .ok_or_else(|| format!("{name}: this is no picture, film, music or volume"))?;
+    let mut urls = vec![data_address(path, kind)?];
+    if is_cube {
+        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        for face in 1..6 {
+            let path = path.with_file_name(format!("{}_{face}.{ending}", stem(path)));
+            let url = if path.is_file() {
+                data_address(&path, kind)?
+            } else {
+                urls[0].clone()
+            };
+            urls.push(url);
+        }
+    }
+    let name = path
+        .file_name()
+        .map_or(name, |n| n.to_string_lossy().into_owned());
+    Ok(Media { name, urls })
+}
+
+fn data_address(path: &Path, kind: &str) -> Result<String, String> {
+    let wrong = |e: std::io::Error| format!("{}: {e}", shown(path));
+    let size = fs::metadata(path).map_err(wrong)?.len();
+    if size > MAX_MEDIA {
+        return Err(format!(
+            "{}: the file has {size} bytes; {MAX_MEDIA} are allowed",
+            shown(path)
+        ));
+    }
+    let bytes = fs::read(path).map_err(wrong)?;
+    Ok(format!(
+        "data:{kind};base64,{}",
+        BASE64_STANDARD.encode(bytes)
+    ))
+}
+
+/// Takes what the export's channels read from a copy of the site's files. Nothing outside the folder
+/// is read, whatever the export says.
+fn find_media(project: &mut Project, folder: &Path) -> Result<(), String> {
+    let wrong = |e: std::io::Error| format!("{}: {e}", shown(folder));
+    let root = folder.canonicalize().map_err(wrong)?;
+    for input in project.passes.iter_mut().flat_map(|p| &mut p.inputs) {
+        let is_drawn = input.kind == InputKind::Buffer || input.id == OutputId::CUBE;
+        if !input.urls.is_empty() || input.src.is_empty() || is_drawn {
+            continue;
+        }
+        let inside = input.src.trim_start_matches('/');
+        let last = inside.rsplit('/').next().unwrap_or(inside);
+        let candidates = [root.join(inside), root.join(last)];
+        let Some(path) = candidates.iter().find_map(|p| p.canonicalize().ok()) else {
+            continue;
+        };
+        if !path.starts_with(&root) {
+            return Err(format!("`{}` leads out of {}", input.src, shown(folder)));
+        }
+        if path.is_file() && kind_of_file(&shown(&path)).is_some() {
+            let found = media(&path, input.kind == InputKind::Cubemap)?;
+            (input.name, input.urls) = (found.name, found.urls);
+        }
+    }
+    Ok(())
+}

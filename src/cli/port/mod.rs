@@ -1,0 +1,168 @@
+//! `shaderport`.
+
+mod load;
+mod make;
+
+use super::output::{Overwrite, write};
+use super::{CLEAN, FAILED, FINDINGS};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
+use crate::port::{Composed, NotSafe, compose, missing};
+use crate::report::{Format, Reporter, Summary};
+use clap::{Parser, ValueEnum};
+use std::io::{self, IsTerminal, Write};
+use std::path::PathBuf;
+
+/// Turns ShaderToy code into WebGL2: a shader file, a folder of passes or an export in, a page that
+/// plays it, a module or plain shaders out.
+#[derive(Parser, Debug)]
+#[command(name = "shaderport", version, about, max_term_width = 100)]
+pub struct Args {
+    /// A shader file, a ShaderToy export (.json), a folder or several files whose names tell their
+    /// passes (image.glsl, buffer_a.glsl, common.glsl, cubemap.glsl, sound.glsl); `-` is standard
+    /// input
+    #[arg(value_name = "INPUT")]
+    input: Vec<PathBuf>,
+    /// File to write, or folder for several shaders; without it the first file goes to standard
+    /// output
+    #[arg(short, long, value_name = "PATH")]
+    output: Option<PathBuf>,
+    /// What to make; without it the ending of the output tells
+    #[arg(short, long, value_enum, value_name = "TARGET")]
+    target: Option<Target>,
+    /// File of a pass, like `image=a.glsl` or `buffer_a=b.glsl`
+    #[arg(long, value_name = "PASS=FILE")]
+    pass: Vec<String>,
+    /// What a channel reads, like `0=keyboard`, `image.1=photo.jpg` or `buffer_a.0=buffer_a`; behind
+    /// it may stand how, like `,nearest,clamp,noflip`
+    #[arg(long, value_name = "[PASS.]N=SOURCE")]
+    channel: Vec<String>,
+    /// Folder with the site's files, such as media/a/x.jpg, to be put into the output
+    #[arg(long, value_name = "FOLDER")]
+    media: Option<PathBuf>,
+    /// How plain shaders get their `main`
+    #[arg(long, value_enum, default_value_t, value_name = "HOW")]
+    main: MainChoice,
+    /// Sample as ShaderToy's player does where two channels read one buffer: the last setting wins
+    #[arg(long)]
+    strict_player: bool,
+    /// Write over a file that is there already
+    #[arg(long)]
+    force: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Target {
+    /// One page with everything in it
+    Html,
+    /// A fragment shader for each pass, and the vertex shader
+    Glsl,
+    /// An ES module without dependencies, which exports `mount(canvas, options)`
+    Module,
+    /// A module for three.js: a RawShaderMaterial and its update function
+    Three,
+    /// A React component, over a module beside it
+    React,
+    /// The project itself, as an export
+    Json,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+enum MainChoice {
+    /// The player's header, then the code as it is
+    #[default]
+    Wrap,
+    /// `mainImage` becomes `main`, where the picture stays the same
+    Rewrite,
+}
+
+/// Runs the converter and gives the exit code.
+pub fn run(args: &Args) -> u8 {
+    match port(args) {
+        Ok(code) => code,
+        Err(message) => {
+            let _ = writeln!(io::stderr(), "shaderport: {message}");
+            FAILED
+        }
+    }
+}
+
+fn port(args: &Args) -> Result<u8, String> {
+    let name = load::name_of(args);
+    let project = load::load(args)?;
+    let composed = compose(&project, &name).ok_or(format!("{name}: this is too large"))?;
+    let made = make::make(args, &project, &composed)?;
+    let summary = report(&composed, &made.kept).map_err(|e| e.to_string())?;
+    if make::target_of(args) != Target::Glsl {
+        for what in missing(&project) {
+            let _ = writeln!(io::stderr(), "note: {what}");
+        }
+    }
+    match &args.output {
+        Some(_) => {
+            let overwrite = if args.force {
+                Overwrite::Allowed
+            } else {
+                Overwrite::Never
+            };
+            save(&made.files, overwrite)?;
+        }
+        None => {
+            let text = made.files.first().map_or(&[][..], |(_, text)| text);
+            let printed = io::stdout().lock().write_all(text);
+            printed.map_err(|e| format!("the output cannot be written: {e}"))?;
+        }
+    }
+    Ok(if summary.errors > 0 { FINDINGS } else { CLEAN })
+}
+
+/// Prints what the browser will say of the passes, and why some could not be rewritten.
+fn report(composed: &Composed, kept: &[(String, NotSafe)]) -> io::Result<Summary> {
+    let mut found: Vec<Diagnostic> = Vec::new();
+    for unit in &composed.units {
+        for problem in composed.analyze(unit).diagnostics {
+            if !found.contains(&problem) {
+                found.push(problem);
+            }
+        }
+    }
+    let mut stderr = io::stderr().lock();
+    for (pass, reason) in kept {
+        let message = format!("this stays behind the player's header: {}", reason.message);
+        if composed.sources.text(reason.span).is_empty() {
+            writeln!(stderr, "warning: {pass}: {message}")?;
+        } else {
+            let (origin, severity) = (Origin::Compiler, Severity::Warning);
+            found.push(Diagnostic::new(
+                "kept-main",
+                origin,
+                severity,
+                reason.span,
+                message,
+            ));
+        }
+    }
+    if found.is_empty() {
+        return Ok(Summary::default());
+    }
+    let color = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let mut reporter = Reporter::new(Format::Human, stderr, color);
+    reporter.file(&composed.sources, &found)?;
+    reporter.finish()
+}
+
+/// Writes all files, or none where one is in the way.
+fn save(files: &[(PathBuf, Vec<u8>)], overwrite: Overwrite) -> Result<(), String> {
+    let taken = files
+        .iter()
+        .find(|(path, _)| path.symlink_metadata().is_ok());
+    if let (Overwrite::Never, Some((path, _))) = (overwrite, taken) {
+        return Err(format!(
+            "{} is there already; --force writes over it",
+            path.display()
+        ));
+    }
+    for (path, text) in files {
+        write(path, text, overwrite).map_err(|e| format!("{}: {e}", path.display()))?;
+    }
+    Ok(())
+}

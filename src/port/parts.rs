@@ -1,0 +1,242 @@
+//! A project whose passes lie in files of their own, known by their names.
+
+use super::single::channels_used;
+use super::{Info, OutputId, Project, ProjectPass, ShaderError};
+use crate::semantic::Pass;
+use std::sync::Arc;
+
+/// What a file is for.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum PassRole {
+    /// The picture.
+    Image,
+    /// Code for all passes.
+    Common,
+    /// A buffer, by its number from 0 for A to 3 for D.
+    Buffer(u8),
+    /// The cube map.
+    Cubemap,
+    /// The sound.
+    Sound,
+}
+
+impl PassRole {
+    /// The role that a name tells by its last words: `image`, `buffer_a`, `myBufB`, `x.common`.
+    pub fn of_name(name: &str) -> Option<PassRole> {
+        let words = words(name);
+        let last = words.last()?.as_str();
+        let before = words.len().checked_sub(2).and_then(|i| words.get(i));
+        let is_buffer = |word: &str| matches!(word, "buffer" | "buf");
+        let letter = |word: &str| match word {
+            "a" | "0" => Some(0),
+            "b" | "1" => Some(1),
+            "c" | "2" => Some(2),
+            "d" | "3" => Some(3),
+            _ => None,
+        };
+        if before.is_some_and(|word| is_buffer(word)) {
+            return letter(last).map(PassRole::Buffer);
+        }
+        if before.is_some_and(|word| word == "cube") && last == "a" {
+            return Some(PassRole::Cubemap);
+        }
+        match last {
+            "image" => Some(PassRole::Image),
+            "common" => Some(PassRole::Common),
+            "cubemap" | "cube" | "cubea" => Some(PassRole::Cubemap),
+            "sound" => Some(PassRole::Sound),
+            _ => {
+                let rest = last.strip_prefix("buffer").or(last.strip_prefix("buf"))?;
+                letter(rest).map(PassRole::Buffer)
+            }
+        }
+    }
+
+    /// As it is written in options and file names.
+    pub const fn name(self) -> &'static str {
+        match self {
+            PassRole::Image => "image",
+            PassRole::Common => "common",
+            PassRole::Buffer(0) => "buffer_a",
+            PassRole::Buffer(1) => "buffer_b",
+            PassRole::Buffer(2) => "buffer_c",
+            PassRole::Buffer(_) => "buffer_d",
+            PassRole::Cubemap => "cubemap",
+            PassRole::Sound => "sound",
+        }
+    }
+
+    /// What kind of pass it is.
+    pub const fn kind(self) -> Pass {
+        match self {
+            PassRole::Image => Pass::Image,
+            PassRole::Common => Pass::Common,
+            PassRole::Buffer(_) => Pass::Buffer,
+            PassRole::Cubemap => Pass::Cubemap,
+            PassRole::Sound => Pass::Sound,
+        }
+    }
+
+    /// What it writes to.
+    pub fn output(self) -> Option<OutputId> {
+        match self {
+            PassRole::Image => Some(OutputId(OutputId::IMAGE.to_string())),
+            PassRole::Buffer(number) => OutputId::buffer(number as usize),
+            PassRole::Cubemap => Some(OutputId(OutputId::CUBE.to_string())),
+            PassRole::Sound => Some(OutputId(OutputId::SOUND.to_string())),
+            PassRole::Common => None,
+        }
+    }
+}
+
+/// The words of a name, in lower case: they end at signs, and where a capital follows a small letter.
+fn words(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut was_small = false;
+    for c in name.chars() {
+        if !c.is_alphanumeric() || (c.is_uppercase() && was_small) {
+            words.push(String::new());
+        }
+        was_small = c.is_lowercase();
+        if let (true, Some(word)) = (c.is_alphanumeric(), words.last_mut()) {
+            word.extend(c.to_lowercase());
+        }
+    }
+    words.retain(|w| !w.is_empty());
+    words
+}
+
+/// A file and what it is for.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// What it is for.
+    pub role: PassRole,
+    /// Its path, as the user gave it.
+    pub file: String,
+    /// What it holds.
+    pub code: Arc<str>,
+}
+
+/// Why files make no project.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum PartsError {
+    /// Two files are for the same.
+    Twice(PassRole, String, String),
+    /// No file is the Image.
+    NoImage,
+    /// A file cannot be read as a pass.
+    Shader(String, ShaderError),
+}
+
+impl std::fmt::Display for PartsError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            PartsError::Twice(role, a, b) => {
+                write!(f, "{a} and {b} are both for the pass `{}`", role.name())
+            }
+            PartsError::NoImage => f.write_str(
+                "no file is for the pass `image`; call one `image.glsl`, or say `--pass image=FILE`",
+            ),
+            PartsError::Shader(file, error) => write!(f, "{file}: {error}"),
+        }
+    }
+}
+
+impl Project {
+    /// A project of several files. Channels that nothing is said of are of the types that their uses
+    /// need, and empty.
+    pub fn from_parts(title: &str, mut parts: Vec<Part>) -> Result<Project, PartsError> {
+        parts.sort_by_key(|p| p.role);
+        for pair in parts.windows(2) {
+            if let [a, b] = pair
+                && a.role == b.role
+            {
+                return Err(PartsError::Twice(a.role, a.file.clone(), b.file.clone()));
+            }
+        }
+        if parts.iter().all(|p| p.role != PassRole::Image) {
+            return Err(PartsError::NoImage);
+        }
+        let common = parts.iter().find(|p| p.role == PassRole::Common);
+        let common = common.map(|p| p.code.clone());
+        let mut passes = Vec::new();
+        for part in parts {
+            let kind = part.role.kind();
+            let inputs = channels_used(common.as_deref(), &part.code, kind)
+                .ok_or_else(|| PartsError::Shader(part.file.clone(), ShaderError::TooLarge))?;
+            passes.push(ProjectPass {
+                name: part.role.name().to_string(),
+                inputs,
+                output: part.role.output(),
+                file: Some(part.file),
+                ..ProjectPass::new(kind, part.code)
+            });
+        }
+        let info = Info {
+            name: title.to_string(),
+            ..Info::default()
+        };
+        Ok(Project {
+            info,
+            passes,
+            is_export: false,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(name: &str, expected: Option<&str>) {
+        let role = PassRole::of_name(name);
+        assert_eq!(role.map(PassRole::name), expected, "{name}");
+    }
+
+    #[test]
+    fn names_tell_what_a_file_is_for() {
+        check("image", Some("image"));
+        check("Image", Some("image"));
+        check("buffer_a", Some("buffer_a"));
+        check("bufferA", Some("buffer_a"));
+        check("bufferb", Some("buffer_b"));
+        check("Buffer C", Some("buffer_c"));
+        check("buf_d", Some("buffer_d"));
+        check("bufA", Some("buffer_a"));
+        check("ocean.buffer0", Some("buffer_a"));
+        check("ocean-common", Some("common"));
+        check("Cube A", Some("cubemap"));
+        check("cubemap", Some("cubemap"));
+        check("sound", Some("sound"));
+        check("ocean", None);
+        check("buffer", None);
+        check("", None);
+    }
+
+    #[test]
+    fn files_make_a_project() {
+        let part = |role, file: &str, code: &str| Part {
+            role,
+            file: file.to_string(),
+            code: code.into(),
+        };
+        let image = "void mainImage(out vec4 c, in vec2 f) { c = texture(iChannel0, D); }";
+        let parts = vec![
+            part(PassRole::Image, "image.glsl", image),
+            part(PassRole::Common, "common.glsl", "#define D vec3(1.0)\n"),
+        ];
+        let project = Project::from_parts("x", parts.clone()).unwrap();
+        let kinds: Vec<_> = project.passes.iter().map(|p| p.kind).collect();
+        assert_eq!(kinds, [Pass::Image, Pass::Common]);
+        let kind = project.passes[0].inputs[0].kind;
+        assert_eq!(kind, crate::port::InputKind::Cubemap, "what `vec3` needs");
+        let twice = vec![parts[0].clone(), parts[0].clone()];
+        assert!(matches!(
+            Project::from_parts("x", twice),
+            Err(PartsError::Twice(..))
+        ));
+        let none = Project::from_parts("x", vec![parts[1].clone()]);
+        assert_eq!(none, Err(PartsError::NoImage));
+    }
+}

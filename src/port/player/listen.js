@@ -1,0 +1,82 @@
+// What the user does to the canvas: pointer, keys, size.
+
+/**
+ * Feeds the mouse, a finger or a pen to `iMouse`.
+ * @param {Player} player @param {AbortSignal} [signal] ends it
+ */
+function listenToPointer(player, signal) {
+  const { canvas } = player;
+  /** @param {PointerEvent} event @returns {[number, number]} */
+  const place = (event) => {
+    const box = canvas.getBoundingClientRect();
+    const x = ((event.clientX - box.left) / box.width) * canvas.width;
+    const y = canvas.height - ((event.clientY - box.top) / box.height) * canvas.height;
+    return [x, y];
+  };
+  canvas.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0 && event.pointerType === 'mouse') return;
+    canvas.focus();
+    canvas.setPointerCapture(event.pointerId);
+    player.setMouse(...place(event), true);
+    player.poke();
+  }, { signal });
+  canvas.addEventListener('pointermove', (event) => {
+    if (!player.mouse.isDown) return;
+    player.setMouse(...place(event), true);
+    player.poke();
+  }, { signal });
+  for (const name of ['pointerup', 'pointercancel']) {
+    canvas.addEventListener(name, () => {
+      player.mouse.release();
+      player.poke();
+    }, { signal });
+  }
+  canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
+}
+
+/**
+ * Keys count while the canvas has the focus.
+ * @param {Player} player @param {AbortSignal} [signal] ends it
+ */
+function listenToKeys(player, signal) {
+  const { canvas } = player;
+  /** @param {KeyboardEvent} event @param {boolean} isDown */
+  const handle = (event, isDown) => {
+    player.setKey(event.keyCode, isDown);
+    // Shortcuts of the browser and the way out of the canvas stay.
+    const isShortcut = event.ctrlKey || event.metaKey || event.altKey || event.key === 'Tab';
+    if (!isShortcut && !/^F\d+$/.test(event.key)) event.preventDefault();
+    if (!event.repeat) player.poke();
+  };
+  canvas.addEventListener('keydown', (event) => handle(event, true), { signal });
+  canvas.addEventListener('keyup', (event) => handle(event, false), { signal });
+  canvas.addEventListener('blur', () => player.keyboard.releaseAll(), { signal });
+}
+
+/**
+ * Keeps the canvas as large as it is shown, times a scale, in pixels of the device.
+ * @param {Player} player @param {() => number} scale @param {AbortSignal} [signal] ends it
+ * @returns {() => void} call it when the scale has changed
+ */
+function fitToElement(player, scale, signal) {
+  const { canvas } = player;
+  const rounded = () => [
+    Math.round(canvas.offsetWidth * devicePixelRatio),
+    Math.round(canvas.offsetHeight * devicePixelRatio),
+  ];
+  let [width, height] = rounded();
+  const apply = () => player.resize(width * scale(), height * scale());
+  const observer = new ResizeObserver(([entry]) => {
+    const box = entry.devicePixelContentBoxSize?.[0];
+    [width, height] = box ? [box.inlineSize, box.blockSize] : rounded();
+    apply();
+  });
+  try {
+    observer.observe(canvas, { box: 'device-pixel-content-box' });
+  } catch {
+    observer.observe(canvas);
+  }
+  signal?.addEventListener('abort', () => observer.disconnect());
+  apply();
+  return apply;
+}

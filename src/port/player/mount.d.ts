@@ -1,0 +1,55 @@
+/** A mistake in the shader: the pass, the line in it from 1 (0: the whole pass, -1: no pass), and what is wrong. */
+export interface ShaderError {
+  pass: string;
+  line: number;
+  text: string;
+}
+
+export interface MountOptions {
+  /** Draw the first frame only; `play()` starts the clock. */
+  paused?: boolean;
+  /** Seconds at which to start. */
+  time?: number;
+  /** Pixels of the picture; without it the canvas is as sharp as it is shown. */
+  size?: [number, number];
+  /** Pixels of the picture for each pixel of the device; 1 unless said. */
+  scale?: number;
+  /** Feed mouse, finger and pen to `iMouse`; true unless said. */
+  pointer?: boolean;
+  /** Feed keys to a keyboard channel while the canvas has the focus; true unless said. */
+  keyboard?: boolean;
+  /** Play sound; browsers allow it after a click. */
+  sound?: boolean;
+  /** Called when passes do not compile. */
+  onError?: (errors: ShaderError[]) => void;
+}
+
+export interface Mounted {
+  /** Resolves when all passes are compiled and all inputs are loaded. */
+  readonly ready: Promise<void>;
+  readonly errors: ShaderError[];
+  /** Seconds since the start. */
+  readonly time: number;
+  readonly playing: boolean;
+  play(): void;
+  pause(): void;
+  restart(): void;
+  /** Goes to a time in seconds. */
+  seek(time: number): void;
+  /** Restarts and draws the frames 0 to n, sixty a second. */
+  renderFrame(n: number): Promise<void>;
+  /** Pixels from the lower left corner. */
+  setMouse(x: number, y: number, down: boolean): void;
+  /** JavaScript's keyCode. */
+  setKey(code: number, down: boolean): void;
+  setSound(on: boolean): void;
+  /** Gives a tunable `#define` another value and compiles again. */
+  setTunable(name: string, value: number): Promise<void>;
+  /** Puts a picture, film or music onto a channel. */
+  setInput(pass: number, channel: number, url: string): Promise<void>;
+  /** Ends everything and frees what it holds. */
+  dispose(): void;
+}
+
+export function mount(canvas: HTMLCanvasElement, options?: MountOptions): Mounted;
+export default mount;

@@ -1,0 +1,14 @@
+import type { CanvasHTMLAttributes, ReactElement } from 'react';
+import type { MountOptions, Mounted } from './module.js';
+
+export interface ShaderProps extends CanvasHTMLAttributes<HTMLCanvasElement> {
+  /** Options of `mount`, read once. */
+  options?: MountOptions;
+  paused?: boolean;
+  sound?: boolean;
+  /** Called with the player when it stands on the canvas. */
+  onMount?: (player: Mounted) => void;
+}
+
+export function Shader(props: ShaderProps): ReactElement;
+export default Shader;

@@ -1,0 +1,37 @@
+// What the React module adds to `mount`.
+
+import { createElement, useEffect, useRef } from 'react';
+
+/**
+ * The shader as a component. It fills its parent; `options` are those of `mount` and are read once,
+ * `paused` and `sound` whenever they change, and all other properties go to the canvas.
+ */
+export function Shader({ options, paused = false, sound = false, onMount, style, ...rest }) {
+  const canvas = useRef(null);
+  const mounted = useRef(null);
+  useEffect(() => {
+    const player = mount(canvas.current, { ...options, paused, sound });
+    mounted.current = player;
+    onMount?.(player);
+    return () => {
+      mounted.current = null;
+      player.dispose();
+    };
+    // Options are read once: another set of them is another shader, with another key.
+  }, []);
+  useEffect(() => {
+    const player = mounted.current;
+    void player?.ready.then(() => {
+      if (mounted.current !== player) return;
+      if (paused) player.pause();
+      else player.play();
+    });
+  }, [paused]);
+  useEffect(() => {
+    mounted.current?.setSound(sound);
+  }, [sound]);
+  const whole = { width: '100%', height: '100%', display: 'block', ...style };
+  return createElement('canvas', { ...rest, ref: canvas, style: whole });
+}
+
+export default Shader;

@@ -1,0 +1,165 @@
+// What the three.js module does with the project: materials, targets, uniforms.
+
+import {
+  BufferAttribute, BufferGeometry, Camera, ClampToEdgeWrapping, DataTexture, FloatType, GLSL3,
+  LinearFilter, LinearMipmapLinearFilter, Mesh, NearestFilter, RawShaderMaterial, RepeatWrapping,
+  RGBAFormat, Scene, Vector3, Vector4, WebGLRenderTarget,
+} from 'three';
+
+const VERTEX = `in vec3 position;
+void main() {
+  gl_Position = vec4(position.xy, 0.0, 1.0);
+}
+`;
+
+/** The code of a pass; three.js writes the `#version` itself. */
+function fragmentOf(pass) {
+  const files = pass.files.map((f) => PROJECT.files[f]);
+  const isLast = (file) => file === files[files.length - 1];
+  const texts = files.map((file) => (file.hidden || isLast(file) ? file.text : `${file.text}\n`));
+  return texts.join('').replace(/^#version 300 es\n/, '');
+}
+
+function materialOf(pass) {
+  const black = new DataTexture(new Uint8Array([0, 0, 0, 255]), 1, 1);
+  black.needsUpdate = true;
+  const uniforms = {
+    iResolution: { value: new Vector3(1, 1, 1) },
+    iTime: { value: 0 },
+    iTimeDelta: { value: 1 / 60 },
+    iFrameRate: { value: 60 },
+    iFrame: { value: 0 },
+    iMouse: { value: new Vector4() },
+    iDate: { value: new Vector4() },
+    iSampleRate: { value: 44100 },
+    iChannelTime: { value: [0, 0, 0, 0] },
+    iChannelResolution: { value: [0, 1, 2, 3].map(() => new Vector3()) },
+  };
+  for (let i = 0; i < 4; i++) uniforms[`iChannel${i}`] = { value: black };
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: VERTEX,
+    fragmentShader: fragmentOf(pass),
+    uniforms,
+    depthTest: false,
+    depthWrite: false,
+  });
+}
+
+/** Sets filter and wrap of a texture as the channel wants them. */
+function setSampling(texture, input) {
+  const isSmooth = input.filter !== 'nearest';
+  texture.magFilter = isSmooth ? LinearFilter : NearestFilter;
+  texture.minFilter = input.filter === 'mipmap' ? LinearMipmapLinearFilter : texture.magFilter;
+  texture.wrapS = texture.wrapT = input.wrap === 'clamp' ? ClampToEdgeWrapping : RepeatWrapping;
+  texture.generateMipmaps = input.filter === 'mipmap';
+}
+
+/**
+ * The shader for three.js: `material` paints the Image over whatever mesh it is on, in the
+ * coordinates of the screen; `update` sets its uniforms and draws the buffers, before each frame.
+ */
+export function createShader() {
+  const passes = PROJECT.passes.filter((p) => p.kind === 'image' || p.kind === 'buffer');
+  const materials = new Map(passes.map((pass) => [pass, materialOf(pass)]));
+  const image = passes.find((p) => p.kind === 'image');
+  const buffers = passes.filter((p) => p.kind === 'buffer');
+  const targets = new Map();
+  const given = new Map();
+  const scene = new Scene();
+  const camera = new Camera();
+  const triangle = new BufferGeometry();
+  const corners = new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]);
+  triangle.setAttribute('position', new BufferAttribute(corners, 3));
+  const mesh = new Mesh(triangle);
+  mesh.frustumCulled = false;
+  scene.add(mesh);
+  let frame = 0;
+
+  function resize(width, height) {
+    const old = targets.get(buffers[0])?.[0];
+    if (!buffers.length || (old && old.width === width && old.height === height)) return;
+    for (const pass of buffers) {
+      targets.get(pass)?.forEach((t) => t.dispose());
+      const options = { format: RGBAFormat, type: FloatType, depthBuffer: false };
+      const pair = [0, 1].map(() => new WebGLRenderTarget(width, height, options));
+      pair.forEach((target) => setSampling(target.texture, { filter: 'nearest', wrap: 'clamp' }));
+      targets.set(pass, pair);
+    }
+    frame = 0;
+  }
+
+  function bind(pass, width, height) {
+    const { uniforms } = materials.get(pass);
+    pass.inputs.forEach((input, channel) => {
+      if (!input) return;
+      const size = uniforms.iChannelResolution.value[channel];
+      const source = input.kind === 'buffer' ? targets.get(PROJECT.passes[input.buffer]) : null;
+      if (source) {
+        setSampling(source[0].texture, input);
+        uniforms[`iChannel${channel}`].value = source[0].texture;
+        size.set(width, height, 1);
+      }
+      const texture = given.get(`${passes.indexOf(pass)}.${channel}`);
+      if (texture) {
+        uniforms[`iChannel${channel}`].value = texture;
+        size.set(texture.image?.width ?? 0, texture.image?.height ?? 0, 1);
+      }
+    });
+  }
+
+  return {
+    material: materials.get(image),
+    /** Puts a texture of your own onto a channel of the Image. */
+    setChannel(channel, texture) {
+      given.set(`${passes.indexOf(image)}.${channel}`, texture);
+      const input = image.inputs[channel] ?? { filter: 'linear', wrap: 'repeat' };
+      image.inputs[channel] = input;
+      setSampling(texture, input);
+      texture.needsUpdate = true;
+    },
+    /** Call it before each frame; time and delta are seconds. */
+    update(renderer, { time, delta = 1 / 60, mouse = [0, 0, 0, 0], width, height }) {
+      const canvas = renderer.domElement;
+      const [w, h] = [width ?? canvas.width, height ?? canvas.height];
+      resize(w, h);
+      const now = new Date();
+      const seconds = now.getHours() * 3600 + now.getMinutes() * 60 + now.getSeconds();
+      for (const material of materials.values()) {
+        const u = material.uniforms;
+        u.iResolution.value.set(w, h, 1);
+        u.iTime.value = time;
+        u.iTimeDelta.value = delta;
+        u.iFrameRate.value = 1 / Math.max(delta, 1e-3);
+        u.iFrame.value = frame;
+        u.iMouse.value.fromArray(mouse);
+        u.iDate.value.set(now.getFullYear(), now.getMonth(), now.getDate(), seconds + now.getMilliseconds() / 1000);
+      }
+      const before = renderer.getRenderTarget();
+      for (const pass of buffers) {
+        const pair = targets.get(pass);
+        bind(pass, w, h);
+        mesh.material = materials.get(pass);
+        renderer.setRenderTarget(pair[1]);
+        renderer.render(scene, camera);
+        pair.reverse();
+      }
+      renderer.setRenderTarget(before);
+      bind(image, w, h);
+      frame++;
+    },
+    /** Starts again at frame 0. */
+    restart() {
+      targets.forEach((pair) => pair.forEach((t) => t.dispose()));
+      targets.clear();
+      frame = 0;
+    },
+    dispose() {
+      materials.forEach((m) => m.dispose());
+      targets.forEach((pair) => pair.forEach((t) => t.dispose()));
+      triangle.dispose();
+    },
+  };
+}
+
+export default createShader;

@@ -1,0 +1,2 @@
+// What the converter puts before the player's files.
+declare const PROJECT: ProjectData;
