@@ -235,10 +235,10 @@ impl<'a> Preprocessor<'a> {
 
     /// Goes on with the next file; false when there is none.
     fn next_file(&mut self) -> bool {
-        let Some(file) = self.files.next().and_then(|&id| self.sources.file(id)) else {
+        let Some(file) = self.files.next().and_then(|&id| self.sources.code(id)) else {
             return false;
         };
-        self.text = &file.text;
+        self.text = file.text;
         if let Some(nul) = file.text.find('\0') {
             self.text = file.text.get(..nul).unwrap_or("");
             self.files = [].iter();
