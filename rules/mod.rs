@@ -3,6 +3,8 @@
 
 mod float_equality;
 mod step_budget;
+mod unused_allow;
+mod webgl1_context;
 
 use crate::lint::Rule;
 
@@ -11,4 +13,6 @@ use crate::lint::Rule;
 pub static RULES: &[&Rule] = &[
     &float_equality::RULE,
     &step_budget::RULE,
+    &unused_allow::RULE,
+    &webgl1_context::RULE,
 ];

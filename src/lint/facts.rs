@@ -2,6 +2,7 @@
 
 use crate::semantic::flow::{CallGraph, Loops, Structure};
 use crate::semantic::{Dialect, FunctionRef, Program};
+use crate::text::embed::Host;
 use std::cell::OnceCell;
 
 /// Answers about one shader.
@@ -11,6 +12,8 @@ pub struct Facts<'a, 'p> {
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
     entry: OnceCell<Option<FunctionRef>>,
+    /// The page or script that the shader stands in.
+    pub host: Host,
 }
 
 impl<'a, 'p> Facts<'a, 'p> {
@@ -22,6 +25,7 @@ impl<'a, 'p> Facts<'a, 'p> {
             calls: OnceCell::new(),
             loops: OnceCell::new(),
             entry: OnceCell::new(),
+            host: Host::default(),
         }
     }
 

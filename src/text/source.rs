@@ -125,7 +125,12 @@ impl Sources {
     /// which is as long as the piece. Places in it are places in the file.
     ///
     /// Returns `None` where the file has no such piece.
-    pub fn embed(&mut self, file: FileId, offset: usize, code: impl Into<Arc<str>>) -> Option<FileId> {
+    pub fn embed(
+        &mut self,
+        file: FileId,
+        offset: usize,
+        code: impl Into<Arc<str>>,
+    ) -> Option<FileId> {
         let code = code.into();
         let whole = self.file(file)?;
         whole.text.get(offset..offset.checked_add(code.len())?)?;
@@ -151,6 +156,19 @@ impl Sources {
             base: piece.base,
             role: self.file(piece.file)?.role,
         })
+    }
+
+    /// The piece that holds an address, or else its file.
+    pub fn code_at(&self, address: u32) -> Option<Code<'_>> {
+        let holds = |p: &&Piece| {
+            let end = p.base + p.code.len() as u32;
+            p.base <= address && address <= end
+        };
+        let piece = self.pieces.iter().rposition(|p| holds(&p));
+        match piece {
+            Some(index) => self.code(FileId(PIECE | index as u32)),
+            None => self.code(self.file_id_at(address)?),
+        }
     }
 
     /// Every file, in the order of addresses.

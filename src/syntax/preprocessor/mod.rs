@@ -141,6 +141,8 @@ struct Preprocessor<'a> {
     text: &'a str,
     base: u32,
     role: Role,
+    /// Whether a host puts text before the user's.
+    has_prelude: bool,
     is_fragment: bool,
     names: Names,
     version: Version,
@@ -187,6 +189,7 @@ impl<'a> Preprocessor<'a> {
             text: "",
             base: 0,
             role: Role::User,
+            has_prelude: false,
             is_fragment,
             names: Names::default(),
             version: Version::Es100,
@@ -247,6 +250,7 @@ impl<'a> Preprocessor<'a> {
         }
         self.base = file.base;
         self.role = file.role;
+        self.has_prelude |= file.role == Role::Prelude;
         self.lexer = Lexer::new(self.text, file.base);
         self.at_line_start = true;
         self.line_shift = 0;

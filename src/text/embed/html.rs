@@ -25,6 +25,7 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
                 is_vertex: [kind, id]
                     .iter()
                     .any(|w| w.contains("vert") || w.contains("vs")),
+                chapter: 0,
             };
             if trims {
                 shader.trim_start();

@@ -6,6 +6,7 @@ use super::{Embedded, Language, Wrapping, extract_into, is_shader};
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let mut open: Option<Fence> = None;
     let mut at = 0;
+    let mut chapter = 0;
     for line in text.split_inclusive('\n') {
         let start = at;
         at += line.len();
@@ -33,8 +34,10 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
                         .trim_start_matches('.')
                         .to_ascii_lowercase(),
                     start: at,
+                    chapter,
                 });
             }
+            None if line.starts_with("# ") || line.starts_with("## ") => chapter += 1,
             _ => {}
         }
     }
@@ -51,6 +54,8 @@ struct Fence {
     label: String,
     /// Where its content starts.
     start: usize,
+    /// Number of the chapter.
+    chapter: u32,
 }
 
 fn take(text: &str, fence: &Fence, end: usize, base: usize, found: &mut Vec<Embedded>) {
@@ -84,6 +89,7 @@ fn take(text: &str, fence: &Fence, end: usize, base: usize, found: &mut Vec<Embe
         wrapping: Wrapping::Fence,
         has_holes: false,
         is_vertex: label.starts_with("vert"),
+        chapter: fence.chapter,
     });
 }
 

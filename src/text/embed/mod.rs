@@ -61,6 +61,8 @@ pub struct Embedded {
     pub has_holes: bool,
     /// Whether the text around says that it is a vertex shader.
     pub is_vertex: bool,
+    /// Number of the chapter that it stands in; excerpts of one chapter go on from each other.
+    pub chapter: u32,
 }
 
 impl Embedded {

@@ -169,6 +169,7 @@ fn shader(text: &str, tokens: &[Token], first: usize, chain: &Chain) -> Option<E
         },
         has_holes,
         is_vertex: is_named_vertex(text, tokens, first),
+        chapter: 0,
     };
     cut_front(text, tokens, chain.last + 1, &mut shader);
     Some(shader)
