@@ -52,12 +52,14 @@ mod step_budget;
 mod switch_return;
 mod tunable_range;
 mod unbounded_loop;
+mod unused_allow;
 mod unused_function;
 mod unused_macro;
 mod unused_parameter;
 mod unused_uniform;
 mod unused_variable;
 mod vec2_resolution;
+mod webgl1_context;
 mod zero_division;
 
 use crate::lint::Rule;
@@ -116,11 +118,13 @@ pub static RULES: &[&Rule] = &[
     &switch_return::RULE,
     &tunable_range::RULE,
     &unbounded_loop::RULE,
+    &unused_allow::RULE,
     &unused_function::RULE,
     &unused_macro::RULE,
     &unused_parameter::RULE,
     &unused_uniform::RULE,
     &unused_variable::RULE,
     &vec2_resolution::RULE,
+    &webgl1_context::RULE,
     &zero_division::RULE,
 ];

@@ -9,7 +9,21 @@ use std::path::{Path, PathBuf};
 const MAX_FILE: u64 = 256 * 1024 * 1024;
 
 /// What files a folder is searched for.
-const EXTENSIONS: [&str; 7] = ["glsl", "frag", "vert", "fs", "vs", "shadertoy", "json"];
+const EXTENSIONS: [&str; 13] = [
+    "glsl",
+    "frag",
+    "vert",
+    "fs",
+    "vs",
+    "shadertoy",
+    "json",
+    "html",
+    "js",
+    "ts",
+    "jsx",
+    "tsx",
+    "md",
+];
 
 /// An input.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -10,6 +10,7 @@ use crate::semantic::flow::{
 use crate::semantic::{Dialect, FunctionRef, Program, Stage};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
+use crate::text::embed::Host;
 use std::cell::OnceCell;
 
 /// Answers about one shader.
@@ -29,6 +30,8 @@ pub struct Facts<'a, 'p> {
     uniformity: OnceCell<Uniformity>,
     gradients: OnceCell<Vec<Gradient>>,
     marches: OnceCell<Vec<March>>,
+    /// The page or script that the shader stands in.
+    pub host: Host,
 }
 
 impl<'a, 'p> Facts<'a, 'p> {
@@ -50,6 +53,7 @@ impl<'a, 'p> Facts<'a, 'p> {
             uniformity: OnceCell::new(),
             gradients: OnceCell::new(),
             marches: OnceCell::new(),
+            host: Host::default(),
         }
     }
 

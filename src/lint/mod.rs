@@ -11,6 +11,7 @@ mod rule;
 mod run;
 mod same;
 mod settings;
+mod suppress;
 mod words;
 
 pub use context::{Context, Finding};
@@ -19,7 +20,8 @@ pub use fix::{Allow, Fixed, Look, fix};
 pub use page::{Fence, FenceKind, Page};
 pub use removal::{remove_declarator, remove_lines, remove_statement};
 pub use rule::{Binary, Builtin, Check, Group, Rule, RuleOption};
-pub use run::lint;
+pub use run::{lint, lint_within};
 pub use same::{code_hash, same_code};
-pub use settings::{Settings, Target, UnknownRule};
+pub use settings::{Settings, Target, UnknownRule, nearest_rule};
+pub use suppress::Allows;
 pub use words::Words;

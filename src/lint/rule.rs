@@ -85,6 +85,8 @@ pub enum Check {
     Stmt(fn(&mut Context, StmtId)),
     /// Every function with a body.
     Function(fn(&mut Context, FunctionRef)),
+    /// Comments that allow findings, which are looked at when all findings are there.
+    Allows,
 }
 
 /// A number that a rule goes by, and that the configuration may set.

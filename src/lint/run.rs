@@ -5,6 +5,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::semantic::{FunctionRef, Program};
 use crate::syntax::ast::*;
 use crate::text::Role;
+use crate::text::embed::Host;
 
 /// Runs the selected rules over a shader without compile errors: one walk over the expressions and
 /// one over the statements serve all of them.
@@ -14,7 +15,19 @@ pub fn lint(
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    let facts = Facts::new(program);
+    lint_within(program, Host::default(), rules, settings, diagnostics);
+}
+
+/// Runs the selected rules over a shader that stands in a page or script.
+pub fn lint_within(
+    program: &Program,
+    host: Host,
+    rules: &[&'static Rule],
+    settings: &Settings,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let mut facts = Facts::new(program);
+    facts.host = host;
     let mut run = Run {
         program,
         facts: &facts,
@@ -36,6 +49,7 @@ pub fn lint(
             Check::Expr(check) => exprs.any.push((active, check)),
             Check::Stmt(check) => stmts.push((active, check)),
             Check::Function(check) => functions.push((active, check)),
+            Check::Allows => {}
         }
     }
     let first = first_user_token(program);

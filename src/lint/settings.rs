@@ -115,16 +115,20 @@ fn named(rules: &[&'static Rule], word: &str) -> Result<Vec<&'static Rule>, Unkn
     if !found.is_empty() || Group::ALL.iter().any(|g| g.name() == word) || ERRORS.contains(&word) {
         return Ok(found);
     }
-    let near = rules
+    Err(UnknownRule {
+        name: word.to_string(),
+        near: nearest_rule(rules, word),
+    })
+}
+
+/// The rule or group whose name is most like a word, if one is like it.
+pub fn nearest_rule(rules: &[&'static Rule], word: &str) -> Option<&'static str> {
+    rules
         .iter()
         .map(|r| r.name)
         .chain(Group::ALL.iter().map(|g| g.name()))
         .map(|n| (strsim::damerau_levenshtein(n, word), n))
         .filter(|(distance, _)| *distance <= 3)
         .min()
-        .map(|(_, n)| n);
-    Err(UnknownRule {
-        name: word.to_string(),
-        near,
-    })
+        .map(|(_, n)| n)
 }

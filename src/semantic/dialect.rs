@@ -104,6 +104,26 @@ pub fn shadertoy_header(pass: Pass, channels: Channels) -> String {
     text
 }
 
+/// The text that three.js puts before the shaders of a `ShaderMaterial`, in its own order
+/// (`WebGLProgram.js`), without what only some materials have.
+pub fn three_header(stage: Stage) -> String {
+    let own = match stage {
+        Stage::Vertex => include_str!("builtins/three_vertex.glsl"),
+        Stage::Fragment => include_str!("builtins/three_fragment.glsl"),
+    };
+    let samplers = [
+        "sampler2DArray",
+        "sampler3D",
+        "sampler2DShadow",
+        "samplerCubeShadow",
+    ];
+    let mut text = String::from("#version 300 es\nprecision highp float;\nprecision highp int;\n");
+    for sampler in samplers {
+        text.push_str(&format!("precision highp {sampler};\n"));
+    }
+    text + own
+}
+
 impl Dialect {
     /// Whether the ShaderToy player runs it.
     pub const fn is_shadertoy(self) -> bool {

@@ -22,6 +22,7 @@ pub mod flow;
 mod fold;
 mod program;
 mod scope;
+pub mod snippet;
 pub mod tunable;
 mod types;
 mod unit;
@@ -29,7 +30,7 @@ mod unit;
 pub use builtins::Stage;
 pub use checker::check;
 pub use constant::{Constant, Pool, Value};
-pub use dialect::{Channels, Dialect, Guess, Kind, Pass, guess, shadertoy_header};
+pub use dialect::{Channels, Dialect, Guess, Kind, Pass, guess, shadertoy_header, three_header};
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
     Variable, VariableId,

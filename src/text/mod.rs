@@ -15,11 +15,12 @@
 )]
 
 mod edit;
+pub mod embed;
 mod line_index;
 mod source;
 mod span;
 
 pub use edit::{Edit, EditError, apply_edits};
 pub use line_index::{LineIndex, Position};
-pub use source::{FileId, Role, SourceFile, Sources};
+pub use source::{Code, FileId, Role, SourceFile, Sources};
 pub use span::Span;

@@ -3,7 +3,7 @@
 use super::{LineIndex, Position, Span};
 use std::sync::{Arc, OnceLock};
 
-/// Index of a file in its [`Sources`].
+/// Index of a file in its [`Sources`], or of a piece of one.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct FileId(pub u32);
 
@@ -52,6 +52,31 @@ impl SourceFile {
     }
 }
 
+/// Set in the index of a piece.
+const PIECE: u32 = 1 << 31;
+
+/// A stretch of a file as the compiler reads it: a shader inside a page, a script or a text.
+#[derive(Debug)]
+struct Piece {
+    /// The file.
+    file: FileId,
+    /// Address of its first byte.
+    base: u32,
+    /// What the compiler reads, byte for byte in the place of the file's own text.
+    code: Arc<str>,
+}
+
+/// What the compiler reads of a file or a piece of one.
+#[derive(Clone, Copy, Debug)]
+pub struct Code<'a> {
+    /// The text.
+    pub text: &'a str,
+    /// Address of its first byte.
+    pub base: u32,
+    /// Whose text it is.
+    pub role: Role,
+}
+
 /// The files of one shader in one address space.
 ///
 /// Each file starts one past the end of the one before, so that the place behind a file's last
@@ -59,6 +84,7 @@ impl SourceFile {
 #[derive(Debug, Default)]
 pub struct Sources {
     files: Vec<SourceFile>,
+    pieces: Vec<Piece>,
 }
 
 impl Sources {
@@ -93,6 +119,56 @@ impl Sources {
             lines: OnceLock::new(),
         });
         Some(id)
+    }
+
+    /// Names the piece of a file that starts at this offset and that the compiler reads as `code`,
+    /// which is as long as the piece. Places in it are places in the file.
+    ///
+    /// Returns `None` where the file has no such piece.
+    pub fn embed(
+        &mut self,
+        file: FileId,
+        offset: usize,
+        code: impl Into<Arc<str>>,
+    ) -> Option<FileId> {
+        let code = code.into();
+        let whole = self.file(file)?;
+        whole.text.get(offset..offset.checked_add(code.len())?)?;
+        let base = whole.base + offset as u32;
+        let id = FileId(PIECE | self.pieces.len() as u32);
+        self.pieces.push(Piece { file, base, code });
+        Some(id)
+    }
+
+    /// What the compiler reads of a file, or of a piece of one.
+    pub fn code(&self, id: FileId) -> Option<Code<'_>> {
+        if id.0 & PIECE == 0 {
+            let file = self.file(id)?;
+            return Some(Code {
+                text: &file.text,
+                base: file.base,
+                role: file.role,
+            });
+        }
+        let piece = self.pieces.get((id.0 & !PIECE) as usize)?;
+        Some(Code {
+            text: &piece.code,
+            base: piece.base,
+            role: self.file(piece.file)?.role,
+        })
+    }
+
+    /// The piece that holds an address, or else its file.
+    pub fn code_at(&self, address: u32) -> Option<Code<'_>> {
+        let holds = |p: &&Piece| {
+            let end = p.base + p.code.len() as u32;
+            p.base <= address && address <= end
+        };
+        let piece = self.pieces.iter().rposition(|p| holds(&p));
+        match piece {
+            Some(index) => self.code(FileId(PIECE | index as u32)),
+            None => self.code(self.file_id_at(address)?),
+        }
     }
 
     /// Every file, in the order of addresses.
@@ -144,6 +220,10 @@ mod tests {
         );
         assert_eq!(sources.file_id_at(4), Some(b));
         assert_eq!(sources.text(Span::new(5, 7)), "wo");
+        let piece = sources.embed(b, 1, "W").unwrap();
+        let code = sources.code(piece).unwrap();
+        assert_eq!((code.text, code.base), ("W", 5));
+        assert!(sources.embed(b, 2, "XY").is_none());
         assert_eq!(
             sources.text(Span::new(1, 6)),
             "",

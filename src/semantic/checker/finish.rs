@@ -80,11 +80,11 @@ impl Checker<'_> {
         functions.into_iter().any(|f| self.text(f.name) == name)
     }
 
-    /// The place for what is missing from the shader as a whole: the start of its last file.
+    /// The place for what is missing from the shader as a whole: the start of its last text.
     fn whole_shader(&self) -> Span {
         let end = self.tokens.tokens.last().map_or(0, |t| t.span.end);
         self.sources
-            .file_at(end)
+            .code_at(end)
             .map_or(Span::default(), |f| Span::at(f.base))
     }
 

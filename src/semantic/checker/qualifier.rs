@@ -394,11 +394,12 @@ impl Checker<'_> {
     /// Address of the line behind `#version` and the `#extension`s of the file that a token stands
     /// in: the place for declarations that come first.
     pub(super) fn line_behind_version(&self, token: TokenId) -> Option<u32> {
-        let file = self.sources.file_at(self.token_span(token).start)?;
-        if file.role == Role::Prelude {
+        let code = self.sources.code_at(self.token_span(token).start)?;
+        if code.role == Role::Prelude {
             return None;
         }
-        let inside = |span: &Span| file.span().contains(*span);
+        let whole = Span::new(code.base, code.base + code.text.len() as u32);
+        let inside = |span: &Span| whole.contains(*span);
         let directives = self
             .tokens
             .version_span
@@ -406,9 +407,9 @@ impl Checker<'_> {
             .chain(self.tokens.extensions.iter().map(|e| &e.span));
         let end = directives.filter(|s| inside(s)).map(|s| s.end).max();
         let Some(end) = end else {
-            return Some(file.base);
+            return Some(code.base);
         };
-        let rest = file.text.get((end - file.base) as usize..)?;
+        let rest = code.text.get((end - code.base) as usize..)?;
         let newline = rest.find(['\n', '\r'])?;
         let width = if rest.get(newline..)?.starts_with("\r\n") {
             2

@@ -141,6 +141,8 @@ struct Preprocessor<'a> {
     text: &'a str,
     base: u32,
     role: Role,
+    /// Whether a host puts text before the user's.
+    has_prelude: bool,
     is_fragment: bool,
     names: Names,
     version: Version,
@@ -187,6 +189,7 @@ impl<'a> Preprocessor<'a> {
             text: "",
             base: 0,
             role: Role::User,
+            has_prelude: false,
             is_fragment,
             names: Names::default(),
             version: Version::Es100,
@@ -235,10 +238,10 @@ impl<'a> Preprocessor<'a> {
 
     /// Goes on with the next file; false when there is none.
     fn next_file(&mut self) -> bool {
-        let Some(file) = self.files.next().and_then(|&id| self.sources.file(id)) else {
+        let Some(file) = self.files.next().and_then(|&id| self.sources.code(id)) else {
             return false;
         };
-        self.text = &file.text;
+        self.text = file.text;
         if let Some(nul) = file.text.find('\0') {
             self.text = file.text.get(..nul).unwrap_or("");
             self.files = [].iter();
@@ -248,6 +251,7 @@ impl<'a> Preprocessor<'a> {
         self.base = file.base;
         self.role = file.role;
         self.out.tokens.reserve(self.text.len() / 4);
+        self.has_prelude |= file.role == Role::Prelude;
         self.lexer = Lexer::new(self.text, file.base);
         self.at_line_start = true;
         self.line_shift = 0;

@@ -6,7 +6,7 @@ use super::{Preprocessor, error_at};
 use crate::diagnostic::{Fix, error};
 use crate::syntax::names::Version;
 use crate::syntax::token::TokenKind;
-use crate::text::{Edit, Role, Span};
+use crate::text::{Edit, Span};
 
 impl Preprocessor<'_> {
     pub(super) fn version(&mut self, span: Span, rest: &[Piece]) {
@@ -113,7 +113,7 @@ impl Preprocessor<'_> {
     }
 
     pub(super) fn misplaced_version(&mut self, span: Span) {
-        if self.files_hold_prelude() {
+        if self.has_prelude {
             let d = error_at(
                 error::VERSION_PLACEMENT,
                 span,
@@ -166,12 +166,5 @@ impl Preprocessor<'_> {
                 Edit::delete(Span::new(span.start, span.end + newline)),
             ],
         )
-    }
-
-    pub(super) fn files_hold_prelude(&self) -> bool {
-        self.sources
-            .files()
-            .first()
-            .is_some_and(|f| f.role == Role::Prelude)
     }
 }

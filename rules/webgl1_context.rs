@@ -1,0 +1,30 @@
+//! `#version 300 es` in a page that asks for WebGL1.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::syntax::Version;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "webgl1-context",
+    group: Group::Webgl2,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("webgl1_context.md"),
+    check: Check::Program(check),
+};
+
+fn check(cx: &mut Context) {
+    let Some(span) = cx.program.tokens.version_span else {
+        return;
+    };
+    if cx.facts.host.is_webgl1 && cx.program.version == Version::Es300 {
+        cx.report_span(
+            span,
+            "the page asks for WebGL1, which cannot compile `#version 300 es`",
+        )
+        .note("`getContext(\"webgl\")` gives a context whose compiler knows GLSL ES 1.00 only")
+        .help("ask for `getContext(\"webgl2\")`");
+    }
+}

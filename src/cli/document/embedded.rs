@@ -1,0 +1,207 @@
+//! Shaders inside pages, scripts and texts.
+
+use super::part::{Extent, Part, with_host};
+use super::{DialectChoice, Options, Read};
+use crate::diagnostic::{Applicability, Diagnostic, error};
+use crate::semantic::snippet::{Item, items};
+use crate::semantic::{Dialect, Kind, Pass, Stage, guess, shadertoy_header, three_header};
+use crate::syntax::{Version, WordClass, classify};
+use crate::text::embed::{Embedded, Host, Language, Wrapping};
+use crate::text::{FileId, Role};
+use std::collections::BTreeMap;
+
+/// What is put before an excerpt, whose precision nobody knows.
+const EXCERPT: &str = "#version 300 es\nprecision highp float;\nprecision highp int;\n\
+    precision highp sampler3D;\nprecision highp sampler2DArray;\n";
+/// Most declarations of an excerpt, or of a chapter, that are told apart.
+const MAX_SCOPES: usize = 100;
+
+/// Makes the shaders of a file. `None` where they are too large.
+pub(super) fn parts(
+    read: &mut Read,
+    language: Language,
+    file: FileId,
+    text: &str,
+    options: &Options,
+) -> Option<()> {
+    // A text speaks of many programs.
+    let host = match language {
+        Language::Markdown => Host::default(),
+        Language::Html | Language::Script => Host::of(text),
+    };
+    let is_raw = text.contains("RawShaderMaterial");
+    let all = std::mem::take(&mut read.embedded);
+    let mut known = Known::default();
+    for embedded in &all {
+        known.enter(embedded.chapter);
+        let part = part(read, file, embedded, host, !is_raw, &mut known, options)?;
+        read.parts.push(part);
+    }
+    read.embedded = all;
+    Some(())
+}
+
+fn part(
+    read: &mut Read,
+    file: FileId,
+    embedded: &Embedded,
+    host: Host,
+    may_be_three: bool,
+    known: &mut Known,
+    options: &Options,
+) -> Option<Part> {
+    let code = embedded.code.as_str();
+    let told = guess(code);
+    let is_whole = code.trim_start().starts_with("#version") && !embedded.has_holes;
+    let is_excerpt = embedded.wrapping == Wrapping::Fence && !is_whole;
+    let kind = match (options.dialect, told.kind) {
+        (DialectChoice::Shadertoy, Some(Kind::ShaderToy(pass))) => Kind::ShaderToy(pass),
+        (DialectChoice::Shadertoy, _) => Kind::ShaderToy(Pass::Common),
+        (DialectChoice::Webgl1, _) => Kind::WebGl1,
+        (DialectChoice::Webgl2, Some(Kind::Versioned)) => Kind::Versioned,
+        (DialectChoice::Webgl2, _) => Kind::WebGl2,
+        (DialectChoice::Auto, kind) => kind.unwrap_or(Kind::WebGl2),
+    };
+    let is_vertex = embedded.is_vertex || told.stage == Some(Stage::Vertex);
+    let stage = if is_vertex {
+        Stage::Vertex
+    } else {
+        Stage::Fragment
+    };
+    let is_three = may_be_three && (host.is_three || options.host.is_three);
+    let header = match kind {
+        Kind::ShaderToy(pass) => Some(shadertoy_header(pass, [None; 4])),
+        Kind::Versioned => None,
+        _ if is_three => Some(three_header(stage)),
+        Kind::WebGl2 if is_excerpt => Some(EXCERPT.to_string()),
+        Kind::WebGl2 => Some("#version 300 es\n".to_string()),
+        Kind::WebGl1 => None,
+    };
+    let own = if is_excerpt {
+        excerpt(read, file, embedded, known)?
+    } else {
+        vec![read.sources.embed(file, embedded.start, code)?]
+    };
+    let dialect = match kind {
+        Kind::ShaderToy(pass) => Dialect::ShaderToy(pass),
+        _ => Dialect::WebGl { whole: is_whole },
+    };
+    Some(Part {
+        files: with_host(&mut read.sources, header, own, options)?,
+        stage,
+        dialect,
+        infer_channels: dialect.is_shadertoy(),
+        extent: match () {
+            () if is_whole => Extent::Whole,
+            () if is_excerpt || embedded.has_holes => Extent::Excerpt,
+            () => Extent::Open,
+        },
+        host,
+    })
+}
+
+/// Makes a shader of an excerpt: its functions and directives, then its statements in a function.
+/// Each declaration opens a scope of its own, since texts show the same name in several ways.
+fn excerpt(
+    read: &mut Read,
+    file: FileId,
+    embedded: &Embedded,
+    known: &mut Known,
+) -> Option<Vec<FileId>> {
+    let sources = &mut read.sources;
+    let items = items(&embedded.code);
+    if items.iter().all(|i| matches!(i, Item::Global(_))) {
+        return Some(vec![sources.embed(
+            file,
+            embedded.start,
+            embedded.code.as_str(),
+        )?]);
+    }
+    let mut globals = Vec::new();
+    let mut statements = Vec::new();
+    let open = sources.add("", None, Role::Prelude, "{")?;
+    let mut scopes = 0;
+    let mut declared = Vec::new();
+    for item in items {
+        let (range, into) = match &item {
+            Item::Global(range) => (range, &mut globals),
+            Item::Declaration(range) | Item::Statement(range) => (range, &mut statements),
+        };
+        if matches!(item, Item::Declaration(_)) && scopes < MAX_SCOPES {
+            into.push(open);
+            scopes += 1;
+        }
+        let code = embedded.code.get(range.clone())?;
+        if matches!(item, Item::Declaration(_)) {
+            declared.push(code);
+        }
+        into.push(sources.embed(file, embedded.start + range.start, code)?);
+    }
+    let function = format!("\nvoid excerpt_of_a_shader() {{\n{}", known.declarations());
+    let function = sources.add("", None, Role::Prelude, function)?;
+    let close = sources.add("", None, Role::Prelude, "\n}".repeat(scopes + 1))?;
+    globals.push(function);
+    globals.append(&mut statements);
+    globals.push(close);
+    declared.into_iter().for_each(|code| known.declare(code));
+    Some(globals)
+}
+
+/// The variables that the excerpts of a chapter have declared so far.
+#[derive(Default)]
+struct Known {
+    chapter: u32,
+    /// By name: the type, or `None` where the text shows several.
+    types: BTreeMap<String, Option<String>>,
+}
+
+impl Known {
+    fn enter(&mut self, chapter: u32) {
+        if chapter != self.chapter {
+            self.chapter = chapter;
+            self.types.clear();
+        }
+    }
+
+    /// Notes what a declaration declares.
+    fn declare(&mut self, code: &str) {
+        let Some((ty, rest)) = code.split_once(char::is_whitespace) else {
+            return;
+        };
+        let rest = rest.trim_start();
+        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let (name, behind) = rest.split_at(end.unwrap_or(rest.len()));
+        let of_type = classify(ty, Version::Es300);
+        if matches!(of_type, WordClass::Type(_))
+            && self.types.len() < MAX_SCOPES
+            && behind.trim_start().starts_with(['=', ';'])
+        {
+            let known = self.types.entry(name.to_string());
+            let known = known.or_insert_with(|| Some(ty.to_string()));
+            if known.as_deref() != Some(ty) {
+                *known = None;
+            }
+        }
+    }
+
+    fn declarations(&self) -> String {
+        let of =
+            |(name, ty): (&String, &Option<String>)| Some(format!("{} {name};\n", ty.as_ref()?));
+        self.types.iter().filter_map(of).collect()
+    }
+}
+
+/// Turns a fix that would not be the same in the outer language into words.
+pub fn tell_fix(diagnostic: &mut Diagnostic) {
+    let Some(fix) = diagnostic.fix.take() else {
+        return;
+    };
+    if fix.applicability == Applicability::Safe || diagnostic.help.is_empty() {
+        let is_version = diagnostic.rule == error::VERSION_PLACEMENT;
+        diagnostic.help.push(if is_version {
+            "start the string right with `#version`".to_string()
+        } else {
+            fix.title
+        });
+    }
+}

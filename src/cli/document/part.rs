@@ -1,0 +1,213 @@
+//! One shader of an input.
+
+use super::include::spread;
+use super::{DialectChoice, Options, Read};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::lint::{Allows, Settings, lint_within};
+use crate::port::PassUnit;
+use crate::rules::RULES;
+use crate::semantic::snippet::is_certain;
+use crate::semantic::{
+    Analysis, Dialect, Kind, Pass, Stage, Unit, analyze, guess, shadertoy_header, three_header,
+};
+use crate::text::embed::Host;
+use crate::text::{FileId, Role, Sources, Span};
+
+/// How much of a shader is at hand.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Extent {
+    /// All of it.
+    Whole,
+    /// What it does not declare may be declared elsewhere.
+    Open,
+    /// It is an excerpt: rules, which look at whole shaders, have nothing to say.
+    Excerpt,
+}
+
+/// One shader of an input.
+pub struct Part {
+    /// What is compiled, in order.
+    pub files: Vec<FileId>,
+    /// The stage.
+    pub stage: Stage,
+    /// Who runs it.
+    pub dialect: Dialect,
+    /// Whether its channels may be of any type.
+    pub infer_channels: bool,
+    /// How much of it is at hand.
+    pub extent: Extent,
+    /// The page or script around it.
+    pub host: Host,
+}
+
+impl Part {
+    /// A pass of an export.
+    pub fn of_pass(unit: PassUnit) -> Part {
+        Part {
+            files: unit.files,
+            stage: Stage::Fragment,
+            dialect: Dialect::ShaderToy(unit.kind),
+            infer_channels: false,
+            extent: Extent::Whole,
+            host: Host::default(),
+        }
+    }
+}
+
+/// Finds what is to be said of a shader.
+pub fn check_part(
+    sources: &Sources,
+    part: &Part,
+    settings: &Settings,
+    allows: &mut Allows,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let mut analysis = analyze(&Unit {
+        sources,
+        files: &part.files,
+        stage: part.stage,
+        dialect: part.dialect,
+        infer_channels: part.infer_channels,
+    });
+    let is_error = |d: &Diagnostic| d.severity == Severity::Error;
+    let has_errors = analysis.diagnostics.iter().any(is_error);
+    if part.extent != Extent::Whole {
+        keep_certain(sources, &mut analysis);
+    }
+    if !has_errors && part.extent != Extent::Excerpt {
+        let mut found = Vec::new();
+        lint_within(&analysis.program, part.host, RULES, settings, &mut found);
+        allows.apply(&analysis.program, RULES, settings, &mut found);
+        diagnostics.append(&mut found);
+    }
+    diagnostics.extend(analysis.diagnostics);
+}
+
+/// Keeps what is wrong whatever the rest of the shader is.
+fn keep_certain(sources: &Sources, analysis: &mut Analysis) {
+    let program = &analysis.program;
+    let is_own = |name: &str| {
+        let functions = program.functions.iter();
+        functions
+            .into_iter()
+            .any(|f| program.names.text(f.name) == name)
+    };
+    let is_user = |span: Span| {
+        let file = sources.file_at(span.start);
+        file.is_some_and(|f| f.role == Role::User && f.span().contains(span))
+    };
+    analysis
+        .diagnostics
+        .retain(|d| is_user(d.span) && is_certain(d, sources.text(d.span), is_own));
+    for diagnostic in &mut analysis.diagnostics {
+        diagnostic.labels.retain(|l| is_user(l.span));
+    }
+}
+
+/// Makes the one shader of a shader file. `None` where it is too large.
+pub(super) fn shader_part(
+    read: &mut Read,
+    name: &str,
+    file: FileId,
+    text: &str,
+    options: &Options,
+) -> Option<()> {
+    let told = guess(text);
+    let extension = super::extension(name);
+    let is_stage_file = matches!(extension, "frag" | "vert" | "fs" | "vs" | "fsh" | "vsh");
+    let kind = match options.dialect {
+        DialectChoice::Shadertoy => match told.kind {
+            Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
+            _ => Kind::ShaderToy(Pass::Common),
+        },
+        DialectChoice::Webgl1 => Kind::WebGl1,
+        DialectChoice::Webgl2 if told.kind == Some(Kind::Versioned) => Kind::Versioned,
+        DialectChoice::Webgl2 => Kind::WebGl2,
+        DialectChoice::Auto => match told.kind {
+            Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
+            // What a stage's file holds is compiled as it stands: without `#version` it is 1.00.
+            _ if is_stage_file => Kind::Versioned,
+            Some(kind) => kind,
+            None => Kind::ShaderToy(Pass::Common),
+        },
+    };
+    let stage = match extension {
+        "vert" | "vs" | "vsh" => Stage::Vertex,
+        "frag" | "fs" | "fsh" => Stage::Fragment,
+        _ => told.stage.unwrap_or(Stage::Fragment),
+    };
+    let is_three = options.host.is_three && told.kind != Some(Kind::Versioned);
+    let header = match kind {
+        Kind::ShaderToy(pass) => Some(shadertoy_header(pass, [None; 4])),
+        _ if is_three => Some(three_header(stage)),
+        Kind::WebGl2 => Some("#version 300 es\n".to_string()),
+        Kind::Versioned | Kind::WebGl1 => None,
+    };
+    let own = spread(read, name, file, text, options)?;
+    let extent = if own.is_open {
+        Extent::Open
+    } else {
+        Extent::Whole
+    };
+    let files = with_host(&mut read.sources, header, own.files, options)?;
+    let dialect = match kind {
+        Kind::ShaderToy(pass) => Dialect::ShaderToy(pass),
+        Kind::WebGl2 => Dialect::WebGl { whole: false },
+        _ => Dialect::WebGl { whole: true },
+    };
+    read.parts.push(Part {
+        files,
+        stage,
+        dialect,
+        infer_channels: dialect.is_shadertoy(),
+        extent,
+        host: Host::default(),
+    });
+    Some(())
+}
+
+/// Puts what the host declares where it belongs: before the text, but behind `#version`.
+pub fn with_host(
+    sources: &mut Sources,
+    header: Option<String>,
+    own: Vec<FileId>,
+    options: &Options,
+) -> Option<Vec<FileId>> {
+    let declared = &options.host.declarations;
+    let has_header = header.is_some();
+    let mut files = Vec::new();
+    if let Some(header) = header {
+        let text = header + declared;
+        files.push(sources.add("", None, Role::Prelude, text)?);
+    } else if !declared.is_empty() {
+        let prelude = sources.add("", None, Role::Prelude, declared.as_str())?;
+        return split_version(sources, own, prelude);
+    }
+    debug_assert!(has_header || files.is_empty());
+    files.extend(own);
+    Some(files)
+}
+
+/// Puts a prelude behind the line with `#version`, or in front where there is none.
+fn split_version(sources: &mut Sources, own: Vec<FileId>, prelude: FileId) -> Option<Vec<FileId>> {
+    let mut own = own.into_iter();
+    let first = own.next()?;
+    let code = sources.code(first)?;
+    let (text, base) = (code.text.to_string(), code.base);
+    let behind = text
+        .find("#version")
+        .and_then(|at| text.get(at..)?.find('\n').map(|end| at + end + 1));
+    let mut files = Vec::new();
+    match behind {
+        None => files.extend([prelude, first]),
+        Some(behind) => {
+            let file = sources.file_id_at(base)?;
+            let offset = (base - sources.file(file)?.base) as usize;
+            files.push(sources.embed(file, offset, text.get(..behind)?)?);
+            files.push(prelude);
+            files.push(sources.embed(file, offset + behind, text.get(behind..)?)?);
+        }
+    }
+    files.extend(own);
+    Some(files)
+}

@@ -1,0 +1,13 @@
+#define attribute in
+#define varying out
+#define texture2D texture
+uniform mat4 modelMatrix;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform mat4 viewMatrix;
+uniform mat3 normalMatrix;
+uniform vec3 cameraPosition;
+uniform bool isOrthographic;
+attribute vec3 position;
+attribute vec3 normal;
+attribute vec2 uv;

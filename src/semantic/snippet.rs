@@ -1,0 +1,270 @@
+//! Parts of shaders, as texts show them: statements without a function around them, names that are
+//! declared elsewhere. What such a part says for certain can still be judged.
+
+use crate::diagnostic::{Diagnostic, error};
+use crate::syntax::{Lexer, RawKind, TokenKind};
+use std::ops::Range;
+
+/// What a part of a shader is made of.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Item {
+    /// A directive, a function, a struct or a declaration that stands at global scope.
+    Global(Range<usize>),
+    /// A declaration that stands in a function, or may.
+    Declaration(Range<usize>),
+    /// Any other statement.
+    Statement(Range<usize>),
+}
+
+/// Splits a part of a shader. What belongs to no item is blank or a comment.
+pub fn items(text: &str) -> Vec<Item> {
+    let mut splitter = Splitter {
+        text,
+        tokens: significant(text),
+        at: 0,
+    };
+    let mut items = Vec::new();
+    while let Some(item) = splitter.item() {
+        items.push(item);
+    }
+    items
+}
+
+/// Whether a finding in a part of a shader holds whatever the rest of the shader is. `is_own` tells
+/// whether a name is that of a function which the part itself declares.
+pub fn is_certain(diagnostic: &Diagnostic, text: &str, is_own: impl Fn(&str) -> bool) -> bool {
+    match diagnostic.rule {
+        // There may be other overloads elsewhere.
+        error::ARGUMENT_MISMATCH => {
+            let word = text
+                .split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+                .next();
+            !is_own(word.unwrap_or(""))
+        }
+        rule => !OPEN.contains(&rule),
+    }
+}
+
+/// What may be mended by the rest of the shader, or by the place where the part is put in.
+const OPEN: &[&str] = &[
+    error::UNDECLARED_NAME,
+    error::USE_BEFORE_DECLARATION,
+    error::UNKNOWN_TYPE,
+    error::REDEFINITION,
+    error::NOT_A_FUNCTION,
+    error::UNDEFINED_FUNCTION,
+    error::FUNCTION_MISMATCH,
+    error::MISSING_PRECISION,
+    error::MISSING_OUTPUT,
+    error::MISSING_MAIN,
+    error::UNWRAPPED_MAINIMAGE,
+    error::NOT_CONSTANT,
+    error::MISPLACED_JUMP,
+    error::UNBALANCED_CONDITIONAL,
+    error::UNCLOSED_DELIMITER,
+    error::UNTERMINATED_COMMENT,
+    error::BAD_DIRECTIVE,
+    error::EXTENSION_PLACEMENT,
+    error::MACRO_REDEFINITION,
+    error::OUTPUT_LOCATION,
+    error::SYNTAX_ERROR,
+    error::STRAY_SEMICOLON,
+    error::PREPROCESSOR_EXPRESSION,
+    error::INFINITE_LOOP,
+];
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Word,
+    Hash,
+    Open,
+    Close,
+    OpenBrace,
+    CloseBrace,
+    Semicolon,
+    Newline,
+    Other,
+}
+
+struct Splitter<'a> {
+    text: &'a str,
+    tokens: Vec<(Kind, Range<usize>)>,
+    at: usize,
+}
+
+/// The tokens that are neither blank nor comment; line breaks are kept.
+fn significant(text: &str) -> Vec<(Kind, Range<usize>)> {
+    let mut lexer = Lexer::new(text, 0);
+    let mut found = Vec::new();
+    loop {
+        let token = lexer.next_token();
+        let kind = match token.kind {
+            RawKind::End => return found,
+            RawKind::Whitespace
+            | RawKind::LineComment
+            | RawKind::BlockComment
+            | RawKind::OpenComment => continue,
+            RawKind::Newline => Kind::Newline,
+            RawKind::Word | RawKind::ForeignWord => Kind::Word,
+            RawKind::Hash => Kind::Hash,
+            RawKind::Operator(TokenKind::LeftParen | TokenKind::LeftBracket) => Kind::Open,
+            RawKind::Operator(TokenKind::RightParen | TokenKind::RightBracket) => Kind::Close,
+            RawKind::Operator(TokenKind::LeftBrace) => Kind::OpenBrace,
+            RawKind::Operator(TokenKind::RightBrace) => Kind::CloseBrace,
+            RawKind::Operator(TokenKind::Semicolon) => Kind::Semicolon,
+            _ => Kind::Other,
+        };
+        found.push((kind, token.span.start as usize..token.span.end as usize));
+    }
+}
+
+/// Words that start what can only stand at global scope, or may as well.
+const GLOBAL: &[&str] = &[
+    "struct",
+    "uniform",
+    "in",
+    "out",
+    "varying",
+    "attribute",
+    "layout",
+    "precision",
+    "const",
+    "flat",
+    "centroid",
+    "smooth",
+    "invariant",
+];
+/// Words that start a statement and no declaration.
+const STATEMENT: &[&str] = &[
+    "return", "else", "if", "for", "while", "do", "switch", "case", "default", "break", "continue",
+    "discard",
+];
+
+impl Splitter<'_> {
+    fn kind(&self, at: usize) -> Option<Kind> {
+        self.tokens.get(at).map(|t| t.0)
+    }
+
+    fn word(&self, at: usize) -> &str {
+        let range = self.tokens.get(at).map_or(0..0, |t| t.1.clone());
+        self.text.get(range).unwrap_or("")
+    }
+
+    /// The next token at or behind an index that is no line break.
+    fn solid(&self, mut at: usize) -> usize {
+        while self.kind(at) == Some(Kind::Newline) {
+            at += 1;
+        }
+        at
+    }
+
+    fn item(&mut self) -> Option<Item> {
+        let first = self.solid(self.at);
+        let start = self.tokens.get(first)?.1.start;
+        if self.kind(first) == Some(Kind::Hash) {
+            self.at = first;
+            while self.kind(self.at).is_some_and(|k| k != Kind::Newline) {
+                self.at += 1;
+            }
+            return Some(Item::Global(start..self.end()));
+        }
+        let second = self.solid(first + 1);
+        let third = self.solid(second + 1);
+        let word = self.word(first);
+        let names = self.kind(first) == Some(Kind::Word)
+            && self.kind(second) == Some(Kind::Word)
+            && !STATEMENT.contains(&word);
+        let is_global = GLOBAL.contains(&word);
+        let calls = names && self.kind(third) == Some(Kind::Open) && self.word(third) == "(";
+        self.at = first;
+        let ends_with_brace = self.pass_statement();
+        let range = start..self.end();
+        Some(match () {
+            () if is_global || calls && (ends_with_brace || self.ends_with_semicolon()) => {
+                Item::Global(range)
+            }
+            () if names => Item::Declaration(range),
+            () => Item::Statement(range),
+        })
+    }
+
+    fn ends_with_semicolon(&self) -> bool {
+        self.at
+            .checked_sub(1)
+            .is_some_and(|last| self.kind(last) == Some(Kind::Semicolon))
+    }
+
+    /// Where the last token that was passed ends.
+    fn end(&self) -> usize {
+        let last = self
+            .at
+            .checked_sub(1)
+            .and_then(|last| self.tokens.get(last));
+        last.map_or(self.text.len(), |t| t.1.end)
+    }
+
+    /// Passes over one statement; tells whether it ends with a `}`.
+    fn pass_statement(&mut self) -> bool {
+        let mut depth = 0_u32;
+        let mut has_equal = false;
+        let is_block_word = matches!(self.word(self.at), "struct" | "uniform" | "do" | "layout");
+        while let Some(kind) = self.kind(self.at) {
+            let opens = self.word(self.at) == "=";
+            self.at += 1;
+            match kind {
+                Kind::Open | Kind::OpenBrace => depth += 1,
+                Kind::Close => depth = depth.saturating_sub(1),
+                Kind::CloseBrace => {
+                    depth = depth.saturating_sub(1);
+                    let goes_on =
+                        has_equal || is_block_word || self.word(self.solid(self.at)) == "else";
+                    if depth == 0 && !goes_on {
+                        return true;
+                    }
+                }
+                Kind::Semicolon if depth == 0 => {
+                    if self.word(self.solid(self.at)) != "else" {
+                        return false;
+                    }
+                }
+                Kind::Other if depth == 0 => has_equal |= opens,
+                _ => {}
+            }
+        }
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn items_are_told_apart() {
+        let text = "#define A 1\nfloat f(float x) { return x; }\nfloat a = f(1.0);\na += 2.0;\n\
+            if (a > 1.0) { a = 1.0; } else a = 2.0;\nfor (int i = 0; i < 3; i++) { a++; }\n\
+            struct S { float x; };\nconst float B = 1.0;\nreturn a;\nvec3 g(vec3 p);\nfloat b";
+        let kinds: Vec<(char, &str)> = items(text)
+            .into_iter()
+            .map(|item| match item {
+                Item::Global(r) => ('g', &text[r]),
+                Item::Declaration(r) => ('d', &text[r]),
+                Item::Statement(r) => ('s', &text[r]),
+            })
+            .collect();
+        let expected = [
+            ('g', "#define A 1"),
+            ('g', "float f(float x) { return x; }"),
+            ('d', "float a = f(1.0);"),
+            ('s', "a += 2.0;"),
+            ('s', "if (a > 1.0) { a = 1.0; } else a = 2.0;"),
+            ('s', "for (int i = 0; i < 3; i++) { a++; }"),
+            ('g', "struct S { float x; };"),
+            ('g', "const float B = 1.0;"),
+            ('s', "return a;"),
+            ('g', "vec3 g(vec3 p);"),
+            ('d', "float b"),
+        ];
+        assert_eq!(kinds, expected);
+    }
+}

@@ -1,0 +1,145 @@
+//! Shaders in the script elements of a page.
+
+use super::{Embedded, Language, Wrapping, extract_into, is_shader};
+
+/// Finds them.
+pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
+    let lower = text.to_ascii_lowercase();
+    let trims = text.contains(".trim()");
+    let mut at = 0;
+    while let Some(element) = next_script(&lower, at) {
+        at = element.end;
+        let Some(content) = text.get(element.start..element.end) else {
+            return;
+        };
+        let kind = attribute(element.head, "type").unwrap_or("");
+        if is_script(kind) {
+            extract_into(Language::Script, content, base + element.start, found);
+        } else if kind.contains("shader") || kind.contains("glsl") || is_shader(content) {
+            let id = attribute(element.head, "id").unwrap_or("");
+            let mut shader = Embedded {
+                start: base + element.start,
+                code: content.to_string(),
+                wrapping: Wrapping::Element,
+                has_holes: false,
+                is_vertex: [kind, id]
+                    .iter()
+                    .any(|w| w.contains("vert") || w.contains("vs")),
+                chapter: 0,
+            };
+            if trims {
+                shader.trim_start();
+            }
+            found.push(shader);
+        }
+    }
+}
+
+/// A script element, in lower case.
+struct Element<'a> {
+    /// Its attributes.
+    head: &'a str,
+    /// Where its content starts.
+    start: usize,
+    /// Where its content ends.
+    end: usize,
+}
+
+/// The first script element behind an offset.
+fn next_script(lower: &str, mut at: usize) -> Option<Element<'_>> {
+    loop {
+        let open = at + lower.get(at..)?.find('<')?;
+        let rest = lower.get(open..)?;
+        if rest.starts_with("<!--") {
+            at = open + rest.find("-->")? + 3;
+            continue;
+        }
+        let Some(head) = rest.strip_prefix("<script") else {
+            at = open + 1;
+            continue;
+        };
+        if !head.starts_with(|c: char| c.is_ascii_whitespace() || c == '>' || c == '/') {
+            at = open + 1;
+            continue;
+        }
+        let length = tag_length(head)?;
+        let start = open + "<script".len() + length + 1;
+        let end = start + lower.get(start..)?.find("</script")?;
+        let head = head.get(..length)?;
+        return Some(Element { head, start, end });
+    }
+}
+
+/// Length of a tag up to its `>`, which may stand in quotes too.
+fn tag_length(head: &str) -> Option<usize> {
+    let mut quote = None;
+    head.char_indices().find_map(|(i, c)| {
+        match quote {
+            Some(q) if c == q => quote = None,
+            Some(_) => {}
+            None if c == '"' || c == '\'' => quote = Some(c),
+            None if c == '>' => return Some(i),
+            None => {}
+        }
+        None
+    })
+}
+
+/// The value of an attribute.
+fn attribute<'a>(head: &'a str, name: &str) -> Option<&'a str> {
+    let named = head.match_indices(name).find_map(|(at, _)| {
+        let before = head.get(..at)?;
+        let behind = head
+            .get(at + name.len()..)?
+            .trim_start()
+            .strip_prefix('=')?;
+        before
+            .ends_with(|c: char| c.is_ascii_whitespace())
+            .then_some(behind.trim_start())
+    })?;
+    match named.chars().next() {
+        Some(quote @ ('"' | '\'')) => named.get(1..)?.split(quote).next(),
+        _ => named.split_ascii_whitespace().next(),
+    }
+}
+
+/// Whether a browser runs elements of this type.
+fn is_script(kind: &str) -> bool {
+    kind.is_empty() || kind == "module" || kind.contains("javascript") || kind.contains("babel")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(text: &str) -> Vec<Embedded> {
+        let mut found = Vec::new();
+        extract(text, 0, &mut found);
+        found
+    }
+
+    #[test]
+    fn elements_hold_shaders_and_scripts() {
+        let text = "<!-- <script type='x-shader/x-fragment'>no</script> -->\
+            <SCRIPT id=\"a>b\" type=\"x-shader/x-vertex\">\nvoid f() {}</script>\
+            <script>x = `#version 300 es\nvoid main() {}`;</script>\
+            <script type=\"application/json\">{\"a\": 1}</script>";
+        let all = found(text);
+        let codes: Vec<&str> = all.iter().map(|s| s.code.as_str()).collect();
+        assert_eq!(codes, ["\nvoid f() {}", "#version 300 es\nvoid main() {}"]);
+        for shader in &all {
+            assert_eq!(
+                text.get(shader.start..shader.end()),
+                Some(shader.code.as_str())
+            );
+        }
+        assert!(all[0].is_vertex && !all[1].is_vertex);
+    }
+
+    #[test]
+    fn a_page_that_trims_is_believed() {
+        let text = "<script type='x-shader/x-fragment'>\n#version 300 es\n</script>\
+            <script>s(document.querySelector('script').textContent.trim())</script>";
+        assert!(found(text)[0].code.starts_with("#version"));
+    }
+}

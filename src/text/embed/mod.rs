@@ -1,0 +1,193 @@
+//! GLSL inside pages, scripts and texts.
+//!
+//! What is found is a stretch of the outer text and what the compiler reads in its place: just as
+//! many bytes, with blanks where the outer language speaks. So every place in a shader is a place in
+//! the file that holds it. Escapes of strings are read (`\n` is a line break), `${...}` becomes a
+//! name that nothing declares.
+
+mod html;
+mod markdown;
+mod script;
+mod token;
+
+use super::Edit;
+
+/// The languages that GLSL is found in.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Language {
+    /// HTML: script elements, and literals in scripts.
+    Html,
+    /// JavaScript and TypeScript: literals.
+    Script,
+    /// Markdown: fences.
+    Markdown,
+}
+
+impl Language {
+    /// The language of files with this ending.
+    pub fn of_extension(extension: &str) -> Option<Language> {
+        Some(match extension {
+            "html" | "htm" => Language::Html,
+            "js" | "mjs" | "cjs" | "ts" | "jsx" | "tsx" => Language::Script,
+            "md" | "markdown" => Language::Markdown,
+            _ => return None,
+        })
+    }
+}
+
+/// What stands around a shader, which decides what may be written into it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Wrapping {
+    /// An element of a page.
+    Element,
+    /// A template literal.
+    Template,
+    /// A string in quotes, or several put together.
+    Quotes,
+    /// A fence of a Markdown text.
+    Fence,
+}
+
+/// A shader inside a file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Embedded {
+    /// Offset of its first byte.
+    pub start: usize,
+    /// What the compiler reads, as long as what it stands for.
+    pub code: String,
+    /// What stands around it.
+    pub wrapping: Wrapping,
+    /// Whether parts of the shader are put in when the program runs.
+    pub has_holes: bool,
+    /// Whether the text around says that it is a vertex shader.
+    pub is_vertex: bool,
+    /// Number of the chapter that it stands in; excerpts of one chapter go on from each other.
+    pub chapter: u32,
+}
+
+impl Embedded {
+    /// One past its last byte.
+    pub fn end(&self) -> usize {
+        self.start + self.code.len()
+    }
+
+    /// Whether an edit, whose span counts from the start of `outer`, leaves the outer language
+    /// intact: what it takes away is GLSL as it stands, and what it puts in means the same there.
+    pub fn admits(&self, outer: &str, edit: &Edit) -> bool {
+        let (from, to) = (edit.span.start as usize, edit.span.end as usize);
+        if from < self.start || to > self.end() {
+            return false;
+        }
+        let read = self.code.get(from - self.start..to - self.start);
+        let text = edit.text.as_str();
+        let fits = match self.wrapping {
+            Wrapping::Element => !text.contains("</"),
+            Wrapping::Template => !text.contains(['`', '\\', '$']),
+            Wrapping::Quotes => !text.contains(['"', '\'', '\\', '\n', '\r']),
+            Wrapping::Fence => !text.contains("```"),
+        };
+        fits && read.is_some() && read == outer.get(from..to)
+    }
+
+    /// Leaves out the blanks in front, as the program does before it hands the shader over.
+    fn trim_start(&mut self) {
+        let blanks = self.code.len() - self.code.trim_start().len();
+        self.code.drain(..blanks);
+        self.start += blanks;
+    }
+}
+
+/// What a file says of the shaders in it.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Host {
+    /// It asks for WebGL1, and nowhere for WebGL2.
+    pub is_webgl1: bool,
+    /// It uses three.js.
+    pub is_three: bool,
+}
+
+impl Host {
+    /// Reads what a page or script says.
+    pub fn of(text: &str) -> Host {
+        let asks_for_webgl1 = || {
+            text.match_indices("getContext(").any(|(at, call)| {
+                let rest = text.get(at + call.len()..).unwrap_or("").trim_start();
+                let word = rest.get(1..).unwrap_or("");
+                word.starts_with("webgl") || word.starts_with("experimental-webgl")
+            })
+        };
+        let three = [
+            "from 'three",
+            "from \"three",
+            "THREE.",
+            "require('three",
+            "require(\"three",
+        ];
+        Host {
+            is_webgl1: !text.contains("webgl2") && asks_for_webgl1(),
+            is_three: three.iter().any(|w| text.contains(w)),
+        }
+    }
+}
+
+/// Finds the shaders in a file, in the order of the text.
+pub fn extract(language: Language, text: &str) -> Vec<Embedded> {
+    let mut found = Vec::new();
+    let words = ["void", "#version", "glsl", "GLSL", "x-shader", "```", "~~~"];
+    if words.iter().any(|w| text.contains(w)) {
+        extract_into(language, text, 0, &mut found);
+    }
+    found
+}
+
+/// Finds the shaders in a part of a file that starts at `base`.
+fn extract_into(language: Language, text: &str, base: usize, found: &mut Vec<Embedded>) {
+    match language {
+        Language::Html => html::extract(text, base, found),
+        Language::Script => script::extract(text, base, found),
+        Language::Markdown => markdown::extract(text, base, found),
+    }
+}
+
+/// Whether a text is a shader beyond doubt: it starts with `#version` or has a `main`.
+fn is_shader(code: &str) -> bool {
+    code.trim_start().starts_with("#version") || has_main(code)
+}
+
+fn has_main(code: &str) -> bool {
+    code.match_indices("void").any(|(at, word)| {
+        let behind = code.get(at + word.len()..).unwrap_or("");
+        let name = behind.trim_start();
+        let rest = name
+            .strip_prefix("mainImage")
+            .or_else(|| name.strip_prefix("main"));
+        name.len() < behind.len() && rest.is_some_and(|r| r.trim_start().starts_with('('))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Span;
+
+    #[test]
+    fn edits_stay_inside_the_shader() {
+        let text = "x = \"void main() {\\n}\";";
+        let found = extract(Language::Script, text);
+        let shader = &found[0];
+        let at = |word: &str| text.find(word).unwrap() as u32;
+        let edit = |from: u32, to: u32, with: &str| Edit::replace(Span::new(from, to), with);
+        assert!(shader.admits(text, &edit(at("main"), at("()"), "foo")));
+        assert!(!shader.admits(text, &edit(at("main"), at("()"), "\n")));
+        assert!(!shader.admits(text, &edit(at("\\n"), at("\\n") + 2, "")));
+        assert!(!shader.admits(text, &edit(0, 1, "y")));
+    }
+
+    #[test]
+    fn a_host_says_what_it_is() {
+        assert!(Host::of("c.getContext('webgl')").is_webgl1);
+        assert!(!Host::of("c.getContext('webgl2') || c.getContext('webgl')").is_webgl1);
+        assert!(!Host::of("c.getContext('2d')").is_webgl1);
+        assert!(Host::of("import * as T from 'three';").is_three);
+    }
+}

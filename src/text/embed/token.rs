@@ -1,0 +1,262 @@
+//! The tokens of a script, as far as literals are concerned.
+
+use std::ops::Range;
+
+/// What a token is.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Kind {
+    /// A string in quotes, without them.
+    Quoted,
+    /// A template literal, without its backticks, and the `${...}` in it.
+    Template(Vec<Range<usize>>),
+    /// `// ...` or `/* ... */`.
+    Comment,
+    /// A word or a number.
+    Word,
+    /// Any other character.
+    Mark(u8),
+}
+
+/// A token; its range leaves out quotes.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Token {
+    /// What it is.
+    pub kind: Kind,
+    /// Where it stands.
+    pub range: Range<usize>,
+}
+
+/// The tokens of a script. What cannot be read ends it.
+pub fn tokens(text: &str) -> Vec<Token> {
+    let bytes = text.as_bytes();
+    let mut found: Vec<Token> = Vec::new();
+    let mut at = 0;
+    while let Some(&byte) = bytes.get(at) {
+        let from = at;
+        let next = bytes.get(at + 1).copied().unwrap_or(0);
+        let kind = match byte {
+            b'/' if next == b'/' || next == b'*' => {
+                at = comment_end(text, at);
+                Kind::Comment
+            }
+            b'/' if may_be_regex(text, found.last()) => {
+                let end = regex_end(bytes, at);
+                at = end.unwrap_or(at + 1);
+                // It counts as a value, so that a `/` behind it divides.
+                if end.is_some() {
+                    Kind::Word
+                } else {
+                    Kind::Mark(byte)
+                }
+            }
+            b'\'' if is_apostrophe(text, found.last(), at) => {
+                at += 1;
+                Kind::Mark(byte)
+            }
+            b'"' | b'\'' => match quoted_end(bytes, at) {
+                Some(end) => {
+                    at = end + 1;
+                    found.push(Token {
+                        kind: Kind::Quoted,
+                        range: from + 1..end,
+                    });
+                    continue;
+                }
+                None => {
+                    at += 1;
+                    Kind::Mark(byte)
+                }
+            },
+            b'`' => {
+                let Some((end, holes)) = template_end(text, at) else {
+                    return found;
+                };
+                at = end + 1;
+                found.push(Token {
+                    kind: Kind::Template(holes),
+                    range: from + 1..end,
+                });
+                continue;
+            }
+            _ if is_word(byte) => {
+                while bytes.get(at).is_some_and(|b| is_word(*b)) {
+                    at += 1;
+                }
+                Kind::Word
+            }
+            _ => {
+                at += 1;
+                if byte.is_ascii_whitespace() {
+                    continue;
+                }
+                Kind::Mark(byte)
+            }
+        };
+        found.push(Token {
+            kind,
+            range: from..at,
+        });
+    }
+    found
+}
+
+fn is_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'$' || byte >= 0x80
+}
+
+/// Whether a `'` stands inside a word of the text of an element: `don't`.
+fn is_apostrophe(text: &str, before: Option<&Token>, at: usize) -> bool {
+    let is_letter = |at: usize| text.as_bytes().get(at).is_some_and(u8::is_ascii_alphabetic);
+    let word = before.filter(|t| t.kind == Kind::Word && t.range.end == at);
+    let word = word.and_then(|t| text.get(t.range.clone()));
+    let is_keyword = |w| {
+        matches!(
+            w,
+            "return" | "case" | "typeof" | "in" | "of" | "from" | "import"
+        )
+    };
+    is_letter(at + 1) && word.is_some_and(|w| !is_keyword(w))
+}
+
+fn comment_end(text: &str, at: usize) -> usize {
+    let rest = text.get(at..).unwrap_or("");
+    let length = if rest.starts_with("//") {
+        rest.find('\n')
+    } else {
+        rest.get(2..).and_then(|r| r.find("*/")).map(|end| end + 4)
+    };
+    at + length.unwrap_or(rest.len())
+}
+
+/// Whether a `/` behind this token starts a regular expression.
+fn may_be_regex(text: &str, before: Option<&Token>) -> bool {
+    match before {
+        None => true,
+        Some(token) => match token.kind {
+            Kind::Mark(mark) => !matches!(mark, b')' | b']' | b'}' | b'<'),
+            Kind::Word => matches!(
+                text.get(token.range.clone()),
+                Some("return" | "typeof" | "case" | "of" | "in")
+            ),
+            Kind::Comment => true,
+            Kind::Quoted | Kind::Template(_) => false,
+        },
+    }
+}
+
+fn regex_end(bytes: &[u8], at: usize) -> Option<usize> {
+    let mut in_class = false;
+    let mut at = at + 1;
+    loop {
+        match bytes.get(at)? {
+            b'\n' => return None,
+            b'\\' => at += 1,
+            b'[' => in_class = true,
+            b']' => in_class = false,
+            b'/' if !in_class => return Some(at + 1),
+            _ => {}
+        }
+        at += 1;
+    }
+}
+
+/// Offset of the closing quote; `None` where the line ends before.
+fn quoted_end(bytes: &[u8], at: usize) -> Option<usize> {
+    let quote = bytes.get(at)?;
+    let mut at = at + 1;
+    loop {
+        match bytes.get(at)? {
+            b'\\' if bytes.get(at + 1) == Some(&b'\r') => at += 2,
+            b'\\' => at += 1,
+            b'\n' => return None,
+            byte if byte == quote => return Some(at),
+            _ => {}
+        }
+        at += 1;
+    }
+}
+
+/// Offset of the closing backtick, and the outermost `${...}`.
+fn template_end(text: &str, at: usize) -> Option<(usize, Vec<Range<usize>>)> {
+    /// What is open: a literal, or the code of a `${` with so many braces.
+    enum Open {
+        Literal,
+        Code(u32),
+    }
+    let bytes = text.as_bytes();
+    let mut open = vec![Open::Literal];
+    let mut holes: Vec<Range<usize>> = Vec::new();
+    let mut at = at + 1;
+    loop {
+        let byte = *bytes.get(at)?;
+        let depth = open.len();
+        match open.last_mut()? {
+            Open::Literal => match byte {
+                b'\\' => at += 1,
+                b'`' => {
+                    open.pop();
+                    if open.is_empty() {
+                        return Some((at, holes));
+                    }
+                }
+                b'$' if bytes.get(at + 1) == Some(&b'{') => {
+                    if depth == 1 {
+                        holes.push(at..at);
+                    }
+                    open.push(Open::Code(0));
+                    at += 1;
+                }
+                _ => {}
+            },
+            Open::Code(braces) => match byte {
+                b'`' => open.push(Open::Literal),
+                b'{' => *braces += 1,
+                b'}' if *braces > 0 => *braces -= 1,
+                b'}' => {
+                    open.pop();
+                    if open.len() == 1
+                        && let Some(hole) = holes.last_mut()
+                    {
+                        hole.end = at + 1;
+                    }
+                }
+                b'"' | b'\'' => at = quoted_end(bytes, at).unwrap_or(at),
+                b'/' if matches!(bytes.get(at + 1), Some(b'/' | b'*')) => {
+                    at = comment_end(text, at).saturating_sub(1).max(at);
+                }
+                _ => {}
+            },
+        }
+        at += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn literals(text: &str) -> Vec<&str> {
+        let of = |t: Token| matches!(t.kind, Kind::Quoted | Kind::Template(_)).then_some(t.range);
+        let ranges = tokens(text).into_iter().filter_map(of);
+        ranges.map(|r| &text[r]).collect()
+    }
+
+    #[test]
+    fn literals_end_where_they_end() {
+        assert_eq!(literals(r#"a = 'b\'c' + "d""#), [r"b\'c", "d"]);
+        assert_eq!(
+            literals("`a${f(`x${1}`, {b: '}'})}c` + `d`"),
+            ["a${f(`x${1}`, {b: '}'})}c", "d"]
+        );
+        assert_eq!(literals("// it's\nx = 'y' /* `no` */"), ["y"]);
+        assert_eq!(literals("<p>don't</p>; x = 'y'"), ["y"]);
+        assert_eq!(literals("a = b / c; r = /[`/]'/; s = 'y'"), ["y"]);
+        assert_eq!(literals("'a"), [""; 0]);
+    }
+
+    #[test]
+    fn holes_are_known() {
+        let found = tokens("`a${b}c${`${d}`}`");
+        assert_eq!(found[0].kind, Kind::Template(vec![2..6, 7..16]));
+    }
+}
