@@ -20,7 +20,7 @@ pub static RULE: Rule = Rule {
         },
         RuleOption {
             name: "operations",
-            default: 120.0,
+            default: 80.0,
             on_gpu: 600.0,
             about: "Fewest operations of a scene function that wants a test",
         },

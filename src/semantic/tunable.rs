@@ -90,7 +90,9 @@ pub fn range_behind<'a>(program: &'a Program, place: Span) -> Option<(Range, &'a
     let next = comments.partition_point(|c| c.start < place.end);
     let comment = *comments.get(next)?;
     let between = program.sources.text(Span::new(place.end, comment.start));
-    if between.contains(['\n', '\r']) || program.sources.text(comment).is_empty() {
+    // A text that spans two files is none: the comment must stand in the same one.
+    let is_apart = program.sources.text(place.to(comment)).is_empty();
+    if is_apart || between.contains(['\n', '\r']) {
         return None;
     }
     let text = program.sources.text(comment);
