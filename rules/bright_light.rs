@@ -98,7 +98,7 @@ fn light(cx: &mut Context, term: ExprId) {
     if strength > most * 1.0001 {
         cx.report_expr(
             term,
-            format!("the light of the {what} is {strength:.1} times bright; {most:.1} is the most"),
+            format!("the light of the {what} is {strength:.1} strong; {most:.1} is the most"),
         )
         .note("brighter light washes the colours of all materials out to white")
         .help(format!(

@@ -41,12 +41,15 @@ fn check(cx: &mut Context, call: &Builtin) {
     let extent = program.tree.expr(amount).extent;
     let fix = program.is_direct(extent).then(|| {
         let edit = Edit::replace(program.expr_span(amount), text.clone());
-        Fix::suggestion("limit the fog", vec![edit])
+        Fix::suggestion(format!("write `{text}`"), vec![edit])
     });
-    cx.report_expr(amount, format!("`{name}` is not limited"))
-        .note("far away nothing is left but the fog's own colour")
-        .help(format!("write `{text}`"))
-        .fix(fix);
+    let finding = cx
+        .report_expr(amount, format!("`{name}` is not limited"))
+        .note("far away nothing is left but the fog's own colour");
+    match fix {
+        Some(fix) => finding.fix(fix),
+        None => finding.help(format!("write `{text}`")),
+    };
 }
 
 /// Whether a variable's value is limited where it is given.

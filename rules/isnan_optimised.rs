@@ -19,8 +19,8 @@ fn check(cx: &mut Context, call: &Builtin) {
     }
     let name = call.name;
     let finding = cx
-        .report_expr(call.id, format!("`{name}` may be false for every number"))
-        .note("compilers may take it that such numbers never come up, and some do");
+        .report_expr(call.id, format!("the compiler may leave `{name}` out"))
+        .note("it may take it that such numbers never come up, and on some machines it does");
     finding.help(match name {
         "isnan" => "keep the number from becoming one: guard the division, root or power before",
         _ => "compare with a large number: `abs(x) > 1e30`",

@@ -60,7 +60,7 @@ fn check(cx: &mut Context) {
             given.init,
             format!("`{}` is {light:.2}; {place} it takes {least}", given.name),
         )
-        .label(shown, format!("{place}, by its name"))
+        .label(shown, format!("read from here: {place}"))
         .note("what the sun does not reach is lit by nothing else, and becomes black")
         .help(format!("take at least `vec3({least})`"));
     }

@@ -20,8 +20,8 @@ pub static RULE: Rule = Rule {
         },
         RuleOption {
             name: "size",
-            default: 120.0,
-            on_gpu: 120.0,
+            default: 150.0,
+            on_gpu: 150.0,
             about: "Fewest operations of the called function that are reported",
         },
     ],

@@ -25,6 +25,7 @@ pub static RULE: Rule = Rule {
 
 /// Name of the function that takes its place.
 const HASH: &str = "integerHash";
+const ADVICE: &str = "hash integers: they are the same everywhere";
 
 fn check(cx: &mut Context, call: &Builtin) {
     let &[arg] = call.args else { return };
@@ -43,10 +44,13 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let fix = fix(cx, call.id, sine);
-    cx.report_expr(call.id, "this hash draws another picture on every GPU")
-        .note("`sin` is exact to a few digits only, and the factor brings the others up")
-        .help("hash integers: they are the same everywhere")
-        .fix(fix);
+    let finding = cx
+        .report_expr(call.id, "this hash draws another picture on every GPU")
+        .note("`sin` is exact to a few digits only, and the factor brings the others up");
+    match fix {
+        Some(fix) => finding.fix(fix),
+        None => finding.help(ADVICE),
+    };
 }
 
 /// The argument of `sin` or `cos`.
@@ -92,7 +96,7 @@ fn fix(cx: &Context, call: ExprId, sine: ExprId) -> Option<Fix> {
         let start = program.token(decl.extent.first)?.span.start;
         edits.push(Edit::insert(start, definition(size)));
     }
-    Some(Fix::suggestion("hash integers", edits))
+    Some(Fix::suggestion(ADVICE, edits))
 }
 
 /// What is hashed: `p` of `dot(p, vec2(12.9898, 78.233))`, or all of it.
