@@ -139,7 +139,6 @@ fn nothing_closes() {
         "(float)",
         "void f(",
         "uniform B {",
-        "\\\n",
         "#",
         "\"",
         "precision ",

@@ -33,7 +33,8 @@ impl Parser<'_> {
         match token.kind {
             TokenKind::End => "the end of the shader".to_string(),
             _ => {
-                let text: String = self.text(&token).chars().take(40).collect();
+                let line = self.text(&token).lines().next().unwrap_or("");
+                let text: String = line.chars().take(40).collect();
                 format!("`{text}`")
             }
         }
