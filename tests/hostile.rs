@@ -139,7 +139,6 @@ fn nothing_closes() {
         "(float)",
         "void f(",
         "uniform B {",
-        "\\\n",
         "#",
         "\"",
         "precision ",
@@ -184,10 +183,17 @@ fn macros_explode() {
     };
     judge(&doubled(60), Refused);
     let calls = |depth| nest(depth, "F(", "1.0", ")");
-    for definition in ["x", "x + x", "x x", "F(x)", "(x)"] {
-        for depth in [25, 5_000] {
+    let definitions = [
+        ("x", Compiles),
+        ("(x)", Compiles),
+        ("x + x", Refused),
+        ("x x", Refused),
+        ("F(x)", Refused),
+    ];
+    for (definition, verdict) in definitions {
+        for (depth, verdict) in [(25, verdict), (5_000, Refused)] {
             let code = body(&format!("x = {};", calls(depth)));
-            judge(&format!("#define F(x) {definition}\n{code}"), Refused);
+            judge(&format!("#define F(x) {definition}\n{code}"), verdict);
         }
     }
     let chain = each(50_000, |i| format!("#define M{} M{i}\n", i + 1));
@@ -296,7 +302,7 @@ fn words_numbers_and_comments_are_huge() {
     judge(&body(&"é ".repeat(50_000)), Refused);
     judge(&body(&"\u{200b}$`@".repeat(50_000)), Refused);
     judge(&body(&each(20_000, |i| format!("é{i};"))), Refused);
-    judge(&"\0".repeat(100_000), Refused);
+    judge(&format!("{}{}", body(""), "\0".repeat(100_000)), Compiles);
 }
 
 #[test]

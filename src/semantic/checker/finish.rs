@@ -244,6 +244,18 @@ impl Checker<'_> {
         let Some(without) = outputs.iter().find(|o| o.location.is_none()) else {
             return;
         };
+        // The output of ShaderToy's own header has none: the user's is one too many.
+        let users = outputs.iter().find(|o| !self.is_prelude(o.ident.token));
+        if let (true, Some(output)) = (self.is_prelude(without.ident.token), users) {
+            let message = format!(
+                "the output `{}` stands beside that of the player",
+                self.text(output.ident.name)
+            );
+            let d = self
+                .error_at(error::OUTPUT_LOCATION, output.ident.token, message)
+                .note("a ShaderToy pass has one output, the first parameter of its entry function");
+            return self.report(d);
+        }
         let name = self.text(without.ident.name);
         let d = self
             .error_at(

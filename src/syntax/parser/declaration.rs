@@ -369,7 +369,10 @@ impl Parser<'_> {
         } else {
             Some(self.ident("a name or `{`")?)
         };
-        self.members(name, first)
+        self.enter()?;
+        let members = self.members(name, first);
+        self.leave();
+        members
     }
 
     /// The qualifiers in front of a type.

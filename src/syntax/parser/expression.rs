@@ -427,6 +427,7 @@ impl Parser<'_> {
             }
         }
         let span = self.span(self.extent_from(first));
+        is_flat &= self.token(self.last() as usize).kind == TokenKind::RightBrace;
         let name = self
             .sources
             .text(self.span(self.tree.ty(ty).extent))

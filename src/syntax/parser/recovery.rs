@@ -6,6 +6,11 @@ use crate::syntax::ast::*;
 use crate::syntax::token::TokenKind;
 use crate::text::{Edit, Span};
 
+/// Where a line starts further right, it makes no difference how far.
+const MAX_INDENT: usize = 200;
+/// Longest list of parameters, in tokens, that is taken for one; 255 parameters are allowed.
+const MAX_PARAM_TOKENS: usize = 4_000;
+
 impl Parser<'_> {
     /// Whether the next token stands on another line than the one before it.
     pub(super) fn is_on_new_line(&self) -> bool {
@@ -28,7 +33,8 @@ impl Parser<'_> {
         match token.kind {
             TokenKind::End => "the end of the shader".to_string(),
             _ => {
-                let text: String = self.text(&token).chars().take(40).collect();
+                let line = self.text(&token).lines().next().unwrap_or("");
+                let text: String = line.chars().take(40).collect();
                 format!("`{text}`")
             }
         }
@@ -273,16 +279,17 @@ impl Parser<'_> {
             .map_or(default, |at| self.token(at - 1).span.after())
     }
 
-    /// Number of blanks before the line that holds a token.
+    /// Number of blanks before the line that holds a token, as far as they matter.
     fn indent(&self, at: usize) -> usize {
         let start = self.token(at).span.start;
         let Some(file) = self.sources.file_at(start) else {
             return 0;
         };
-        let before = file.text.get(..(start - file.base) as usize).unwrap_or("");
-        let line = before.rfind(['\n', '\r']).map_or(0, |i| i + 1);
-        let text = file.text.get(line..).unwrap_or("");
+        let lines = file.lines();
+        let line = lines.start(lines.line(start - file.base)).unwrap_or(0);
+        let text = file.text.get(line as usize..).unwrap_or("");
         text.chars()
+            .take(MAX_INDENT)
             .take_while(|c| matches!(c, ' ' | '\t'))
             .map(|c| if c == '\t' { 4 } else { 1 })
             .sum()
@@ -305,7 +312,7 @@ impl Parser<'_> {
             return false;
         }
         let mut open = 0_u32;
-        for i in self.at + 2.. {
+        for i in self.at + 2..self.at + MAX_PARAM_TOKENS {
             match self.token(i).kind {
                 TokenKind::LeftParen => open += 1,
                 TokenKind::RightParen => {
