@@ -1,7 +1,7 @@
 //! What rules ask for about a shader as a whole. Each answer is made at the first question.
 
 use crate::semantic::flow::range::{Evaluator, Range, Ranges};
-use crate::semantic::flow::{CallGraph, Loops, Structure};
+use crate::semantic::flow::{CallGraph, Loops, Paths, Structure};
 use crate::semantic::{Dialect, FunctionRef, Program};
 use crate::syntax::ast::ExprId;
 use std::cell::OnceCell;
@@ -13,6 +13,7 @@ pub struct Facts<'a, 'p> {
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
     ranges: OnceCell<Ranges>,
+    paths: OnceCell<Paths>,
     entry: OnceCell<Option<FunctionRef>>,
 }
 
@@ -25,6 +26,7 @@ impl<'a, 'p> Facts<'a, 'p> {
             calls: OnceCell::new(),
             loops: OnceCell::new(),
             ranges: OnceCell::new(),
+            paths: OnceCell::new(),
             entry: OnceCell::new(),
         }
     }
@@ -43,6 +45,12 @@ impl<'a, 'p> Facts<'a, 'p> {
     pub fn loops(&self) -> &Loops {
         self.loops
             .get_or_init(|| Loops::of(self.program, self.structure(), self.calls()))
+    }
+
+    /// What has a value when, on the paths through the functions.
+    pub fn paths(&self) -> &Paths {
+        self.paths
+            .get_or_init(|| Paths::of(self.program, self.structure()))
     }
 
     /// What numbers expressions may take.

@@ -4,9 +4,11 @@
 mod calls;
 mod estimate;
 mod loops;
+mod paths;
 pub mod range;
 mod structure;
 
 pub use calls::CallGraph;
 pub use loops::{Loop, Loops};
+pub use paths::{Findings, Paths, Unset};
 pub use structure::{Structure, each_expr, each_inner, each_operand};
