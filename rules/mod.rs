@@ -18,6 +18,7 @@ mod gradient_in_loop;
 mod gray_material;
 mod height_band_spacing;
 mod index_range;
+mod inout_alias;
 mod integer_division;
 mod inverse_trig_range;
 mod isnan_optimised;
@@ -29,6 +30,7 @@ mod mainimage_qualifiers;
 mod manual_builtin;
 mod map_inlining;
 mod mediump_noise;
+mod missing_return_path;
 mod nan_compare;
 mod negative_to_uint;
 mod nested_iterations;
@@ -36,6 +38,7 @@ mod no_early_exit;
 mod no_effect;
 mod normalize_zero;
 mod octave_budget;
+mod output_not_written;
 mod pow_negative_base;
 mod precision_missing_for_sampler;
 mod redundant_constructor;
@@ -52,6 +55,7 @@ mod step_budget;
 mod switch_return;
 mod tunable_range;
 mod unbounded_loop;
+mod uninitialized_read;
 mod unused_allow;
 mod unused_function;
 mod unused_macro;
@@ -84,6 +88,7 @@ pub static RULES: &[&Rule] = &[
     &gray_material::RULE,
     &height_band_spacing::RULE,
     &index_range::RULE,
+    &inout_alias::RULE,
     &integer_division::RULE,
     &inverse_trig_range::RULE,
     &isnan_optimised::RULE,
@@ -95,6 +100,7 @@ pub static RULES: &[&Rule] = &[
     &manual_builtin::RULE,
     &map_inlining::RULE,
     &mediump_noise::RULE,
+    &missing_return_path::RULE,
     &nan_compare::RULE,
     &negative_to_uint::RULE,
     &nested_iterations::RULE,
@@ -102,6 +108,7 @@ pub static RULES: &[&Rule] = &[
     &no_effect::RULE,
     &normalize_zero::RULE,
     &octave_budget::RULE,
+    &output_not_written::RULE,
     &pow_negative_base::RULE,
     &precision_missing_for_sampler::RULE,
     &redundant_constructor::RULE,
@@ -118,6 +125,7 @@ pub static RULES: &[&Rule] = &[
     &switch_return::RULE,
     &tunable_range::RULE,
     &unbounded_loop::RULE,
+    &uninitialized_read::RULE,
     &unused_allow::RULE,
     &unused_function::RULE,
     &unused_macro::RULE,

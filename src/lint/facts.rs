@@ -8,6 +8,8 @@ use crate::semantic::flow::{
     gradients,
 };
 use crate::semantic::{Dialect, FunctionRef, Program, Stage};
+use crate::semantic::flow::{CallGraph, Loops, Paths, Structure};
+use crate::semantic::{Dialect, FunctionRef, Program};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
 use crate::text::embed::Host;
@@ -20,6 +22,7 @@ pub struct Facts<'a, 'p> {
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
     ranges: OnceCell<Ranges>,
+    paths: OnceCell<Paths>,
     entry: OnceCell<Option<FunctionRef>>,
     effects: OnceCell<Effects>,
     purity: OnceCell<Purity>,
@@ -43,6 +46,7 @@ impl<'a, 'p> Facts<'a, 'p> {
             calls: OnceCell::new(),
             loops: OnceCell::new(),
             ranges: OnceCell::new(),
+            paths: OnceCell::new(),
             entry: OnceCell::new(),
             effects: OnceCell::new(),
             purity: OnceCell::new(),
@@ -115,6 +119,10 @@ impl<'a, 'p> Facts<'a, 'p> {
     pub fn marches(&self) -> &[March] {
         self.marches
             .get_or_init(|| marches(self.program, self.loops(), self.calls(), self.entry()))
+    /// What has a value when, on the paths through the functions.
+    pub fn paths(&self) -> &Paths {
+        self.paths
+            .get_or_init(|| Paths::of(self.program, self.structure()))
     }
 
     /// What numbers expressions may take.

@@ -132,10 +132,7 @@ fn conditions_narrow_ranges() {
         "3.0",
     );
     check_body("if (x <= 2.0) return 0.0; return x;", "2.0 or more");
-    check_body(
-        "if (x <= 2.0) return 0.0; x -= 1.0; return x;",
-        "any number",
-    );
+    check_body("if (x <= 2.0) return 0.0; x = v.y; return x;", "any number");
     check_body("return x > 1.0 && x < 5.0 ? x : 2.0;", "1.0..5.0");
     check_body("if (abs(x) > 1.0) discard; return x;", "-1.0..1.0");
     check_body(
@@ -146,6 +143,20 @@ fn conditions_narrow_ranges() {
         "for (int i = 0; i < 5; i++) { if (x < v.x) { return float(i); } } return v.x > 0.0 ? v.x : 1.0;",
         "0.0 or more",
     );
+}
+
+#[test]
+fn the_last_write_before_a_use_counts() {
+    check_body(
+        "x = clamp(x, 0.0, 1.0); x = x * 2.0; x -= 1.0; return x;",
+        "-1.0..1.0",
+    );
+    check_body("v.x = 3.0; v.y = sin(x); v.z = x; return v.y;", "-1.0..1.0");
+    check_body(
+        "x = 3.0; for (int i = 0; i < n; i++) { v.x = x; x = v.y; } return v.x;",
+        "any number",
+    );
+    check_body("x = 3.0; if (n > 0) x = 5.0; return x;", "any number");
 }
 
 #[test]

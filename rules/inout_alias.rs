@@ -1,0 +1,103 @@
+//! One variable under two names.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::flow::range::{root_variable, swizzle};
+use crate::semantic::{Direction, FunctionRef, Resolution, Storage, VariableId};
+use crate::syntax::ast::{ExprId, ExprKind};
+
+pub static RULE: Rule = Rule {
+    name: "inout-alias",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("inout_alias.md"),
+    check: Check::Expr(check),
+};
+
+fn check(cx: &mut Context, id: ExprId) {
+    let program = cx.program;
+    let ExprKind::Call(_, args) = program.tree.expr(id).kind else {
+        return;
+    };
+    let Resolution::Function(callee) = program.expr(id).resolution else {
+        return;
+    };
+    let Some(function) = program.function(callee) else {
+        return;
+    };
+    let args = program.tree.args(args).iter().zip(&function.params);
+    let written: Vec<(ExprId, Direction)> = args
+        .filter(|(_, p)| p.direction.writes())
+        .map(|(&a, p)| (a, p.direction))
+        .collect();
+    let name = program.names.text(function.name);
+    for (i, &(arg, _)) in written.iter().enumerate() {
+        let Some(part) = part(cx, arg) else { continue };
+        let before = written.iter().take(i);
+        let twin = before
+            .filter_map(|(e, _)| self::part(cx, *e))
+            .find(|p| overlap(*p, part));
+        let text = program.expr_text(arg).to_string();
+        if twin.is_some() {
+            cx.report_expr(
+                arg,
+                format!("`{name}` gets `{text}` under two names and writes to both"),
+            )
+            .note("which of the two values it holds in the end is undefined");
+            return;
+        }
+        if is_global(cx, part.0) && names_it(cx, callee, part.0) {
+            cx.report_expr(arg, format!("`{name}` gets `{text}`, and uses that variable itself too"))
+                .note("the parameter is a copy: what is written to one is not seen in the other until the end");
+            return;
+        }
+    }
+}
+
+/// The variable that an argument names, and which of its components; `None` where it is an element
+/// or a member, of which the text does not tell enough.
+fn part(cx: &Context, arg: ExprId) -> Option<(VariableId, u8)> {
+    let program = cx.program;
+    let arg = program.tree.unparen(arg);
+    match program.tree.expr(arg).kind {
+        ExprKind::Name(_) => Some((program.variable_of(arg)?, 0xff)),
+        ExprKind::Member(object, name) => {
+            let mask = swizzle(program, object, name)?.mask();
+            Some((program.variable_of(object)?, mask))
+        }
+        _ => None,
+    }
+}
+
+fn overlap(a: (VariableId, u8), b: (VariableId, u8)) -> bool {
+    a.0 == b.0 && a.1 & b.1 != 0
+}
+
+fn is_global(cx: &Context, id: VariableId) -> bool {
+    let variable = cx.program.variable(id);
+    variable.is_some_and(|v| v.storage == Storage::Global)
+}
+
+/// Whether the body of a function names a variable.
+fn names_it(cx: &Context, function: FunctionRef, id: VariableId) -> bool {
+    let program = cx.program;
+    let function = program.function(function).and_then(|f| f.definition);
+    let Some(extent) = function
+        .and_then(|d| program.tree.function(d))
+        .map(|d| d.extent)
+    else {
+        return false;
+    };
+    // The expressions of a function lie together.
+    let exprs = &program.tree.exprs;
+    let from = exprs.partition_point(|e| e.extent.last < extent.first);
+    let inside = exprs.iter().enumerate().skip(from);
+    inside
+        .take_while(|(_, e)| e.extent.first <= extent.last)
+        .any(|(i, e)| {
+            matches!(e.kind, ExprKind::Name(_))
+                && root_variable(program, ExprId(i as u32)) == Some(id)
+        })
+}

@@ -1,0 +1,42 @@
+//! Functions that may end without a value.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::FunctionRef;
+
+pub static RULE: Rule = Rule {
+    name: "missing-return-path",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("missing_return_path.md"),
+    check: Check::Function(check),
+};
+
+fn check(cx: &mut Context, id: FunctionRef) {
+    let program = cx.program;
+    let reaches_end = cx.facts.paths().get(id).is_some_and(|f| f.reaches_end);
+    let Some(function) = program
+        .function(id)
+        .filter(|f| reaches_end && !f.returns.is_void())
+    else {
+        return;
+    };
+    let decl = function.definition.and_then(|d| program.tree.function(d));
+    let Some(decl) = decl else { return };
+    let (name, ty) = (
+        program.names.text(function.name),
+        program.type_name(function.returns),
+    );
+    let end = program.token(decl.extent.last).map(|t| t.span);
+    let header = program.span(decl.header);
+    let finding = cx
+        .report_span(header, format!("`{name}` may end without a `return`"))
+        .note(format!(
+            "its value is then undefined, although it is `{ty}`"
+        ));
+    if let Some(end) = end {
+        finding.label(end, "the end is reached here");
+    }
+}

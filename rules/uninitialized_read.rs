@@ -1,0 +1,73 @@
+//! Variables that are read before they have a value.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::{FunctionRef, Storage};
+
+pub static RULE: Rule = Rule {
+    name: "uninitialized-read",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("uninitialized_read.md"),
+    check: Check::Function(check),
+};
+
+fn check(cx: &mut Context, function: FunctionRef) {
+    let program = cx.program;
+    let Some(found) = cx.facts.paths().get(function) else {
+        return;
+    };
+    for unset in &found.reads {
+        let Some(variable) = program.variable(unset.variable) else {
+            continue;
+        };
+        // What the player hands to the entry is zero in all browsers, and many shaders add to it.
+        let is_param = matches!(variable.storage, Storage::Param(_));
+        if is_param && cx.facts.entry() == Some(function) {
+            continue;
+        }
+        let name = name_of(cx, unset.variable, unset.missing);
+        let message = match unset.always {
+            true => format!("`{name}` is read before it has a value"),
+            false => format!("`{name}` may be read before it has a value"),
+        };
+        let declared = variable
+            .token
+            .and_then(|t| program.token(t))
+            .map(|t| t.span);
+        let finding = cx.report(unset.at, message);
+        let finding = match declared {
+            Some(span) => finding.label(span, "declared here, without a value"),
+            None => finding,
+        };
+        let finding = finding.note(
+            "the value is undefined: browsers make it zero, other programs leave what was there",
+        );
+        if is_param {
+            finding.help("an `out` parameter does not bring the caller's value; `inout` does");
+        } else if !unset.always {
+            finding.help("give it a value where it is declared");
+        }
+    }
+}
+
+/// The variable, and those of its components that are missing where it is not all of them.
+fn name_of(cx: &Context, id: crate::semantic::VariableId, missing: u8) -> String {
+    let Some(variable) = cx.program.variable(id) else {
+        return String::new();
+    };
+    let name = cx.program.names.text(variable.name);
+    let count = variable.ty.components();
+    let letters = ["x", "y", "z", "w"];
+    let missing: Vec<&str> = (0..4)
+        .filter(|i| missing & 1 << i != 0)
+        .filter_map(|i: usize| letters.get(i).copied())
+        .collect();
+    if variable.ty.is_vector() && missing.len() < count as usize {
+        format!("{name}.{}", missing.join(""))
+    } else {
+        name.to_string()
+    }
+}
