@@ -4,12 +4,10 @@ use super::march::{March, marches};
 use super::words::Words;
 use crate::semantic::flow::range::{Evaluator, Range, Ranges};
 use crate::semantic::flow::{
-    CallGraph, Effects, Gradient, Loops, Purity, Reach, Structure, Uniformity, Usage, Work,
+    CallGraph, Effects, Gradient, Loops, Paths, Purity, Reach, Structure, Uniformity, Usage, Work,
     gradients,
 };
 use crate::semantic::{Dialect, FunctionRef, Program, Stage};
-use crate::semantic::flow::{CallGraph, Loops, Paths, Structure};
-use crate::semantic::{Dialect, FunctionRef, Program};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
 use crate::text::embed::Host;
@@ -119,6 +117,8 @@ impl<'a, 'p> Facts<'a, 'p> {
     pub fn marches(&self) -> &[March] {
         self.marches
             .get_or_init(|| marches(self.program, self.loops(), self.calls(), self.entry()))
+    }
+
     /// What has a value when, on the paths through the functions.
     pub fn paths(&self) -> &Paths {
         self.paths
