@@ -78,10 +78,15 @@ pub fn check_part(
         let mut found = Vec::new();
         lint_within(&analysis.program, part.host, RULES, settings, &mut found);
         allows.apply(&analysis.program, RULES, settings, &mut found);
+        found.sort_by_key(|d| (d.span.start, d.span.end));
+        found.truncate(MAX_FINDINGS);
         diagnostics.append(&mut found);
     }
     diagnostics.extend(analysis.diagnostics);
 }
+
+/// Most findings of the rules in one shader; whoever mends these sees the next.
+const MAX_FINDINGS: usize = 500;
 
 /// Keeps what is wrong whatever the rest of the shader is.
 fn keep_certain(sources: &Sources, analysis: &mut Analysis) {
