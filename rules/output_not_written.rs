@@ -25,7 +25,10 @@ fn check(cx: &mut Context, function: FunctionRef) {
     let is_entry = cx.facts.entry() == Some(function);
     // The player shows a picture without its alpha.
     let is_picture = program.dialect == Dialect::ShaderToy(Pass::Image) && is_entry;
-    for unset in &found.outputs {
+    // A function that returns something tells by it whether the rest has a value.
+    let function = program.function(function);
+    let tells = function.is_some_and(|f| !f.returns.is_void());
+    for unset in found.outputs.iter().filter(|u| u.always || !tells) {
         let ignored = if is_picture { ALPHA } else { 0 };
         let missing = unset.missing & !ignored;
         let Some(variable) = program.variable(unset.variable).filter(|_| missing != 0) else {

@@ -2,7 +2,8 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{FunctionRef, Storage};
+use crate::semantic::flow::Unset;
+use crate::semantic::{FunctionRef, Storage, VariableId};
 
 pub static RULE: Rule = Rule {
     name: "uninitialized-read",
@@ -19,7 +20,8 @@ fn check(cx: &mut Context, function: FunctionRef) {
     let Some(found) = cx.facts.paths().get(function) else {
         return;
     };
-    for unset in &found.reads {
+    let certain = |u: &&Unset| u.always || !u.guarded;
+    for unset in found.reads.iter().filter(certain) {
         let Some(variable) = program.variable(unset.variable) else {
             continue;
         };
@@ -54,7 +56,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
 }
 
 /// The variable, and those of its components that are missing where it is not all of them.
-fn name_of(cx: &Context, id: crate::semantic::VariableId, missing: u8) -> String {
+fn name_of(cx: &Context, id: VariableId, missing: u8) -> String {
     let Some(variable) = cx.program.variable(id) else {
         return String::new();
     };

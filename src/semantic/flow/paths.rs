@@ -1,8 +1,8 @@
 //! What happens on every path through a function: which variables have a value when they are read
 //! and when the function is left, and whether its end is reached.
 //!
-//! Loops are taken to turn at least once: whether they do is seldom written in the text. A condition
-//! is taken to be free of all others.
+//! What a loop may write counts as written behind it: whether it turns at all, and whether it finds
+//! what it looks for, is seldom written in the text.
 
 use super::{Structure, each_expr, each_operand};
 use crate::semantic::flow::range::{root_variable, swizzle};
@@ -24,8 +24,11 @@ pub struct Unset {
     pub at: Extent,
     /// The components that are missing, a bit each.
     pub missing: u8,
-    /// Whether they are missing on every path.
+    /// Whether nothing has written to them before.
     pub always: bool,
+    /// Whether a condition stands between the declaration and here, which may well tell whether
+    /// there is a value.
+    pub guarded: bool,
 }
 
 /// What was found in a function.
@@ -57,7 +60,8 @@ impl Paths {
             trail: Vec::new(),
             jumps: Vec::new(),
             outputs: Vec::new(),
-            turns: 0,
+            writes: Vec::new(),
+            exit: 0,
             dead: false,
             too_deep: false,
             findings: Findings::default(),
@@ -120,7 +124,6 @@ struct Jump {
     mark: usize,
     /// The variables that differ from the beginning, on all paths so far; `None` without a path.
     exits: Option<FxHashMap<u32, u8>>,
-    is_loop: bool,
 }
 
 struct Walk<'x, 'p> {
@@ -135,8 +138,10 @@ struct Walk<'x, 'p> {
     jumps: Vec<Jump>,
     /// Variables that must have a value when the function is left.
     outputs: Vec<VariableId>,
-    /// How many loops are around.
-    turns: u32,
+    /// All writes in the function so far.
+    writes: Vec<(VariableId, u8)>,
+    /// The last condition behind which the function, a loop or a `switch` may have been left.
+    exit: TokenId,
     /// Whether no path leads here.
     dead: bool,
     too_deep: bool,
@@ -152,6 +157,8 @@ impl Walk<'_, '_> {
     ) -> Option<Findings> {
         self.trail.clear();
         self.jumps.clear();
+        self.writes.clear();
+        self.exit = 0;
         self.dead = false;
         self.too_deep = false;
         self.outputs = globals.to_vec();
@@ -269,6 +276,9 @@ impl Walk<'_, '_> {
                     self.stmt(otherwise, depth + 1);
                 }
                 paths.extend(self.path(mark).filter(|_| known != Some(true)));
+                if paths.len() == 1 && !was_dead {
+                    self.exit = stmt.extent.first;
+                }
                 self.join(mark, paths);
             }
             StmtKind::For {
@@ -282,12 +292,13 @@ impl Walk<'_, '_> {
             }
             StmtKind::While { condition, body } => self.turn(Some(condition), body, None, depth),
             StmtKind::Do { body, condition } => {
-                let mark = self.begin(Turns::Many);
+                let (mark, before) = (self.begin(), self.writes.len());
                 self.stmt(body, depth + 1);
                 self.expr(condition);
                 let is_endless = self.is_true(condition);
                 let path = self.path(mark).filter(|_| !is_endless);
                 self.end(mark, path);
+                self.keep(before);
             }
             StmtKind::Switch { selector, body } => self.switch(selector, body, depth),
             StmtKind::Break => {
@@ -328,22 +339,25 @@ impl Walk<'_, '_> {
         self.program.scalar(condition).is_some_and(|v| v.as_bool())
     }
 
-    fn begin(&mut self, turns: Turns) -> usize {
+    fn begin(&mut self) -> usize {
         let mark = self.trail.len();
-        let is_loop = turns == Turns::Many;
-        self.turns += is_loop as u32;
-        self.jumps.push(Jump {
-            mark,
-            exits: None,
-            is_loop,
-        });
+        self.jumps.push(Jump { mark, exits: None });
         mark
+    }
+
+    /// What a loop wrote on some path stays written behind it.
+    fn keep(&mut self, before: usize) {
+        for i in before..self.writes.len() {
+            if let Some(&(variable, mask)) = self.writes.get(i) {
+                let value = self.value(variable.0) | mask;
+                self.assign(variable.0, value);
+            }
+        }
     }
 
     /// Ends a loop or `switch`, which is left by `break`, or on one more path.
     fn end(&mut self, mark: usize, path: Option<FxHashMap<u32, u8>>) {
         let jump = self.jumps.pop();
-        self.turns -= jump.as_ref().is_some_and(|j| j.is_loop) as u32;
         let mut paths: Vec<_> = path.into_iter().collect();
         paths.extend(jump.and_then(|j| j.exits));
         self.join(mark, paths);
@@ -392,7 +406,7 @@ impl Walk<'_, '_> {
                 is_endless = self.is_true(e);
             }
         }
-        let mark = self.begin(Turns::Many);
+        let (mark, before) = (self.begin(), self.writes.len());
         let was_dead = self.dead;
         self.stmt(body, depth + 1);
         step.into_iter().for_each(|e| self.expr(e));
@@ -402,11 +416,12 @@ impl Walk<'_, '_> {
             path => path,
         };
         self.end(mark, path.filter(|_| !is_endless));
+        self.keep(before);
     }
 
     fn switch(&mut self, selector: ExprId, body: List, depth: u32) {
         self.expr(selector);
-        let mark = self.begin(Turns::One);
+        let mark = self.begin();
         let was_dead = self.dead;
         let mut has_default = false;
         for &inner in self.program.tree.block(body) {
@@ -442,6 +457,7 @@ impl Walk<'_, '_> {
                     at,
                     missing,
                     always: ever & missing == 0,
+                    guarded: false,
                 });
             }
         }
@@ -517,8 +533,30 @@ impl Walk<'_, '_> {
         if let Some(slot) = self.ever.get_mut(variable.0 as usize) {
             *slot |= mask;
         }
+        self.writes.push((variable, mask));
         let value = self.value(variable.0) | mask;
         self.assign(variable.0, value);
+    }
+
+    /// Whether a condition stands between a variable's declaration and its use.
+    fn is_guarded(&self, variable: VariableId, at: ExprId) -> bool {
+        let token = self.program.variable(variable).and_then(|v| v.token);
+        let declared = token.unwrap_or(0);
+        if self.exit > declared {
+            return true;
+        }
+        let tree = &self.program.tree;
+        let here = tree.expr(at).extent.first;
+        let stmt = self.structure.stmt_of(at).into_iter();
+        let around = stmt.flat_map(|s| self.structure.outwards(s));
+        around
+            .map(|s| tree.stmt(s))
+            .take_while(|s| s.extent.first > declared)
+            .any(|s| match s.kind {
+                StmtKind::If { then, .. } => tree.stmt(then).extent.first <= here,
+                StmtKind::Switch { .. } => true,
+                _ => false,
+            })
     }
 
     /// A variable is named: it is read, unless it is only written to.
@@ -571,16 +609,10 @@ impl Walk<'_, '_> {
             variable,
             at: tree.expr(id).extent,
             missing,
-            always: ever & missing == 0 && self.turns == 0,
+            always: ever & missing == 0,
+            guarded: self.is_guarded(variable, id),
         });
         // Once is enough.
         self.assign(variable.0, ALL);
     }
-}
-
-/// How often a statement that `break` leaves runs.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Turns {
-    One,
-    Many,
 }

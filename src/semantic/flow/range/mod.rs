@@ -9,6 +9,7 @@ mod builtins;
 mod evaluate;
 mod guards;
 mod interval;
+mod narrow;
 mod origins;
 mod places;
 #[cfg(test)]

@@ -4,7 +4,9 @@
 //! and all elements of an array are one place. So what a place may hold is a join over all writes,
 //! whatever their order.
 
-use crate::semantic::{Base, FunctionRef, Program, Resolution, Storage, Type, VariableId};
+use crate::semantic::{
+    Base, Direction, FunctionRef, Program, Resolution, Storage, Type, VariableId,
+};
 use crate::syntax::ast::*;
 
 /// How many writes before a use are looked at.
@@ -140,6 +142,7 @@ impl Places {
         for (i, expr) in program.tree.exprs.iter().enumerate() {
             places.expr(program, ExprId(i as u32), expr);
         }
+        places.callers(program);
         for list in &mut places.written_at {
             list.sort_unstable_by_key(|c| c.token);
         }
@@ -252,6 +255,26 @@ impl Places {
             if from_host {
                 self.add(PlaceId(i as u32), Written::Unknown, None);
                 self.host_struct(program, variable.ty, 0);
+            }
+        }
+    }
+
+    /// What nobody in the shader calls may be called with anything.
+    fn callers(&mut self, program: &Program) {
+        let mut is_called = vec![false; program.functions.len()];
+        for call in &program.calls {
+            if let Some(slot) = is_called.get_mut(call.callee.0 as usize) {
+                *slot = true;
+            }
+        }
+        for (i, variable) in program.variables.iter().enumerate() {
+            let is_in = matches!(
+                variable.storage,
+                Storage::Param(Direction::In | Direction::ConstIn | Direction::Inout)
+            );
+            let function = variable.function.map_or(0, |f| f.0 as usize);
+            if is_in && is_called.get(function) != Some(&true) {
+                self.add(PlaceId(i as u32), Written::Unknown, None);
             }
         }
     }
@@ -393,9 +416,7 @@ impl Places {
             let Some(direction) = function.params.get(i).map(|p| p.direction) else {
                 continue;
             };
-            if let Some(variable) =
-                variable.filter(|_| direction != crate::semantic::Direction::Out)
-            {
+            if let Some(variable) = variable.filter(|_| direction != Direction::Out) {
                 self.add(PlaceId(variable.0), Written::Value(arg), None);
             }
             if direction.writes() {
