@@ -1,6 +1,6 @@
 //! What rules ask for about a shader as a whole. Each answer is made at the first question.
 
-use super::words::Words;
+use super::words::{Counts, Unseen};
 use crate::semantic::flow::{CallGraph, Effects, Loops, Reach, Structure, Usage};
 use crate::semantic::{Dialect, FunctionRef, Program};
 use crate::text::Span;
@@ -16,7 +16,8 @@ pub struct Facts<'a, 'p> {
     effects: OnceCell<Effects>,
     usage: OnceCell<Usage>,
     reach: OnceCell<Reach>,
-    words: OnceCell<Words<'p>>,
+    unseen: OnceCell<Unseen<'p>>,
+    counts: OnceCell<Counts<'p>>,
 }
 
 impl<'a, 'p> Facts<'a, 'p> {
@@ -31,7 +32,8 @@ impl<'a, 'p> Facts<'a, 'p> {
             effects: OnceCell::new(),
             usage: OnceCell::new(),
             reach: OnceCell::new(),
-            words: OnceCell::new(),
+            unseen: OnceCell::new(),
+            counts: OnceCell::new(),
         }
     }
 
@@ -87,9 +89,14 @@ impl<'a, 'p> Facts<'a, 'p> {
         self.reach.get_or_init(|| Reach::of(self.program))
     }
 
-    /// Where words stand that the compiler does not see.
-    pub fn words(&self) -> &Words<'p> {
-        self.words.get_or_init(|| Words::of(self.program))
+    /// The words that the compiler does not see.
+    pub fn unseen(&self) -> &Unseen<'p> {
+        self.unseen.get_or_init(|| Unseen::of(self.program))
+    }
+
+    /// How often each word stands in the user's files.
+    pub fn counts(&self) -> &Counts<'p> {
+        self.counts.get_or_init(|| Counts::of(self.program))
     }
 
     /// Addresses of the last file, which is nobody's else: what it declares is used in it or not at

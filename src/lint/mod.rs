@@ -20,4 +20,4 @@ pub use rule::{Binary, Builtin, Check, Group, Rule, RuleOption};
 pub use run::lint;
 pub use same::{code_hash, same_code};
 pub use settings::{Settings, Target, UnknownRule};
-pub use words::Words;
+pub use words::{Counts, Unseen};

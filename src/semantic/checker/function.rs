@@ -1,7 +1,7 @@
 //! Functions: headers, prototypes and bodies (GLSL ES 3.00 section 6.1).
 
-use super::qualifier::Wanted;
 use super::super::builtins::REDEFINABLE;
+use super::qualifier::Wanted;
 use super::*;
 
 impl Checker<'_> {
