@@ -18,11 +18,13 @@ pub static RULE: Rule = Rule {
 
 fn check(cx: &mut Context, e: &Binary) {
     let program = cx.program;
-    let extent = program.tree.expr(e.id).extent;
-    if !(e.op.compares() || e.op.is_logical()) || !program.is_direct(extent) {
+    if !(e.op.compares() || e.op.is_logical()) {
         return;
     }
-    if let Some(answer) = literal_answer(cx, e).or_else(|| sign_answer(cx, e)) {
+    let extent = program.tree.expr(e.id).extent;
+    if let Some(answer) = literal_answer(cx, e).or_else(|| sign_answer(cx, e))
+        && program.is_direct(extent)
+    {
         let finding = cx.report_expr(e.id, format!("this is always {answer}"));
         if matches!(
             e.op,

@@ -34,7 +34,8 @@ fn check(cx: &mut Context) {
             cx.report(bodies[1], "both branches of this `if` do the same")
                 .label(first, "the other one");
         }
-        if !is_else(cx, StmtId(i as u32)) {
+        let is_chain = matches!(tree.stmt(otherwise).kind, StmtKind::If { .. });
+        if is_chain && !is_else(cx, StmtId(i as u32)) {
             check_chain(cx, StmtId(i as u32));
         }
     }
@@ -72,13 +73,13 @@ fn check_chain(cx: &mut Context, start: StmtId) {
     }) = next.map(|s| tree.stmt(s).kind)
     {
         next = otherwise;
-        // What has effects may have another answer the second time.
-        if cx.facts.effects().has(condition) {
-            continue;
-        }
         let extent = tree.expr(condition).extent;
-        match asked.get(&code_hash(program, extent)) {
-            Some(&before) if same_code(program, before, extent) => {
+        let hash = code_hash(program, extent);
+        match asked.get(&hash) {
+            // What has effects may have another answer the second time.
+            Some(&before)
+                if same_code(program, before, extent) && !cx.facts.effects().has(condition) =>
+            {
                 let before = program.span(before);
                 cx.report(
                     extent,
@@ -88,7 +89,7 @@ fn check_chain(cx: &mut Context, start: StmtId) {
             }
             Some(_) => {}
             None => {
-                asked.insert(code_hash(program, extent), extent);
+                asked.insert(hash, extent);
             }
         }
     }

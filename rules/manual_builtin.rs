@@ -27,8 +27,7 @@ fn check(cx: &mut Context, id: ExprId) {
     let tree = &program.tree;
     let expr = tree.expr(id);
     let is_float = program.ty(id).scalar_kind() == Some(Scalar::Float);
-    let is_matrix = program.ty(id).is_matrix();
-    if !is_float || is_matrix || program.expr(id).is_const || !program.is_direct(expr.extent) {
+    if !is_float || program.ty(id).is_matrix() || program.expr(id).is_const {
         return;
     }
     let found = match expr.kind {
@@ -44,7 +43,7 @@ fn check(cx: &mut Context, id: ExprId) {
         return;
     };
     // What is computed twice in the formula must be the same each time.
-    if cx.facts.effects().has(id) {
+    if cx.facts.effects().has(id) || !program.is_direct(expr.extent) {
         return;
     }
     let texts: Vec<&str> = arguments.iter().map(|&a| program.expr_text(a)).collect();
@@ -237,7 +236,7 @@ fn reflect(cx: &Context, direction: ExprId, rest: ExprId) -> Option<Found> {
         .iter()
         .find(|f| !is_two(f) && product(f).is_none())?;
     let fits = |d, n| same(cx, d, direction) && same(cx, n, normal);
-    let is_it = factors.iter().any(|f| is_two(f)) && (fits(a, b) || fits(b, a));
+    let is_it = factors.iter().any(is_two) && (fits(a, b) || fits(b, a));
     is_it.then(|| Found {
         name: "reflect",
         arguments: vec![direction, normal],

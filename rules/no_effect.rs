@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Check, Context, Group, Rule, remove_statement};
+use crate::semantic::Resolution;
 use crate::semantic::flow::is_dropped;
 use crate::syntax::ast::*;
 use crate::text::Edit;
@@ -46,9 +47,27 @@ fn check(cx: &mut Context) {
 /// Whether an expression does nothing but have a value, and stands in the text as it is.
 fn is_idle(cx: &Context, id: ExprId) -> bool {
     let program = cx.program;
-    !cx.facts.effects().has(id)
+    !plainly_acts(cx, id)
+        && !cx.facts.effects().has(id)
         && !program.ty(id).is_error()
         && program.is_direct(program.tree.expr(id).extent)
+}
+
+/// Whether an expression is an assignment, or a call that writes to its arguments, as nearly all
+/// statements are.
+fn plainly_acts(cx: &Context, id: ExprId) -> bool {
+    let program = cx.program;
+    match program.tree.expr(id).kind {
+        ExprKind::Assign(..) | ExprKind::Postfix(..) => true,
+        ExprKind::Unary(op, _) => op.assigns(),
+        ExprKind::Call(..) => match program.expr(id).resolution {
+            Resolution::Function(f) => program
+                .function(f)
+                .is_some_and(|f| f.params.iter().any(|p| p.direction.writes())),
+            _ => false,
+        },
+        _ => false,
+    }
 }
 
 fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {

@@ -25,7 +25,7 @@ fn check(cx: &mut Context) {
         }
         let name = program.names.text(definition.name);
         // Any other mention may be a test, or code that is left out at the moment.
-        if name.starts_with('_') || cx.facts.words().count(name) != 1 {
+        if name.starts_with('_') || cx.facts.counts().of_word(name) != 1 {
             continue;
         }
         let span = definition.name_span;

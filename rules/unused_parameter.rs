@@ -45,7 +45,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let own = program.names.text(param.name);
         let Some(token) = param.token else { continue };
         let is_direct = program.token(token).is_some_and(|t| t.is_direct());
-        if is_used || own.starts_with('_') || !is_direct || cx.facts.words().is_unseen(own) {
+        if is_used || own.starts_with('_') || !is_direct || cx.facts.unseen().has(own) {
             continue;
         }
         cx.report(

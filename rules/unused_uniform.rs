@@ -46,7 +46,7 @@ fn check(cx: &mut Context) {
             if variable.storage != Storage::Uniform || variable.read || !is_direct {
                 continue;
             }
-            if name.starts_with('_') || cx.facts.words().is_unseen(name) {
+            if name.starts_with('_') || cx.facts.unseen().has(name) {
                 continue;
             }
             let edit = match all.len() {

@@ -91,7 +91,7 @@ fn is_unused(cx: &Context, id: VariableId) -> bool {
         && !name.starts_with('_')
         && !cx.facts.usage().is_read(id)
         && is_direct()
-        && !cx.facts.words().is_unseen(name)
+        && !cx.facts.unseen().has(name)
 }
 
 fn report(cx: &mut Context, declared: &Declared) {

@@ -1,7 +1,7 @@
 //! What rules ask for about a shader as a whole. Each answer is made at the first question.
 
 use super::march::{March, marches};
-use super::words::Words;
+use super::words::{Counts, Unseen};
 use crate::semantic::flow::range::{Evaluator, Range, Ranges};
 use crate::semantic::flow::{
     CallGraph, Effects, Gradient, Loops, Paths, Purity, Reach, Structure, Uniformity, Usage, Work,
@@ -26,7 +26,8 @@ pub struct Facts<'a, 'p> {
     purity: OnceCell<Purity>,
     usage: OnceCell<Usage>,
     reach: OnceCell<Reach>,
-    words: OnceCell<Words<'p>>,
+    unseen: OnceCell<Unseen<'p>>,
+    counts: OnceCell<Counts<'p>>,
     work: OnceCell<Work>,
     uniformity: OnceCell<Uniformity>,
     gradients: OnceCell<Vec<Gradient>>,
@@ -50,7 +51,8 @@ impl<'a, 'p> Facts<'a, 'p> {
             purity: OnceCell::new(),
             usage: OnceCell::new(),
             reach: OnceCell::new(),
-            words: OnceCell::new(),
+            unseen: OnceCell::new(),
+            counts: OnceCell::new(),
             work: OnceCell::new(),
             uniformity: OnceCell::new(),
             gradients: OnceCell::new(),
@@ -178,9 +180,14 @@ impl<'a, 'p> Facts<'a, 'p> {
         self.reach.get_or_init(|| Reach::of(self.program))
     }
 
-    /// Where words stand that the compiler does not see.
-    pub fn words(&self) -> &Words<'p> {
-        self.words.get_or_init(|| Words::of(self.program))
+    /// The words that the compiler does not see.
+    pub fn unseen(&self) -> &Unseen<'p> {
+        self.unseen.get_or_init(|| Unseen::of(self.program))
+    }
+
+    /// How often each word stands in the user's files.
+    pub fn counts(&self) -> &Counts<'p> {
+        self.counts.get_or_init(|| Counts::of(self.program))
     }
 
     /// Addresses of the last file, which is nobody's else: what it declares is used in it or not at

@@ -24,4 +24,4 @@ pub use run::{lint, lint_within};
 pub use same::{code_hash, same_code};
 pub use settings::{Settings, Target, UnknownRule, nearest_rule};
 pub use suppress::Allows;
-pub use words::Words;
+pub use words::{Counts, Unseen};

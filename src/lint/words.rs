@@ -6,51 +6,24 @@ use crate::syntax::{Lexer, RawKind, TokenKind};
 use crate::text::{Role, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// The words of a shader's files.
+/// The words that the compiler does not see.
 #[derive(Default, Debug)]
-pub struct Words<'p> {
-    /// How often each stands in the user's files, comments aside.
-    counts: FxHashMap<&'p str, u32>,
-    /// Those that the compiler does not see.
-    unseen: FxHashSet<&'p str>,
-}
+pub struct Unseen<'p>(FxHashSet<&'p str>);
 
-impl<'p> Words<'p> {
-    /// Reads the files of a shader.
-    pub fn of(program: &Program<'p>) -> Words<'p> {
-        let mut words = Words::default();
+/// How often each word stands in the user's files, comments aside.
+#[derive(Default, Debug)]
+pub struct Counts<'p>(FxHashMap<&'p str, u32>);
+
+impl<'p> Unseen<'p> {
+    /// Reads what `#if` left out, and the macros that are never expanded.
+    pub fn of(program: &Program<'p>) -> Unseen<'p> {
+        let mut words = FxHashSet::default();
         let tokens = &program.tokens;
-        let sources = program.sources;
-        let mut seen_files = FxHashSet::default();
-        let first_and_last = tokens.tokens.iter().map(|t| t.span.start);
-        let mut last_base = None;
-        for address in first_and_last {
-            // Tokens come file by file.
-            let Some(file) = (match last_base {
-                Some((base, end)) if (base..=end).contains(&address) => None,
-                _ => sources.file_at(address),
-            }) else {
-                continue;
-            };
-            last_base = Some((file.base, file.span().end));
-            if file.role == Role::User && seen_files.insert(file.base) {
-                each_word(&file.text, |word| {
-                    *words.counts.entry(word).or_insert(0) += 1;
-                });
-            }
-        }
         for &span in &tokens.inactive {
-            each_word(sources.text(span), |word| {
-                words.unseen.insert(word);
+            each_word(program.sources.text(span), |word| {
+                words.insert(word);
             });
         }
-        words.read_uncalled_macros(program);
-        words
-    }
-
-    /// Notes the words of macros that are never expanded.
-    fn read_uncalled_macros(&mut self, program: &Program<'p>) {
-        let tokens = &program.tokens;
         let called: FxHashSet<u32> = tokens.expansions.iter().map(|e| e.definition.0).collect();
         for (i, definition) in tokens.macros.iter().enumerate() {
             if definition.predefined || called.contains(&(i as u32)) {
@@ -58,20 +31,43 @@ impl<'p> Words<'p> {
             }
             for piece in &definition.body {
                 if piece.token.kind == TokenKind::Identifier && piece.token.is_direct() {
-                    self.unseen.insert(program.sources.text(piece.token.span));
+                    words.insert(program.sources.text(piece.token.span));
                 }
             }
         }
-    }
-
-    /// How often a word stands in the user's files.
-    pub fn count(&self, word: &str) -> u32 {
-        self.counts.get(word).copied().unwrap_or(0)
+        Unseen(words)
     }
 
     /// Whether a word stands where the compiler does not see it.
-    pub fn is_unseen(&self, word: &str) -> bool {
-        self.unseen.contains(word)
+    pub fn has(&self, word: &str) -> bool {
+        self.0.contains(word)
+    }
+}
+
+impl<'p> Counts<'p> {
+    /// Reads the files of a shader.
+    pub fn of(program: &Program<'p>) -> Counts<'p> {
+        let mut counts = FxHashMap::default();
+        let mut done = Span::default();
+        for token in &program.tokens.tokens {
+            // Tokens come file by file.
+            if !done.is_empty() && done.contains(token.span) {
+                continue;
+            }
+            let Some(file) = program.sources.file_at(token.span.start) else {
+                continue;
+            };
+            done = file.span();
+            if file.role == Role::User {
+                each_word(&file.text, |word| *counts.entry(word).or_insert(0) += 1);
+            }
+        }
+        Counts(counts)
+    }
+
+    /// How often a word stands in the user's files.
+    pub fn of_word(&self, word: &str) -> u32 {
+        self.0.get(word).copied().unwrap_or(0)
     }
 }
 

@@ -78,25 +78,20 @@ fn functions(program: &Program, structure: &Structure, calls: &CallGraph) -> Vec
     }
     for (i, expr) in tree.exprs.iter().enumerate() {
         let id = ExprId(i as u32);
-        match expr.kind {
+        let writes = match expr.kind {
             ExprKind::Assign(_, target, _) | ExprKind::Postfix(_, target) => {
-                if outlives(program, target) {
-                    mark(structure.function_of_expr(id));
-                }
+                outlives(program, target)
             }
-            ExprKind::Unary(op, target) if op.assigns() => {
-                if outlives(program, target) {
-                    mark(structure.function_of_expr(id));
-                }
-            }
+            ExprKind::Unary(op, target) => op.assigns() && outlives(program, target),
             ExprKind::Call(_, args) => {
                 let written = tree.args(args).iter().enumerate();
                 let mut written = written.filter(|(place, _)| writes_argument(program, id, *place));
-                if written.any(|(_, &arg)| outlives(program, arg)) {
-                    mark(structure.function_of_expr(id));
-                }
+                written.any(|(_, &arg)| outlives(program, arg))
             }
-            _ => {}
+            _ => false,
+        };
+        if writes {
+            mark(structure.function_of_expr(id));
         }
     }
     spread(calls, &mut found);
