@@ -39,8 +39,15 @@ impl std::fmt::Display for Unsupported {
     }
 }
 
-/// What shaders call the player's uniforms, with the types that each may have.
-const UNIFORMS: &[(&str, &[&str], &[(&str, u8)])] = &[
+/// What ShaderToy calls a uniform, what others call it, and the types that it may have, each with
+/// how many numbers that takes.
+type Names = (
+    &'static str,
+    &'static [&'static str],
+    &'static [(&'static str, u8)],
+);
+
+const UNIFORMS: &[Names] = &[
     (
         "iResolution",
         &["iResolution", "u_resolution", "uResolution", "resolution"],

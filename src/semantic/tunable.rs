@@ -90,9 +90,9 @@ pub fn range_behind<'a>(program: &'a Program, place: Span) -> Option<(Range, &'a
     let next = comments.partition_point(|c| c.start < place.end);
     let comment = *comments.get(next)?;
     let between = program.sources.text(Span::new(place.end, comment.start));
-    // A text that spans two files is none: the comment must stand in the same one.
-    let is_apart = program.sources.text(place.to(comment)).is_empty();
-    if is_apart || between.contains(['\n', '\r']) {
+    let file_of = |span: Span| program.sources.file_id_at(span.start);
+    let is_elsewhere = between.contains(['\n', '\r']) || file_of(place) != file_of(comment);
+    if is_elsewhere || program.sources.text(comment).is_empty() {
         return None;
     }
     let text = program.sources.text(comment);

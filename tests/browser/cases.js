@@ -139,6 +139,7 @@ void mainImage(out vec4 O, vec2 U) {
   },
   {
     name: 'mouse: nobody has touched it',
+    flat: true,
     frames: [0],
     shader: shader(image('void mainImage(out vec4 O, vec2 U) { O = 0.5 + 0.25 * sign(iMouse) + abs(iMouse); }')),
   },

@@ -2,6 +2,9 @@
 // draws each frame with plain calls, keeps its textures' state as ShaderToy does, and knows neither
 // pages nor clocks. It runs inside a browser page, so it may use nothing from outside.
 
+// One function, since it travels into the page as text.
+/* eslint max-lines-per-function: off */
+
 /**
  * Draws the frames 0 to `last` of an export; gives the pixels of the last.
  * @param {{shader: any, width: number, height: number, last: number,

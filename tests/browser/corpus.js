@@ -1,0 +1,95 @@
+// The templates, and the exports in SHADERLINT_CASES: each page loads, draws, and moves where the
+// shader uses time.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { colors, differences, frame, open, port, put, shaderport, top, work } from './browser.js';
+
+const templates = path.join(top, 'corpus/templates');
+
+/** One template or export. */
+async function check(context, file, name) {
+  const { page, complaints } = await open(context, port(file, name), '#size=32x18&paused');
+  await page.evaluate(() => globalThis.shaderport.ready);
+  assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), [], 'every pass compiles');
+  const first = await frame(page, 0);
+  const later = await frame(page, 12);
+  assert.deepEqual(complaints, []);
+  return { first, later };
+}
+
+async function template(context, file) {
+  const code = fs.readFileSync(file, 'utf8');
+  const { first, later } = await check(context, file, path.basename(file, '.glsl'));
+  assert.ok(colors(later) > 10, 'it draws');
+  if (code.includes('iTime')) assert.ok(differences(first, later) > 0, 'it moves');
+}
+
+/** Compiles every shader that `--main rewrite` calls safe. */
+async function rewritten(context, files) {
+  const page = await context.newPage();
+  const wrong = [];
+  let count = 0;
+  for (const file of files) {
+    const out = path.join(work, 'rewritten');
+    fs.rmSync(out, { recursive: true, force: true });
+    shaderport(file, '-t', 'glsl', '--main', 'rewrite', '-o', out);
+    const shaders = fs.statSync(out).isDirectory() ? fs.readdirSync(out).map((f) => path.join(out, f)) : [out];
+    const texts = shaders.map((f) => fs.readFileSync(f, 'utf8')).filter((t) => /\nvoid main\(\)/.test(t) && !t.includes('in vec2 pos'));
+    count += texts.length;
+    const logs = await page.evaluate((all) => {
+      const gl = document.createElement('canvas').getContext('webgl2');
+      const said = all.map((text) => {
+        const shader = gl.createShader(gl.FRAGMENT_SHADER);
+        gl.shaderSource(shader, text);
+        gl.compileShader(shader);
+        return gl.getShaderParameter(shader, gl.COMPILE_STATUS) ? '' : gl.getShaderInfoLog(shader);
+      });
+      gl.getExtension('WEBGL_lose_context').loseContext();
+      return said.filter(Boolean);
+    }, texts);
+    wrong.push(...logs.map((log) => `${path.basename(file)}: ${log}`));
+  }
+  assert.deepEqual(wrong, []);
+  assert.ok(count > 0);
+}
+
+/** A template in the documents' way draws what its page draws. */
+async function rewrittenPicture(context) {
+  const code = `float f(vec2 p) { return sin(p.x * 9.0) * cos(p.y * 7.0); }
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = (2.0 * fragCoord - iResolution.xy) / iResolution.y;
+    fragColor.rgb = vec3(f(uv), f(uv.yx), 0.5);
+    fragColor += 0.125;
+}
+`;
+  const file = put('plain.glsl', code);
+  shaderport(file, '--main', 'rewrite', '-o', path.join(work, 'plain.frag'), '--force');
+  const ours = await open(context, port(file, 'plain'), '#size=64x36&paused');
+  const theirs = await open(context, port(path.join(work, 'plain.frag'), 'plain_whole'), '#size=64x36&paused');
+  assert.equal(differences(await frame(ours.page, 3), await frame(theirs.page, 3)), 0);
+}
+
+/** The tests of the templates, and of the exports where there are any. */
+export function corpusTests() {
+  const shaders = fs.readdirSync(templates).filter((f) => f.endsWith('.glsl')).map((f) => path.join(templates, f));
+  const tests = shaders.map((file) => ({
+    name: `template: ${path.basename(file)}`,
+    run: (context) => template(context, file),
+  }));
+  tests.push({ name: 'rewritten: the templates compile', run: (context) => rewritten(context, shaders) });
+  tests.push({ name: 'rewritten: the picture stays', run: rewrittenPicture });
+  const cases = process.env.SHADERLINT_CASES && path.join(process.env.SHADERLINT_CASES, 'shadertoy');
+  if (cases && fs.existsSync(cases)) {
+    const exports = fs.readdirSync(cases).filter((f) => f.endsWith('.json')).map((f) => path.join(cases, f));
+    for (const file of exports) {
+      const name = path.basename(file, '.json');
+      tests.push({ name: `export: ${name}`, run: (context) => check(context, file, name) });
+    }
+    for (let i = 0; i < exports.length; i += 40) {
+      const some = exports.slice(i, i + 40);
+      tests.push({ name: `rewritten: exports from ${i} on`, run: (context) => rewritten(context, some) });
+    }
+  }
+  return tests;
+}

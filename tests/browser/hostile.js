@@ -1,0 +1,73 @@
+// Words from outside stay words: nothing in them runs, and the page still draws.
+import assert from 'node:assert/strict';
+import { colors, frame, open, port, put } from './browser.js';
+import { shader } from './cases.js';
+
+const WORDS = [
+  ['an end of the script', '</script><script>globalThis.hacked = 1</script>'],
+  ['a comment that opens a script', '<!--<script>'],
+  ['the end of a comment', '--> <img src=x onerror="globalThis.hacked = 1">'],
+  ['a template literal', '`${globalThis.hacked = 1}`'],
+  ['line separators', '\u2028globalThis.hacked = 1\u2029globalThis.hacked = 1//'],
+  ['quotes', '"\'; globalThis.hacked = 1; //'],
+  ['an attribute', '" autofocus onfocus="globalThis.hacked = 1" x="'],
+  ['a style', '</style><style>body { display: none }</style>'],
+  ['a place of the template', '{{script}}{{project}}'],
+  ['a link', 'javascript:globalThis.hacked=1'],
+  ['a million letters', `</script>${'x'.repeat(1 << 20)}`],
+];
+
+async function check(context, words, index) {
+  const code = `/* ${words.replaceAll('*/', '')} */
+void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
+  const toy = shader({ type: 'image', name: words, code, inputs: [], outputs: [] });
+  Object.assign(toy.info, { id: words, name: words, username: words, description: words, tags: [words] });
+  toy.renderpass[0].inputs.push({ id: words, type: 'texture', channel: 0, filepath: words, sampler: { filter: words, wrap: words } });
+  const address = port(put(`hostile${index}.json`, JSON.stringify(toy)), `hostile${index}`);
+  const { page, complaints } = await open(context, address, '#size=32x18&paused');
+  await page.evaluate(() => globalThis.shaderport.ready);
+  assert.ok(colors(await frame(page, 1)) > 1, 'it draws');
+  await page.click('#more');
+  const seen = await page.evaluate(() => ({
+    hacked: globalThis.hacked,
+    title: document.querySelector('#title').textContent,
+    description: document.querySelector('#description').textContent,
+    links: [...document.links].map((a) => a.href),
+    scripts: document.scripts.length,
+    images: document.images.length,
+    styles: document.querySelectorAll('style').length,
+    errors: globalThis.shaderport.errors,
+  }));
+  assert.equal(seen.hacked, undefined, 'nothing has run');
+  assert.equal(seen.title, words);
+  assert.equal(seen.description, words);
+  assert.deepEqual([seen.links, seen.scripts, seen.images, seen.styles, seen.errors], [[], 2, 0, 1, []]);
+  assert.deepEqual(complaints, []);
+}
+
+async function policy(context) {
+  const address = port(put('policy.glsl', 'void mainImage(out vec4 O, vec2 U) { O = vec4(1.0); }'), 'policy');
+  const { page } = await open(context, address, '#size=32x18&paused');
+  const tries = await page.evaluate(async () => {
+    const blocked = [];
+    document.addEventListener('securitypolicyviolation', (e) => blocked.push(e.effectiveDirective));
+    const script = document.createElement('script');
+    script.textContent = 'globalThis.hacked = 1';
+    document.body.append(script);
+    const picture = new Image();
+    picture.src = 'http://page.test/x.png';
+    await fetch('http://page.test/').catch(() => {});
+    await new Promise((resolve) => { setTimeout(resolve, 200); });
+    return { hacked: globalThis.hacked, blocked: blocked.sort() };
+  });
+  assert.equal(tries.hacked, undefined);
+  assert.deepEqual(tries.blocked, ['connect-src', 'img-src', 'script-src-elem']);
+}
+
+export const hostileTests = [
+  ...WORDS.map(([name, words], index) => ({
+    name: `hostile: ${name}`,
+    run: (context) => check(context, words, index),
+  })),
+  { name: 'hostile: the policy lets nothing in', run: policy },
+];

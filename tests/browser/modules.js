@@ -1,0 +1,172 @@
+// The modules in pages of somebody else.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { differences, put, shaderport, top, work } from './browser.js';
+import { CASES } from './cases.js';
+import { reference } from './reference.js';
+
+const HOST = 'http://page.test/';
+const packages = path.join(top, 'tests/browser/node_modules');
+
+/** What a bare import stands for; React's own files are CommonJS and get a wrapper. */
+const IMPORTS = {
+  three: '/packages/three/build/three.module.js',
+  react: '/react.js',
+  'react-dom/client': '/react-dom.js',
+};
+
+/** React as modules: its parts are wrapped one by one, each with the others to ask for. */
+function commonjs(entry) {
+  const parts = {
+    react: 'react/cjs/react.production.js',
+    'react-dom': 'react-dom/cjs/react-dom.production.js',
+    'react-dom/client': 'react-dom/cjs/react-dom-client.production.js',
+    scheduler: 'scheduler/cjs/scheduler.production.js',
+  };
+  const bodies = Object.entries(parts).map(([name, file]) => {
+    const code = fs.readFileSync(path.join(packages, file), 'utf8');
+    return `${JSON.stringify(name)}: (module, exports, require) => {\n${code}\n}`;
+  });
+  const names = entry === 'react' ? ['createElement', 'useEffect', 'useRef'] : ['createRoot'];
+  return `globalThis.parts ??= {};
+const bodies = { ${bodies.join(',\n')} };
+const require = (name) => {
+  if (!globalThis.parts[name]) {
+    const module = { exports: {} };
+    globalThis.parts[name] = module;
+    bodies[name](module, module.exports, require);
+  }
+  return globalThis.parts[name].exports;
+};
+const all = require(${JSON.stringify(entry)});
+export const { ${names.join(', ')} } = all;
+`;
+}
+
+/** A page that may import what was written to the folder of the tests. */
+async function host(context, body) {
+  const page = await context.newPage();
+  const complaints = [];
+  page.on('console', (m) => {
+    if (['error', 'warning'].includes(m.type())) complaints.push(m.text());
+  });
+  page.on('pageerror', (e) => complaints.push(e.message));
+  await page.route(`${HOST}**`, (route) => {
+    const { pathname } = new URL(route.request().url());
+    const js = (text) => route.fulfill({ contentType: 'text/javascript', body: text });
+    if (pathname === '/') {
+      return route.fulfill({
+        contentType: 'text/html',
+        body: `<!doctype html><script type="importmap">${JSON.stringify({ imports: IMPORTS })}</script>
+<style>canvas { width: 64px; height: 36px }</style><div id="root"><canvas id="canvas"></canvas></div>
+<script type="module">${body}</script>`,
+      });
+    }
+    if (pathname === '/react.js') return js(commonjs('react'));
+    if (pathname === '/react-dom.js') return js(commonjs('react-dom/client'));
+    if (pathname === '/favicon.ico') return route.fulfill({ status: 204 });
+    const inside = pathname.startsWith('/packages/') ? path.join(packages, pathname.slice(10)) : path.join(work, pathname);
+    return js(fs.readFileSync(inside, 'utf8'));
+  });
+  await page.goto(HOST);
+  return { page, complaints };
+}
+
+const named = (word) => CASES.find((c) => c.name.includes(word));
+
+async function mount(context) {
+  const test = named('order of the export');
+  shaderport(put('module.json', JSON.stringify(test.shader)), '-o', 'module.js', '--force');
+  const { page, complaints } = await host(context, `
+    import { mount } from './module.js';
+    const canvas = document.querySelector('canvas');
+    globalThis.shader = mount(canvas, { size: [64, 36], paused: true });
+    globalThis.second = mount(document.createElement('canvas'), { size: [8, 8] });`);
+  await page.waitForFunction(() => globalThis.shader);
+  const drawn = await page.evaluate(async () => {
+    await globalThis.shader.renderFrame(5);
+    const gl = document.querySelector('canvas').getContext('webgl2');
+    const bytes = new Uint8Array(64 * 36 * 4);
+    gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return Array.from(bytes);
+  });
+  const expected = await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5 });
+  assert.equal(differences(drawn, expected), 0, 'other pixels than the reference player');
+  const after = await page.evaluate(async () => {
+    const { second } = globalThis;
+    await second.ready;
+    await new Promise((resolve) => { setTimeout(resolve, 200); });
+    const played = second.time > 0;
+    second.dispose();
+    return [played, second.playing, globalThis.shader.errors];
+  });
+  assert.deepEqual(after, [true, false, []]);
+  assert.deepEqual(complaints, []);
+}
+
+async function three(context) {
+  const test = named('order of the export');
+  shaderport(put('three.json', JSON.stringify(test.shader)), '-t', 'three', '-o', 'three.js', '--force');
+  const { page, complaints } = await host(context, `
+    import { createShader } from './three.js';
+    import { Camera, Mesh, PlaneGeometry, Scene, WebGLRenderer } from 'three';
+    const canvas = document.querySelector('canvas');
+    const renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
+    renderer.setPixelRatio(1);
+    renderer.setSize(64, 36, false);
+    const shader = createShader();
+    const scene = new Scene();
+    const mesh = new Mesh(new PlaneGeometry(2, 2), shader.material);
+    mesh.frustumCulled = false;
+    scene.add(mesh);
+    const camera = new Camera();
+    for (let i = 0; i <= 5; i++) {
+      shader.update(renderer, { time: i / 60 });
+      renderer.render(scene, camera);
+    }
+    const bytes = new Uint8Array(64 * 36 * 4);
+    const gl = renderer.getContext();
+    gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    globalThis.drawn = Array.from(bytes);
+    shader.dispose();`);
+  await page.waitForFunction(() => globalThis.drawn, null, { timeout: 20000 }).catch(() => {});
+  assert.deepEqual(complaints, []);
+  const drawn = await page.evaluate(() => globalThis.drawn);
+  const expected = await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5 });
+  assert.equal(differences(drawn, expected), 0, 'other pixels than the reference player');
+}
+
+async function react(context) {
+  const test = named('time, resolution');
+  shaderport(put('react.json', JSON.stringify(test.shader)), '-t', 'react', '-o', 'Shader.js', '--force');
+  const { page, complaints } = await host(context, `
+    import { createElement } from 'react';
+    import { createRoot } from 'react-dom/client';
+    import { Shader } from './Shader.js';
+    const root = createRoot(document.querySelector('#root'));
+    const show = (props) => root.render(createElement(Shader, { options: { size: [64, 36] }, onMount: (m) => { globalThis.mounted = m; }, ...props }));
+    globalThis.show = show;
+    globalThis.unmount = () => root.unmount();
+    show({ paused: false });`);
+  await page.waitForFunction(() => globalThis.mounted?.time > 0.05, null, { timeout: 20000 }).catch(() => {});
+  assert.deepEqual(complaints, []);
+  const states = await page.evaluate(async () => {
+    const wait = () => new Promise((resolve) => { setTimeout(resolve, 150); });
+    const seen = [globalThis.mounted.playing];
+    globalThis.show({ paused: true });
+    await wait();
+    seen.push(globalThis.mounted.playing);
+    globalThis.unmount();
+    await wait();
+    seen.push(document.querySelectorAll('canvas').length);
+    return seen;
+  });
+  assert.deepEqual(states, [true, false, 0]);
+}
+
+export const moduleTests = [
+  { name: 'module: mount draws the same pixels, twice on one page', run: mount },
+  { name: 'module: three.js draws the same pixels', run: three },
+  { name: 'module: a React component plays, pauses and goes', run: react },
+];

@@ -1,0 +1,374 @@
+// The page as somebody uses it.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import { colors, differences, frame, open, port, put } from './browser.js';
+import { shader } from './cases.js';
+
+const MOVING = `#define SPEED 1.0 // Tunable: how fast it moves (0.0~4.0)
+#define STRIPES 4 // Tunable: stripes (1~9)
+void mainImage(out vec4 O, vec2 U) {
+  vec2 p = U / iResolution.xy;
+  O = vec4(fract(p * float(STRIPES) + iTime * SPEED), 0.2, 1.0);
+  if (distance(U, iMouse.xy) < 8.0 && iMouse.z > 0.0) O = vec4(1.0);
+}
+`;
+
+/** Opens a page of the code; gives it with what it complained of. */
+async function show(context, name, code, hash = '', ...args) {
+  const text = typeof code === 'string' ? code : JSON.stringify(code);
+  const file = put(`${name}.${typeof code === 'string' ? 'glsl' : 'json'}`, text);
+  const opened = await open(context, port(file, name, ...args), hash);
+  await opened.page.evaluate(() => globalThis.shaderport.ready);
+  return opened;
+}
+
+const pixels = (page) =>
+  page.evaluate(() => {
+    const canvas = document.querySelector('canvas');
+    const gl = canvas.getContext('webgl2');
+    const bytes = new Uint8Array(canvas.width * canvas.height * 4);
+    gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return Array.from(bytes);
+  });
+const time = (page) => page.evaluate(() => globalThis.shaderport.player.clock.time);
+const playing = (page) => page.evaluate(() => globalThis.shaderport.player.isPlaying);
+const wait = (page, ms) => page.waitForTimeout(ms);
+
+async function playAndPause(context) {
+  const { page, complaints } = await show(context, 'play', MOVING);
+  await wait(page, 300);
+  assert.ok(await playing(page));
+  assert.ok((await time(page)) > 0);
+  await page.click('#play');
+  assert.ok(!(await playing(page)));
+  const stopped = await time(page);
+  const still = await pixels(page);
+  await wait(page, 200);
+  assert.equal(await time(page), stopped);
+  assert.equal(differences(await pixels(page), still), 0);
+  await page.click('#play');
+  await wait(page, 250);
+  assert.ok((await time(page)) > stopped);
+  await page.click('#restart');
+  assert.ok((await time(page)) < stopped + 0.2);
+  assert.match(await page.textContent('#rate'), /^\d+ fps$/);
+  assert.deepEqual(complaints, []);
+}
+
+async function scrub(context) {
+  const { page } = await show(context, 'scrub', MOVING, '#size=64x36&paused');
+  const before = await pixels(page);
+  await page.fill('#scrub', '12.35');
+  assert.equal(await time(page), 12.35);
+  assert.equal(await page.textContent('#time'), '12.35');
+  assert.ok(differences(await pixels(page), before) > 0);
+}
+
+async function address(context) {
+  const { page } = await show(context, 'address', MOVING, '#size=320x180&t=2.5&paused');
+  assert.deepEqual(await page.evaluate(() => {
+    const { canvas, clock, isPlaying } = globalThis.shaderport.player;
+    return [canvas.width, canvas.height, clock.time, isPlaying];
+  }), [320, 180, 2.5, false]);
+  assert.ok(colors(await pixels(page)) > 10);
+}
+
+async function sliders(context) {
+  const { page, complaints } = await show(context, 'sliders', MOVING, '#size=64x36&t=0.3&paused');
+  await page.click('#more');
+  assert.deepEqual(await page.$$eval('#sliders input', (all) => all.map((i) => [i.name, i.min, i.max])), [
+    ['SPEED', '0', '4'],
+    ['STRIPES', '1', '9'],
+  ]);
+  const before = await pixels(page);
+  await page.fill('input[name=STRIPES]', '9');
+  await wait(page, 400);
+  const after = await pixels(page);
+  assert.ok(differences(after, before) > 0, 'the picture follows the slider');
+  await page.fill('input[name=SPEED]', '2.5');
+  await wait(page, 400);
+  const text = await page.evaluate(() => globalThis.shaderport.player.project.files.find((f) => !f.hidden).text);
+  assert.match(text, /#define SPEED 2\.5 \/\//);
+  assert.match(text, /#define STRIPES 9 \/\//);
+  assert.deepEqual(complaints, []);
+}
+
+async function mouse(context) {
+  const code = `void mainImage(out vec4 O, vec2 U) {
+  O = vec4(iMouse.xy / iResolution.xy, 0.5 + 0.25 * sign(iMouse.zw));
+  O = vec4(O.x, O.y, O.z, 1.0); }`;
+  const { page } = await show(context, 'mouse', code, '#paused');
+  const value = () => page.evaluate(() => globalThis.shaderport.player.mouse.value());
+  const box = await page.locator('canvas').boundingBox();
+  await page.mouse.move(100, 50);
+  await page.mouse.down();
+  await page.mouse.move(120, 80);
+  assert.deepEqual(await value(), [120, box.height - 80, 100, -(box.height - 50)]);
+  await page.mouse.up();
+  await page.mouse.move(10, 10);
+  assert.deepEqual(await value(), [120, box.height - 80, -100, -(box.height - 50)]);
+}
+
+async function touch(context) {
+  const { page } = await show(context, 'touch', MOVING, '#paused');
+  await page.touchscreen.tap(60, 40);
+  const [x, y, z] = await page.evaluate(() => globalThis.shaderport.player.mouse.value());
+  const [height, scale] = await page.evaluate(() => {
+    const { canvas } = globalThis.shaderport.player;
+    return [canvas.clientHeight, canvas.width / canvas.clientWidth];
+  });
+  assert.deepEqual([x, y, Math.sign(z)], [60 * scale, (height - 40) * scale, -1]);
+}
+
+async function keyboard(context) {
+  const code = 'void mainImage(out vec4 O, vec2 U) { O = vec4(texelFetch(iChannel0, ivec2(65, 0), 0).x, texelFetch(iChannel0, ivec2(65, 2), 0).x, 0.0, 1.0); }';
+  const { page } = await show(context, 'keys', code, '#size=32x18&paused', '--channel', '0=keyboard');
+  const color = async () => (await pixels(page)).slice(0, 2);
+  await page.keyboard.press('a');
+  assert.deepEqual(await color(), [0, 0], 'keys count only while the canvas has the focus');
+  await page.focus('canvas');
+  await page.keyboard.down('a');
+  assert.deepEqual(await color(), [255, 255]);
+  await page.keyboard.up('a');
+  assert.deepEqual(await color(), [0, 255]);
+  await page.keyboard.press('a');
+  assert.deepEqual(await color(), [0, 0]);
+}
+
+async function resize(context) {
+  const toy = shader(
+    { type: 'image', name: '', inputs: [{ id: '4dXGR8', type: 'buffer', channel: 0, sampler: { filter: 'nearest', wrap: 'clamp' } }], outputs: [],
+      code: 'void mainImage(out vec4 O, vec2 U) { O = texelFetch(iChannel0, ivec2(U), 0); }' },
+    { type: 'buffer', name: '', inputs: [{ id: '4dXGR8', type: 'buffer', channel: 0, sampler: { filter: 'nearest', wrap: 'clamp' } }], outputs: [{ id: '4dXGR8' }],
+      code: 'void mainImage(out vec4 O, vec2 U) { O = iFrame == 0 ? vec4(1.0, 0.0, 0.0, 1.0) : texelFetch(iChannel0, ivec2(U), 0); }' },
+  );
+  const { page, complaints } = await show(context, 'resize', toy, '#paused');
+  await page.setViewportSize({ width: 600, height: 320 });
+  await wait(page, 200);
+  const { width, bytes } = await page.evaluate(() => {
+    globalThis.shaderport.player.poke();
+    const { canvas, gl } = globalThis.shaderport.player;
+    const row = new Uint8Array(canvas.width * 4);
+    gl.readPixels(0, 5, canvas.width, 1, gl.RGBA, gl.UNSIGNED_BYTE, row);
+    return { width: canvas.width, bytes: Array.from(row) };
+  });
+  assert.equal(width, 600);
+  assert.deepEqual(bytes.slice(4 * 470, 4 * 470 + 3), [255, 0, 0], 'what was drawn stays');
+  assert.deepEqual(bytes.slice(4 * 500, 4 * 500 + 3), [0, 0, 0], 'what is new is empty');
+  await page.selectOption('#scale', '0.5');
+  assert.equal(await page.evaluate(() => globalThis.shaderport.player.canvas.width), 300);
+  assert.deepEqual(complaints, []);
+}
+
+async function errors(context) {
+  const toy = shader(
+    { type: 'image', name: 'Image', inputs: [], outputs: [], code: '\nvoid mainImage(out vec4 O, vec2 U) {\n  O = broken(1.0);\n}' },
+    { type: 'common', name: 'Common', inputs: [], outputs: [], code: '// one\n// two\nfloat f() { return nothing; }' },
+  );
+  const { page } = await show(context, 'errors', toy, '#paused');
+  const seen = await page.evaluate(() => globalThis.shaderport.errors.map((e) => [e.pass, e.line]));
+  const places = new Set(seen.map((place) => place.join(' ')));
+  assert.deepEqual([...places].sort(), ['Common 3', 'Image 3']);
+  const text = await page.textContent('#errors');
+  assert.match(text, /\d errors/);
+  assert.match(text, /Image, line 3:.*broken/);
+  assert.match(text, /O = broken\(1\.0\);/);
+  assert.ok(await page.isVisible('#errors'));
+}
+
+async function captures(context) {
+  const { page } = await show(context, 'capture', MOVING);
+  const [shot] = await Promise.all([page.waitForEvent('download'), page.click('#shot')]);
+  assert.equal(shot.suggestedFilename(), 'shader.png');
+  const png = fs.readFileSync(await shot.path());
+  assert.equal(png.subarray(1, 4).toString(), 'PNG');
+  assert.ok(png.length > 200);
+  await page.click('#record');
+  assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'true');
+  await wait(page, 1200);
+  const [film] = await Promise.all([page.waitForEvent('download'), page.click('#record')]);
+  assert.match(film.suggestedFilename(), /^shader\.(webm|mp4)$/);
+  assert.ok(fs.statSync(await film.path()).size > 1000, 'the film has frames');
+  assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'false');
+}
+
+async function sound(context) {
+  const toy = shader(
+    { type: 'image', name: '', inputs: [], outputs: [], code: 'void mainImage(out vec4 O, vec2 U) { O = vec4(U.x); }' },
+    { type: 'sound', name: '', inputs: [], outputs: [], code: 'vec2 mainSound(in int s, float t) { return vec2(sin(6.2831 * 440.0 * t), float(s % 100) / 100.0); }' },
+  );
+  const { page, complaints } = await show(context, 'sound', toy);
+  await page.click('#sound');
+  assert.equal(await page.getAttribute('#sound', 'aria-pressed'), 'true');
+  await page.waitForFunction(() => globalThis.shaderport.player.sound?.source);
+  const samples = await page.evaluate(() => {
+    const { left, right } = globalThis.shaderport.player.sound;
+    // The second block starts at sample 262144.
+    return [25, 1000, 262144 + 50].map((i) => [left[i], right[i]]);
+  });
+  for (const [i, at] of [25, 1000, 262144 + 50].entries()) {
+    assert.ok(Math.abs(samples[i][0] - Math.sin((6.2831 * 440 * at) / 44100)) < 2e-2, `left, ${at}`);
+    assert.ok(Math.abs(samples[i][1] - (at % 100) / 100) < 1e-3, `right, ${at}`);
+  }
+  await page.click('#play');
+  assert.ok(await page.evaluate(() => globalThis.shaderport.player.sound.source === null), 'it stops with the clock');
+  assert.deepEqual(complaints, []);
+}
+
+/** A picture of four colours, as a PNG that the browser makes. */
+function picture(page) {
+  return page.evaluate(() => {
+    const canvas = document.createElement('canvas');
+    canvas.width = canvas.height = 2;
+    const to = canvas.getContext('2d');
+    ['#f00', '#0f0', '#00f', '#fff'].forEach((color, i) => {
+      to.fillStyle = color;
+      to.fillRect(i % 2, i >> 1, 1, 1);
+    });
+    return canvas.toDataURL().split(',')[1];
+  });
+}
+
+const READER = 'void mainImage(out vec4 O, vec2 U) { O = texture(iChannel0, U / iResolution.xy) + vec4(iChannelResolution[0].xy, 0.0, 0.0) / 2550.0; }';
+
+async function drop(context) {
+  const { page, complaints } = await show(context, 'drop', READER, '#size=32x32&paused');
+  assert.deepEqual((await pixels(page)).slice(0, 3), [0, 0, 0], 'an empty channel is black');
+  const base64 = await picture(page);
+  await page.evaluate((data) => {
+    const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
+    const files = new DataTransfer();
+    files.items.add(new File([bytes], 'four.png', { type: 'image/png' }));
+    const event = new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true });
+    document.querySelector('#stage').dispatchEvent(event);
+  }, base64);
+  await page.waitForFunction(() => globalThis.shaderport.player.inputs[0][0].isLoaded);
+  const drawn = await pixels(page);
+  const at = (x, y) => drawn.slice(4 * (32 * y + x), 4 * (32 * y + x) + 3).map((v) => (v > 128 ? 1 : 0));
+  assert.deepEqual([at(4, 28), at(28, 28), at(4, 4), at(28, 4)], [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]);
+  assert.deepEqual(complaints, []);
+}
+
+async function embedded(context) {
+  const blank = await context.newPage();
+  const file = put('four.png', Buffer.from(await picture(blank), 'base64'));
+  const { page, complaints } = await show(context, 'embedded', READER, '#size=32x32&paused', '--channel', `0=${file},nearest,clamp`);
+  const drawn = await frame(page, 0);
+  assert.deepEqual(drawn.slice(0, 2).map((v) => (v > 128 ? 1 : 0)), [0, 0]);
+  assert.equal(drawn[2], 255, 'the lower left corner is the picture\'s');
+  assert.equal(colors(drawn), 4);
+  assert.deepEqual(complaints, []);
+}
+
+async function devices(context) {
+  const toy = shader({
+    type: 'image', name: '', outputs: [],
+    inputs: [{ id: '1', type: 'mic', channel: 0, sampler: {} }, { id: '2', type: 'webcam', channel: 1, sampler: {} }, { id: '3', type: 'music', channel: 2, sampler: {} }],
+    code: 'void mainImage(out vec4 O, vec2 U) { vec2 p = U / iResolution.xy; O = vec4(texture(iChannel0, vec2(p.x, 0.25)).x, texture(iChannel2, vec2(p.x, 0.75)).x, texture(iChannel1, p).x, 1.0); }',
+  });
+  const { page, complaints } = await show(context, 'devices', toy, '#size=64x36&paused');
+  const silent = await frame(page, 30);
+  assert.ok(colors(silent) > 30, 'a made-up signal stands for what is not heard');
+  assert.ok(silent.every((v, i) => i % 4 !== 2 || v === 0), 'no camera, no picture');
+  assert.deepEqual(complaints, []);
+}
+
+async function whole(context) {
+  const code = `#version 300 es
+precision highp float;
+uniform vec2 u_resolution;
+uniform float u_time;
+uniform int iFrame;
+in vec2 vUv;
+out vec4 color;
+void main() { color = vec4(gl_FragCoord.xy / u_resolution, fract(vUv.x + u_time + float(iFrame)), 1.0); }
+`;
+  const { page, complaints } = await show(context, 'whole', code, '#size=64x36&paused');
+  const first = await frame(page, 0);
+  assert.ok(colors(first) > 1000);
+  assert.ok(differences(first, await frame(page, 20)) > 1000);
+  assert.deepEqual(complaints, []);
+}
+
+async function strict(context) {
+  const reader = (channel, wrap) => ({ id: '4dXGR8', type: 'buffer', channel, sampler: { filter: 'nearest', wrap } });
+  const toy = shader(
+    { type: 'image', name: '', outputs: [], inputs: [reader(0, 'repeat'), reader(1, 'clamp')],
+      code: 'void mainImage(out vec4 O, vec2 U) { vec2 p = 3.0 * U / iResolution.xy; O = vec4(texture(iChannel0, p).x, texture(iChannel1, p).x, 0.0, 1.0); }' },
+    { type: 'buffer', name: '', inputs: [], outputs: [{ id: '4dXGR8' }], code: 'void mainImage(out vec4 O, vec2 U) { O = vec4(U.x / iResolution.x); }' },
+  );
+  const ours = await show(context, 'own_samplers', toy, '#size=32x18&paused');
+  const theirs = await show(context, 'strict', toy, '#size=32x18&paused', '--strict-player');
+  const differ = (bytes) => bytes.filter((v, i) => i % 4 === 0 && v !== bytes[i + 1]).length;
+  assert.ok(differ(await frame(ours.page, 0)) > 100, 'each channel has its own wrap');
+  assert.equal(differ(await frame(theirs.page, 0)), 0, 'the last wrap holds for both');
+}
+
+async function look(context) {
+  const { page } = await show(context, 'look', MOVING, '#paused');
+  await page.click('#more');
+  const width = page.viewportSize().width;
+  const parts = await page.$$eval('#bar > *, #panel', (all) => all.filter((e) => e.checkVisibility()).map((e) => [e.id, e.getBoundingClientRect().left, e.getBoundingClientRect().right]));
+  for (const [id, left, right] of parts) assert.ok(left >= 0 && right <= width, `${id} lies outside`);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+  const small = await page.$$eval('#bar button', (all) => all.filter((e) => e.checkVisibility() && e.getBoundingClientRect().height < 32).length);
+  assert.equal(small, 0, 'buttons can be hit with a finger');
+  const unnamed = await page.$$eval('button, input, select', (all) => all.filter((e) => !e.title && !e.textContent && !e.getAttribute('aria-label') && !e.closest('label')).length);
+  assert.equal(unnamed, 0, 'every control has a name');
+  return page;
+}
+
+async function colorsOfTheme(context) {
+  const page = await look(context);
+  const dark = await page.evaluate(() => matchMedia('(prefers-color-scheme: dark)').matches);
+  const back = await page.evaluate(() => getComputedStyle(document.querySelector('#bar')).backgroundColor);
+  const [red] = back.match(/\d+/g).map(Number);
+  assert.equal(red < 128, dark, `the bar is ${back}`);
+}
+
+async function fullScreen(context) {
+  const { page } = await show(context, 'full', MOVING);
+  await page.click('#full');
+  await page.waitForFunction(() => document.fullscreenElement?.id === 'stage');
+  await page.evaluate(() => document.exitFullscreen());
+}
+
+async function lostContext(context) {
+  const { page } = await show(context, 'lost', MOVING, '#size=32x18&paused');
+  await page.evaluate(async () => {
+    const { player } = globalThis.shaderport;
+    const lose = player.gl.getExtension('WEBGL_lose_context');
+    lose.loseContext();
+    await new Promise((resolve) => { setTimeout(resolve, 100); });
+    lose.restoreContext();
+    await new Promise((resolve) => { player.canvas.addEventListener('webglcontextrestored', resolve); });
+    await player.ready;
+  });
+  assert.ok(colors(await frame(page, 3)) > 10, 'it draws again');
+}
+
+const phone = { viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
+
+export const pageTests = [
+  { name: 'page: play, pause and restart', run: playAndPause },
+  { name: 'page: the time can be scrubbed', run: scrub },
+  { name: 'page: size, time and pause in the address', run: address },
+  { name: 'page: sliders from tunable numbers', run: sliders },
+  { name: 'page: the mouse', run: mouse },
+  { name: 'page: a finger', run: touch, context: phone },
+  { name: 'page: the keyboard, with focus', run: keyboard },
+  { name: 'page: another size, another scale', run: resize },
+  { name: 'page: errors name pass and line', run: errors },
+  { name: 'page: a picture and a film are saved', run: captures },
+  { name: 'page: the sound pass', run: sound },
+  { name: 'page: a picture dropped onto a channel', run: drop },
+  { name: 'page: a picture put in by the converter', run: embedded },
+  { name: 'page: microphone, camera and music without any', run: devices },
+  { name: 'page: a whole WebGL2 shader', run: whole },
+  { name: 'page: --strict-player shares samplers', run: strict },
+  { name: 'page: full screen', run: fullScreen },
+  { name: 'page: a lost graphics context', run: lostContext },
+  { name: 'page: dark', run: colorsOfTheme, context: { colorScheme: 'dark' } },
+  { name: 'page: light', run: colorsOfTheme, context: { colorScheme: 'light' } },
+  { name: 'page: as narrow as a phone', run: look, context: phone },
+];

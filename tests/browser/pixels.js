@@ -1,0 +1,51 @@
+// The page draws what the reference player draws, pixel for pixel.
+import assert from 'node:assert/strict';
+import { CASES } from './cases.js';
+import { colors, differences, frame, open, port, put } from './browser.js';
+import { reference } from './reference.js';
+
+const SIZE = { width: 64, height: 36 };
+
+/** Brings mouse and keys to where a case has them in frame 0. */
+function touch(page, { mouse, keys }) {
+  return page.evaluate(
+    (job) => {
+      const api = globalThis.shaderport;
+      for (const key of job.keys ?? []) {
+        api.setKey(key, false);
+        // A second press takes the toggle of an earlier frame back.
+        if (api.player.keyboard.data[512 + key]) {
+          api.setKey(key, true);
+          api.setKey(key, false);
+        }
+        api.setKey(key, true);
+      }
+      if (!job.mouse) return;
+      api.setMouse(0, 0, false);
+      api.setMouse(job.mouse.x, job.mouse.y, true);
+    },
+    { mouse, keys },
+  );
+}
+
+async function compare(context, test, index) {
+  const address = port(put(`case${index}.json`, JSON.stringify(test.shader)), `case${index}`);
+  const { page, complaints } = await open(context, address, `#size=${SIZE.width}x${SIZE.height}&paused`);
+  const blank = await context.newPage();
+  await page.evaluate(() => globalThis.shaderport.ready);
+  for (const last of test.frames) {
+    const job = { ...SIZE, shader: test.shader, last, mouse: test.mouse, keys: test.keys };
+    const expected = await blank.evaluate(reference, job);
+    await touch(page, test);
+    const drawn = await frame(page, last);
+    assert.equal(differences(drawn, expected), 0, `frame ${last} has other pixels`);
+    if (!test.flat) assert.ok(colors(drawn) > 1, `frame ${last} is of one colour`);
+  }
+  assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), []);
+  assert.deepEqual(complaints, []);
+}
+
+export const pixelTests = CASES.map((test, index) => ({
+  name: `pixels: ${test.name}`,
+  run: (context) => compare(context, test, index),
+}));
