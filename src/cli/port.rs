@@ -113,7 +113,7 @@ fn report(composed: &Composed) -> io::Result<bool> {
     let stderr = io::stderr();
     let color = stderr.is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let mut reporter = Reporter::new(Format::Human, stderr.lock(), color);
-    reporter.file(&composed.sources, &found)?;
+    reporter.file("", &composed.sources, &found)?;
     Ok(reporter.finish()?.errors > 0)
 }
 
