@@ -1,5 +1,6 @@
 //! Finding and reading input files.
 
+use super::config::Configs;
 use ignore::WalkBuilder;
 use std::fs;
 use std::io::Read;
@@ -36,9 +37,17 @@ pub struct InputFile {
     pub is_explicit: bool,
 }
 
-/// The inputs that `paths` name, and what is wrong with them, a line each. Folders are searched, in
-/// the order of names, leaving out what `.gitignore` leaves out.
-pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>) -> (Vec<InputFile>, Vec<String>) {
+/// What paths name.
+pub struct Collected {
+    /// The inputs.
+    pub inputs: Vec<InputFile>,
+    /// What is wrong with the paths, a line each.
+    pub problems: Vec<String>,
+}
+
+/// The inputs that `paths` name. Folders are searched, in the order of names, leaving out what
+/// `.gitignore` and the configuration leave out, and what others have built.
+pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>, configs: &Configs) -> Collected {
     let mut inputs = Vec::new();
     let mut problems = Vec::new();
     for path in paths {
@@ -50,7 +59,7 @@ pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>) -> (Vec<InputFile>, 
                 is_explicit: true,
             });
         } else if path.is_dir() {
-            folder(path, &mut inputs, &mut problems);
+            folder(path, configs, &mut inputs, &mut problems);
         } else if path.exists() {
             let name = shown(path);
             inputs.push(InputFile {
@@ -64,16 +73,19 @@ pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>) -> (Vec<InputFile>, 
     }
     let mut seen = std::collections::HashSet::new();
     inputs.retain(|i| seen.insert(i.name.clone()));
-    (inputs, problems)
+    Collected { inputs, problems }
 }
 
-fn folder(path: &Path, inputs: &mut Vec<InputFile>, problems: &mut Vec<String>) {
+fn folder(path: &Path, configs: &Configs, inputs: &mut Vec<InputFile>, problems: &mut Vec<String>) {
     let mut found = Vec::new();
-    for entry in WalkBuilder::new(path).require_git(false).build() {
+    let mut walk = WalkBuilder::new(path);
+    walk.require_git(false)
+        .filter_entry(|e| e.depth() == 0 || e.file_name() != "node_modules");
+    for entry in walk.build() {
         match entry {
             Ok(entry) => {
                 let is_file = entry.file_type().is_some_and(|t| t.is_file());
-                if is_file && has_extension(entry.path()) {
+                if is_file && is_taken(entry.path(), configs) {
                     found.push(InputFile {
                         name: shown(entry.path()),
                         path: Some(entry.into_path()),
@@ -90,7 +102,18 @@ fn folder(path: &Path, inputs: &mut Vec<InputFile>, problems: &mut Vec<String>) 
 
 fn has_extension(path: &Path) -> bool {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-    EXTENSIONS.contains(&extension)
+    let is_packed = path.to_string_lossy().ends_with(".min.js");
+    EXTENSIONS.contains(&extension) && !is_packed
+}
+
+/// Whether a file found in a folder is to be checked. Where its configuration cannot be read, that is
+/// told when it is checked.
+fn is_taken(path: &Path, configs: &Configs) -> bool {
+    let is_known = has_extension(path);
+    match configs.config(path) {
+        Ok(Some(config)) => config.takes(path, is_known),
+        Ok(None) | Err(_) => is_known,
+    }
 }
 
 /// A path as it is shown: with forward slashes, and without `./` in front.

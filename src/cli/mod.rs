@@ -1,6 +1,7 @@
 //! The commands: arguments, files, exit codes. Together with `lsp` the only place that touches the
 //! outside.
 
+pub mod config;
 pub mod document;
 pub mod input;
 mod lint;

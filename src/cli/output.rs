@@ -32,6 +32,24 @@ pub fn write(path: &Path, content: &[u8], overwrite: Overwrite) -> io::Result<()
     Ok(())
 }
 
+/// Puts new content in the place of a file, which keeps its permissions. Nothing is written where the
+/// file does not hold `old` any more. A link stays a link: the file that it leads to is replaced.
+pub fn replace(path: &Path, old: &[u8], new: &[u8]) -> io::Result<()> {
+    let path = fs::canonicalize(path)?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let mut file = tempfile::Builder::new()
+        .prefix(".shaderlint")
+        .tempfile_in(folder)?;
+    file.write_all(new)?;
+    file.as_file()
+        .set_permissions(fs::metadata(&path)?.permissions())?;
+    if fs::read(&path)? != old {
+        return Err(io::Error::other("the file has changed meanwhile"));
+    }
+    file.persist(&path)?;
+    Ok(())
+}
+
 /// Temporary files are for their owner alone; what is written is for everybody to read.
 #[cfg(unix)]
 fn readable(file: &fs::File) -> io::Result<()> {

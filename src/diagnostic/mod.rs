@@ -2,7 +2,7 @@
 
 mod code;
 
-pub use code::{ERRORS, error};
+pub use code::{ERRORS, error, error_page};
 
 use crate::text::{Edit, Span};
 

@@ -50,17 +50,28 @@ impl Settings {
         for rule in rules.iter().filter(|r| r.default) {
             settings.set_level(rule, Some(rule.severity));
         }
+        settings.adjust(rules, select, ignore)?;
+        Ok(settings)
+    }
+
+    /// Adds the rules that `select` names to those that run, and takes those of `ignore` away.
+    pub fn adjust(
+        &mut self,
+        rules: &[&'static Rule],
+        select: &[String],
+        ignore: &[String],
+    ) -> Result<(), UnknownRule> {
         for word in select {
             for rule in named(rules, word)? {
-                settings.levels.entry(rule.name).or_insert(rule.severity);
+                self.levels.entry(rule.name).or_insert(rule.severity);
             }
         }
         for word in ignore {
             for rule in named(rules, word)? {
-                settings.set_level(rule, None);
+                self.set_level(rule, None);
             }
         }
-        Ok(settings)
+        Ok(())
     }
 
     /// No rule but one of those chosen.

@@ -97,9 +97,6 @@ fn macro_note(diagnostic: &Diagnostic) -> Option<String> {
 
 /// Writes the line that sums up.
 pub fn summary(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
-    if summary.findings() == 0 {
-        return Ok(());
-    }
     let count = |n: usize, one: &str| match n {
         0 => None,
         1 => Some(format!("1 {one}")),
@@ -113,12 +110,25 @@ pub fn summary(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
     .into_iter()
     .flatten()
     .collect();
-    let files = if summary.files == 1 {
-        "1 file".to_string()
-    } else {
-        format!("{} files", summary.files)
-    };
-    writeln!(out, "{} in {files}", found.join(", "))
+    let files = count(summary.files, "file").unwrap_or_default();
+    let mut parts = Vec::new();
+    parts.extend(count(summary.fixed, "finding").map(|n| format!("{n} fixed")));
+    if !found.is_empty() {
+        parts.push(format!("{} in {files}", found.join(", ")));
+    }
+    let suggested = summary.suggested;
+    parts.extend(match (summary.fixable, suggested) {
+        (0, 0) => None,
+        (0, n) => Some(format!("{n} can be fixed with --unsafe-fixes")),
+        (n, 0) => Some(format!("{n} can be fixed with --fix")),
+        (n, m) => Some(format!(
+            "{n} can be fixed with --fix, {m} more with --unsafe-fixes"
+        )),
+    });
+    if parts.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "{}", parts.join("; "))
 }
 
 /// Puts codespan's styles into ANSI escape sequences.

@@ -178,6 +178,7 @@ pub fn end(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
         warnings,
         infos,
         fixable,
+        ..
     } = summary;
     writeln!(
         out,

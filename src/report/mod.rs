@@ -3,13 +3,23 @@
 //! A [`Reporter`] is given the findings file by file and writes them as it goes; [`Reporter::finish`]
 //! writes what comes last. One file per format.
 
+mod checkstyle;
 mod excerpt;
+mod fingerprint;
+mod github;
+mod gitlab;
 mod human;
 mod json;
+mod junit;
+mod sarif;
 mod short;
+mod xml;
+
+pub use fingerprint::fingerprints;
 
 use crate::diagnostic::{Applicability, Diagnostic, Severity};
-use crate::text::{Sources, Span};
+use crate::text::{Position, Sources, Span};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 /// The formats.
@@ -23,6 +33,18 @@ pub enum Format {
     Json,
     /// One JSON object a line, one line a finding.
     Jsonl,
+    /// SARIF 2.1.0.
+    Sarif,
+    /// Workflow commands of GitHub Actions.
+    Github,
+    /// GitLab's code quality report.
+    Gitlab,
+    /// JUnit XML.
+    Junit,
+    /// Checkstyle XML.
+    Checkstyle,
+    /// How often each rule found something.
+    Statistics,
 }
 
 /// How many findings there were.
@@ -38,17 +60,28 @@ pub struct Summary {
     pub infos: usize,
     /// Findings that `--fix` would mend.
     pub fixable: usize,
+    /// Findings that `--unsafe-fixes` would mend besides.
+    pub suggested: usize,
+    /// Findings that have been mended.
+    pub fixed: usize,
 }
 
 impl Summary {
-    fn add(&mut self, diagnostic: &Diagnostic) {
+    fn add(&mut self, sources: &Sources, diagnostic: &Diagnostic) {
+        // What stands in an export is not written back.
+        let file = sources.file_at(diagnostic.span.start);
+        let is_in_file = file.is_some_and(|f| f.part.is_none());
+        let fix = diagnostic.fix.as_ref().filter(|_| is_in_file);
+        match fix.map(|f| f.applicability) {
+            Some(Applicability::Safe) => self.fixable += 1,
+            Some(Applicability::Unsafe) => self.suggested += 1,
+            None => {}
+        }
         match diagnostic.severity {
             Severity::Error => self.errors += 1,
             Severity::Warning => self.warnings += 1,
             Severity::Info => self.infos += 1,
         }
-        let is_safe = |f: &crate::diagnostic::Fix| f.applicability == Applicability::Safe;
-        self.fixable += diagnostic.fix.as_ref().is_some_and(is_safe) as usize;
     }
 
     /// All findings.
@@ -57,12 +90,19 @@ impl Summary {
     }
 }
 
+/// The page of a rule or a compile error, by its name.
+pub type Pages = fn(&str) -> Option<&'static str>;
+
 /// Writes findings in one format.
 pub struct Reporter<W: Write> {
     format: Format,
     out: W,
     color: bool,
+    pages: Pages,
+    offers_fixes: bool,
     summary: Summary,
+    /// How often each name was reported, for the formats that sum up.
+    names: BTreeMap<&'static str, usize>,
 }
 
 impl<W: Write> Reporter<W> {
@@ -73,16 +113,47 @@ impl<W: Write> Reporter<W> {
             format,
             out,
             color,
+            pages: |_| None,
+            offers_fixes: false,
             summary: Summary::default(),
+            names: BTreeMap::new(),
         }
     }
 
-    /// Writes the findings of one input file, in the order given.
-    pub fn file(&mut self, sources: &Sources, diagnostics: &[Diagnostic]) -> io::Result<()> {
-        if self.summary.files == 0 && self.format == Format::Json {
-            json::begin(&mut self.out)?;
+    /// Lets the formats that explain rules do so.
+    pub fn with_pages(mut self, pages: Pages) -> Reporter<W> {
+        self.pages = pages;
+        self
+    }
+
+    /// Says at the end how many findings `--fix` would mend.
+    pub fn offering_fixes(mut self) -> Reporter<W> {
+        self.offers_fixes = true;
+        self
+    }
+
+    /// Counts findings that were mended before they could be reported.
+    pub fn add_fixed(&mut self, count: usize) {
+        self.summary.fixed += count;
+    }
+
+    /// Writes the findings of one input file, in the order given. `name` is its path.
+    pub fn file(
+        &mut self,
+        name: &str,
+        sources: &Sources,
+        diagnostics: &[Diagnostic],
+    ) -> io::Result<()> {
+        if self.summary.files == 0 {
+            self.begin()?;
         }
         self.summary.files += 1;
+        match self.format {
+            Format::Checkstyle => checkstyle::file(&mut self.out, name, sources, diagnostics)?,
+            Format::Junit => junit::file(&mut self.out, name, sources, diagnostics)?,
+            Format::Sarif | Format::Gitlab => self.with_fingerprints(sources, diagnostics)?,
+            _ => {}
+        }
         for diagnostic in diagnostics {
             let is_first = self.summary.findings() == 0;
             match self.format {
@@ -90,26 +161,106 @@ impl<W: Write> Reporter<W> {
                 Format::Short => short::write(&mut self.out, sources, diagnostic)?,
                 Format::Json => json::write(&mut self.out, sources, diagnostic, is_first)?,
                 Format::Jsonl => json::write_line(&mut self.out, sources, diagnostic)?,
+                Format::Github => github::write(&mut self.out, sources, diagnostic)?,
+                _ => {}
             }
-            self.summary.add(diagnostic);
+            self.summary.add(sources, diagnostic);
+            *self.names.entry(diagnostic.rule).or_default() += 1;
         }
         Ok(())
     }
 
+    fn with_fingerprints(&mut self, sources: &Sources, found: &[Diagnostic]) -> io::Result<()> {
+        let prints = fingerprints(sources, found);
+        for (i, (diagnostic, print)) in found.iter().zip(prints).enumerate() {
+            let is_first = self.summary.findings() + i == 0;
+            let separator: &[u8] = if is_first { b"\n" } else { b",\n" };
+            self.out.write_all(separator)?;
+            match self.format {
+                Format::Sarif => sarif::write(&mut self.out, sources, diagnostic, &print)?,
+                _ => gitlab::write(&mut self.out, sources, diagnostic, &print)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// The summary as people see it.
+    fn told_summary(&self) -> Summary {
+        if self.offers_fixes {
+            return self.summary;
+        }
+        Summary {
+            fixable: 0,
+            suggested: 0,
+            ..self.summary
+        }
+    }
+
+    fn begin(&mut self) -> io::Result<()> {
+        match self.format {
+            Format::Json => json::begin(&mut self.out),
+            Format::Sarif => sarif::begin(&mut self.out),
+            Format::Gitlab => self.out.write_all(b"["),
+            Format::Junit => junit::begin(&mut self.out),
+            Format::Checkstyle => checkstyle::begin(&mut self.out),
+            _ => Ok(()),
+        }
+    }
+
     /// Writes what comes behind the last file, and tells how much was found.
     pub fn finish(mut self) -> io::Result<Summary> {
+        if self.summary.files == 0 {
+            self.begin()?;
+        }
+        let summary = self.told_summary();
         match self.format {
-            Format::Json => {
-                if self.summary.files == 0 {
-                    json::begin(&mut self.out)?;
-                }
-                json::end(&mut self.out, &self.summary)?;
+            Format::Json => json::end(&mut self.out, &self.summary)?,
+            Format::Human => human::summary(&mut self.out, &summary)?,
+            Format::Sarif => {
+                let names: Vec<&'static str> = self.names.keys().copied().collect();
+                sarif::end(&mut self.out, &names, self.pages)?;
             }
-            Format::Human => human::summary(&mut self.out, &self.summary)?,
+            Format::Gitlab => self.out.write_all(b"\n]\n")?,
+            Format::Junit => junit::end(&mut self.out)?,
+            Format::Checkstyle => checkstyle::end(&mut self.out)?,
+            Format::Statistics => {
+                let mut counts: Vec<_> = self.names.into_iter().collect();
+                counts.sort_by_key(|(name, count)| (std::cmp::Reverse(*count), *name));
+                for (name, count) in counts {
+                    writeln!(self.out, "{count:>7}  {name}")?;
+                }
+                human::summary(&mut self.out, &summary)?;
+            }
             _ => {}
         }
         self.out.flush()?;
         Ok(self.summary)
+    }
+}
+
+/// Where a finding starts and ends in its file; `None` for a pass of an export, whose code does not
+/// stand in the file as such.
+fn region(sources: &Sources, span: Span) -> Option<(Position, Position)> {
+    let file = sources.file_at(span.start).filter(|f| f.part.is_none())?;
+    Some((file.position(span.start), file.position(span.end)))
+}
+
+/// The path of the file that holds a span.
+fn path(sources: &Sources, span: Span) -> &str {
+    sources.file_at(span.start).map_or("", |f| &f.path)
+}
+
+/// The message, with the place in its pass where the file has no place for it.
+fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> String {
+    let message = clean(&diagnostic.message);
+    let file = sources.file_at(diagnostic.span.start);
+    match file.and_then(|f| Some((f, f.part.as_ref()?))) {
+        Some((file, part)) => {
+            let at = file.position(diagnostic.span.start);
+            let part = clean(part);
+            format!("{message} ({part}, line {}, column {})", at.line, at.column)
+        }
+        None => message,
     }
 }
 

@@ -146,7 +146,7 @@ fn report(composed: &Composed, kept: &[(String, NotSafe)]) -> io::Result<Summary
     }
     let color = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let mut reporter = Reporter::new(Format::Human, stderr, color);
-    reporter.file(&composed.sources, &found)?;
+    reporter.file("", &composed.sources, &found)?;
     reporter.finish()
 }
 

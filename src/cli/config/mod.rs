@@ -1,0 +1,286 @@
+//! `shaderlint.toml`: which one holds for a file, and what it says of it.
+
+mod read;
+mod schema;
+
+pub use read::{ConfigError, parse};
+pub use schema::schema;
+
+use super::document::include::Includes;
+use super::document::{DialectChoice, HostNames, Options};
+use crate::diagnostic::Severity;
+use crate::lint::{Rule, Settings, Target};
+use globset::GlobSet;
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+/// Name of the file.
+pub const FILE: &str = "shaderlint.toml";
+
+/// What a configuration says of all files, or of those under some patterns.
+#[derive(Clone, Default, Debug)]
+pub struct Layer {
+    /// What draws the shaders.
+    pub target: Option<Target>,
+    /// What the shaders are written for.
+    pub dialect: Option<DialectChoice>,
+    /// What the host declares.
+    pub host: Option<HostNames>,
+    /// Levels of rules, groups before single rules; `None` is off.
+    pub levels: Vec<(RuleName, Option<Severity>)>,
+    /// Numbers that rules go by.
+    pub options: Vec<(RuleName, String, f64)>,
+}
+
+/// Name of a rule, whose table is not printed.
+pub type RuleName = &'static str;
+
+/// A configuration.
+#[derive(Default, Debug)]
+pub struct Config {
+    /// The folder that it stands in, which patterns count from.
+    pub root: PathBuf,
+    /// What holds for all files.
+    pub base: Layer,
+    /// What holds for some, the later over the earlier.
+    pub overrides: Vec<(GlobSet, Layer)>,
+    /// The files that folders are searched for, where it says so.
+    pub include: Option<GlobSet>,
+    /// What folders are not searched for.
+    pub exclude: Option<GlobSet>,
+}
+
+impl Config {
+    /// A path as patterns see it.
+    fn inside(&self, path: &Path) -> PathBuf {
+        let path = absolute(path);
+        path.strip_prefix(&self.root).unwrap_or(&path).to_path_buf()
+    }
+
+    /// Whether a file found in a folder is to be checked; `is_known` tells whether its ending is
+    /// one of a shader.
+    pub fn takes(&self, path: &Path, is_known: bool) -> bool {
+        let path = self.inside(path);
+        let included = self
+            .include
+            .as_ref()
+            .map_or(is_known, |i| i.is_match(&path));
+        included && !self.exclude.as_ref().is_some_and(|e| e.is_match(&path))
+    }
+
+    /// The layers that hold for a file, as bits: 1 for the first override, 2 for the second.
+    fn layers(&self, path: &Path) -> u64 {
+        let path = self.inside(path);
+        let matching = self.overrides.iter().enumerate().take(64);
+        let bit = |(i, (globs, _)): (usize, &(GlobSet, Layer))| (globs.is_match(&path) as u64) << i;
+        matching.map(bit).sum()
+    }
+}
+
+/// How a file is judged.
+#[derive(Debug)]
+pub struct Judge {
+    settings: Settings,
+    dialect: DialectChoice,
+    host: HostNames,
+    includes: Includes,
+}
+
+impl Judge {
+    /// As the document wants it.
+    pub fn options(&self) -> Options<'_> {
+        Options {
+            dialect: self.dialect,
+            settings: &self.settings,
+            host: &self.host,
+            includes: &self.includes,
+        }
+    }
+}
+
+/// What the command line says, which goes before every configuration.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// `--dialect`, where it is not `auto`.
+    pub dialect: DialectChoice,
+    /// `--select`
+    pub select: Vec<String>,
+    /// `--ignore`
+    pub ignore: Vec<String>,
+    /// `--config` and `--no-config`
+    pub source: Source,
+}
+
+/// Where the configuration comes from.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Source {
+    /// The nearest above each file.
+    Nearest,
+    /// This one, for all files.
+    File(PathBuf),
+    /// There is none.
+    Nowhere,
+}
+
+/// Finds out how files are judged; each configuration is read once.
+pub struct Configs {
+    given: Given,
+    rules: &'static [&'static Rule],
+    cache: Mutex<Cache>,
+}
+
+type Found = Result<Option<Arc<Config>>, Arc<str>>;
+
+#[derive(Default)]
+struct Cache {
+    /// By folder.
+    configs: HashMap<PathBuf, Found>,
+    /// By folder of the configuration and layers.
+    judges: HashMap<(PathBuf, u64), Arc<Judge>>,
+}
+
+impl Configs {
+    /// Nothing is read yet.
+    pub fn new(given: Given, rules: &'static [&'static Rule]) -> Configs {
+        Configs {
+            given,
+            rules,
+            cache: Mutex::default(),
+        }
+    }
+
+    /// The configuration that holds for a file.
+    pub fn config(&self, path: &Path) -> Found {
+        match &self.given.source {
+            Source::Nowhere => Ok(None),
+            Source::File(file) => self.cached(file, || load(file, self.rules).map(Some)),
+            Source::Nearest => {
+                let path = absolute(path);
+                let folder = path.parent().unwrap_or(Path::new("/"));
+                self.nearest(folder)
+            }
+        }
+    }
+
+    fn cached(&self, key: &Path, find: impl FnOnce() -> Found) -> Found {
+        let known = self.lock().configs.get(key).cloned();
+        known.unwrap_or_else(|| {
+            let found = find();
+            self.lock().configs.insert(key.to_path_buf(), found.clone());
+            found
+        })
+    }
+
+    fn nearest(&self, folder: &Path) -> Found {
+        self.cached(folder, || {
+            let file = folder.join(FILE);
+            if file.is_file() {
+                return load(&file, self.rules).map(Some);
+            }
+            folder
+                .parent()
+                .map_or(Ok(None), |above| self.nearest(above))
+        })
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Cache> {
+        self.cache
+            .lock()
+            .unwrap_or_else(|poisoned| poisoned.into_inner())
+    }
+
+    /// How a file is judged. Standard input counts as a file of its name.
+    pub fn judge(&self, path: &Path) -> Result<Arc<Judge>, Arc<str>> {
+        let config = self.config(path)?;
+        let layers = config.as_ref().map_or(0, |c| c.layers(path));
+        let root = match &config {
+            Some(config) => config.root.clone(),
+            None => project_root(path),
+        };
+        let key = (root, layers);
+        if let Some(judge) = self.lock().judges.get(&key) {
+            return Ok(judge.clone());
+        }
+        let judge = Arc::new(self.make(config.as_deref(), &key.0, layers)?);
+        self.lock().judges.insert(key, judge.clone());
+        Ok(judge)
+    }
+
+    fn make(&self, config: Option<&Config>, root: &Path, layers: u64) -> Result<Judge, Arc<str>> {
+        let mut settings = Settings::new(self.rules, &[], &[]).map_err(unknown)?;
+        let mut judge = Judge {
+            settings: settings.clone(),
+            dialect: DialectChoice::Auto,
+            host: HostNames::default(),
+            includes: Includes::inside(root),
+        };
+        let overrides = config.map_or(&[][..], |c| &c.overrides);
+        let matching = overrides.iter().enumerate();
+        let matching = matching.filter(|(i, _)| *i < 64 && layers >> i & 1 == 1);
+        let base = config.map(|c| &c.base);
+        for layer in base
+            .into_iter()
+            .chain(matching.map(|(_, (_, layer))| layer))
+        {
+            self.apply(layer, &mut settings);
+            judge.dialect = layer.dialect.unwrap_or(judge.dialect);
+            judge.host = layer.host.clone().unwrap_or(judge.host);
+        }
+        settings
+            .adjust(self.rules, &self.given.select, &self.given.ignore)
+            .map_err(unknown)?;
+        if self.given.dialect != DialectChoice::Auto {
+            judge.dialect = self.given.dialect;
+        }
+        judge.settings = settings;
+        Ok(judge)
+    }
+
+    fn apply(&self, layer: &Layer, settings: &mut Settings) {
+        let rule = |name: &str| self.rules.iter().find(|r| r.name == name);
+        settings.target = layer.target.unwrap_or(settings.target);
+        for (name, level) in &layer.levels {
+            if let Some(rule) = rule(name) {
+                settings.set_level(rule, *level);
+            }
+        }
+        for (name, option, value) in &layer.options {
+            if let Some(rule) = rule(name) {
+                settings.set_option(rule, option, *value);
+            }
+        }
+    }
+}
+
+fn unknown(unknown: crate::lint::UnknownRule) -> Arc<str> {
+    let near = unknown
+        .near
+        .map_or(String::new(), |n| format!("; did you mean `{n}`?"));
+    format!("there is no rule or group `{}`{near}", unknown.name).into()
+}
+
+fn load(file: &Path, rules: &'static [&'static Rule]) -> Result<Arc<Config>, Arc<str>> {
+    let shown = file.display();
+    let text = fs::read_to_string(file).map_err(|e| format!("{shown}: {e}"))?;
+    let mut config = parse(&text, rules)
+        .map_err(|e| format!("{shown}:{}:{}: {}", e.line, e.column, e.message))?;
+    let folder = absolute(file);
+    config.root = folder.parent().unwrap_or(Path::new("/")).to_path_buf();
+    Ok(Arc::new(config))
+}
+
+/// A path from the root of the file system, as far as that can be told without asking it.
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf())
+}
+
+/// The folder that `#include` may not leave where no configuration says it: that of the repository,
+/// or else the file's own.
+fn project_root(path: &Path) -> PathBuf {
+    let path = absolute(path);
+    let folder = path.parent().unwrap_or(Path::new("/"));
+    let repository = folder.ancestors().find(|f| f.join(".git").exists());
+    repository.unwrap_or(folder).to_path_buf()
+}

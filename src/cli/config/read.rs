@@ -1,0 +1,409 @@
+//! Reads a configuration; every key that it does not know is an error with its place.
+
+use super::super::document::{DialectChoice, HostNames};
+use super::{Config, Layer};
+use crate::diagnostic::{ERRORS, Severity};
+use crate::lint::{Rule, Target, nearest_rule};
+use crate::syntax::{Version, WordClass, classify};
+use crate::text::LineIndex;
+use globset::{Glob, GlobSet, GlobSetBuilder};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Keys of the file.
+pub const KEYS: [&str; 7] = [
+    "target",
+    "dialect",
+    "host",
+    "rules",
+    "include",
+    "exclude",
+    "overrides",
+];
+/// Keys of an override.
+pub const OVERRIDE_KEYS: [&str; 5] = ["paths", "target", "dialect", "host", "rules"];
+/// Keys of `host`.
+pub const HOST_KEYS: [&str; 2] = ["preset", "uniforms"];
+/// Words for `target`.
+pub const TARGETS: [&str; 2] = ["swiftshader", "gpu"];
+/// Words for `dialect`.
+pub const DIALECTS: [&str; 4] = ["auto", "shadertoy", "webgl2", "webgl1"];
+/// Words for `level`.
+pub const LEVELS: [&str; 3] = ["off", "info", "warning"];
+/// Words for `host` and its `preset`.
+pub const PRESETS: [&str; 1] = ["three"];
+
+/// What is wrong with a configuration.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ConfigError {
+    /// 1-based.
+    pub line: u32,
+    /// 1-based, in characters.
+    pub column: u32,
+    /// What is wrong.
+    pub message: String,
+}
+
+/// An error at a range of bytes.
+struct Problem(Range<usize>, String);
+
+type Result<T> = std::result::Result<T, Problem>;
+type Value<'a> = Spanned<DeValue<'a>>;
+
+/// Reads the text of a configuration.
+pub fn parse(
+    text: &str,
+    rules: &'static [&'static Rule],
+) -> std::result::Result<Config, ConfigError> {
+    let table = DeTable::parse(text).map_err(|e| {
+        let message = e.message().lines().collect::<Vec<_>>().join("; ");
+        Problem(e.span().unwrap_or(0..0), message)
+    });
+    table
+        .and_then(|t| file(t.get_ref(), rules))
+        .map_err(|Problem(span, message)| {
+            let position = LineIndex::new(text).position(text, span.start as u32);
+            ConfigError {
+                line: position.line,
+                column: position.column,
+                message,
+            }
+        })
+}
+
+fn file(table: &DeTable, rules: &'static [&'static Rule]) -> Result<Config> {
+    let mut config = Config::default();
+    check_keys(table, &KEYS)?;
+    config.base = layer(table, rules)?;
+    for (key, value) in table {
+        match key.get_ref().as_ref() {
+            "include" => config.include = Some(globs(value)?),
+            "exclude" => config.exclude = Some(globs(value)?),
+            "overrides" => {
+                for entry in array(value)? {
+                    let table = table_of(entry)?;
+                    check_keys(table, &OVERRIDE_KEYS)?;
+                    let paths = table.iter().find(|(k, _)| k.get_ref() == "paths");
+                    let (_, paths) = paths.ok_or(Problem(
+                        entry.span(),
+                        "an override needs `paths`: `paths = [\"legacy/**\"]`".to_string(),
+                    ))?;
+                    config.overrides.push((globs(paths)?, layer(table, rules)?));
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(config)
+}
+
+fn layer(table: &DeTable, rules: &'static [&'static Rule]) -> Result<Layer> {
+    let mut layer = Layer::default();
+    for (key, value) in table {
+        match key.get_ref().as_ref() {
+            "target" => {
+                layer.target = Some(match word(value, &TARGETS)? {
+                    "gpu" => Target::Gpu,
+                    _ => Target::SwiftShader,
+                });
+            }
+            "dialect" => {
+                layer.dialect = Some(match word(value, &DIALECTS)? {
+                    "shadertoy" => DialectChoice::Shadertoy,
+                    "webgl2" => DialectChoice::Webgl2,
+                    "webgl1" => DialectChoice::Webgl1,
+                    _ => DialectChoice::Auto,
+                });
+            }
+            "host" => layer.host = Some(host(value)?),
+            "rules" => rules_of(table_of(value)?, rules, &mut layer)?,
+            _ => {}
+        }
+    }
+    Ok(layer)
+}
+
+fn rules_of(table: &DeTable, rules: &'static [&'static Rule], layer: &mut Layer) -> Result<()> {
+    let mut single = Vec::new();
+    for (key, value) in table {
+        let name = key.get_ref().as_ref();
+        let named: Vec<&'static Rule> = rules
+            .iter()
+            .filter(|r| r.name == name || r.group.name() == name)
+            .copied()
+            .collect();
+        let is_group = crate::lint::Group::ALL.iter().any(|g| g.name() == name);
+        if named.is_empty() && !is_group {
+            return Err(Problem(key.span(), no_rule(name, rules)));
+        }
+        let level = match value.get_ref() {
+            DeValue::String(_) => Some(level(value)?),
+            DeValue::Table(table) => options(table, &named, is_group, layer)?,
+            _ => {
+                let message = "this must be a level, or a table with `level` and options";
+                return Err(Problem(value.span(), message.to_string()));
+            }
+        };
+        let into = if is_group {
+            &mut layer.levels
+        } else {
+            &mut single
+        };
+        into.extend(
+            level
+                .into_iter()
+                .flat_map(|l| named.iter().map(move |r| (r.name, l))),
+        );
+    }
+    layer.levels.append(&mut single);
+    Ok(())
+}
+
+fn no_rule(name: &str, rules: &[&'static Rule]) -> String {
+    if ERRORS.contains(&name) {
+        return format!("`{name}` is a compile error, which has no level");
+    }
+    let near =
+        nearest_rule(rules, name).map_or(String::new(), |n| format!("; did you mean `{n}`?"));
+    format!("there is no rule or group `{name}`{near}")
+}
+
+/// Reads `{ level = "info", steps = 128 }`.
+fn options(
+    table: &DeTable,
+    named: &[&'static Rule],
+    is_group: bool,
+    layer: &mut Layer,
+) -> Result<Option<Option<Severity>>> {
+    let mut own = None;
+    for (key, value) in table {
+        let name = key.get_ref().as_ref();
+        if name == "level" {
+            own = Some(level(value)?);
+            continue;
+        }
+        let rule = named.first().filter(|_| !is_group);
+        let known: Vec<&str> =
+            rule.map_or(Vec::new(), |r| r.options.iter().map(|o| o.name).collect());
+        let (Some(rule), true) = (rule, known.contains(&name)) else {
+            let keys: Vec<&str> = known.into_iter().chain(["level"]).collect();
+            return Err(Problem(key.span(), unknown_key(name, &keys)));
+        };
+        layer
+            .options
+            .push((rule.name, name.to_string(), number(value)?));
+    }
+    Ok(own)
+}
+
+fn level(value: &Value) -> Result<Option<Severity>> {
+    if value.get_ref().as_str() == Some("error") {
+        let message = "no rule has the level `error`: an error means that the browser refuses the shader; \
+            `--deny-warnings` makes warnings fail";
+        return Err(Problem(value.span(), message.to_string()));
+    }
+    Ok(match word(value, &LEVELS)? {
+        "info" => Some(Severity::Info),
+        "warning" => Some(Severity::Warning),
+        _ => None,
+    })
+}
+
+fn number(value: &Value) -> Result<f64> {
+    let wrong = || Problem(value.span(), "this must be a number".to_string());
+    match value.get_ref() {
+        DeValue::Integer(i) => {
+            let digits = i.as_str().replace('_', "");
+            i64::from_str_radix(&digits, i.radix())
+                .map(|v| v as f64)
+                .map_err(|_| wrong())
+        }
+        DeValue::Float(f) => f.as_str().replace('_', "").parse().map_err(|_| wrong()),
+        _ => Err(wrong()),
+    }
+}
+
+fn host(value: &Value) -> Result<HostNames> {
+    let mut host = HostNames::default();
+    if value.get_ref().is_str() {
+        host.is_three = word(value, &PRESETS)? == "three";
+        return Ok(host);
+    }
+    let table = table_of(value)?;
+    check_keys(table, &HOST_KEYS)?;
+    for (key, value) in table {
+        if key.get_ref() == "preset" {
+            host.is_three = word(value, &PRESETS)? == "three";
+            continue;
+        }
+        for (name, ty) in table_of(value)? {
+            host.declarations.push_str(&uniform(name, ty)?);
+        }
+    }
+    Ok(host)
+}
+
+/// Reads `uTime = "float"` or `lights = "vec3[4]"`.
+fn uniform(name: &Spanned<std::borrow::Cow<str>>, ty: &Value) -> Result<String> {
+    let ident = name.get_ref().as_ref();
+    let is_word = ident.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && ident
+            .bytes()
+            .all(|b| b.is_ascii_alphanumeric() || b == b'_');
+    if !is_word || classify(ident, Version::Es300) != WordClass::Plain {
+        return Err(Problem(
+            name.span(),
+            format!("`{ident}` cannot be the name of a uniform"),
+        ));
+    }
+    let text = string(ty)?;
+    let (base, size) = match text.split_once('[') {
+        Some((base, rest)) => (
+            base.trim(),
+            rest.strip_suffix(']').map(|s| s.trim().parse::<u32>()),
+        ),
+        None => (text.trim(), Some(Ok(0))),
+    };
+    let is_type = matches!(classify(base, Version::Es300), WordClass::Type(_));
+    let (true, Some(Ok(size))) = (is_type, size) else {
+        let message =
+            format!("`{text}` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`");
+        return Err(Problem(ty.span(), message));
+    };
+    let array = if size > 0 {
+        format!("[{size}]")
+    } else {
+        String::new()
+    };
+    let precision = if base.starts_with('b') { "" } else { "highp " };
+    Ok(format!("uniform {precision}{base} {ident}{array};\n"))
+}
+
+fn globs(value: &Value) -> Result<GlobSet> {
+    let mut set = GlobSetBuilder::new();
+    for entry in array(value)? {
+        let glob = Glob::new(string(entry)?);
+        set.add(glob.map_err(|e| Problem(entry.span(), e.to_string()))?);
+    }
+    set.build()
+        .map_err(|e| Problem(value.span(), e.to_string()))
+}
+
+fn check_keys(table: &DeTable, known: &[&str]) -> Result<()> {
+    let wrong = table
+        .keys()
+        .find(|k| !known.contains(&k.get_ref().as_ref()));
+    match wrong {
+        Some(key) => Err(Problem(key.span(), unknown_key(key.get_ref(), known))),
+        None => Ok(()),
+    }
+}
+
+fn unknown_key(name: &str, known: &[&str]) -> String {
+    match near(name, known) {
+        Some(near) => format!("unknown key `{name}`; did you mean `{near}`?"),
+        None => format!("unknown key `{name}`; there are `{}`", known.join("`, `")),
+    }
+}
+
+fn near<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    let distances = known
+        .iter()
+        .map(|k| (strsim::damerau_levenshtein(k, name), *k));
+    distances.filter(|(d, _)| *d <= 3).min().map(|(_, k)| k)
+}
+
+fn word<'a>(value: &Value, known: &[&'a str]) -> Result<&'a str> {
+    let text = string(value)?;
+    known.iter().find(|k| **k == text).copied().ok_or_else(|| {
+        let near = near(text, known).map_or(String::new(), |n| format!("; did you mean `{n}`?"));
+        let message = format!("`{text}` is none of `{}`{near}", known.join("`, `"));
+        Problem(value.span(), message)
+    })
+}
+
+fn string<'a>(value: &'a Value) -> Result<&'a str> {
+    let text = value.get_ref().as_str();
+    text.ok_or_else(|| Problem(value.span(), "this must be a text in quotes".to_string()))
+}
+
+fn array<'a, 'i>(value: &'a Value<'i>) -> Result<&'a [Value<'i>]> {
+    match value.get_ref() {
+        DeValue::Array(array) => Ok(array),
+        _ => Err(Problem(
+            value.span(),
+            "this must be a list: `[...]`".to_string(),
+        )),
+    }
+}
+
+fn table_of<'a, 'i>(value: &'a Value<'i>) -> Result<&'a DeTable<'i>> {
+    let table = value.get_ref().as_table();
+    table.ok_or_else(|| Problem(value.span(), "this must be a table".to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rules::RULES;
+
+    #[track_caller]
+    fn wrong(text: &str, line: u32, column: u32, message: &str) {
+        let error = parse(text, RULES).err();
+        let error = error.map(|e| (e.line, e.column, e.message));
+        assert_eq!(error, Some((line, column, message.to_string())));
+    }
+
+    #[test]
+    fn mistakes_have_places() {
+        wrong("x = 1", 1, 1, &unknown_key("x", &KEYS));
+        wrong(
+            "\ntaget = \"gpu\"",
+            2,
+            1,
+            "unknown key `taget`; did you mean `target`?",
+        );
+        wrong(
+            "target = \"gpus\"",
+            1,
+            10,
+            "`gpus` is none of `swiftshader`, `gpu`; did you mean `gpu`?",
+        );
+        wrong(
+            "[rules]\nstep-budgt = \"off\"",
+            2,
+            1,
+            "there is no rule or group `step-budgt`; did you mean `step-budget`?",
+        );
+        wrong(
+            "[rules]\nvector-size = \"off\"",
+            2,
+            1,
+            "`vector-size` is a compile error, which has no level",
+        );
+        wrong(
+            "[host.uniforms]\na = \"vec5\"",
+            2,
+            5,
+            "`vec5` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`",
+        );
+        wrong("include = \"a\"", 1, 11, "this must be a list: `[...]`");
+        assert!(parse("a = ", RULES).is_err());
+    }
+
+    #[test]
+    fn levels_and_hosts_are_read() {
+        let text = "target = \"gpu\"\n[host]\npreset = \"three\"\nuniforms = { uTime = \"float\", on = \"bool\" }\n\
+            [rules]\nbudget = \"info\"\nstep-budget = \"off\"\n[[overrides]]\npaths = [\"a/**\"]\nrules = { numeric = \"off\" }";
+        let config = parse(text, RULES).unwrap();
+        assert_eq!(config.base.target, Some(Target::Gpu));
+        assert_eq!(config.base.levels.last(), Some(&("step-budget", None)));
+        let host = config.base.host.unwrap();
+        assert_eq!(
+            host.declarations,
+            "uniform bool on;\nuniform highp float uTime;\n"
+        );
+        assert!(config.overrides[0].0.is_match("a/b/c.glsl"));
+    }
+}

@@ -1,0 +1,97 @@
+//! `--fix`, `--unsafe-fixes` and `--diff`.
+
+use super::super::document::{Options, fix_with};
+use super::super::input::{Content, Encoding, InputFile};
+use super::super::output::replace;
+use super::args::Args;
+use crate::lint::Allow;
+use similar::TextDiff;
+
+/// What is done with fixes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Mend {
+    allow: Allow,
+    into: Into,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Into {
+    Files,
+    Diff,
+}
+
+/// What was done with the fixes of one input.
+pub enum Mended {
+    /// So many were written into the file.
+    Written(usize),
+    /// Text for standard output: a diff, or standard input mended.
+    Text(String),
+    /// They were not written, for this reason.
+    Refused(String),
+}
+
+impl Mend {
+    /// What the arguments ask for.
+    pub fn of(args: &Args) -> Option<Mend> {
+        let is_asked = args.fix || args.unsafe_fixes || args.diff;
+        is_asked.then_some(Mend {
+            allow: if args.unsafe_fixes {
+                Allow::Unsafe
+            } else {
+                Allow::Safe
+            },
+            into: if args.diff { Into::Diff } else { Into::Files },
+        })
+    }
+
+    /// Whether standard output is taken by text, so that findings must go elsewhere.
+    pub fn prints(self, inputs: &[InputFile]) -> bool {
+        self.into == Into::Diff || inputs.iter().any(|i| i.path.is_none())
+    }
+
+    /// Mends one input. Gives its text as it is now, where that is another.
+    pub fn apply(
+        self,
+        input: &InputFile,
+        content: &Content,
+        options: &Options,
+    ) -> (Option<String>, Option<Mended>) {
+        let is_stdin = input.path.is_none();
+        let unchanged = || {
+            let passes_through = is_stdin && self.into == Into::Files;
+            passes_through.then(|| Mended::Text(content.text.clone()))
+        };
+        if content.encoding != Encoding::Utf8 {
+            return (None, unchanged());
+        }
+        let fixed = fix_with(&input.name, &content.text, options, self.allow);
+        if fixed.applied == 0 || fixed.text == content.text {
+            return (None, unchanged());
+        }
+        match (self.into, &input.path) {
+            (Into::Diff, _) => {
+                let diff = diff(&input.name, &content.text, &fixed.text);
+                (None, Some(Mended::Text(diff)))
+            }
+            (Into::Files, None) => (Some(fixed.text.clone()), Some(Mended::Text(fixed.text))),
+            (Into::Files, Some(path)) => {
+                match replace(path, content.text.as_bytes(), fixed.text.as_bytes()) {
+                    Ok(()) => (Some(fixed.text), Some(Mended::Written(fixed.applied))),
+                    Err(error) => (
+                        None,
+                        Some(Mended::Refused(format!(
+                            "the fixes cannot be written: {error}"
+                        ))),
+                    ),
+                }
+            }
+        }
+    }
+}
+
+fn diff(name: &str, old: &str, new: &str) -> String {
+    TextDiff::from_lines(old, new)
+        .unified_diff()
+        .header(&format!("a/{name}"), &format!("b/{name}"))
+        .to_string()
+}

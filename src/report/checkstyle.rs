@@ -1,0 +1,38 @@
+//! Checkstyle XML. Columns count characters.
+
+use super::xml::escape;
+use super::{placed_message, region};
+use crate::diagnostic::Diagnostic;
+use crate::text::Sources;
+use std::io::{self, Write};
+
+/// Writes what comes first.
+pub fn begin(out: &mut impl Write) -> io::Result<()> {
+    out.write_all(b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<checkstyle version=\"4.3\">\n")
+}
+
+/// Writes the findings of one file.
+pub fn file(
+    out: &mut impl Write,
+    name: &str,
+    sources: &Sources,
+    found: &[Diagnostic],
+) -> io::Result<()> {
+    writeln!(out, "  <file name=\"{}\">", escape(name))?;
+    for d in found {
+        let (line, column) = region(sources, d.span).map_or((1, 1), |(s, _)| (s.line, s.column));
+        writeln!(
+            out,
+            "    <error line=\"{line}\" column=\"{column}\" severity=\"{}\" message=\"{}\" source=\"shaderlint.{}\"/>",
+            d.severity.name(),
+            escape(&placed_message(sources, d)),
+            d.rule
+        )?;
+    }
+    out.write_all(b"  </file>\n")
+}
+
+/// Writes what comes last.
+pub fn end(out: &mut impl Write) -> io::Result<()> {
+    out.write_all(b"</checkstyle>\n")
+}

@@ -1,0 +1,41 @@
+//! Workflow commands of GitHub Actions, which become annotations. Columns count UTF-16 units, as the
+//! site's own editor does.
+
+use super::{path, placed_message, region};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::text::Sources;
+use std::io::{self, Write};
+
+/// Writes one finding.
+pub fn write(out: &mut impl Write, sources: &Sources, d: &Diagnostic) -> io::Result<()> {
+    let command = match d.severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        Severity::Info => "notice",
+    };
+    write!(out, "::{command} file={}", property(path(sources, d.span)))?;
+    if let Some((start, end)) = region(sources, d.span) {
+        write!(out, ",line={},endLine={}", start.line, end.line)?;
+        // Columns are taken for places of the last line where there are several.
+        if start.line == end.line {
+            write!(out, ",col={},endColumn={}", start.utf16, end.utf16)?;
+        }
+    }
+    let message = std::iter::once(placed_message(sources, d))
+        .chain(d.notes.iter().chain(&d.help).cloned())
+        .collect::<Vec<_>>()
+        .join("\n");
+    writeln!(out, ",title={}::{}", property(d.rule), data(&message))
+}
+
+/// Text behind the `::`.
+fn data(text: &str) -> String {
+    text.replace('%', "%25")
+        .replace('\r', "%0D")
+        .replace('\n', "%0A")
+}
+
+/// Text of a property.
+fn property(text: &str) -> String {
+    data(text).replace(':', "%3A").replace(',', "%2C")
+}

@@ -1,0 +1,148 @@
+//! SARIF 2.1.0. Columns count Unicode scalar values, which the document says itself.
+
+use super::{Pages, path, placed_message, region};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::text::{Edit, Sources, Span};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// Writes what comes before the first finding.
+pub fn begin(out: &mut impl Write) -> io::Result<()> {
+    out.write_all(
+        b"{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[{\
+          \"columnKind\":\"unicodeCodePoints\",\"results\":[",
+    )
+}
+
+/// Writes one finding.
+pub fn write(
+    out: &mut impl Write,
+    sources: &Sources,
+    d: &Diagnostic,
+    fingerprint: &str,
+) -> io::Result<()> {
+    let mut text = placed_message(sources, d);
+    for line in d.notes.iter().chain(&d.help) {
+        text.push('\n');
+        text.push_str(line);
+    }
+    let related: Vec<Value> = d
+        .labels
+        .iter()
+        .map(|l| {
+            let mut place = location(sources, l.span);
+            place["message"] = json!({"text": l.message});
+            place
+        })
+        .collect();
+    let mut result = json!({
+        "ruleId": d.rule,
+        "level": level(d.severity),
+        "message": {"text": text},
+        "locations": [location(sources, d.span)],
+        "partialFingerprints": {"shaderlint/v1": fingerprint}
+    });
+    if !related.is_empty() {
+        result["relatedLocations"] = Value::Array(related);
+    }
+    if let Some(fix) = &d.fix
+        && let Some(changes) = changes(sources, &fix.edits)
+    {
+        result["fixes"] = json!([{"description": {"text": fix.title}, "artifactChanges": changes}]);
+    }
+    serde_json::to_writer(out, &result)?;
+    Ok(())
+}
+
+fn level(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        Severity::Info => "note",
+    }
+}
+
+fn location(sources: &Sources, span: Span) -> Value {
+    let mut place =
+        json!({"physicalLocation": {"artifactLocation": {"uri": uri(path(sources, span))}}});
+    if let Some(region) = region_of(sources, span) {
+        place["physicalLocation"]["region"] = region;
+    }
+    if let Some(part) = sources.file_at(span.start).and_then(|f| f.part.as_ref()) {
+        place["logicalLocations"] = json!([{"name": part, "kind": "module"}]);
+    }
+    place
+}
+
+fn region_of(sources: &Sources, span: Span) -> Option<Value> {
+    let (start, end) = region(sources, span)?;
+    Some(json!({
+        "startLine": start.line,
+        "startColumn": start.column,
+        "endLine": end.line,
+        "endColumn": end.column,
+        "byteOffset": start.byte,
+        "byteLength": end.byte - start.byte
+    }))
+}
+
+/// The edits of a fix, all of which lie in one file.
+fn changes(sources: &Sources, edits: &[Edit]) -> Option<Value> {
+    let first = edits.first()?;
+    let replacements: Option<Vec<Value>> = edits
+        .iter()
+        .map(|e| {
+            let deleted = region_of(sources, e.span)?;
+            Some(json!({"deletedRegion": deleted, "insertedContent": {"text": e.text}}))
+        })
+        .collect();
+    let uri = uri(path(sources, first.span));
+    Some(json!([{"artifactLocation": {"uri": uri}, "replacements": replacements?}]))
+}
+
+/// A path as a relative or `file:` address.
+fn uri(path: &str) -> String {
+    let mut out = String::new();
+    if path.starts_with('/') {
+        out.push_str("file://");
+    } else if path.as_bytes().get(1) == Some(&b':') {
+        out.push_str("file:///");
+    }
+    for byte in path.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'.' | b'-' | b'_' | b'~' => {
+                out.push(byte as char)
+            }
+            _ => out.push_str(&format!("%{byte:02X}")),
+        }
+    }
+    out
+}
+
+/// Writes what comes behind the last finding: the tool and the rules that found something.
+pub fn end(out: &mut impl Write, names: &[&'static str], pages: Pages) -> io::Result<()> {
+    let rules: Vec<Value> = names.iter().map(|name| rule(name, pages)).collect();
+    let tool = json!({
+        "driver": {
+            "name": "shaderlint",
+            "version": env!("CARGO_PKG_VERSION"),
+            "rules": rules
+        }
+    });
+    write!(out, "\n],\"tool\":")?;
+    serde_json::to_writer(&mut *out, &tool)?;
+    out.write_all(b"}]}\n")
+}
+
+fn rule(name: &str, pages: Pages) -> Value {
+    let Some(page) = pages(name) else {
+        return json!({"id": name});
+    };
+    let body = page.split_once('\n').map_or("", |(_, body)| body).trim();
+    let summary = body.split("\n\n").next().unwrap_or("").replace('\n', " ");
+    json!({
+        "id": name,
+        "shortDescription": {"text": summary},
+        "help": {"text": summary, "markdown": body}
+    })
+}
