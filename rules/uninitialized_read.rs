@@ -1,9 +1,10 @@
 //! Variables that are read before they have a value.
 
-use crate::diagnostic::Severity;
+use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Check, Context, Group, Rule};
 use crate::semantic::flow::Unset;
-use crate::semantic::{FunctionRef, Storage, VariableId};
+use crate::semantic::{FunctionRef, Scalar, Storage, Variable, VariableId};
+use crate::text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "uninitialized-read",
@@ -39,7 +40,8 @@ fn check(cx: &mut Context, function: FunctionRef) {
             .token
             .and_then(|t| program.token(t))
             .map(|t| t.span);
-        let finding = cx.report(unset.at, message);
+        let fix = zero(cx, variable);
+        let finding = cx.report(unset.at, message).fix(fix);
         let finding = match declared {
             Some(span) => finding.label(span, "declared here, without a value"),
             None => finding,
@@ -49,10 +51,33 @@ fn check(cx: &mut Context, function: FunctionRef) {
         );
         if is_param {
             finding.help("an `out` parameter does not bring the caller's value; `inout` does");
-        } else if !unset.always {
-            finding.help("give it a value where it is declared");
         }
     }
+}
+
+/// The value that browsers give the variable, written down.
+fn zero(cx: &Context, variable: &Variable) -> Option<Fix> {
+    let ty = variable.ty;
+    let token = cx.program.token(variable.token?)?;
+    if variable.storage != Storage::Local || ty.array != 0 || !token.is_direct() {
+        return None;
+    }
+    let zero = match ty.scalar_kind()? {
+        Scalar::Bool => "false",
+        Scalar::Int => "0",
+        Scalar::Uint => "0u",
+        Scalar::Float => "0.0",
+    };
+    let value = match ty.is_scalar() {
+        true => zero.to_string(),
+        false => format!("{}({zero})", cx.program.type_name(ty)),
+    };
+    let title = format!(
+        "give it a value: `{} = {value}`",
+        cx.program.names.text(variable.name)
+    );
+    let edit = Edit::insert(token.span.end, format!(" = {value}"));
+    Some(Fix::safe(title, vec![edit]))
 }
 
 /// The variable, and those of its components that are missing where it is not all of them.

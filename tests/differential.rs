@@ -14,8 +14,11 @@ use std::fs;
 use std::panic::catch_unwind;
 use std::path::Path;
 
+/// A reason, and whether a text gives it.
+type Explanation = (&'static str, fn(&str) -> bool);
+
 /// Why the other parser refuses what ours, like the browser, accepts.
-const EXPLANATIONS: [(&str, fn(&str) -> bool); 4] = [
+const EXPLANATIONS: [Explanation; 4] = [
     ("an integer of 2^31 or more", has_large_integer),
     ("a keyword of desktop GLSL as a name", has_foreign_keyword),
     (

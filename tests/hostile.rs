@@ -42,7 +42,9 @@ fn judge(code: &str, expected: Verdict) {
     for format in [Format::Human, Format::Short, Format::Json] {
         let mut out = Vec::new();
         let mut reporter = Reporter::new(format, &mut out, false);
-        reporter.file(&found.sources, &found.diagnostics).unwrap();
+        reporter
+            .file("", &found.sources, &found.diagnostics)
+            .unwrap();
         reporter.finish().unwrap();
         assert!(
             out.len() <= MAX_OUTPUT,

@@ -222,10 +222,8 @@ impl Splitter<'_> {
                         return true;
                     }
                 }
-                Kind::Semicolon if depth == 0 => {
-                    if self.word(self.solid(self.at)) != "else" {
-                        return false;
-                    }
+                Kind::Semicolon if depth == 0 && self.word(self.solid(self.at)) != "else" => {
+                    return false;
                 }
                 Kind::Other if depth == 0 => has_equal |= opens,
                 _ => {}

@@ -112,12 +112,12 @@ impl Uniformity {
 
     /// Why something differs: itself, then each time what made it so, down to the source.
     pub fn why(&self, what: Varying) -> impl Iterator<Item = Varying> {
-        let first = Some(self.node(what)).filter(|n| self.from_of(*n).is_some());
-        let way = std::iter::successors(first, |n| self.from_of(*n).filter(|f| f != n));
+        let first = Some(self.node(what)).filter(|n| self.origin_of(*n).is_some());
+        let way = std::iter::successors(first, |n| self.origin_of(*n).filter(|f| f != n));
         way.map(|n| self.varying(n))
     }
 
-    fn from_of(&self, node: u32) -> Option<u32> {
+    fn origin_of(&self, node: u32) -> Option<u32> {
         self.from.get(node as usize).copied().flatten()
     }
 

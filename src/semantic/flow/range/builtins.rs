@@ -6,10 +6,10 @@ use std::f64::consts::{PI, TAU};
 /// The range of a component of a built-in function's result, given those of the arguments at that
 /// component. Functions that mix components are not here.
 pub fn of_function(name: &str, args: &[Range]) -> Range {
-    let range = match args {
-        &[x] => of_one(name, x),
-        &[x, y] => of_two(name, x, y),
-        &[x, y, z] => of_three(name, x, y, z),
+    let range = match *args {
+        [x] => of_one(name, x),
+        [x, y] => of_two(name, x, y),
+        [x, y, z] => of_three(name, x, y, z),
         _ => None,
     };
     let mut range = range.unwrap_or(Range::ANY);
@@ -25,7 +25,7 @@ fn of_one(name: &str, x: Range) -> Option<Range> {
         "cos" => wave(x, 0.0),
         "atan" => x.rising(f64::atan),
         "asin" => inside(x, -1.0, 1.0).rising(f64::asin),
-        "acos" => inside(x, -1.0, 1.0).neg().rising(|v| (-v).acos()),
+        "acos" => (-inside(x, -1.0, 1.0)).rising(|v| (-v).acos()),
         "tanh" => x.rising(f64::tanh),
         "abs" => x.abs(),
         "sign" => x
@@ -78,7 +78,7 @@ fn of_two(name: &str, x: Range, y: Range) -> Option<Range> {
             if exponent >= 0.0 {
                 base.rising(|v| v.powf(exponent))
             } else {
-                base.neg().rising(|v| (0.0 - v).powf(exponent))
+                (-base).rising(|v| (0.0 - v).powf(exponent))
             }
         }
         _ => return None,

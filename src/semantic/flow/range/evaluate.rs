@@ -136,7 +136,7 @@ impl Evaluator<'_, '_> {
             ExprKind::Unary(UnaryOp::Minus, inner) if component == LENGTH => {
                 self.part(inner, component, depth)
             }
-            ExprKind::Unary(UnaryOp::Minus, inner) => self.part(inner, component, depth).neg(),
+            ExprKind::Unary(UnaryOp::Minus, inner) => -self.part(inner, component, depth),
             ExprKind::Binary(op, a, b) => self.binary(op, a, b, component, depth),
             ExprKind::Assign(None, _, value) => self.part(value, component, depth),
             ExprKind::Ternary(_, a, b) => {
@@ -269,9 +269,7 @@ impl Evaluator<'_, '_> {
         }
         self.ranges.places_known.borrow_mut().insert(key, None);
         let writes = self.ranges.places.writes(place);
-        let mut range = self
-            .joined(writes, component, depth)
-            .unwrap_or(unknown);
+        let mut range = self.joined(writes, component, depth).unwrap_or(unknown);
         if writes.len() > 1 || range.is_any() {
             range.sources |= source;
         }
@@ -342,7 +340,7 @@ impl Evaluator<'_, '_> {
         if at == LENGTH {
             return None;
         }
-        let by = if op == BinaryOp::Sub { by.neg() } else { by };
+        let by = if op == BinaryOp::Sub { -by } else { by };
         let mut range = start.like(&by);
         range.exact &= by.exact;
         match op {
@@ -418,7 +416,7 @@ impl Evaluator<'_, '_> {
     /// The length of a vector of these components.
     fn length(&self, parts: impl Iterator<Item = Range>) -> Range {
         let squares = parts.map(|p| p.square());
-        let sum = squares.reduce(Range::add).unwrap_or(Range::ANY);
+        let sum = squares.reduce(|a, b| a + b).unwrap_or(Range::ANY);
         let mut length = sum.rising(|v| v.max(0.0).sqrt());
         length.raise(0.0);
         length
@@ -501,7 +499,7 @@ impl Evaluator<'_, '_> {
             ("length", &[v]) => length(v).like(&self.hanging(args, depth)),
             ("distance", &[a, b]) => {
                 let count = self.program.ty(a).components() as u8;
-                let parts = (0..count).map(|c| self.part(a, c, depth).sub(self.part(b, c, depth)));
+                let parts = (0..count).map(|c| self.part(a, c, depth) - self.part(b, c, depth));
                 self.length(parts).like(&self.hanging(args, depth))
             }
             ("dot", &[a, b]) => {
@@ -509,7 +507,7 @@ impl Evaluator<'_, '_> {
                     return length(a).square().like(&self.hanging(args, depth));
                 }
                 let (a_length, b_length) = (length(a), length(b));
-                let range = a_length.mul(b_length);
+                let range = a_length * b_length;
                 let (a, b) = (self.sources(&[a], depth), self.sources(&[b], depth));
                 let mut range = Range::new(-range.hi.value, range.hi.value, Reach::Touched);
                 range.sources = a | b;
@@ -571,22 +569,22 @@ impl Evaluator<'_, '_> {
         if component == LENGTH {
             let is_scaled = program.ty(a).is_scalar() || program.ty(b).is_scalar();
             return match op {
-                BinaryOp::Mul if is_scaled => x.mul(y),
-                BinaryOp::Div if program.ty(b).is_scalar() => x.div(y),
+                BinaryOp::Mul if is_scaled => x * y,
+                BinaryOp::Div if program.ty(b).is_scalar() => x / y,
                 _ => unknown,
             };
         }
         let is_whole = program.ty(a).scalar_kind() != Some(Scalar::Float);
         match op {
-            BinaryOp::Add => x.add(y),
+            BinaryOp::Add => x + y,
             BinaryOp::Sub if x.sources != 0 && is_same(program, a, b) => Range::constant(0.0),
-            BinaryOp::Sub => x.sub(y),
+            BinaryOp::Sub => x - y,
             BinaryOp::Mul if x.sources != 0 && is_same(program, a, b) => x.square(),
-            BinaryOp::Mul => x.mul(y),
-            BinaryOp::Div if is_whole => x.div(y).rising(f64::trunc),
+            BinaryOp::Mul => x * y,
+            BinaryOp::Div if is_whole => (x / y).rising(f64::trunc),
             BinaryOp::Div => match self.is_share(a, b, component) {
                 true => Range::new(0.0, below(1.0), Reach::Touched).like(&x),
-                false => x.div(y),
+                false => x / y,
             },
             BinaryOp::Rem if y.lo.value > 0.0 => {
                 let most = (y.hi.value - 1.0).min(x.hi.value.max(0.0));

@@ -1,6 +1,7 @@
 //! Ranges of numbers, and arithmetic on them.
 
 use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// How well a value takes a bound of its range.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -254,55 +255,6 @@ impl Range {
         if is_free { range } else { range.loose() }
     }
 
-    /// `-a`
-    pub fn neg(self) -> Range {
-        Range {
-            lo: self.hi.negated(),
-            hi: self.lo.negated(),
-            ..self
-        }
-    }
-
-    /// `a + b`
-    pub fn add(self, other: Range) -> Range {
-        let sum = |a: Bound, b: Bound| bound(a.value + b.value, a.reach.min(b.reach));
-        let (lo, hi) = (sum(self.lo, other.lo), sum(self.hi, other.hi));
-        Range::made_of(&self, &other, lo, hi)
-    }
-
-    /// `a - b`
-    pub fn sub(self, other: Range) -> Range {
-        self.add(other.neg())
-    }
-
-    /// `a * b`
-    pub fn mul(self, other: Range) -> Range {
-        let (lo, hi) = ends(&self, &other, |a, b| {
-            if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
-        });
-        Range::made_of(&self, &other, lo, hi)
-    }
-
-    /// `a / b`; nothing is known where `b` may be on both sides of zero.
-    pub fn div(self, other: Range) -> Range {
-        let crosses = other.lo.value < 0.0 && other.hi.value > 0.0;
-        if crosses || other.single() == Some(0.0) {
-            return Range::ANY.like(&self).like(&other);
-        }
-        let sign = if other.hi.value <= 0.0 { -1.0 } else { 1.0 };
-        let (lo, hi) = ends(&self, &other, |a, b| match (a, b) {
-            (0.0, _) => 0.0,
-            (_, 0.0) => a * sign * f64::INFINITY,
-            (a, b) if a.is_infinite() && b.is_infinite() => a * sign,
-            (a, b) => a / b,
-        });
-        let mut range = Range::made_of(&self, &other, lo, hi);
-        // Only a power of two divides without rounding.
-        let divisor = other.single().unwrap_or(3.0).abs();
-        range.exact = self.exact && divisor >= 1.0 && is_power_of_two(divisor) && divisor <= 256.0;
-        range
-    }
-
     /// `a * a`
     pub fn square(self) -> Range {
         let (a, b) = (self.lo.value * self.lo.value, self.hi.value * self.hi.value);
@@ -370,6 +322,75 @@ impl Range {
             exact: false,
             ..self
         }
+    }
+}
+
+/// `-a`
+impl Neg for Range {
+    type Output = Range;
+
+    fn neg(self) -> Range {
+        Range {
+            lo: self.hi.negated(),
+            hi: self.lo.negated(),
+            ..self
+        }
+    }
+}
+
+/// `a + b`
+impl Add for Range {
+    type Output = Range;
+
+    fn add(self, other: Range) -> Range {
+        let sum = |a: Bound, b: Bound| bound(a.value + b.value, a.reach.min(b.reach));
+        let (lo, hi) = (sum(self.lo, other.lo), sum(self.hi, other.hi));
+        Range::made_of(&self, &other, lo, hi)
+    }
+}
+
+/// `a - b`
+impl Sub for Range {
+    type Output = Range;
+
+    fn sub(self, other: Range) -> Range {
+        self + -other
+    }
+}
+
+/// `a * b`
+impl Mul for Range {
+    type Output = Range;
+
+    fn mul(self, other: Range) -> Range {
+        let (lo, hi) = ends(&self, &other, |a, b| {
+            if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
+        });
+        Range::made_of(&self, &other, lo, hi)
+    }
+}
+
+/// `a / b`; nothing is known where `b` may be on both sides of zero.
+impl Div for Range {
+    type Output = Range;
+
+    fn div(self, other: Range) -> Range {
+        let crosses = other.lo.value < 0.0 && other.hi.value > 0.0;
+        if crosses || other.single() == Some(0.0) {
+            return Range::ANY.like(&self).like(&other);
+        }
+        let sign = if other.hi.value <= 0.0 { -1.0 } else { 1.0 };
+        let (lo, hi) = ends(&self, &other, |a, b| match (a, b) {
+            (0.0, _) => 0.0,
+            (_, 0.0) => a * sign * f64::INFINITY,
+            (a, b) if a.is_infinite() && b.is_infinite() => a * sign,
+            (a, b) => a / b,
+        });
+        let mut range = Range::made_of(&self, &other, lo, hi);
+        // Only a power of two divides without rounding.
+        let divisor = other.single().unwrap_or(3.0).abs();
+        range.exact = self.exact && divisor >= 1.0 && is_power_of_two(divisor) && divisor <= 256.0;
+        range
     }
 }
 
