@@ -2,6 +2,7 @@
 //!
 //! The limits are those of a debug build on a busy machine; a release build takes a tenth.
 
+use shaderlint::cli::STACK;
 use shaderlint::cli::document::{DialectChoice, check};
 use shaderlint::cli::input::Content;
 use shaderlint::diagnostic::Severity;
@@ -23,9 +24,19 @@ enum Verdict {
 }
 use Verdict::{Compiles, Refused};
 
-/// Judges a pass whose text is `code`.
+/// Judges a pass whose text is `code`, on a thread as the programs start theirs.
 #[track_caller]
 fn judge(code: &str, expected: Verdict) {
+    std::thread::scope(|scope| {
+        let builder = std::thread::Builder::new().stack_size(STACK);
+        let thread = builder.spawn_scoped(scope, || judge_here(code, expected));
+        if thread.unwrap().join().is_err() {
+            panic!("see above");
+        }
+    });
+}
+
+fn judge_here(code: &str, expected: Verdict) {
     let settings = Settings::new(RULES, &[], &[]).unwrap();
     let start = Instant::now();
     let choice = DialectChoice::Shadertoy;

@@ -18,12 +18,29 @@ const FINDINGS: u8 = 1;
 /// The command was used wrongly, or something could not be read or written.
 const FAILED: u8 = 2;
 
+/// Stack of a thread that reads shaders, in bytes. What nests is bounded, so that this is enough in
+/// debug builds too; what a system gives by itself differs, down to 1 MB.
+pub const STACK: usize = 16 << 20;
+
 /// Runs `shaderlint` with the arguments of the process.
 pub fn shaderlint() -> ExitCode {
-    ExitCode::from(lint::run(&lint::Args::parse()))
+    with_stack(|| lint::run(&lint::Args::parse()))
 }
 
 /// Runs `shaderport` with the arguments of the process.
 pub fn shaderport() -> ExitCode {
-    ExitCode::from(port::run(&port::Args::parse()))
+    with_stack(|| port::run(&port::Args::parse()))
+}
+
+/// Runs a program on a thread with [`STACK`].
+fn with_stack(program: fn() -> u8) -> ExitCode {
+    let thread = std::thread::Builder::new().stack_size(STACK).spawn(program);
+    match thread.map(std::thread::JoinHandle::join) {
+        Ok(Ok(code)) => ExitCode::from(code),
+        Ok(Err(_)) => ExitCode::from(FAILED),
+        Err(error) => {
+            eprintln!("error: no thread can be started: {error}");
+            ExitCode::from(FAILED)
+        }
+    }
 }

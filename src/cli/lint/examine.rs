@@ -1,5 +1,6 @@
 //! Checking inputs, several at a time.
 
+use super::super::STACK;
 use super::super::config::Configs;
 use super::super::document::{DocumentError, Findings, check_with};
 use super::super::input::{Content, InputFile, read};
@@ -46,7 +47,7 @@ pub fn examine_all(
     std::thread::scope(|scope| {
         for _ in 0..threads {
             let (next, sender) = (&next, sender.clone());
-            scope.spawn(move || {
+            let work = move || {
                 loop {
                     let index = next.fetch_add(1, Ordering::Relaxed);
                     let Some(input) = inputs.get(index) else {
@@ -57,7 +58,9 @@ pub fn examine_all(
                         return;
                     }
                 }
-            });
+            };
+            let builder = std::thread::Builder::new().stack_size(STACK);
+            builder.spawn_scoped(scope, work)?;
         }
         drop(sender);
         let mut waiting = BTreeMap::new();
