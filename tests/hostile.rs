@@ -1,6 +1,6 @@
 //! Hostile inputs: whatever the text is, the answer comes soon and is short.
 //!
-//! The limits are those of a debug build on a busy machine; a release build takes a tenth.
+//! The limits are those of a debug build on a busy machine; a release build on a quiet one answers in a second.
 
 use shaderlint::cli::STACK;
 use shaderlint::cli::document::{DialectChoice, check};
@@ -12,7 +12,7 @@ use shaderlint::rules::RULES;
 use std::time::{Duration, Instant};
 
 /// Longest time that an answer may take.
-const MAX_TIME: Duration = Duration::from_secs(10);
+const MAX_TIME: Duration = Duration::from_secs(30);
 /// Longest output, in bytes.
 const MAX_OUTPUT: usize = 1_000_000;
 

@@ -59,6 +59,11 @@ impl Extent {
         }
     }
 
+    /// Whether `other` lies inside.
+    pub fn contains(self, other: Extent) -> bool {
+        self.first <= other.first && other.last <= self.last
+    }
+
     /// The smallest extent that holds both.
     pub fn to(self, other: Extent) -> Extent {
         Extent {

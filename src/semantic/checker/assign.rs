@@ -60,6 +60,7 @@ impl Checker<'_> {
         &mut self,
         declarator: &Declarator,
         qualified: &Qualified,
+        spec: Option<Extent>,
         ty: Type,
         init: ExprId,
     ) -> bool {
@@ -94,7 +95,7 @@ impl Checker<'_> {
             return true;
         }
         if let Err(misfit) = self.assignable_type(ty, info.ty) {
-            self.initializer_misfit(declarator, ty, init, misfit);
+            self.initializer_misfit(declarator, spec, ty, init, misfit);
             return false;
         }
         self.check_initializer_constness(declarator, qualified, init);

@@ -57,7 +57,8 @@ impl<'a> Checker<'a> {
                 self.report(d);
             }
             let index = declarators.start as usize + i;
-            self.declarator(index, declarator, &qualified, base);
+            let spec = (declarators.len == 1).then_some(extent);
+            self.declarator(index, declarator, &qualified, base, spec);
         }
     }
 
@@ -213,6 +214,7 @@ impl<'a> Checker<'a> {
         declarator: &Declarator,
         qualified: &Qualified,
         base: Type,
+        spec: Option<Extent>,
     ) {
         let name = Extent::token(declarator.ident.token);
         self.check_variable_layout(qualified, name);
@@ -220,7 +222,9 @@ impl<'a> Checker<'a> {
         let mut ty = self.with_arrays(base, declarator.arrays, qualified.storage);
         let mut initial = None;
         if let Some(init) = declarator.init {
+            self.wanted = Some(ty);
             self.eval(init);
+            self.wanted = None;
             initial = Some(self.info(init));
             if ty.array == Type::UNSIZED {
                 let found = self.ty(init);
@@ -252,7 +256,7 @@ impl<'a> Checker<'a> {
             is_const = false;
         }
         if let (Some(init), Some(info)) = (declarator.init, initial) {
-            match self.check_initializer(declarator, qualified, ty, init) {
+            match self.check_initializer(declarator, qualified, spec, ty, init) {
                 true => {
                     constant = if is_const {
                         info.constant

@@ -8,6 +8,7 @@ use crate::text::Edit;
 impl Checker<'_> {
     /// Checks the expression `root` and everything in it.
     pub(super) fn eval(&mut self, root: ExprId) {
+        self.whole = root;
         while self.exprs.len() <= root.0 as usize && self.exprs.len() < self.tree.exprs.len() {
             let id = ExprId(self.exprs.len() as u32);
             let info = if self.gave_up() {

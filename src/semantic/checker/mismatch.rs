@@ -135,49 +135,11 @@ impl Checker<'_> {
         }
         let d = d.note("vectors of different sizes cannot be combined (section 5.9)");
         let fix = if symbol.len() == 1 {
-            self.widen(left, right)
+            self.match_sizes(id, left, right)
         } else {
             None
         };
         d.fix(fix)
-    }
-
-    /// Makes the smaller of two vectors as large as the other.
-    fn widen(&self, left: ExprId, right: ExprId) -> Option<Fix> {
-        let (_, 1, l) = self.ty(left).numeric()? else {
-            return None;
-        };
-        let (_, 1, r) = self.ty(right).numeric()? else {
-            return None;
-        };
-        let (small, have, want) = if l < r { (left, l, r) } else { (right, r, l) };
-        let ty = Type::vector(self.ty(small).scalar_kind()?, want);
-        self.widen_to(small, have, ty)
-    }
-
-    pub(super) fn widen_to(&self, small: ExprId, have: u8, ty: Type) -> Option<Fix> {
-        let (scalar, 1, want) = ty.numeric()? else {
-            return None;
-        };
-        if have < 2 || want <= have || !self.is_direct(self.tree.expr(small).extent) {
-            return None;
-        }
-        let zero = match scalar {
-            Scalar::Float => "0.0",
-            Scalar::Bool => "false",
-            Scalar::Int => "0",
-            Scalar::Uint => "0u",
-        };
-        let zeros = format!(", {zero}").repeat((want - have) as usize);
-        let span = self.expr_span(small);
-        let name = self.name_of(ty);
-        let text = self.sources.text(span);
-        let title = format!("make it a `{name}`: `{name}({text}{zeros})`");
-        let edits = vec![
-            Edit::insert(span.start, format!("{name}(")),
-            Edit::insert(span.end, format!("{zeros})")),
-        ];
-        Some(Fix::suggestion(title, edits))
     }
 
     fn other_misfit(
@@ -313,6 +275,7 @@ impl Checker<'_> {
     pub(super) fn initializer_misfit(
         &mut self,
         declarator: &Declarator,
+        spec: Option<Extent>,
         ty: Type,
         init: ExprId,
         misfit: Misfit,
@@ -323,6 +286,11 @@ impl Checker<'_> {
         }
         let rule = self.rule_for(ty, found, misfit);
         let d = self.misfit_at(declarator.extent, ty, init, rule);
+        let retyped = spec.and_then(|spec| self.retype(spec, declarator, init));
+        let d = match retyped.filter(|_| rule == error::VECTOR_SIZE) {
+            Some(fix) => d.fix(fix),
+            None => d,
+        };
         let d = match d.span == self.expr_span(init) {
             true => d,
             false => d.label(self.expr_span(init), format!("`{}`", self.name_of(found))),
@@ -374,44 +342,8 @@ impl Checker<'_> {
         d.note(NO_CONVERSION).fix(fix)
     }
 
-    /// Cuts a vector that is too long, or fills one that is too short.
-    pub(super) fn resize(&self, value: ExprId, wanted: Type) -> Option<Fix> {
-        let (_, 1, have) = self.ty(value).numeric()? else {
-            return None;
-        };
-        let (_, 1, want) = wanted.numeric()? else {
-            return None;
-        };
-        if !self.is_direct(self.tree.expr(value).extent) {
-            return None;
-        }
-        if have > want {
-            let letters = "xyzw".get(..want as usize)?;
-            let span = self.expr_span(value);
-            let atom = self.is_atom(value);
-            let mut edits = vec![Edit::insert(
-                span.end,
-                format!("{}.{letters}", if atom { "" } else { ")" }),
-            )];
-            if !atom {
-                edits.insert(0, Edit::insert(span.start, "("));
-            }
-            return Some(Fix::suggestion(format!("take `.{letters}` of it"), edits));
-        }
-        if have == 1 {
-            let span = self.expr_span(value);
-            let name = self.name_of(wanted);
-            let edits = vec![
-                Edit::insert(span.start, format!("{name}(")),
-                Edit::insert(span.end, ")"),
-            ];
-            return Some(Fix::suggestion(format!("fill a `{name}` with it"), edits));
-        }
-        self.widen_to(value, have, wanted)
-    }
-
     /// Whether an expression needs no parentheses before a `.`.
-    fn is_atom(&self, id: ExprId) -> bool {
+    pub(super) fn is_atom(&self, id: ExprId) -> bool {
         use ExprKind as E;
         matches!(
             self.tree.expr(id).kind,

@@ -18,6 +18,7 @@ mod names;
 mod overload;
 mod qualifier;
 mod record;
+mod resize;
 mod statement;
 mod webgl1;
 
@@ -97,6 +98,8 @@ pub fn check<'a>(
         builtin_names: Vec::new(),
         builtin_variables: FxHashMap::default(),
         current: None,
+        whole: ExprId(0),
+        wanted: None,
         level: 0,
         flow: Vec::new(),
         undeclared: FxHashMap::default(),
@@ -200,6 +203,9 @@ struct Checker<'a> {
     builtin_names: Vec<Option<Option<u16>>>,
     builtin_variables: FxHashMap<Name, VariableId>,
     current: Option<FunctionRef>,
+    /// The whole expression at hand, and the type that it should have.
+    whole: ExprId,
+    wanted: Option<Type>,
     /// Depth of the statement at hand in the browser's tree.
     level: u32,
     flow: Vec<Flow>,

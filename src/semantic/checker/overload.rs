@@ -107,6 +107,10 @@ impl Checker<'_> {
     }
 
     fn no_overload(&mut self, id: ExprId, name: Name, args: List, candidates: &[Candidate]) {
+        // The overload that is meant may be the one that could not be read.
+        if self.tree.lost.contains(&name) {
+            return;
+        }
         let tree = self.tree;
         let list = tree.args(args);
         if let Some(&arg) = list.iter().find(|&&a| self.ty(a).is_void()) {

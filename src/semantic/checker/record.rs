@@ -5,6 +5,14 @@ use super::*;
 
 /// Deepest nesting of structs that WebGL allows (WebGL 1.0 section 6.20).
 const MAX_NESTING: u32 = 4;
+/// The members of desktop GLSL's `gl_PerVertex`. Browsers take these names in every struct, and in
+/// every block that has a name.
+const PER_VERTEX: [&str; 4] = [
+    "gl_Position",
+    "gl_PointSize",
+    "gl_ClipDistance",
+    "gl_CullDistance",
+];
 /// Most members; a limit of ANGLE's.
 const MAX_FIELDS: usize = 16_383;
 
@@ -115,7 +123,9 @@ impl Checker<'_> {
         ident: Ident,
         ty: Type,
     ) {
-        self.check_not_reserved(ident);
+        if !PER_VERTEX.contains(&self.text(ident.name)) {
+            self.check_not_reserved(ident);
+        }
         if let Some(&before) = seen.get(&ident.name) {
             let message = format!("member `{}` is declared twice", self.text(ident.name));
             let d = self

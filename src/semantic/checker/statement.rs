@@ -393,7 +393,9 @@ impl Checker<'_> {
             return;
         };
         self.returns_value = true;
+        self.wanted = Some(wanted);
         self.root(value, self.level + 1);
+        self.wanted = None;
         let found = self.ty(value);
         if found.is_error() || wanted.is_error() || found == wanted {
             if found.is_void() {

@@ -20,6 +20,7 @@ impl Parser<'_> {
                     self.depth = 0;
                     self.tree.exprs.truncate(mark);
                     self.skip_item(first);
+                    self.lose_names(first);
                 }
             }
         }
@@ -159,7 +160,7 @@ impl Parser<'_> {
     fn interface_block(&mut self, qualifiers: List) -> Parsed<DeclKind> {
         let first = self.id();
         let name = self.ident("the block's name")?;
-        let members = self.members(Some(name), first)?;
+        let members = self.members(Some(name), first)?.ok_or(Reported)?;
         let instance = if self.is(TokenKind::Semicolon) {
             None
         } else {
@@ -180,19 +181,32 @@ impl Parser<'_> {
         })
     }
 
-    /// `{ type a; ... }`
-    fn members(&mut self, name: Option<Ident>, first: TokenId) -> Parsed<StructId> {
+    /// `{ type a; ... }`; `None` where a member cannot be read.
+    fn members(&mut self, name: Option<Ident>, first: TokenId) -> Parsed<Option<StructId>> {
         let open = self.id();
         self.expect(TokenKind::LeftBrace, "`{`")?;
         let mut fields = Vec::new();
+        let mut is_whole = true;
         while !self.is(TokenKind::RightBrace) {
-            if self.is(TokenKind::End) {
+            if self.is(TokenKind::End) || self.at_function() {
                 self.missing_brace(open);
                 break;
             }
-            fields.push(self.field()?);
+            match self.field() {
+                Ok(field) => fields.push(field),
+                Err(Reported) => {
+                    is_whole = false;
+                    self.skip_field();
+                }
+            }
+        }
+        if !is_whole {
+            self.lose_names(open + 1);
         }
         self.eat(TokenKind::RightBrace);
+        if !is_whole {
+            return Ok(None);
+        }
         let fields = append(&mut self.tree.field_lists, fields);
         let extent = self.extent_from(first);
         self.tree.structs.push(StructDecl {
@@ -200,7 +214,7 @@ impl Parser<'_> {
             fields,
             extent,
         });
-        Ok(StructId(self.tree.structs.len() as u32 - 1))
+        Ok(Some(StructId(self.tree.structs.len() as u32 - 1)))
     }
 
     fn field(&mut self) -> Parsed<FieldDecl> {
@@ -243,19 +257,29 @@ impl Parser<'_> {
 
     fn variables(&mut self, first: TokenId, qualifiers: List, ty: TypeId) -> Parsed<DeclId> {
         let mut declarators = Vec::new();
+        let mut is_whole = true;
         if !self.is(TokenKind::Semicolon) {
             if !self.is(TokenKind::Comma) {
                 declarators.push(self.declarator(ty)?);
             }
             while self.eat(TokenKind::Comma).is_some() {
-                declarators.push(self.declarator(ty)?);
+                let Ok(declarator) = self.declarator(ty) else {
+                    is_whole = false;
+                    break;
+                };
+                declarators.push(declarator);
             }
         }
-        // The names count even where the `;` does not come.
-        let declarators = append(&mut self.tree.declarator_lists, declarators);
-        if self.semicolon().is_err() {
+        // The names count even where the rest cannot be read.
+        if !is_whole || self.semicolon().is_err() {
+            if let Some(last) = declarators.last_mut().filter(|d| d.init.is_some()) {
+                last.init = Some(self.error_expr(last.extent.first));
+            }
+            let from = self.id();
             self.skip_statement(first);
+            self.lose_names(from);
         }
+        let declarators = append(&mut self.tree.declarator_lists, declarators);
         Ok(self.push_decl(
             DeclKind::Variables {
                 qualifiers,
@@ -281,7 +305,7 @@ impl Parser<'_> {
                 match self.root_assignment() {
                     Ok(init) => init,
                     Err(Reported) => {
-                        self.skip_initializer();
+                        self.skip_initializer(start);
                         self.error_expr(start)
                     }
                 }
@@ -348,7 +372,7 @@ impl Parser<'_> {
                 self.advance();
                 TypeBase::Name(Name(token.value))
             }
-            TokenKind::Struct => TypeBase::Struct(self.structure()?),
+            TokenKind::Struct => self.structure()?,
             TokenKind::Reserved => self.reserved_type(),
             _ => return Err(self.unexpected("a type")),
         };
@@ -362,7 +386,7 @@ impl Parser<'_> {
         Ok(TypeId(self.tree.types.len() as u32 - 1))
     }
 
-    fn structure(&mut self) -> Parsed<StructId> {
+    fn structure(&mut self) -> Parsed<TypeBase> {
         let first = self.advance();
         let name = if self.is(TokenKind::LeftBrace) {
             None
@@ -372,7 +396,13 @@ impl Parser<'_> {
         self.enter()?;
         let members = self.members(name, first);
         self.leave();
-        members
+        Ok(match members? {
+            Some(id) => TypeBase::Struct(id),
+            None => {
+                self.tree.lost.extend(name.map(|n| n.name));
+                TypeBase::Error
+            }
+        })
     }
 
     /// The qualifiers in front of a type.

@@ -192,7 +192,7 @@ impl Parser<'_> {
         let mut inner = self.operators(COMMA)?;
         self.leave();
         while let Some(first) = open.pop() {
-            self.close(TokenKind::RightParen, first)?;
+            self.close_operand(TokenKind::RightParen, first)?;
             let extent = self.extent_from(first);
             inner = self.push_expr(ExprKind::Paren(inner), extent);
             inner = self.postfix(inner)?;
@@ -335,7 +335,7 @@ impl Parser<'_> {
             }
             self.leave();
         }
-        self.close(TokenKind::RightParen, open)?;
+        self.close_operand(TokenKind::RightParen, open)?;
         let args = self.open_args.drain(mark..);
         Ok(append(&mut self.tree.expr_lists, args))
     }
@@ -353,7 +353,7 @@ impl Parser<'_> {
                     self.enter()?;
                     let index = self.operators(COMMA)?;
                     self.leave();
-                    self.close(TokenKind::RightBracket, open)?;
+                    self.close_operand(TokenKind::RightBracket, open)?;
                     ExprKind::Index(object, index)
                 }
                 TokenKind::Increment | TokenKind::Decrement if !self.starts_statement() => {

@@ -54,6 +54,7 @@ pub fn parse(
         at: 0,
         depth: 0,
         function_open: 0,
+        behind_error: None,
         missing_brace_at: None,
         tree: Tree::default(),
         open_args: Vec::new(),
@@ -84,6 +85,8 @@ struct Parser<'a> {
     depth: u32,
     /// The `{` of the function that is being read.
     function_open: TokenId,
+    /// The place behind the last statement that could not be read.
+    behind_error: Option<usize>,
     /// Where a missing `}` was reported.
     missing_brace_at: Option<usize>,
     tree: Tree,

@@ -3,6 +3,7 @@
 use super::{Parsed, Parser, Reported};
 use crate::diagnostic::{Diagnostic, Fix, error};
 use crate::syntax::ast::*;
+use crate::syntax::names::Name;
 use crate::syntax::token::TokenKind;
 use crate::text::{Edit, Span};
 
@@ -131,15 +132,14 @@ impl Parser<'_> {
         use TokenKind as T;
         match self.peek() {
             T::Type => self.kind(1) == T::Identifier,
-            T::Identifier => matches!(
-                self.kind(1),
-                T::Equal
-                    | T::PlusEqual
-                    | T::MinusEqual
-                    | T::StarEqual
-                    | T::SlashEqual
-                    | T::Identifier
-            ),
+            T::Identifier => match self.kind(1) {
+                T::Equal | T::PlusEqual | T::MinusEqual | T::StarEqual | T::SlashEqual => true,
+                T::Identifier => matches!(
+                    self.kind(2),
+                    T::Equal | T::Semicolon | T::Comma | T::LeftBracket
+                ),
+                _ => false,
+            },
             T::If
             | T::For
             | T::While
@@ -215,6 +215,85 @@ impl Parser<'_> {
         ));
         self.report_at(d, &last);
         Ok(())
+    }
+
+    /// The `)` of the head of a statement. A `;` that stands before it in the same line is what is
+    /// wrong then, and the head ends at the `)` all the same.
+    pub(super) fn close_head(&mut self, open: TokenId) -> Parsed<()> {
+        if !self.is(TokenKind::Semicolon) || !self.closes_in_line() {
+            return self.close(TokenKind::RightParen, open);
+        }
+        self.unexpected("`)`");
+        self.skip_to_close();
+        self.advance();
+        Ok(())
+    }
+
+    /// Whether the parentheses around are closed before the line ends.
+    fn closes_in_line(&self) -> bool {
+        let mut open = 0_u32;
+        for at in self.at..self.tokens.len() {
+            if self.starts_line(at) {
+                return false;
+            }
+            match self.token(at).kind {
+                TokenKind::LeftParen => open += 1,
+                TokenKind::RightParen if open == 0 => return true,
+                TokenKind::RightParen => open -= 1,
+                TokenKind::LeftBrace | TokenKind::RightBrace => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// The bracket that closes the one at `open` inside an expression. Where it is missing, nobody
+    /// knows what belongs into the brackets, so that the expression is not judged further.
+    pub(super) fn close_operand(&mut self, kind: TokenKind, open: TokenId) -> Parsed<()> {
+        let is_there = self.is(kind);
+        self.close(kind, open)?;
+        if is_there { Ok(()) } else { Err(Reported) }
+    }
+
+    /// Takes the names that seem to be declared in the skipped tokens from `first` on, outside
+    /// braces, as declared: what they are is unknown, and no use of them is an error.
+    pub(super) fn lose_names(&mut self, first: TokenId) {
+        use TokenKind as T;
+        let mut open = 0_u32;
+        let mut before = T::End;
+        for at in first as usize..self.at {
+            let token = self.token(at);
+            let follows_type = matches!(
+                before,
+                T::Type | T::Identifier | T::Void | T::RightBrace | T::RightBracket
+            );
+            match token.kind {
+                T::LeftBrace => open += 1,
+                T::RightBrace => open = open.saturating_sub(1),
+                T::Identifier if open == 0 && follows_type => {
+                    self.tree.lost.push(Name(token.value));
+                }
+                _ => {}
+            }
+            before = token.kind;
+        }
+    }
+
+    /// Skips the rest of a member of a struct.
+    pub(super) fn skip_field(&mut self) {
+        loop {
+            match self.peek() {
+                TokenKind::End | TokenKind::RightBrace => return,
+                TokenKind::Semicolon => {
+                    self.advance();
+                    return;
+                }
+                TokenKind::LeftBrace => self.skip_braces(),
+                _ => {
+                    self.advance();
+                }
+            }
+        }
     }
 
     /// Reports that the block opened at `open`, or one inside it, is never closed. Says so once for
@@ -301,14 +380,18 @@ impl Parser<'_> {
         self.starts_line(self.at) && self.indent(self.at) <= self.indent(open as usize)
     }
 
-    /// Whether `type name ( ... ) {` starts here.
-    pub(super) fn at_function_definition(&self) -> bool {
+    /// Whether `type name (` starts here.
+    pub(super) fn at_function(&self) -> bool {
         let is_type = matches!(
             self.kind(0),
             TokenKind::Type | TokenKind::Void | TokenKind::Identifier
         );
-        if !is_type || self.kind(1) != TokenKind::Identifier || self.kind(2) != TokenKind::LeftParen
-        {
+        is_type && self.kind(1) == TokenKind::Identifier && self.kind(2) == TokenKind::LeftParen
+    }
+
+    /// Whether `type name ( ... ) {` starts here.
+    pub(super) fn at_function_definition(&self) -> bool {
+        if !self.at_function() {
             return false;
         }
         let mut open = 0_u32;
@@ -335,6 +418,12 @@ impl Parser<'_> {
     pub(super) fn skip_statement(&mut self, first: TokenId) {
         loop {
             match self.peek() {
+                // A `}` before these ends no block.
+                TokenKind::RightBrace
+                    if matches!(self.kind(1), TokenKind::Comma | TokenKind::RightParen) =>
+                {
+                    self.advance();
+                }
                 TokenKind::End | TokenKind::RightBrace => return,
                 TokenKind::Semicolon => {
                     self.advance();
@@ -424,9 +513,16 @@ impl Parser<'_> {
         }
     }
 
-    /// Skips to the `,` or `;` behind an initializer.
-    pub(super) fn skip_initializer(&mut self) {
+    /// Skips to the `,` or `;` behind an initializer that started at `start`.
+    pub(super) fn skip_initializer(&mut self, start: TokenId) {
         let mut open = 0_u32;
+        for at in start as usize..self.at {
+            match self.token(at).kind {
+                TokenKind::LeftParen | TokenKind::LeftBracket => open += 1,
+                TokenKind::RightParen | TokenKind::RightBracket => open = open.saturating_sub(1),
+                _ => {}
+            }
+        }
         let first = self.id();
         loop {
             match self.peek() {

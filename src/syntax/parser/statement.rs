@@ -54,6 +54,8 @@ impl Parser<'_> {
                 self.depth = depth;
                 self.tree.exprs.truncate(mark);
                 self.skip_statement(first);
+                self.lose_names(first);
+                self.behind_error = Some(self.at);
                 self.push_stmt(StmtKind::Error, first)
             }
         }
@@ -88,6 +90,11 @@ impl Parser<'_> {
             T::Continue => self.jump(StmtKind::Continue)?,
             T::Discard => self.jump(StmtKind::Discard)?,
             T::Return => self.return_statement()?,
+            // Its `if` is what could not be read.
+            T::Else if self.behind_error == Some(self.at) => {
+                self.advance();
+                return self.statement();
+            }
             T::Else => return Err(self.else_without_if()),
             _ if self.at_declaration() => {
                 let decl = self.declaration()?;
@@ -160,13 +167,23 @@ impl Parser<'_> {
         let condition = match self.root_expression() {
             Ok(condition) => condition,
             Err(Reported) => {
-                self.skip_to_close();
-                self.eat(TokenKind::RightParen).ok_or(Reported)?;
+                self.skip_condition()?;
                 return Ok(self.error_expr(first));
             }
         };
-        self.close(TokenKind::RightParen, open)?;
+        self.close_head(open)?;
         Ok(condition)
+    }
+
+    /// Skips the rest of a condition, the `)` included. A body in braces may follow even where the
+    /// `)` is missing.
+    fn skip_condition(&mut self) -> Parsed<()> {
+        self.skip_to_close();
+        let is_closed = self.eat(TokenKind::RightParen).is_some();
+        match is_closed || self.is(TokenKind::LeftBrace) {
+            true => Ok(()),
+            false => Err(Reported),
+        }
     }
 
     /// The statement that an `if` or a loop holds.
@@ -234,7 +251,7 @@ impl Parser<'_> {
         } else {
             Some(self.root_expression()?)
         };
-        self.close(TokenKind::RightParen, open)?;
+        self.close_head(open)?;
         Ok((init, condition, step))
     }
 
@@ -256,12 +273,11 @@ impl Parser<'_> {
         let first = self.id();
         let condition = match self.loop_condition() {
             Ok(condition) => {
-                self.close(TokenKind::RightParen, open)?;
+                self.close_head(open)?;
                 condition
             }
             Err(Reported) => {
-                self.skip_to_close();
-                self.eat(TokenKind::RightParen).ok_or(Reported)?;
+                self.skip_condition()?;
                 let expr = self.error_expr(first);
                 self.push_stmt(StmtKind::Expr(expr), first)
             }

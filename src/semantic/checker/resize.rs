@@ -1,0 +1,216 @@
+//! How to make vectors of different sizes fit.
+
+use super::*;
+use crate::diagnostic::Fix;
+use crate::text::Edit;
+
+/// Longest code that a fix's title shows.
+const MAX_SHOWN: usize = 60;
+
+impl Checker<'_> {
+    /// Makes one of the two vectors in `id` as large as the other. What the value is for decides
+    /// which; where that is unknown, a swizzle or a uniform that is too long is cut, and else the
+    /// smaller one is filled up.
+    pub(super) fn match_sizes(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Fix> {
+        let (l, r) = (self.vector_size(left)?, self.vector_size(right)?);
+        let (small, large) = if l < r { (left, right) } else { (right, left) };
+        let wanted = self.wanted_size(id).filter(|&size| size == l || size == r);
+        let size = wanted.unwrap_or_else(|| {
+            if self.gives_way(large) {
+                l.min(r)
+            } else {
+                l.max(r)
+            }
+        });
+        if size == l.min(r) {
+            self.cut(large, size)
+        } else {
+            self.fill(small, size)
+        }
+    }
+
+    /// Makes a value as large as a vector that is wanted.
+    pub(super) fn resize(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+        let (_, 1, have) = self.ty(value).numeric()? else {
+            return None;
+        };
+        let (_, 1, size) = wanted.numeric()? else {
+            return None;
+        };
+        if have > size {
+            return self.cut(value, size);
+        }
+        if have > 1 {
+            return self.fill(value, size);
+        }
+        if !self.is_direct(self.tree.expr(value).extent) {
+            return None;
+        }
+        let span = self.expr_span(value);
+        let name = self.name_of(wanted);
+        let edits = vec![
+            Edit::insert(span.start, format!("{name}(")),
+            Edit::insert(span.end, ")"),
+        ];
+        Some(Fix::suggestion(format!("fill a `{name}` with it"), edits))
+    }
+
+    /// Declares a variable with the type of its initializer, where that is computed and so says
+    /// more than the type does. Of a texel or a variable a part may well be meant.
+    pub(super) fn retype(
+        &self,
+        spec: Extent,
+        declarator: &Declarator,
+        init: ExprId,
+    ) -> Option<Fix> {
+        use ExprKind as E;
+        let is_part = match self.tree.expr(self.core(init)).kind {
+            E::Name(_) | E::Member(..) | E::Index(..) | E::Method(..) => true,
+            E::Call(name, _) => self.text(name).starts_with("tex"),
+            _ => false,
+        };
+        let found = self.ty(init);
+        if is_part || found.components() < 2 || !self.is_direct(spec) || declarator.arrays.len > 0 {
+            return None;
+        }
+        let name = self.name_of(found);
+        let variable = self.text(declarator.ident.name);
+        Some(Fix::suggestion(
+            format!("declare `{variable}` as `{name}`"),
+            vec![Edit::replace(self.span(spec), name)],
+        ))
+    }
+
+    fn vector_size(&self, id: ExprId) -> Option<u8> {
+        match self.ty(id).numeric()? {
+            (_, 1, rows @ 2..) => Some(rows),
+            _ => None,
+        }
+    }
+
+    /// The size of the vector that `id` has to be, as far as the statement around it tells.
+    fn wanted_size(&self, id: ExprId) -> Option<u8> {
+        let target = self.tree.expr(id).extent;
+        let holds = |e: ExprId| self.tree.expr(e).extent.contains(target);
+        let mut wanted = self.wanted;
+        let mut at = self.whole;
+        while at != id {
+            at = match self.tree.expr(at).kind {
+                ExprKind::Paren(inner) | ExprKind::Unary(_, inner) => inner,
+                ExprKind::Assign(_, left, right) if holds(right) => {
+                    wanted = Some(self.ty(left));
+                    right
+                }
+                ExprKind::Binary(op, left, _) if !op.compares() && holds(left) => left,
+                ExprKind::Binary(op, _, right) if !op.compares() && holds(right) => right,
+                ExprKind::Ternary(_, yes, _) if holds(yes) => yes,
+                ExprKind::Ternary(_, _, no) if holds(no) => no,
+                _ => return None,
+            };
+        }
+        match wanted?.numeric()? {
+            (_, 1, rows @ 2..) => Some(rows),
+            _ => None,
+        }
+    }
+
+    /// The vector that decides the size of `id`, through parentheses, signs and scalar factors.
+    fn core(&self, id: ExprId) -> ExprId {
+        let mut at = id;
+        loop {
+            at = match self.tree.expr(at).kind {
+                ExprKind::Paren(inner) | ExprKind::Unary(_, inner) => inner,
+                ExprKind::Binary(_, left, right) if self.ty(right).is_scalar() => left,
+                ExprKind::Binary(_, left, right) if self.ty(left).is_scalar() => right,
+                _ => return at,
+            };
+        }
+    }
+
+    /// The letters of a swizzle, and how many components its vector has.
+    fn swizzle_of(&self, id: ExprId) -> Option<(TokenId, &str, u8)> {
+        let expr = self.tree.expr(id);
+        let ExprKind::Member(object, name) = expr.kind else {
+            return None;
+        };
+        let size = self.vector_size(object)?;
+        Some((expr.extent.last, self.text(name), size))
+    }
+
+    /// Whether a vector is rather too long than the other one too short.
+    fn gives_way(&self, id: ExprId) -> bool {
+        let core = self.core(id);
+        let variable = match self.info(core).resolution {
+            Resolution::Variable(variable) => self.variables.get(variable.0 as usize),
+            _ => None,
+        };
+        self.swizzle_of(core).is_some() || variable.is_some_and(|v| v.storage == Storage::Uniform)
+    }
+
+    /// Leaves the first `size` components of a vector.
+    fn cut(&self, id: ExprId, size: u8) -> Option<Fix> {
+        let core = self.core(id);
+        let letters = "xyzw".get(..size as usize)?;
+        let at = if self.is_atom(core) { core } else { id };
+        if !self.is_direct(self.tree.expr(at).extent) {
+            return None;
+        }
+        if let Some((token, swizzle, _)) = self.swizzle_of(at) {
+            let kept = swizzle.get(..size as usize)?;
+            let edit = Edit::replace(self.token_span(token), kept);
+            return Some(Fix::suggestion(format!("take `.{kept}`"), vec![edit]));
+        }
+        let span = self.expr_span(at);
+        let edits = match self.is_atom(at) {
+            true => vec![Edit::insert(span.end, format!(".{letters}"))],
+            false => vec![
+                Edit::insert(span.start, "("),
+                Edit::insert(span.end, format!(").{letters}")),
+            ],
+        };
+        let text = self.sources.text(span);
+        let title = match at == id || text.len() > MAX_SHOWN {
+            true => format!("take `.{letters}` of it"),
+            false => format!("write `{text}.{letters}`"),
+        };
+        Some(Fix::suggestion(title, edits))
+    }
+
+    /// Makes a vector larger: a swizzle takes more, everything else is filled up with zeros.
+    fn fill(&self, id: ExprId, size: u8) -> Option<Fix> {
+        let ty = Type::vector(self.ty(id).scalar_kind()?, size);
+        let have = self.vector_size(id)?;
+        if have >= size || !self.is_direct(self.tree.expr(id).extent) {
+            return None;
+        }
+        if let Some(fix) = self.lengthen(self.core(id), size) {
+            return Some(fix);
+        }
+        let zero = match ty.scalar_kind()? {
+            Scalar::Float => "0.0",
+            Scalar::Bool => "false",
+            Scalar::Int => "0",
+            Scalar::Uint => "0u",
+        };
+        let zeros = format!(", {zero}").repeat((size - have) as usize);
+        let span = self.expr_span(id);
+        let name = self.name_of(ty);
+        let text = self.sources.text(span);
+        let title = format!("make it a `{name}`: `{name}({text}{zeros})`");
+        let edits = vec![
+            Edit::insert(span.start, format!("{name}(")),
+            Edit::insert(span.end, format!("{zeros})")),
+        ];
+        Some(Fix::suggestion(title, edits))
+    }
+
+    /// `.xy` becomes `.xyz`, where the vector has so many components.
+    fn lengthen(&self, id: ExprId, size: u8) -> Option<Fix> {
+        let (token, swizzle, has) = self.swizzle_of(id)?;
+        let letters = ["xyzw", "rgba", "stpq"];
+        let set = letters.iter().find(|set| set.starts_with(swizzle))?;
+        let longer = set.get(..size as usize).filter(|_| has >= size)?;
+        let edit = Edit::replace(self.token_span(token), longer);
+        Some(Fix::suggestion(format!("take `.{longer}`"), vec![edit]))
+    }
+}
