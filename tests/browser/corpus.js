@@ -7,22 +7,54 @@ import { colors, differences, frame, open, port, put, shaderport, top, work } fr
 
 const templates = path.join(top, 'corpus/templates');
 
-/** One template or export. */
+/** Opens a template or an export, and draws its first frame. */
 async function check(context, file, name) {
   const { page, complaints } = await open(context, port(file, name), '#size=32x18&paused');
   await page.evaluate(() => globalThis.shaderport.ready);
   assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), [], 'every pass compiles');
   const first = await frame(page, 0);
-  const later = await frame(page, 12);
-  assert.deepEqual(complaints, []);
-  return { first, later };
+  return { page, first, complaints };
 }
 
 async function template(context, file) {
   const code = fs.readFileSync(file, 'utf8');
-  const { first, later } = await check(context, file, path.basename(file, '.glsl'));
+  const { page, first, complaints } = await check(context, file, path.basename(file, '.glsl'));
+  const later = await frame(page, 12);
   assert.ok(colors(later) > 10, 'it draws');
   if (code.includes('iTime')) assert.ok(differences(first, later) > 0, 'it moves');
+  assert.deepEqual(complaints, []);
+}
+
+/** Exports that use the time, and those of them whose picture is the same at all times looked at. */
+const moving = { asked: 0, still: [] };
+
+async function exported(context, file, name) {
+  const { page, first, complaints } = await check(context, file, name);
+  const { renderpass } = [JSON.parse(fs.readFileSync(file, 'utf8'))].flat()[0];
+  let moves = false;
+  for (const time of [0.7, 3.1, 12.4]) {
+    const later = await page.evaluate(async (t) => {
+      await globalThis.shaderport.seek(t);
+      const canvas = document.querySelector('canvas');
+      const gl = canvas.getContext('webgl2');
+      const bytes = new Uint8Array(canvas.width * canvas.height * 4);
+      gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      return Array.from(bytes);
+    }, time);
+    moves ||= differences(first, later) > 0;
+    if (moves) break;
+  }
+  if (renderpass.some((pass) => pass.type !== 'sound' && /\b(iTime|iFrame)\b/.test(pass.code))) {
+    moving.asked++;
+    if (!moves) moving.still.push(name);
+  }
+  assert.deepEqual(complaints, []);
+}
+
+/** Some shaders use the time only for what is seen later, or when a button is pressed. */
+function mostMove() {
+  const share = moving.still.length / moving.asked;
+  assert.ok(moving.asked > 0 && share < 0.15, `${moving.still.length} of ${moving.asked} stand still: ${moving.still.join(' ')}`);
 }
 
 /** Compiles every shader that `--main rewrite` calls safe. */
@@ -33,7 +65,7 @@ async function rewritten(context, files) {
   for (const file of files) {
     const out = path.join(work, 'rewritten');
     fs.rmSync(out, { recursive: true, force: true });
-    shaderport(file, '-t', 'glsl', '--main', 'rewrite', '-o', out);
+    shaderport(file, '-t', 'glsl', '--main', 'rewrite', '-o', out, '--force');
     const shaders = fs.statSync(out).isDirectory() ? fs.readdirSync(out).map((f) => path.join(out, f)) : [out];
     const texts = shaders.map((f) => fs.readFileSync(f, 'utf8')).filter((t) => /\nvoid main\(\)/.test(t) && !t.includes('in vec2 pos'));
     count += texts.length;
@@ -84,12 +116,13 @@ export function corpusTests() {
     const exports = fs.readdirSync(cases).filter((f) => f.endsWith('.json')).map((f) => path.join(cases, f));
     for (const file of exports) {
       const name = path.basename(file, '.json');
-      tests.push({ name: `export: ${name}`, run: (context) => check(context, file, name) });
+      tests.push({ name: `export: ${name}`, run: (context) => exported(context, file, name), seconds: 240 });
     }
     for (let i = 0; i < exports.length; i += 40) {
       const some = exports.slice(i, i + 40);
-      tests.push({ name: `rewritten: exports from ${i} on`, run: (context) => rewritten(context, some) });
+      tests.push({ name: `rewritten: exports from ${i} on`, run: (context) => rewritten(context, some), seconds: 240 });
     }
+    tests.push({ name: 'exports: those that use the time move', run: mostMove, isLast: true });
   }
   return tests;
 }
