@@ -16,10 +16,12 @@ const ARGS = [
   '--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream',
 ];
 
-/** Starts a browser. */
-export function launch() {
+/** Starts a browser, which can be ended even while it draws. */
+export async function launch() {
   const executablePath = process.env.CHROMIUM || '/usr/bin/chromium';
-  return chromium.launch({ executablePath, args: ARGS });
+  const server = await chromium.launchServer({ executablePath, args: ARGS });
+  const browser = await chromium.connect(server.wsEndpoint());
+  return { browser, kill: () => server.kill() };
 }
 
 /** Runs the converter; gives what it says and its exit code. */

@@ -51,6 +51,14 @@ async function exported(context, file, name) {
   assert.deepEqual(complaints, []);
 }
 
+/** Exports that a browser without a graphics card cannot draw in time. */
+const slow = [];
+let count = 0;
+
+function fewAreSlow() {
+  assert.ok(slow.length <= 0.03 * count, `${slow.length} of ${count}: ${slow.join(' ')}`);
+}
+
 /** Some shaders use the time only for what is seen later, or when a button is pressed. */
 function mostMove() {
   const share = moving.still.length / moving.asked;
@@ -114,14 +122,16 @@ export function corpusTests() {
   const cases = process.env.SHADERLINT_CASES && path.join(process.env.SHADERLINT_CASES, 'shadertoy');
   if (cases && fs.existsSync(cases)) {
     const exports = fs.readdirSync(cases).filter((f) => f.endsWith('.json')).map((f) => path.join(cases, f));
+    count = exports.length;
     for (const file of exports) {
       const name = path.basename(file, '.json');
-      tests.push({ name: `export: ${name}`, run: (context) => exported(context, file, name), seconds: 240 });
+      tests.push({ name: `export: ${name}`, run: (context) => exported(context, file, name), onLate: () => slow.push(name) });
     }
     for (let i = 0; i < exports.length; i += 40) {
       const some = exports.slice(i, i + 40);
       tests.push({ name: `rewritten: exports from ${i} on`, run: (context) => rewritten(context, some), seconds: 240 });
     }
+    tests.push({ name: 'exports: few are too slow to be drawn', run: fewAreSlow, isLast: true });
     tests.push({ name: 'exports: those that use the time move', run: mostMove, isLast: true });
   }
   return tests;
