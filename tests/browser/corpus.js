@@ -3,52 +3,56 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { colors, differences, frame, open, port, put, shaderport, top, work } from './browser.js';
+import { colors, differences, frame, open, pixels, port, put, shaderport, top, work } from './browser.js';
 
 const templates = path.join(top, 'corpus/templates');
 
-/** Opens a template or an export, and draws its first frame. */
-async function check(context, file, name) {
-  const { page, complaints } = await open(context, port(file, name), '#size=32x18&paused');
+/** Waits for a page, and draws its first frame. */
+async function firstFrame({ page, complaints }) {
   await page.evaluate(() => globalThis.shaderport.ready);
   assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), [], 'every pass compiles');
   const first = await frame(page, 0);
-  return { page, first, complaints };
+  assert.deepEqual(complaints, []);
+  return first;
 }
 
 async function template(context, file) {
   const code = fs.readFileSync(file, 'utf8');
-  const { page, first, complaints } = await check(context, file, path.basename(file, '.glsl'));
-  const later = await frame(page, 12);
+  const opened = await open(context, port(file, path.basename(file, '.glsl')), '#size=32x18&paused');
+  const first = await firstFrame(opened);
+  const later = await frame(opened.page, 12);
   assert.ok(colors(later) > 10, 'it draws');
   if (code.includes('iTime')) assert.ok(differences(first, later) > 0, 'it moves');
-  assert.deepEqual(complaints, []);
+  assert.deepEqual(opened.complaints, []);
 }
 
 /** Exports that use the time, and those of them whose picture is the same at all times looked at. */
 const moving = { asked: 0, still: [] };
 
-async function exported(context, file, name) {
-  const { page, first, complaints } = await check(context, file, name);
-  const { renderpass } = [JSON.parse(fs.readFileSync(file, 'utf8'))].flat()[0];
-  let moves = false;
+/** Whether the picture at some later time differs from the first. */
+async function moves(page, first) {
   for (const time of [0.7, 3.1, 12.4]) {
-    const later = await page.evaluate(async (t) => {
-      await globalThis.shaderport.seek(t);
-      const canvas = document.querySelector('canvas');
-      const gl = canvas.getContext('webgl2');
-      const bytes = new Uint8Array(canvas.width * canvas.height * 4);
-      gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-      return Array.from(bytes);
-    }, time);
-    moves ||= differences(first, later) > 0;
-    if (moves) break;
+    await page.evaluate((t) => globalThis.shaderport.seek(t), time);
+    if (differences(first, await pixels(page)) > 0) return true;
   }
-  if (renderpass.some((pass) => pass.type !== 'sound' && /\b(iTime|iFrame)\b/.test(pass.code))) {
-    moving.asked++;
-    if (!moves) moving.still.push(name);
+  return false;
+}
+
+async function exported(context, file, name) {
+  const opened = await open(context, port(file, name), '#size=32x18&paused');
+  try {
+    const first = await firstFrame(opened);
+    const { renderpass } = [JSON.parse(fs.readFileSync(file, 'utf8'))].flat()[0];
+    const asked = renderpass.some((pass) => pass.type !== 'sound' && /\b(iTime|iFrame)\b/.test(pass.code));
+    const isMoving = await moves(opened.page, first);
+    if (asked) moving.asked++;
+    if (asked && !isMoving) moving.still.push(name);
+    assert.deepEqual(opened.complaints, []);
+  } catch (error) {
+    // The process that draws has died, and not of the shader's mistakes.
+    if (!opened.complaints.some((c) => c.includes('CONTEXT_LOST_WEBGL'))) throw error;
+    slow.push(name);
   }
-  assert.deepEqual(complaints, []);
 }
 
 /** Exports that a browser without a graphics card cannot draw in time. */
