@@ -287,6 +287,47 @@ fn a_folder_of_passes_is_one_project() {
 }
 
 #[test]
+fn old_code_is_repaired() {
+    let folder = Folder::new();
+    let (code, text) = folder.port(&["old.glsl", "-o", "a.frag"]);
+    assert_eq!(code, Some(1), "not unless it is asked for");
+    assert!(text.ends_with("`--diff` shows how\n"), "{text}");
+    let (code, text) = folder.port(&["old.glsl", "--repair", "-o", "b.frag"]);
+    assert_eq!(code, Some(0), "{text}");
+    insta::assert_snapshot!(text);
+    assert!(folder.read("a.frag").contains("texture2D"));
+    assert!(folder.read("b.frag").contains("samplerCube iChannel1"));
+    let (code, _) = folder.port(&["old.glsl", "--diff", "-o", "c.frag"]);
+    assert_eq!(
+        (code, folder.files()),
+        (Some(0), 4),
+        "a diff writes nothing"
+    );
+    insta::assert_snapshot!(stdout("old.glsl"));
+}
+
+#[test]
+fn webgl1_is_repaired() {
+    let folder = Folder::new();
+    let (code, text) = folder.port(&["webgl1.frag", "-o", "a.html"]);
+    assert_eq!(code, Some(2));
+    assert!(text.contains("`--repair` makes WebGL2 of it"), "{text}");
+    let (code, text) = folder.port(&["webgl1.frag", "--repair", "-o", "a.html"]);
+    assert_eq!(code, Some(0), "{text}");
+    insta::assert_snapshot!(stdout("webgl1.frag"));
+}
+
+/// What `--diff` says of a fixture.
+fn stdout(name: &str) -> String {
+    let out = Command::new(get_cargo_bin("shaderport"))
+        .current_dir(fixtures())
+        .args([name, "--diff"])
+        .output()
+        .unwrap();
+    String::from_utf8(out.stdout).unwrap()
+}
+
+#[test]
 fn main_is_rewritten_where_it_is_safe() {
     let folder = Folder::new();
     let rewritten = ["clean.glsl", "--main", "rewrite", "-o", "a.frag"];

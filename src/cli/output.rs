@@ -1,5 +1,7 @@
-//! Writing files: whole or not at all, and never over another without being told to.
+//! Writing files: whole or not at all, and never over another without being told to; and what would
+//! be written, as a diff.
 
+use similar::TextDiff;
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
@@ -60,4 +62,12 @@ fn readable(file: &fs::File) -> io::Result<()> {
 #[cfg(not(unix))]
 fn readable(_file: &fs::File) -> io::Result<()> {
     Ok(())
+}
+
+/// The way from an old text to a new one, as `diff -u` writes it.
+pub fn diff(name: &str, old: &str, new: &str) -> String {
+    TextDiff::from_lines(old, new)
+        .unified_diff()
+        .header(&format!("a/{name}"), &format!("b/{name}"))
+        .to_string()
 }

@@ -36,8 +36,37 @@ pub struct Look {
 pub struct Fixed {
     /// The text.
     pub text: String,
-    /// How many fixes were applied.
-    pub applied: usize,
+    /// The findings whose fixes were applied. Their spans are offsets in the text as it was at first;
+    /// labels and fixes still have the addresses of their own look.
+    pub applied: Vec<Diagnostic>,
+    /// The edits of each round, as offsets in the text before it, in order.
+    rounds: Vec<Vec<Edit>>,
+}
+
+impl Fixed {
+    /// The offset in the text as it was at first of one in the text as it is now.
+    fn origin(&self, offset: u32) -> u32 {
+        let rounds = self.rounds.iter().rev();
+        rounds.fold(offset, |offset, edits| before(edits, offset))
+    }
+}
+
+/// The offset before some edits, which are in order, of one after them. What was put in comes from
+/// the start of what it took the place of.
+fn before(edits: &[Edit], offset: u32) -> u32 {
+    let (mut removed, mut added) = (0, 0);
+    for edit in edits {
+        let start = edit.span.start + added - removed;
+        let length = edit.text.len() as u32;
+        if offset < start {
+            break;
+        }
+        if offset < start + length {
+            return edit.span.start;
+        }
+        (removed, added) = (removed + edit.span.len(), added + length);
+    }
+    offset + removed - added
 }
 
 /// Applies fixes until there are none, or none that helps.
@@ -48,7 +77,8 @@ pub fn fix(text: &str, allow: Allow, look: impl FnMut(&str) -> Option<Look>) -> 
     let mut engine = Engine { look };
     let mut fixed = Fixed {
         text: text.to_string(),
-        applied: 0,
+        applied: Vec::new(),
+        rounds: Vec::new(),
     };
     let Some(mut seen) = (engine.look)(text) else {
         return fixed;
@@ -68,7 +98,7 @@ struct Engine<F> {
 
 /// What a round gives: the fixes that it kept, and what became of the text.
 struct Kept<'a> {
-    fixes: Vec<&'a Fix>,
+    fixes: Vec<&'a Diagnostic>,
     after: Option<(Fixed, Look)>,
 }
 
@@ -106,15 +136,39 @@ impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
     }
 
     /// The text after some fixes, if it is another one and has no more errors than before.
-    fn attempt(&mut self, fixed: &Fixed, seen: &Look, fixes: &[&Fix]) -> Option<(Fixed, Look)> {
-        let edits: Vec<Edit> = fixes.iter().flat_map(|f| f.edits.iter().cloned()).collect();
-        let text = apply_edits(&fixed.text, seen.span.start, &edits).ok()?;
+    fn attempt(
+        &mut self,
+        fixed: &Fixed,
+        seen: &Look,
+        mended: &[&Diagnostic],
+    ) -> Option<(Fixed, Look)> {
+        let fixes = mended.iter().filter_map(|d| d.fix.as_ref());
+        let mut edits: Vec<Edit> = fixes.flat_map(|f| f.edits.iter().cloned()).collect();
+        let base = seen.span.start;
+        let text = apply_edits(&fixed.text, base, &edits).ok()?;
         if text == fixed.text {
             return None;
         }
         let after = (self.look)(&text)?;
-        let applied = fixed.applied + fixes.len();
-        (errors(&after) <= errors(seen)).then_some((Fixed { text, applied }, after))
+        if errors(&after) > errors(seen) {
+            return None;
+        }
+        let mut next = fixed.clone();
+        let offset = |address: u32| fixed.origin(address.saturating_sub(base));
+        next.applied.extend(mended.iter().map(|d| {
+            let span = Span::new(offset(d.span.start), offset(d.span.end));
+            Diagnostic {
+                span,
+                ..(*d).clone()
+            }
+        }));
+        for edit in &mut edits {
+            edit.span = Span::new(edit.span.start - base, edit.span.end - base);
+        }
+        edits.sort_by_key(|e| e.span);
+        next.rounds.push(edits);
+        next.text = text;
+        Some((next, after))
     }
 }
 
@@ -125,10 +179,11 @@ fn errors(look: &Look) -> usize {
 
 /// The fixes that go together: in the order of the text, each of which touches nothing that one
 /// before it touches. The same fix offered twice counts once.
-fn choose(diagnostics: &[Diagnostic], span: Span, allow: Allow) -> Vec<&Fix> {
+fn choose(diagnostics: &[Diagnostic], span: Span, allow: Allow) -> Vec<&Diagnostic> {
     let mut taken: Vec<Span> = Vec::new();
-    let mut chosen: Vec<&Fix> = Vec::new();
-    for fix in diagnostics.iter().filter_map(|d| d.fix.as_ref()) {
+    let mut chosen: Vec<&Diagnostic> = Vec::new();
+    for found in diagnostics {
+        let Some(fix) = &found.fix else { continue };
         let inside = |e: &Edit| span.start <= e.span.start && e.span.end <= span.end;
         if !allow.permits(fix) || !fix.edits.iter().all(inside) {
             continue;
@@ -140,7 +195,7 @@ fn choose(diagnostics: &[Diagnostic], span: Span, allow: Allow) -> Vec<&Fix> {
             let at = taken.partition_point(|t| *t < edit.span);
             taken.insert(at, edit.span);
         }
-        chosen.push(fix);
+        chosen.push(found);
     }
     chosen
 }
@@ -183,19 +238,22 @@ mod tests {
     #[test]
     fn all_fixes_are_applied() {
         let fixed = fix("a.a.a", Allow::Safe, look);
-        assert_eq!((fixed.text.as_str(), fixed.applied), ("b.b.b", 3));
+        assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("b.b.b", 3));
     }
 
     #[test]
     fn fixes_that_harm_are_not_kept() {
         let fixed = fix("aa", Allow::Safe, look);
-        assert_eq!((fixed.text.as_str(), fixed.applied), ("ba", 1));
+        assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("ba", 1));
     }
 
     #[test]
     fn one_fix_that_harms_does_not_keep_others_back() {
         let fixed = fix("a.a.ab.a.a", Allow::Safe, look);
-        assert_eq!((fixed.text.as_str(), fixed.applied), ("b.b.ab.b.b", 4));
+        assert_eq!(
+            (fixed.text.as_str(), fixed.applied.len()),
+            ("b.b.ab.b.b", 4)
+        );
     }
 
     #[test]
@@ -206,7 +264,7 @@ mod tests {
             looks += 1;
             self::look(text)
         });
-        assert_eq!(fixed.applied, 1000);
+        assert_eq!(fixed.applied.len(), 1000);
         assert!(looks < 40, "{looks} looks");
     }
 
@@ -235,7 +293,30 @@ mod tests {
     #[test]
     fn fixes_that_overlap_take_one_round_each() {
         let fixed = fix("((a))+(b)", Allow::Safe, brackets);
-        assert_eq!((fixed.text.as_str(), fixed.applied), ("a+b", 3));
+        assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("a+b", 3));
+    }
+
+    #[test]
+    fn what_was_mended_is_known_by_its_first_place() {
+        let fixed = fix("((a))+(b)", Allow::Safe, brackets);
+        let places: Vec<&str> = fixed
+            .applied
+            .iter()
+            .filter_map(|d| "((a))+(b)".get(d.span.start as usize..d.span.end as usize))
+            .collect();
+        assert_eq!(places, ["(a)", "(b)", "((a))"]);
+    }
+
+    #[test]
+    fn offsets_go_back_through_edits() {
+        let edits = [
+            Edit::insert(2, "xx"),
+            Edit::replace(Span::new(4, 6), "y"),
+            Edit::delete(Span::new(8, 10)),
+        ];
+        // "0123456789ab" became "01xx23y67ab".
+        let back: Vec<u32> = (0..11).map(|i| before(&edits, i)).collect();
+        assert_eq!(back, [0, 1, 2, 2, 2, 3, 4, 6, 7, 10, 11]);
     }
 
     #[test]

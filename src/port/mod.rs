@@ -15,6 +15,7 @@ mod json;
 mod parts;
 mod payload;
 mod project;
+mod repair;
 mod rewrite;
 mod script;
 mod single;
@@ -32,6 +33,7 @@ pub use parts::{Part, PartsError, PassRole};
 pub use project::{
     Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, Wrapper,
 };
+pub use repair::add_repairs;
 pub use rewrite::{NotSafe, rewrite};
 pub use script::{Module, module, react, three};
 pub use single::ShaderError;

@@ -1,7 +1,7 @@
 //! A shader file as a project of one pass.
 
 use super::whole::{Unsupported, whole};
-use super::{Info, Input, InputKind, Project, ProjectPass};
+use super::{Info, Input, InputKind, Project, ProjectPass, Wrapper};
 use crate::semantic::{
     Dialect, Kind, Pass, Program, Sampler, Stage, Unit, VariableId, analyze, guess,
     shadertoy_header,
@@ -25,10 +25,9 @@ impl std::fmt::Display for ShaderError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             ShaderError::Unsupported(what) => what.fmt(f),
-            ShaderError::WebGl1 => f.write_str(
-                "this is WebGL1 code; write it for ShaderToy, with a `mainImage`, or for WebGL2, \
-                 with `#version 300 es`",
-            ),
+            ShaderError::WebGl1 => {
+                f.write_str("this is WebGL1 code; `--repair` makes WebGL2 of it")
+            }
             ShaderError::NoEntry => {
                 f.write_str("this has no `mainImage`, which every ShaderToy shader has")
             }
@@ -53,17 +52,50 @@ impl Project {
             Some(Kind::WebGl1) => return Err(ShaderError::WebGl1),
             _ => return Err(ShaderError::NoEntry),
         };
+        Ok(Project::of_pass(title, pass))
+    }
+
+    /// A WebGL1 fragment shader as a project that is to be repaired, under the version of the language
+    /// that it will have. Nothing is asked of it yet: [`Project::from_shader`] takes what comes of it.
+    pub fn from_webgl1(title: &str, code: &str) -> Project {
+        let pass = ProjectPass {
+            wrapper: Wrapper::Own,
+            ..ProjectPass::new(Pass::Image, format!("{VERSION}{code}"))
+        };
+        Project::of_pass(title, pass)
+    }
+
+    fn of_pass(title: &str, pass: ProjectPass) -> Project {
         let info = Info {
             name: title.to_string(),
             ..Info::default()
         };
-        Ok(Project {
+        Project {
             info,
             passes: vec![pass],
             is_export: false,
-        })
+        }
+    }
+
+    /// Gives the channels of shader files the types that their uses need. Those of an export are what
+    /// it says.
+    pub fn infer_channels(&mut self) -> Option<()> {
+        if self.is_export {
+            return Some(());
+        }
+        let mut commons = self.passes.iter().filter(|p| p.kind == Pass::Common);
+        let common = commons.next().map(|p| p.code.clone());
+        for pass in &mut self.passes {
+            if pass.wrapper == Wrapper::Player {
+                pass.inputs = channels_used(common.as_deref(), &pass.code, pass.kind)?;
+            }
+        }
+        Some(())
     }
 }
+
+/// What a WebGL2 shader starts with.
+const VERSION: &str = "#version 300 es\n";
 
 /// The channels that code reads, as inputs of the types that it needs. `common` is put before it.
 pub(super) fn channels_used(common: Option<&str>, code: &str, kind: Pass) -> Option<Vec<Input>> {

@@ -13,57 +13,72 @@ const words = process.argv.slice(2);
 const tests = [...pixelTests, ...pageTests, ...hostileTests, ...moduleTests, ...corpusTests()];
 const wanted = tests.filter((t) => words.length === 0 || words.some((w) => t.name.includes(w)));
 
-/** The browser, started again where it has gone. */
-let starting = launch();
-async function living() {
-  const browser = await starting;
-  if (browser.isConnected()) return browser;
-  starting = launch();
-  return starting;
+class Late extends Error {}
+
+/** Gives what a promise gives, unless that takes too long. */
+async function within(seconds, promise) {
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Late(`took more than ${seconds} s`)), seconds * 1000);
+  });
+  try {
+    return await Promise.race([promise, late]);
+  } finally {
+    clearTimeout(timer);
+  }
 }
 
-/** Runs one test in a context of its own; gives what went wrong. */
-async function run(test) {
-  const browser = await living();
+/** Runs one test in a context of its own. */
+async function attempt(browser, test) {
   const context = await browser.newContext({
     viewport: { width: 480, height: 320 },
     acceptDownloads: true,
     permissions: ['camera', 'microphone'],
     ...test.context,
   });
-  let timer;
-  const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error('took more than 60 s')), 60000);
-  });
-  try {
-    await Promise.race([test.run(context), late]);
-    return null;
-  } catch (error) {
-    return error instanceof Error ? error.message : String(error);
-  } finally {
-    clearTimeout(timer);
-    await context.close().catch(() => {});
-  }
+  context.setDefaultTimeout(1000 * (test.seconds ?? 60));
+  await test.run(context);
+  await context.close();
 }
 
 const started = Date.now();
-const queue = [...wanted];
+const queue = wanted.filter((t) => !t.isLast);
 let failures = 0;
 
+/** Says what came of a test. */
+function tell(test, since, wrong) {
+  const ms = `${Date.now() - since} ms`;
+  if (!wrong) return console.log(`ok     ${test.name} (${ms})`);
+  if (wrong instanceof Late && test.onLate) {
+    test.onLate();
+    return console.log(`late   ${test.name} (${ms})`);
+  }
+  failures++;
+  return console.log(`FAILED ${test.name} (${ms})\n       ${wrong.message.replace(/\n/g, '\n       ')}`);
+}
+
+/** Runs tests as long as there are any, in a browser of its own. */
 async function worker() {
+  let running = await launch();
   for (let test = queue.shift(); test; test = queue.shift()) {
     const since = Date.now();
-    let wrong = await run(test);
-    // A browser that dies takes the test beside it along.
-    if (wrong && !(await starting).isConnected()) wrong = await run(test);
-    if (wrong) failures++;
-    const ms = `${Date.now() - since} ms`;
-    console.log(wrong ? `FAILED ${test.name} (${ms})\n       ${wrong.replace(/\n/g, '\n       ')}` : `ok     ${test.name} (${ms})`);
+    let wrong = null;
+    try {
+      await within(test.seconds ?? 60, attempt(running.browser, test));
+    } catch (error) {
+      wrong = error instanceof Error ? error : new Error(String(error));
+      // Whatever the test has left behind ends with its browser.
+      await running.kill();
+      running = await launch();
+    }
+    tell(test, since, wrong);
   }
+  await running.kill();
 }
 
 await Promise.all([worker(), worker()]);
-await (await starting).close();
+queue.push(...wanted.filter((t) => t.isLast));
+await worker();
 rmSync(work, { recursive: true, force: true });
 const seconds = ((Date.now() - started) / 1000).toFixed(0);
 console.log(`${wanted.length} tests, ${failures} failed, ${seconds} s`);

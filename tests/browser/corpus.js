@@ -3,26 +3,70 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { colors, differences, frame, open, port, put, shaderport, top, work } from './browser.js';
+import { colors, differences, frame, open, pixels, port, put, shaderport, top, work } from './browser.js';
 
 const templates = path.join(top, 'corpus/templates');
 
-/** One template or export. */
-async function check(context, file, name) {
-  const { page, complaints } = await open(context, port(file, name), '#size=32x18&paused');
+/** Waits for a page, and draws its first frame. */
+async function firstFrame({ page, complaints }) {
   await page.evaluate(() => globalThis.shaderport.ready);
   assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), [], 'every pass compiles');
   const first = await frame(page, 0);
-  const later = await frame(page, 12);
   assert.deepEqual(complaints, []);
-  return { first, later };
+  return first;
 }
 
 async function template(context, file) {
   const code = fs.readFileSync(file, 'utf8');
-  const { first, later } = await check(context, file, path.basename(file, '.glsl'));
+  const opened = await open(context, port(file, path.basename(file, '.glsl')), '#size=32x18&paused');
+  const first = await firstFrame(opened);
+  const later = await frame(opened.page, 12);
   assert.ok(colors(later) > 10, 'it draws');
   if (code.includes('iTime')) assert.ok(differences(first, later) > 0, 'it moves');
+  assert.deepEqual(opened.complaints, []);
+}
+
+/** Exports that use the time, and those of them whose picture is the same at all times looked at. */
+const moving = { asked: 0, still: [] };
+
+/** Whether the picture at some later time differs from the first. */
+async function moves(page, first) {
+  for (const time of [0.7, 3.1, 12.4]) {
+    await page.evaluate((t) => globalThis.shaderport.seek(t), time);
+    if (differences(first, await pixels(page)) > 0) return true;
+  }
+  return false;
+}
+
+async function exported(context, file, name) {
+  const opened = await open(context, port(file, name), '#size=32x18&paused');
+  try {
+    const first = await firstFrame(opened);
+    const { renderpass } = [JSON.parse(fs.readFileSync(file, 'utf8'))].flat()[0];
+    const asked = renderpass.some((pass) => pass.type !== 'sound' && /\b(iTime|iFrame)\b/.test(pass.code));
+    const isMoving = await moves(opened.page, first);
+    if (asked) moving.asked++;
+    if (asked && !isMoving) moving.still.push(name);
+    assert.deepEqual(opened.complaints, []);
+  } catch (error) {
+    // The process that draws has died, and not of the shader's mistakes.
+    if (!opened.complaints.some((c) => c.includes('CONTEXT_LOST_WEBGL'))) throw error;
+    slow.push(name);
+  }
+}
+
+/** Exports that a browser without a graphics card cannot draw in time. */
+const slow = [];
+let count = 0;
+
+function fewAreSlow() {
+  assert.ok(slow.length <= 0.03 * count, `${slow.length} of ${count}: ${slow.join(' ')}`);
+}
+
+/** Some shaders use the time only for what is seen later, or when a button is pressed. */
+function mostMove() {
+  const share = moving.still.length / moving.asked;
+  assert.ok(moving.asked > 0 && share < 0.15, `${moving.still.length} of ${moving.asked} stand still: ${moving.still.join(' ')}`);
 }
 
 /** Compiles every shader that `--main rewrite` calls safe. */
@@ -33,7 +77,7 @@ async function rewritten(context, files) {
   for (const file of files) {
     const out = path.join(work, 'rewritten');
     fs.rmSync(out, { recursive: true, force: true });
-    shaderport(file, '-t', 'glsl', '--main', 'rewrite', '-o', out);
+    shaderport(file, '-t', 'glsl', '--main', 'rewrite', '-o', out, '--force');
     const shaders = fs.statSync(out).isDirectory() ? fs.readdirSync(out).map((f) => path.join(out, f)) : [out];
     const texts = shaders.map((f) => fs.readFileSync(f, 'utf8')).filter((t) => /\nvoid main\(\)/.test(t) && !t.includes('in vec2 pos'));
     count += texts.length;
@@ -82,14 +126,17 @@ export function corpusTests() {
   const cases = process.env.SHADERLINT_CASES && path.join(process.env.SHADERLINT_CASES, 'shadertoy');
   if (cases && fs.existsSync(cases)) {
     const exports = fs.readdirSync(cases).filter((f) => f.endsWith('.json')).map((f) => path.join(cases, f));
+    count = exports.length;
     for (const file of exports) {
       const name = path.basename(file, '.json');
-      tests.push({ name: `export: ${name}`, run: (context) => check(context, file, name) });
+      tests.push({ name: `export: ${name}`, run: (context) => exported(context, file, name), onLate: () => slow.push(name) });
     }
     for (let i = 0; i < exports.length; i += 40) {
       const some = exports.slice(i, i + 40);
-      tests.push({ name: `rewritten: exports from ${i} on`, run: (context) => rewritten(context, some) });
+      tests.push({ name: `rewritten: exports from ${i} on`, run: (context) => rewritten(context, some), seconds: 240 });
     }
+    tests.push({ name: 'exports: few are too slow to be drawn', run: fewAreSlow, isLast: true });
+    tests.push({ name: 'exports: those that use the time move', run: mostMove, isLast: true });
   }
   return tests;
 }

@@ -18,11 +18,13 @@ const WORDS = [
 ];
 
 async function check(context, words, index) {
-  const code = `/* ${words.replaceAll('*/', '')} */
+  // An export may have 8 MiB: the longest words are the title and the author's name only.
+  const short = words.slice(0, 1000);
+  const code = `/* ${short.replaceAll('*/', '')} */
 void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
-  const toy = shader({ type: 'image', name: words, code, inputs: [], outputs: [] });
-  Object.assign(toy.info, { id: words, name: words, username: words, description: words, tags: [words] });
-  toy.renderpass[0].inputs.push({ id: words, type: 'texture', channel: 0, filepath: words, sampler: { filter: words, wrap: words } });
+  const toy = shader({ type: 'image', name: short, code, inputs: [], outputs: [] });
+  Object.assign(toy.info, { id: short, name: words, username: words, description: short, tags: [short] });
+  toy.renderpass[0].inputs.push({ id: short, type: 'texture', channel: 0, filepath: short, sampler: { filter: short, wrap: short } });
   const address = port(put(`hostile${index}.json`, JSON.stringify(toy)), `hostile${index}`);
   const { page, complaints } = await open(context, address, '#size=32x18&paused');
   await page.evaluate(() => globalThis.shaderport.ready);
@@ -40,7 +42,7 @@ void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
   }));
   assert.equal(seen.hacked, undefined, 'nothing has run');
   assert.equal(seen.title, words);
-  assert.equal(seen.description, words);
+  assert.equal(seen.description, short);
   assert.deepEqual([seen.links, seen.scripts, seen.images, seen.styles, seen.errors], [[], 2, 0, 1, []]);
   assert.deepEqual(complaints, []);
 }

@@ -1,10 +1,11 @@
 // The page as somebody uses it.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import { colors, differences, frame, open, port, put } from './browser.js';
+import path from 'node:path';
+import { colors, differences, frame, open, pixels, port, put, top } from './browser.js';
 import { shader } from './cases.js';
 
-const MOVING = `#define SPEED 1.0 // Tunable: how fast it moves (0.0~4.0)
+const MOVING = `#define SPEED 1.0 // Tunable: how fast it moves (0.3~4.0)
 #define STRIPES 4 // Tunable: stripes (1~9)
 void mainImage(out vec4 O, vec2 U) {
   vec2 p = U / iResolution.xy;
@@ -22,14 +23,6 @@ async function show(context, name, code, hash = '', ...args) {
   return opened;
 }
 
-const pixels = (page) =>
-  page.evaluate(() => {
-    const canvas = document.querySelector('canvas');
-    const gl = canvas.getContext('webgl2');
-    const bytes = new Uint8Array(canvas.width * canvas.height * 4);
-    gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    return Array.from(bytes);
-  });
 const time = (page) => page.evaluate(() => globalThis.shaderport.player.clock.time);
 const playing = (page) => page.evaluate(() => globalThis.shaderport.player.isPlaying);
 const wait = (page, ms) => page.waitForTimeout(ms);
@@ -60,7 +53,7 @@ async function scrub(context) {
   const before = await pixels(page);
   await page.fill('#scrub', '12.35');
   assert.equal(await time(page), 12.35);
-  assert.equal(await page.textContent('#time'), '12.35');
+  await page.waitForFunction(() => document.querySelector('#time').textContent === '12.35');
   assert.ok(differences(await pixels(page), before) > 0);
 }
 
@@ -77,9 +70,11 @@ async function sliders(context) {
   const { page, complaints } = await show(context, 'sliders', MOVING, '#size=64x36&t=0.3&paused');
   await page.click('#more');
   assert.deepEqual(await page.$$eval('#sliders input', (all) => all.map((i) => [i.name, i.min, i.max])), [
-    ['SPEED', '0', '4'],
+    ['SPEED', '0.3', '4'],
     ['STRIPES', '1', '9'],
   ]);
+  const shown = await page.$$eval('#sliders output', (all) => all.map((o) => o.value));
+  assert.deepEqual(shown, ['1', '4'], 'the numbers of the code');
   const before = await pixels(page);
   await page.fill('input[name=STRIPES]', '9');
   await wait(page, 400);
@@ -290,6 +285,19 @@ void main() { color = vec4(gl_FragCoord.xy / u_resolution, fract(vUv.x + u_time 
   assert.deepEqual(complaints, []);
 }
 
+async function repaired(context) {
+  for (const name of ['old.glsl', 'webgl1.frag']) {
+    const file = path.join(top, 'tests/fixtures', name);
+    const { page, complaints } = await open(context, port(file, name, '--repair'), '#size=32x18&paused');
+    await page.evaluate(() => globalThis.shaderport.ready);
+    assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), []);
+    const first = await frame(page, 0);
+    assert.ok(colors(first) > 10, 'it draws');
+    assert.ok(differences(first, await frame(page, 10)) > 0, 'its global values follow the time');
+    assert.deepEqual(complaints, []);
+  }
+}
+
 async function strict(context) {
   const reader = (channel, wrap) => ({ id: '4dXGR8', type: 'buffer', channel, sampler: { filter: 'nearest', wrap } });
   const toy = shader(
@@ -365,6 +373,7 @@ export const pageTests = [
   { name: 'page: a picture put in by the converter', run: embedded },
   { name: 'page: microphone, camera and music without any', run: devices },
   { name: 'page: a whole WebGL2 shader', run: whole },
+  { name: 'page: old code, repaired', run: repaired },
   { name: 'page: --strict-player shares samplers', run: strict },
   { name: 'page: full screen', run: fullScreen },
   { name: 'page: a lost graphics context', run: lostContext },

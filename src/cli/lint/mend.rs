@@ -2,10 +2,9 @@
 
 use super::super::document::{Options, fix_with};
 use super::super::input::{Content, Encoding, InputFile};
-use super::super::output::replace;
+use super::super::output::{diff, replace};
 use super::args::Args;
 use crate::lint::Allow;
-use similar::TextDiff;
 
 /// What is done with fixes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -65,7 +64,7 @@ impl Mend {
             return (None, unchanged());
         }
         let fixed = fix_with(&input.name, &content.text, options, self.allow);
-        if fixed.applied == 0 || fixed.text == content.text {
+        if fixed.applied.is_empty() || fixed.text == content.text {
             return (None, unchanged());
         }
         match (self.into, &input.path) {
@@ -76,7 +75,7 @@ impl Mend {
             (Into::Files, None) => (Some(fixed.text.clone()), Some(Mended::Text(fixed.text))),
             (Into::Files, Some(path)) => {
                 match replace(path, content.text.as_bytes(), fixed.text.as_bytes()) {
-                    Ok(()) => (Some(fixed.text), Some(Mended::Written(fixed.applied))),
+                    Ok(()) => (Some(fixed.text), Some(Mended::Written(fixed.applied.len()))),
                     Err(error) => (
                         None,
                         Some(Mended::Refused(format!(
@@ -87,11 +86,4 @@ impl Mend {
             }
         }
     }
-}
-
-fn diff(name: &str, old: &str, new: &str) -> String {
-    TextDiff::from_lines(old, new)
-        .unified_diff()
-        .header(&format!("a/{name}"), &format!("b/{name}"))
-        .to_string()
 }

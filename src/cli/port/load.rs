@@ -1,9 +1,11 @@
 //! From paths to a project: shader files, folders, exports, and what goes onto channels.
 
 use super::Args;
+use super::repair::{Repairs, repair, repair_webgl1};
 use crate::cli::input::{Content, Encoding, InputFile, read};
 use crate::port::{
-    ChannelOrder, ChannelSource, InputKind, Media, OutputId, Part, PassRole, Project, kind_of_file,
+    ChannelOrder, ChannelSource, InputKind, Media, OutputId, Part, PassRole, Project, ShaderError,
+    kind_of_file,
 };
 use crate::semantic::Pass;
 use base64::Engine;
@@ -17,30 +19,40 @@ const MAX_MEDIA: u64 = 64 * 1024 * 1024;
 /// Endings of the shader files that a folder is searched for.
 const SHADERS: [&str; 4] = ["glsl", "frag", "fs", "shadertoy"];
 
-/// The project that the arguments name.
-pub(super) fn load(args: &Args) -> Result<Project, String> {
+/// The project that the arguments name, and what was repaired in it.
+pub(super) fn load(args: &Args) -> Result<(Project, Repairs), String> {
     let orders = args
         .channel
         .iter()
         .map(|text| ChannelOrder::read(text))
         .collect::<Result<Vec<_>, _>>()
         .map_err(|e| format!("--channel: {e}"))?;
-    let mut project = match &args.input[..] {
+    let mode = if args.repair || args.diff {
+        Mode::Repair
+    } else {
+        Mode::AsItIs
+    };
+    let (mut project, mut repairs) = match &args.input[..] {
         [] if args.pass.is_empty() => {
             return Err("give a shader file, a folder or a ShaderToy export".to_string());
         }
-        [one] if args.pass.is_empty() && !one.is_dir() => one_file(one)?,
-        several => parts(several, &args.pass)?,
+        [one] if args.pass.is_empty() && !one.is_dir() => one_file(one, mode)?,
+        several => (parts(several, &args.pass)?, Repairs::default()),
     };
+    let name = name_of(args);
+    if mode == Mode::Repair && repairs.is_empty() {
+        let too_large = || format!("{name}: this is too large");
+        repairs = repair(&mut project, &name).ok_or_else(too_large)?;
+        if !repairs.is_empty() {
+            project.infer_channels().ok_or_else(too_large)?;
+        }
+    }
     if project
         .passes
         .iter()
         .all(|p| !matches!(p.kind, Pass::Image | Pass::Cubemap | Pass::Sound))
     {
-        return Err(format!(
-            "{}: there is no pass of type `image`",
-            name_of(args)
-        ));
+        return Err(format!("{name}: there is no pass of type `image`"));
     }
     if let Some(folder) = &args.media {
         find_media(&mut project, folder)?;
@@ -57,7 +69,14 @@ pub(super) fn load(args: &Args) -> Result<Project, String> {
     if args.strict_player {
         project.share_samplers();
     }
-    Ok(project)
+    Ok((project, repairs))
+}
+
+/// What is done with code that does not compile.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Mode {
+    AsItIs,
+    Repair,
 }
 
 /// How the input is called in messages.
@@ -77,20 +96,31 @@ fn stem(path: &Path) -> String {
         .map_or(String::new(), |s| s.to_string_lossy().into_owned())
 }
 
-fn one_file(path: &Path) -> Result<Project, String> {
+fn one_file(path: &Path, mode: Mode) -> Result<(Project, Repairs), String> {
     let name = shown(path);
     let text = read_text(path)?;
-    let project = if text.trim_start().starts_with(['{', '[']) {
-        Project::from_json(&text).map_err(|e| e.to_string())
+    let wrong = |e: String| format!("{name}: {e}");
+    if text.trim_start().starts_with(['{', '[']) {
+        let project = Project::from_json(&text).map_err(|e| wrong(e.to_string()))?;
+        return Ok((project, Repairs::default()));
+    }
+    let title = if name == "-" {
+        String::new()
     } else {
-        let title = if name == "-" {
-            String::new()
-        } else {
-            stem(path)
-        };
-        Project::from_shader(&title, &text).map_err(|e| e.to_string())
+        stem(path)
     };
-    project.map_err(|e| format!("{name}: {e}"))
+    match Project::from_shader(&title, &text) {
+        Ok(project) => Ok((project, Repairs::default())),
+        Err(ShaderError::WebGl1) if mode == Mode::Repair => {
+            let mut draft = Project::from_webgl1(&title, &text);
+            let repairs = repair_webgl1(&mut draft, &name, &text)
+                .ok_or_else(|| wrong("this is too large".to_string()))?;
+            let code = draft.passes.first().map_or("", |p| &*p.code);
+            let project = Project::from_shader(&title, code).map_err(|e| wrong(e.to_string()))?;
+            Ok((project, repairs))
+        }
+        Err(e) => Err(wrong(e.to_string())),
+    }
 }
 
 fn read_text(path: &Path) -> Result<String, String> {

@@ -2,6 +2,7 @@
 
 mod load;
 mod make;
+mod repair;
 
 use super::output::{Overwrite, write};
 use super::{CLEAN, FAILED, FINDINGS};
@@ -9,6 +10,7 @@ use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::port::{Composed, NotSafe, compose, missing};
 use crate::report::{Format, Reporter, Summary};
 use clap::{Parser, ValueEnum};
+use repair::Repairs;
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 
@@ -45,6 +47,13 @@ pub struct Args {
     /// Sample as ShaderToy's player does where two channels read one buffer: the last setting wins
     #[arg(long)]
     strict_player: bool,
+    /// Mend code that does not compile where there is one answer: old GLSL, names that are reserved or
+    /// built in, global values that are not constant, missing qualifiers; each repair is told
+    #[arg(long)]
+    repair: bool,
+    /// Show the repairs as a diff, and write nothing
+    #[arg(long)]
+    diff: bool,
     /// Write over a file that is there already
     #[arg(long)]
     force: bool,
@@ -88,10 +97,17 @@ pub fn run(args: &Args) -> u8 {
 
 fn port(args: &Args) -> Result<u8, String> {
     let name = load::name_of(args);
-    let project = load::load(args)?;
+    let (project, repairs) = load::load(args)?;
+    tell_repairs(&repairs).map_err(|e| e.to_string())?;
+    if args.diff {
+        return print(repairs.diff().as_bytes()).map(|()| CLEAN);
+    }
     let composed = compose(&project, &name).ok_or(format!("{name}: this is too large"))?;
     let made = make::make(args, &project, &composed)?;
     let summary = report(&composed, &made.kept).map_err(|e| e.to_string())?;
+    if summary.errors > 0 && !args.repair {
+        offer_repair(&composed);
+    }
     if make::target_of(args) != Target::Glsl {
         for what in missing(&project) {
             let _ = writeln!(io::stderr(), "note: {what}");
@@ -106,13 +122,38 @@ fn port(args: &Args) -> Result<u8, String> {
             };
             save(&made.files, overwrite)?;
         }
-        None => {
-            let text = made.files.first().map_or(&[][..], |(_, text)| text);
-            let printed = io::stdout().lock().write_all(text);
-            printed.map_err(|e| format!("the output cannot be written: {e}"))?;
-        }
+        None => print(made.files.first().map_or(&[][..], |(_, text)| text))?,
     }
     Ok(if summary.errors > 0 { FINDINGS } else { CLEAN })
+}
+
+fn print(text: &[u8]) -> Result<(), String> {
+    let printed = io::stdout().lock().write_all(text);
+    printed.map_err(|e| format!("the output cannot be written: {e}"))
+}
+
+/// Prints what was repaired, at the places where it stood.
+fn tell_repairs(repairs: &Repairs) -> io::Result<()> {
+    if repairs.is_empty() {
+        return Ok(());
+    }
+    let mut reporter = Reporter::new(Format::Human, io::stderr().lock(), is_colored());
+    reporter.file("", &repairs.before, &repairs.done)?;
+    reporter.finish().map(|_| ())
+}
+
+/// Says that `--repair` would help, where it would.
+fn offer_repair(composed: &Composed) {
+    let help = match repair::repairable(composed) {
+        0 => return,
+        1 => "help: `--repair` mends one of these; `--diff` shows how".to_string(),
+        n => format!("help: `--repair` mends {n} of these; `--diff` shows how"),
+    };
+    let _ = writeln!(io::stderr(), "{help}");
+}
+
+fn is_colored() -> bool {
+    io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
 }
 
 /// Prints what the browser will say of the passes, and why some could not be rewritten.
@@ -144,8 +185,7 @@ fn report(composed: &Composed, kept: &[(String, NotSafe)]) -> io::Result<Summary
     if found.is_empty() {
         return Ok(Summary::default());
     }
-    let color = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let mut reporter = Reporter::new(Format::Human, stderr, color);
+    let mut reporter = Reporter::new(Format::Human, stderr, is_colored());
     reporter.file("", &composed.sources, &found)?;
     reporter.finish()
 }

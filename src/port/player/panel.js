@@ -7,12 +7,14 @@ function showErrors(player) {
     const { errors, project } = player;
     box.hidden = errors.length === 0;
     const nodes = [make('h2', errors.length === 1 ? '1 error' : `${errors.length} errors`)];
-    for (const error of errors) {
+    for (const [i, error] of errors.entries()) {
       const place = error.line > 0 ? `${error.pass}, line ${error.line}: ` : error.pass ? `${error.pass}: ` : '';
       nodes.push(make('p', place + error.text));
       const file = project.files.find((f) => !f.hidden && f.name === error.pass);
       const line = error.line > 0 ? file?.text.split(/\r\n|\r|\n/)[error.line - 1] : '';
-      if (line?.trim()) nodes.push(make('pre', line));
+      const next = errors[i + 1];
+      const isLast = next?.pass !== error.pass || next?.line !== error.line;
+      if (line?.trim() && isLast) nodes.push(make('pre', line));
     }
     box.replaceChildren(...nodes);
   });
@@ -49,13 +51,14 @@ function showSliders(player) {
     slider.type = 'range';
     slider.min = String(Math.min(tunable.min, tunable.value));
     slider.max = String(Math.max(tunable.max, tunable.value));
-    slider.step = tunable.integer ? '1' : String((tunable.max - tunable.min) / 200);
+    slider.step = tunable.integer ? '1' : 'any';
     slider.value = String(tunable.value);
     slider.name = tunable.name;
     value.value = slider.value;
     slider.addEventListener('input', () => {
-      value.value = slider.value;
-      void player.setTunable(tunable.name, Number(slider.value));
+      const number = Number(Number(slider.value).toPrecision(4));
+      value.value = String(number);
+      void player.setTunable(tunable.name, number);
     });
     label.append(value, slider);
     if (tunable.label) label.append(make('small', tunable.label));

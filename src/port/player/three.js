@@ -1,9 +1,9 @@
 // What the three.js module does with the project: materials, targets, uniforms.
 
 import {
-  BufferAttribute, BufferGeometry, Camera, ClampToEdgeWrapping, DataTexture, FloatType, GLSL3,
+  Box2, BufferAttribute, BufferGeometry, Camera, ClampToEdgeWrapping, DataTexture, FloatType, GLSL3,
   LinearFilter, LinearMipmapLinearFilter, Mesh, NearestFilter, RawShaderMaterial, RepeatWrapping,
-  RGBAFormat, Scene, Vector3, Vector4, WebGLRenderTarget,
+  RGBAFormat, Scene, Vector2, Vector3, Vector4, WebGLRenderTarget,
 } from 'three';
 
 const VERTEX = `in vec3 position;
@@ -46,13 +46,55 @@ function materialOf(pass) {
   });
 }
 
-/** Sets filter and wrap of a texture as the channel wants them. */
+/** Sets filter and wrap of a texture of the user's own, as the channel wants them. */
 function setSampling(texture, input) {
-  const isSmooth = input.filter !== 'nearest';
+  const isSmooth = input.filter === 'linear' || input.filter === 'mipmap';
   texture.magFilter = isSmooth ? LinearFilter : NearestFilter;
   texture.minFilter = input.filter === 'mipmap' ? LinearMipmapLinearFilter : texture.magFilter;
   texture.wrapS = texture.wrapT = input.wrap === 'clamp' ? ClampToEdgeWrapping : RepeatWrapping;
   texture.generateMipmaps = input.filter === 'mipmap';
+}
+
+/**
+ * Sets filter and wrap of a buffer's texture. Passes may read one buffer differently, and three.js
+ * sets those of a render target only once, so this speaks to WebGL itself.
+ */
+function setBufferSampling(renderer, texture, input) {
+  const gl = renderer.getContext();
+  const mag = input.filter === 'linear' || input.filter === 'mipmap' ? gl.LINEAR : gl.NEAREST;
+  const min = input.filter === 'mipmap' ? gl.LINEAR_MIPMAP_LINEAR : mag;
+  const wrap = input.wrap === 'clamp' ? gl.CLAMP_TO_EDGE : gl.REPEAT;
+  renderer.state.bindTexture(gl.TEXTURE_2D, renderer.properties.get(texture).__webglTexture);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, mag);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, min);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, wrap);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrap);
+}
+
+/** Whether some channel reads a buffer with mipmaps. */
+function hasMipmaps(pass) {
+  const reads = (i) => i?.kind === 'buffer' && PROJECT.passes[i.buffer] === pass;
+  return PROJECT.passes.some((p) => p.inputs.some((i) => reads(i) && i.filter === 'mipmap'));
+}
+
+/** A pair of targets of zeros. */
+function makeTargets(renderer, pass, width, height) {
+  const needsMipmaps = hasMipmaps(pass);
+  const options = {
+    format: RGBAFormat,
+    type: FloatType,
+    depthBuffer: false,
+    generateMipmaps: needsMipmaps,
+    minFilter: needsMipmaps ? LinearMipmapLinearFilter : NearestFilter,
+    magFilter: NearestFilter,
+  };
+  const gl = renderer.getContext();
+  return [0, 1].map(() => {
+    const target = new WebGLRenderTarget(width, height, options);
+    renderer.setRenderTarget(target);
+    gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+    return target;
+  });
 }
 
 /**
@@ -76,27 +118,31 @@ export function createShader() {
   scene.add(mesh);
   let frame = 0;
 
-  function resize(width, height) {
-    const old = targets.get(buffers[0])?.[0];
-    if (!buffers.length || (old && old.width === width && old.height === height)) return;
+  /** Buffers of this size; what lies in the lower left corner of both sizes stays. */
+  function resize(renderer, width, height) {
     for (const pass of buffers) {
-      targets.get(pass)?.forEach((t) => t.dispose());
-      const options = { format: RGBAFormat, type: FloatType, depthBuffer: false };
-      const pair = [0, 1].map(() => new WebGLRenderTarget(width, height, options));
-      pair.forEach((target) => setSampling(target.texture, { filter: 'nearest', wrap: 'clamp' }));
+      const old = targets.get(pass);
+      if (old && old[0].width === width && old[0].height === height) continue;
+      const pair = makeTargets(renderer, pass, width, height);
       targets.set(pass, pair);
+      if (!old) continue;
+      const kept = new Vector2(Math.min(width, old[0].width), Math.min(height, old[0].height));
+      const region = new Box2(new Vector2(0, 0), kept);
+      old.forEach((from, i) => {
+        renderer.copyTextureToTexture(from.texture, pair[i].texture, region);
+        from.dispose();
+      });
     }
-    frame = 0;
   }
 
-  function bind(pass, width, height) {
+  function bind(renderer, pass, width, height) {
     const { uniforms } = materials.get(pass);
     pass.inputs.forEach((input, channel) => {
       if (!input) return;
       const size = uniforms.iChannelResolution.value[channel];
       const source = input.kind === 'buffer' ? targets.get(PROJECT.passes[input.buffer]) : null;
       if (source) {
-        setSampling(source[0].texture, input);
+        setBufferSampling(renderer, source[0].texture, input);
         uniforms[`iChannel${channel}`].value = source[0].texture;
         size.set(width, height, 1);
       }
@@ -122,7 +168,6 @@ export function createShader() {
     update(renderer, { time, delta = 1 / 60, mouse = [0, 0, 0, 0], width, height }) {
       const canvas = renderer.domElement;
       const [w, h] = [width ?? canvas.width, height ?? canvas.height];
-      resize(w, h);
       const now = new Date();
       const seconds = now.getHours() * 3600 + now.getMinutes() * 60 + now.getSeconds();
       for (const material of materials.values()) {
@@ -136,16 +181,21 @@ export function createShader() {
         u.iDate.value.set(now.getFullYear(), now.getMonth(), now.getDate(), seconds + now.getMilliseconds() / 1000);
       }
       const before = renderer.getRenderTarget();
+      const { autoClear } = renderer;
+      // What a shader discards stays as it was two frames ago.
+      renderer.autoClear = false;
+      resize(renderer, w, h);
       for (const pass of buffers) {
         const pair = targets.get(pass);
-        bind(pass, w, h);
+        bind(renderer, pass, w, h);
         mesh.material = materials.get(pass);
         renderer.setRenderTarget(pair[1]);
         renderer.render(scene, camera);
         pair.reverse();
       }
       renderer.setRenderTarget(before);
-      bind(image, w, h);
+      renderer.autoClear = autoClear;
+      bind(renderer, image, w, h);
       frame++;
     },
     /** Starts again at frame 0. */

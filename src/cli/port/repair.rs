@@ -1,0 +1,193 @@
+//! `--repair`: the errors that have one answer are mended in all passes of a project.
+
+use super::super::output::diff;
+use crate::diagnostic::{Diagnostic, Origin, Severity, error};
+use crate::lint::{Allow, Look, fix};
+use crate::port::{Composed, Project, add_repairs, compose};
+use crate::semantic::Analysis;
+use crate::text::{Role, SourceFile, Sources, Span};
+use std::sync::Arc;
+
+/// What is put between the texts of a project to make one of them. Sources have an address between
+/// two files, so that places in the whole differ from addresses by the start of the first file only.
+const BETWEEN: char = '\0';
+
+/// What was repaired.
+#[derive(Default)]
+pub(super) struct Repairs {
+    /// The texts as they were, for the places of `done`.
+    pub(super) before: Sources,
+    /// What was done, as findings that say how.
+    pub(super) done: Vec<Diagnostic>,
+    /// The texts after it, in the order of `before`.
+    after: Vec<String>,
+}
+
+impl Repairs {
+    /// Whether there was nothing to repair.
+    pub(super) fn is_empty(&self) -> bool {
+        self.done.is_empty()
+    }
+
+    /// All changes, as a diff.
+    pub(super) fn diff(&self) -> String {
+        let pairs = self.before.files().iter().zip(&self.after);
+        pairs
+            .filter(|(before, after)| *before.text != **after)
+            .map(|(before, after)| {
+                let name = match &before.part {
+                    Some(part) => format!("{}/{part}", before.path),
+                    None => before.path.clone(),
+                };
+                diff(&name, &before.text, after)
+            })
+            .collect()
+    }
+}
+
+/// Repairs the passes of a project. `path` is the file that the user gave.
+pub(super) fn repair(project: &mut Project, path: &str) -> Option<Repairs> {
+    let composed = compose(project, path)?;
+    let files: Vec<&SourceFile> = users(&composed).collect();
+    let owners = owners(&composed);
+    let texts: Vec<&str> = files.iter().map(|f| &*f.text).collect();
+    let whole = texts.join(&BETWEEN.to_string());
+    let fixed = fix(&whole, Allow::Safe, |text| {
+        look(project, &owners, path, text)
+    });
+    let mut repairs = Repairs::default();
+    for file in &files {
+        let (path, part) = (file.path.clone(), file.part.clone());
+        repairs
+            .before
+            .add(path, part, Role::User, file.text.clone())?;
+    }
+    // The first of these texts starts at address 0: offsets in the whole are addresses.
+    repairs.done = fixed.applied.into_iter().map(told).collect();
+    repairs.done.sort_by_key(|d| d.span);
+    repairs.after = fixed.text.split(BETWEEN).map(str::to_string).collect();
+    put(project, &owners, &fixed.text)?;
+    Some(repairs)
+}
+
+/// Repairs a WebGL1 shader that was given the first line of a WebGL2 one; `text` is what it was.
+pub(super) fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Option<Repairs> {
+    let mut repairs = repair(draft, path)?;
+    let added = draft.passes.first()?.code.find('\n')? as u32 + 1;
+    repairs.before = Sources::new();
+    repairs.before.add(path, None, Role::User, text)?;
+    for done in &mut repairs.done {
+        let place = |address: u32| address.saturating_sub(added);
+        done.span = Span::new(place(done.span.start), place(done.span.end));
+    }
+    let version = Diagnostic::new(
+        error::LEGACY_GLSL,
+        Origin::Compiler,
+        Severity::Info,
+        Span::at(0),
+        "repaired: add `#version 300 es`",
+    );
+    repairs.done.insert(0, version.note("this is WebGL1 code"));
+    Some(repairs)
+}
+
+/// How many errors of a project a repair would mend.
+pub(super) fn repairable(composed: &Composed) -> usize {
+    let has_fix = |d: &&Diagnostic| d.fix.as_ref().is_some_and(|f| Allow::Safe.permits(f));
+    errors(composed).iter().filter(has_fix).count()
+}
+
+fn users(composed: &Composed) -> impl Iterator<Item = &SourceFile> {
+    composed
+        .sources
+        .files()
+        .iter()
+        .filter(|f| f.role == Role::User)
+}
+
+/// The pass of each text of the user.
+fn owners(composed: &Composed) -> Vec<usize> {
+    let files = users(composed);
+    files
+        .filter_map(|f| composed.owner(composed.sources.file_id_at(f.base)?))
+        .collect()
+}
+
+/// Puts the parts of one text into the passes.
+fn put(project: &mut Project, owners: &[usize], whole: &str) -> Option<()> {
+    let parts: Vec<&str> = whole.split(BETWEEN).collect();
+    if parts.len() != owners.len() {
+        return None;
+    }
+    for (part, owner) in parts.into_iter().zip(owners) {
+        let pass = project.passes.get_mut(*owner)?;
+        if *pass.code != *part {
+            pass.code = Arc::from(part);
+        }
+    }
+    Some(())
+}
+
+/// What is wrong with a project of these texts.
+fn look(project: &Project, owners: &[usize], path: &str, whole: &str) -> Option<Look> {
+    let mut project = project.clone();
+    put(&mut project, owners, whole)?;
+    let composed = compose(&project, path)?;
+    let first = users(&composed).next()?.base;
+    let span = Span::new(first, first + whole.len() as u32);
+    Some(Look {
+        diagnostics: errors(&composed),
+        span,
+    })
+}
+
+/// The errors of all passes, with their repairs.
+fn errors(composed: &Composed) -> Vec<Diagnostic> {
+    let mut found: Vec<Diagnostic> = Vec::new();
+    for unit in &composed.units {
+        let Analysis {
+            program,
+            mut diagnostics,
+        } = composed.analyze(unit);
+        diagnostics.retain(|d| d.severity == Severity::Error);
+        add_repairs(&program, &mut diagnostics);
+        for error in diagnostics {
+            let mut known = found.iter_mut();
+            match known.find(|k| (k.rule, k.span) == (error.rule, error.span)) {
+                Some(known) => join(known, error),
+                None => found.push(error),
+            }
+        }
+    }
+    found
+}
+
+/// One error of two passes, in what they have in common: its repair is one for both.
+fn join(known: &mut Diagnostic, other: Diagnostic) {
+    let (Some(fix), Some(other)) = (&mut known.fix, other.fix) else {
+        return;
+    };
+    let name = |title: &str| title.rsplit('`').nth(1).map(str::to_string);
+    if name(&fix.title) != name(&other.title) {
+        return;
+    }
+    for edit in other.edits {
+        if !fix.edits.contains(&edit) {
+            fix.edits.push(edit);
+        }
+    }
+}
+
+/// An error that was mended, as the news of it.
+fn told(error: Diagnostic) -> Diagnostic {
+    let how = error.fix.map_or(String::new(), |f| f.title);
+    let message = format!("repaired: {how}");
+    Diagnostic::new(
+        error.rule,
+        error.origin,
+        Severity::Info,
+        error.span,
+        message,
+    )
+    .note(error.message)
+}

@@ -1,0 +1,255 @@
+//! Repairs of old ShaderToy code that need to know the player: the fixes of errors for which the
+//! language alone has no answer.
+//!
+//! Each is added to the error that it mends, so that the same engine applies these and the fixes that
+//! the errors bring along.
+
+use crate::diagnostic::{Applicability, Diagnostic, Fix, error};
+use crate::semantic::{Dialect, Pass, Program};
+use crate::syntax::TokenKind;
+use crate::syntax::ast::{
+    DeclKind, Declarator, FunctionDecl, Item, Param, Qualifier, QualifierKind, TokenId,
+};
+use crate::text::{Edit, Role, Span};
+
+/// Adds repairs to the errors of a pass.
+pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
+    let mut globals = None;
+    for index in 0..errors.len() {
+        let Some(found) = errors.get(index) else {
+            return;
+        };
+        let fix = match found.rule {
+            // The name is what the language objects to: another one is the only way.
+            error::BUILTIN_REDEFINITION => found.fix.clone().map(|fix| Fix {
+                applicability: Applicability::Safe,
+                ..fix
+            }),
+            error::LEGACY_GLSL => match program.sources.text(found.span) {
+                "varying" => varying(program, found.span).or_else(|| found.fix.clone()),
+                "gl_FragColor" if found.fix.is_none() => output(program),
+                _ => continue,
+            },
+            error::MAINIMAGE_SIGNATURE => signature(program, found.span),
+            error::NOT_CONSTANT if globals.is_none() => {
+                globals = late_values(program, errors);
+                globals.clone()
+            }
+            _ => continue,
+        };
+        if let (Some(error), Some(fix)) = (errors.get_mut(index), fix) {
+            error.fix = Some(fix);
+        }
+    }
+}
+
+/// The function that the player or the browser calls.
+fn entry<'a>(program: &'a Program) -> Option<&'a FunctionDecl> {
+    let name = match program.dialect {
+        Dialect::ShaderToy(pass) => pass.entry()?,
+        Dialect::WebGl { .. } => "main",
+    };
+    let name = program.names.get(name)?;
+    program.tree.functions.iter().find(|f| {
+        f.ident.name == name && f.body.is_some() && is_user(program, program.span(f.header))
+    })
+}
+
+fn is_user(program: &Program, span: Span) -> bool {
+    let file = program.sources.file_at(span.start);
+    file.is_some_and(|f| f.role == Role::User)
+}
+
+fn span_of(program: &Program, token: TokenId) -> Option<Span> {
+    let token = program.token(token)?;
+    token.is_direct().then_some(token.span)
+}
+
+/// `gl_FragColor` in `mainImage` is its first parameter.
+fn output(program: &Program) -> Option<Fix> {
+    let main = entry(program)?;
+    let color = program.tree.params(main.params).first()?.ident?;
+    let color = program.names.text(color.name);
+    let inside = program.span(main.extent);
+    let old = program.names.get("gl_FragColor")?;
+    let uses = program.tokens.tokens.iter();
+    let uses = uses.filter(|t| t.kind == TokenKind::Identifier && t.value == old.0);
+    let edits: Option<Vec<Edit>> = uses
+        .map(|t| {
+            let is_plain = t.is_direct() && inside.contains(t.span);
+            is_plain.then(|| Edit::replace(t.span, color))
+        })
+        .collect();
+    Some(Fix::safe(format!("write to `{color}`"), edits?))
+}
+
+/// Names that are taken for the place in the picture, from 0 to 1.
+const PLACES: [&str; 9] = [
+    "vUv",
+    "vUV",
+    "v_uv",
+    "uv",
+    "vTexCoord",
+    "v_texCoord",
+    "v_texcoord",
+    "texCoord",
+    "texcoord",
+];
+
+/// A `varying` of ShaderToy code is an input that no vertex shader of the player writes; where it is
+/// the place in the picture, that can be computed.
+fn varying(program: &Program, word: Span) -> Option<Fix> {
+    if !program.dialect.is_shadertoy() {
+        return None;
+    }
+    program.tree.items.iter().find_map(|item| {
+        let Item::Decl(id) = item else { return None };
+        let decl = program.tree.decl(*id)?;
+        let DeclKind::Variables { declarators, .. } = decl.kind else {
+            return None;
+        };
+        let whole = program.span(decl.extent);
+        let [declarator] = program.tree.declarators(declarators) else {
+            return None;
+        };
+        let name = program.names.text(declarator.ident.name);
+        if !whole.contains(word) || !program.is_direct(decl.extent) || !PLACES.contains(&name) {
+            return None;
+        }
+        let line = format!("#define {name} (gl_FragCoord.xy / iResolution.xy)");
+        let title = format!("make `{name}` the place in the picture");
+        Some(Fix::safe(title, vec![Edit::replace(whole, line)]))
+    })
+}
+
+/// The qualifiers and parameters with which the player calls the entry.
+fn signature(program: &Program, header: Span) -> Option<Fix> {
+    let Dialect::ShaderToy(pass) = program.dialect else {
+        return None;
+    };
+    let mut functions = program.tree.functions.iter();
+    let decl = functions.find(|f| program.span(f.header) == header)?;
+    let params = program.tree.params(decl.params);
+    let mut edits = Vec::new();
+    for (i, param) in params.iter().enumerate() {
+        let wanted = match (i, pass) {
+            (0, Pass::Image | Pass::Buffer | Pass::Cubemap) => "out",
+            _ => "in",
+        };
+        edits.extend(direct(program, param, wanted)?);
+    }
+    let title = format!("declare it as `{}`", pass.signature());
+    (!edits.is_empty()).then(|| Fix::safe(title, edits))
+}
+
+/// Gives a parameter a direction. The inner `None` is a parameter that has it already.
+fn direct(program: &Program, param: &Param, wanted: &str) -> Option<Option<Edit>> {
+    use QualifierKind::{In, Inout, Out};
+    let mut qualifiers = program.tree.qualifiers(param.qualifiers).iter();
+    let found = qualifiers.find(|q| matches!(q.kind, In | Inout | Out));
+    Some(match found {
+        Some(q) => {
+            let span = span_of(program, q.extent.first)?;
+            (program.sources.text(span) != wanted).then(|| Edit::replace(span, wanted))
+        }
+        None if wanted == "in" => None,
+        None => {
+            let at = span_of(program, param.extent.first)?.start;
+            Some(Edit::insert(at, format!("{wanted} ")))
+        }
+    })
+}
+
+/// Gives all global variables whose first value is not constant that value at the start of the entry,
+/// in the order in which they are declared.
+fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
+    let main = entry(program)?;
+    let open = span_of(program, program.tree.stmt(main.body?).extent.first)?;
+    let mut edits = Vec::new();
+    let mut values = String::new();
+    for (qualifiers, declarator) in globals(program) {
+        let is_reported = |e: &Diagnostic| {
+            let init = declarator.init.map(|i| program.expr_span(i));
+            e.rule == error::NOT_CONSTANT && Some(e.span) == init
+        };
+        if !errors.iter().any(is_reported) {
+            continue;
+        }
+        let value = late_value(program, main, declarator)?;
+        let end = span_of(program, declarator.extent.last)?.end;
+        edits.push(Edit::delete(Span::new(value.from, end)));
+        let constant = qualifiers.iter().find(|q| q.kind == QualifierKind::Const);
+        if let Some(q) = constant {
+            let word = span_of(program, q.extent.first)?;
+            let next = span_of(program, q.extent.first + 1)?;
+            let gone = Edit::delete(Span::new(word.start, next.start));
+            if !edits.contains(&gone) {
+                edits.push(gone);
+            }
+        }
+        values.push_str(&value.statement);
+    }
+    edits.push(Edit::insert(open.end, values));
+    let title = "set the values that are not constant at the start of the entry function";
+    (edits.len() > 1).then(|| Fix::safe(title, edits))
+}
+
+/// The global variables of the user, with the qualifiers of their declarations.
+fn globals<'a>(program: &'a Program) -> impl Iterator<Item = (&'a [Qualifier], &'a Declarator)> {
+    let tree = &program.tree;
+    tree.items
+        .iter()
+        .filter_map(|item| match item {
+            Item::Decl(id) => tree.decl(*id),
+            Item::Function(_) => None,
+        })
+        .filter_map(|decl| match decl.kind {
+            DeclKind::Variables {
+                qualifiers,
+                declarators,
+                ..
+            } => Some((tree.qualifiers(qualifiers), tree.declarators(declarators))),
+            _ => None,
+        })
+        .flat_map(|(qualifiers, all)| all.iter().map(move |d| (qualifiers, d)))
+}
+
+struct LateValue {
+    /// Where the part with the value starts: behind the name and its sizes.
+    from: u32,
+    statement: String,
+}
+
+/// How a variable gets its value later. Not where a parameter of the entry hides what is named, and
+/// not where the value gives an array its size.
+fn late_value(program: &Program, main: &FunctionDecl, of: &Declarator) -> Option<LateValue> {
+    let tree = &program.tree;
+    if !program.is_direct(of.extent) {
+        return None;
+    }
+    let sizes = tree.arrays(of.arrays);
+    if sizes.iter().any(|s| s.size.is_none()) {
+        return None;
+    }
+    let hides: Vec<u32> = tree
+        .params(main.params)
+        .iter()
+        .filter_map(|p| p.ident)
+        .map(|i| i.name.0)
+        .collect();
+    let tokens = &program.tokens.tokens;
+    let own = (of.extent.first..=of.extent.last).filter_map(|i| tokens.get(i as usize));
+    for token in own {
+        if token.kind == TokenKind::Identifier && hides.contains(&token.value) {
+            return None;
+        }
+    }
+    let last = sizes.last().map_or(of.ident.token, |s| s.extent.last);
+    let from = span_of(program, last)?.end;
+    let name = program.names.text(of.ident.name);
+    let value = program.expr_text(of.init?);
+    Some(LateValue {
+        from,
+        statement: format!("\n    {name} = {value};"),
+    })
+}
