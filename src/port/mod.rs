@@ -12,6 +12,8 @@ mod export;
 mod glsl;
 mod html;
 mod json;
+#[cfg(feature = "naga")]
+pub mod naga;
 mod parts;
 mod payload;
 mod project;

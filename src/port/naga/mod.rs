@@ -1,0 +1,55 @@
+//! A checked pass in the languages of the other graphics interfaces: WGSL, SPIR-V, HLSL and MSL.
+//!
+//! [`lower`] turns the typed program into naga's intermediate form, one file to a concern, and
+//! [`write`] has naga check it and write it. Nothing of naga's own reader of GLSL is used. What the
+//! form has no words for is refused, with the place and the reason.
+//!
+//! The module that comes out has one entry point, `fragment_main`. All uniforms are members of one
+//! struct at binding 0 of group 0; the sampler with number `n`, in the order of the text, is a
+//! texture at binding `2n + 1` and a sampler at `2n + 2`.
+
+mod body;
+mod builtin;
+mod call;
+mod construct;
+mod entry;
+mod expression;
+mod flow;
+mod function;
+mod global;
+mod lower;
+mod matrix;
+mod operator;
+mod place;
+mod statement;
+mod texture;
+mod types;
+mod uniform;
+mod weight;
+mod write;
+
+pub use lower::{Lowered, Origin, lower};
+pub use write::{Language, Output, write};
+
+use crate::text::Span;
+
+/// Why a pass cannot be written in another language.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Refused {
+    /// Where the reason stands; empty where it is the whole pass.
+    pub span: Span,
+    /// The reason.
+    pub message: String,
+}
+
+impl Refused {
+    fn new(span: Span, message: impl Into<String>) -> Refused {
+        Refused {
+            span,
+            message: message.into(),
+        }
+    }
+}
+
+type Res<T> = Result<T, Refused>;
+type Value = ::naga::Handle<::naga::Expression>;
