@@ -31,7 +31,31 @@ mod write;
 pub use lower::{Lowered, Origin, lower};
 pub use write::{Language, Output, write};
 
+use super::{Composed, PassUnit, Project, Wrapper, credits};
+use crate::diagnostic::Severity;
+use crate::semantic::Pass;
 use crate::text::Span;
+
+/// A pass in another language; `None` where it does not compile.
+pub fn translate(
+    project: &Project,
+    composed: &Composed,
+    unit: &PassUnit,
+    language: Language,
+) -> Result<Option<Output>, Refused> {
+    let analysis = composed.analyze(unit);
+    let is_error = |d: &crate::diagnostic::Diagnostic| d.severity == Severity::Error;
+    if analysis.diagnostics.iter().any(is_error) {
+        return Ok(None);
+    }
+    // What other passes read is found by the number of the row; only pictures are looked at.
+    let origin = match (unit.kind, unit.wrapper) {
+        (Pass::Image, _) | (_, Wrapper::Own) => Origin::Picture,
+        _ => Origin::Row,
+    };
+    let lowered = lower(&analysis.program, origin)?;
+    write(&lowered, language, &credits::lines(project)).map(Some)
+}
 
 /// Why a pass cannot be written in another language.
 #[derive(Clone, PartialEq, Eq, Debug)]
