@@ -1,13 +1,13 @@
 //! The files of each target.
 
-use super::{Args, MainChoice, Target};
 use super::remark::Remark;
+use super::{Args, MainChoice, Target};
+#[cfg(feature = "naga")]
+use crate::port::naga::{Language, translate};
 use crate::port::{
     Composed, Module, Project, VERTEX, glsl, html, json, module, react, rewrite, three,
 };
 use crate::semantic::Pass;
-#[cfg(feature = "naga")]
-use crate::port::naga::{Language, translate};
 use std::path::{Path, PathBuf};
 
 /// What is written, and what is to be said of it.

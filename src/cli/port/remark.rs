@@ -46,6 +46,12 @@ impl Remark {
     /// The remark as a finding.
     pub(super) fn diagnostic(&self) -> Diagnostic {
         let message = self.message.clone();
-        Diagnostic::new(self.rule, Origin::Compiler, self.severity, self.span, message)
+        Diagnostic::new(
+            self.rule,
+            Origin::Compiler,
+            self.severity,
+            self.span,
+            message,
+        )
     }
 }

@@ -6,8 +6,8 @@ use super::{Res, Value, lower::Origin};
 use crate::semantic::{Scalar, Type};
 use crate::syntax::ast::ExprId;
 use ::naga::{
-    BinaryOperator as Op, DerivativeAxis, DerivativeControl, Expression, Literal, MathFunction as F,
-    RelationalFunction, ScalarKind, UnaryOperator,
+    BinaryOperator as Op, DerivativeAxis, DerivativeControl, Expression, Literal,
+    MathFunction as F, RelationalFunction, ScalarKind, UnaryOperator,
 };
 
 impl Body<'_, '_> {
@@ -43,7 +43,9 @@ impl Body<'_, '_> {
         let first = values.first().map_or(Type::FLOAT, |v| v.1);
         match (name, &plain[..]) {
             ("mod", &[x, y]) => {
-                let y = values.get(1).map_or(y, |(y, ty)| self.widen(*y, *ty, first));
+                let y = values
+                    .get(1)
+                    .map_or(y, |(y, ty)| self.widen(*y, *ty, first));
                 Ok(self.modulo(x, y))
             }
             ("mix", &[x, y, a]) => Ok(self.mix(x, y, (a, program.ty(args[2])), first)),

@@ -293,10 +293,13 @@ fn declarations<'p>(lowerer: &Lowerer<'p>) -> Vec<(VariableId, List, &'p Declara
 fn location(lowerer: &Lowerer, qualifiers: List) -> Option<u32> {
     let program = lowerer.program;
     let tree = &program.tree;
-    let layouts = tree.qualifiers(qualifiers).iter().filter_map(|q| match q.kind {
-        QualifierKind::Layout(entries) => Some(tree.layout(entries)),
-        _ => None,
-    });
+    let layouts = tree
+        .qualifiers(qualifiers)
+        .iter()
+        .filter_map(|q| match q.kind {
+            QualifierKind::Layout(entries) => Some(tree.layout(entries)),
+            _ => None,
+        });
     let mut entries = layouts.flatten();
     let entry = entries.find(|e| program.names.text(e.ident.name) == "location")?;
     u32::try_from(entry.value?.value).ok()

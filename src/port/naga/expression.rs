@@ -35,7 +35,10 @@ impl Body<'_, '_> {
             return Ok(None);
         }
         if let Resolution::Variable(variable) = program.expr(id).resolution
-            && matches!(self.lowerer.globals.get(&variable), Some(super::global::Global::Constant(_)))
+            && matches!(
+                self.lowerer.globals.get(&variable),
+                Some(super::global::Global::Constant(_))
+            )
         {
             return Ok(None);
         }

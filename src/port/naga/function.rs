@@ -5,7 +5,9 @@ use super::lower::Lowerer;
 use super::types::{Sink, image, texel};
 use super::{Res, Value};
 use crate::semantic::{Direction, FunctionRef, Parameter, Program, VariableId};
-use ::naga::{AddressSpace, Expression, FunctionArgument, FunctionResult, Handle, Statement, TypeInner};
+use ::naga::{
+    AddressSpace, Expression, FunctionArgument, FunctionResult, Handle, Statement, TypeInner,
+};
 
 /// The functions that `main` needs, each behind all that it calls.
 pub(super) fn order(program: &Program, main: FunctionRef) -> Vec<FunctionRef> {

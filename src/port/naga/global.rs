@@ -5,9 +5,7 @@ use super::lower::{Initialisers, Lowerer};
 use super::types::{Sink, compose};
 use super::{Res, Value};
 use crate::semantic::{Constant as Known, Sampler, Scalar, Storage, Type, VariableId};
-use ::naga::{
-    AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryDecorations, Span,
-};
+use ::naga::{AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryDecorations, Span};
 
 /// What a variable outside functions is in the module.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +70,9 @@ impl<'p> Lowerer<'p> {
             init: None,
             memory_decorations: MemoryDecorations::empty(),
         };
-        self.module.global_variables.append(variable, Span::UNDEFINED)
+        self.module
+            .global_variables
+            .append(variable, Span::UNDEFINED)
     }
 
     /// A named constant as one of the module; `None` where a number in it is not finite.
@@ -170,9 +170,9 @@ impl Body<'_, '_> {
             ("gl_FragColor", VEC4),
         ];
         let Some((name, ty)) = found.into_iter().find(|(n, _)| *n == name) else {
-            return self
-                .lowerer
-                .refuse(format!("`{name}` has no counterpart in the other languages"));
+            return self.lowerer.refuse(format!(
+                "`{name}` has no counterpart in the other languages"
+            ));
         };
         let handle = match self.lowerer.builtins.get(name) {
             Some(handle) => *handle,

@@ -161,7 +161,9 @@ impl Body<'_, '_> {
             return self.lowerer.refuse("this nests too deep");
         }
         if self.lowerer.made + self.function.expressions.len() > MAX_EXPRESSIONS {
-            return self.lowerer.refuse("this is too long when it is written out");
+            return self
+                .lowerer
+                .refuse("this is too long when it is written out");
         }
         Ok(())
     }

@@ -28,7 +28,11 @@ impl Body<'_, '_> {
                 Ok(self.op(Op::Multiply, l, r))
             }
             _ => {
-                let wide = if left_ty.is_vector() { left_ty } else { right_ty };
+                let wide = if left_ty.is_vector() {
+                    left_ty
+                } else {
+                    right_ty
+                };
                 let l = self.widen(l, left_ty, wide);
                 let r = self.widen(r, right_ty, wide);
                 Ok(self.op(simple(op), l, r))
@@ -77,7 +81,10 @@ impl Body<'_, '_> {
         }
         self.check_limits()?;
         let mut all: Option<Value> = None;
-        for (i, part) in super::types::parts(self.lowerer, ty).into_iter().enumerate() {
+        for (i, part) in super::types::parts(self.lowerer, ty)
+            .into_iter()
+            .enumerate()
+        {
             let (a, b) = (self.part(l, i as u32), self.part(r, i as u32));
             let equal = self.equal(a, b, part)?;
             all = Some(match all {

@@ -4,8 +4,8 @@ use super::body::{Body, Bound};
 use super::types::Sink;
 use super::{Res, Value};
 use crate::semantic::{Resolution, Type};
-use crate::syntax::ast::{ExprId, ExprKind};
 use crate::syntax::Name;
+use crate::syntax::ast::{ExprId, ExprKind};
 use ::naga::{Expression, SwizzleComponent};
 
 /// A place.
@@ -67,7 +67,11 @@ impl Body<'_, '_> {
                 None => self.refuse(base, "this member is not known"),
             };
         }
-        let lane = |c: char| ["xrs", "ygt", "zbp", "waq"].iter().position(|s| s.contains(c));
+        let lane = |c: char| {
+            ["xrs", "ygt", "zbp", "waq"]
+                .iter()
+                .position(|s| s.contains(c))
+        };
         let lanes: Vec<u32> = text.chars().filter_map(lane).map(|l| l as u32).collect();
         match lanes[..] {
             [] => self.refuse(base, "these components are not known"),
@@ -117,9 +121,9 @@ impl Body<'_, '_> {
         let program = self.lowerer.program;
         loop {
             match program.tree.expr(id).kind {
-                ExprKind::Paren(inner)
-                | ExprKind::Member(inner, _)
-                | ExprKind::Index(inner, _) => id = inner,
+                ExprKind::Paren(inner) | ExprKind::Member(inner, _) | ExprKind::Index(inner, _) => {
+                    id = inner
+                }
                 ExprKind::Name(_) => {
                     let Resolution::Variable(variable) = program.expr(id).resolution else {
                         return false;

@@ -44,7 +44,9 @@ impl Body<'_, '_> {
             StmtKind::Return(value) => self.give(value)?,
             StmtKind::Discard => self.push(Statement::Kill),
             StmtKind::Case(_) | StmtKind::Default | StmtKind::Error => {
-                return self.lowerer.refuse("this statement stands outside a `switch`");
+                return self
+                    .lowerer
+                    .refuse("this statement stands outside a `switch`");
             }
         }
         self.depth -= 1;
@@ -148,12 +150,7 @@ impl Body<'_, '_> {
         }
     }
 
-    fn repeat(
-        &mut self,
-        condition: Option<StmtId>,
-        step: Option<ExprId>,
-        body: StmtId,
-    ) -> Res<()> {
+    fn repeat(&mut self, condition: Option<StmtId>, step: Option<ExprId>, body: StmtId) -> Res<()> {
         self.loops += 1;
         let in_switch = std::mem::replace(&mut self.in_switch, false);
         let turn = self.nested(|it| {

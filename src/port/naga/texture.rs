@@ -52,7 +52,10 @@ impl Body<'_, '_> {
         {
             return Ok((image, sampler, kind));
         }
-        self.refuse(arg, "only plain samplers are supported, no part of an array or struct")
+        self.refuse(
+            arg,
+            "only plain samplers are supported, no part of an array or struct",
+        )
     }
 
     /// A call of one of the texture functions.
@@ -83,8 +86,6 @@ impl Body<'_, '_> {
         let level = Some(self.value(lod)?);
         let query = ImageQuery::Size { level };
         let size = self.add(Expression::ImageQuery { image, query });
-        let is_cube = shape.size == 3 && !shape.is_layered;
-        let _ = is_cube;
         let size = self.cast(size, ScalarKind::Sint, Some(4));
         if !shape.is_layered {
             return Ok(size);
@@ -191,11 +192,7 @@ impl Body<'_, '_> {
     }
 
     /// Coordinates, layer and the depth to compare with.
-    fn coordinates(
-        &mut self,
-        at: Value,
-        shape: &Shape,
-    ) -> (Value, Option<Value>, Option<Value>) {
+    fn coordinates(&mut self, at: Value, shape: &Shape) -> (Value, Option<Value>, Option<Value>) {
         if !shape.is_layered && !shape.is_shadow {
             return (at, None, None);
         }

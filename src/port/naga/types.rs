@@ -3,6 +3,7 @@
 use super::lower::Lowerer;
 use super::{Res, Value};
 use crate::semantic::{Base, Sampler, Scalar, Type, Value as Constant};
+use ::naga::proc::TypeLayout;
 use ::naga::{
     ArraySize, Expression, Handle, ImageClass, ImageDimension, Literal, ScalarKind, Span,
     StructMember, TypeInner, VectorSize,
@@ -131,7 +132,7 @@ impl Lowerer<'_> {
                         scalar: scalar(kind),
                     },
                 ),
-                Base::Struct(id) => self.structure(ty, id)?,
+                Base::Struct(_) => self.structure(ty)?,
                 Base::Sampler(_) => return self.refuse("a sampler is no value here"),
                 Base::Block(_) => return self.refuse("interface blocks are not supported"),
                 Base::Error | Base::Void => return self.refuse("this has no type"),
@@ -146,7 +147,7 @@ impl Lowerer<'_> {
         let Some(count) = NonZeroU32::new(ty.array).filter(|_| ty.array != Type::UNSIZED) else {
             return self.refuse("the size of this array is not known");
         };
-        let stride = self.layout(base)?.0;
+        let stride = self.layout(base)?.to_stride();
         Ok(self.inner(
             None,
             TypeInner::Array {
@@ -157,7 +158,7 @@ impl Lowerer<'_> {
         ))
     }
 
-    fn structure(&mut self, ty: Type, _id: u32) -> Res<Handle<::naga::Type>> {
+    fn structure(&mut self, ty: Type) -> Res<Handle<::naga::Type>> {
         let program = self.program;
         let Some(found) = program.struct_of(ty) else {
             return self.refuse("this struct is not known");
@@ -180,8 +181,10 @@ impl Lowerer<'_> {
         let (mut offset, mut widest) = (0_u32, 1_u32);
         let mut placed = Vec::new();
         for (name, ty) in members {
-            let (stride, align, bytes) = self.layout(ty)?;
-            let _ = stride;
+            let TypeLayout {
+                size, alignment, ..
+            } = self.layout(ty)?;
+            let align = alignment.round_up(1);
             widest = widest.max(align);
             offset = offset.next_multiple_of(align);
             placed.push(StructMember {
@@ -190,21 +193,18 @@ impl Lowerer<'_> {
                 binding: None,
                 offset,
             });
-            offset = offset.saturating_add(bytes);
+            offset = offset.saturating_add(size);
         }
         let span = offset.max(1).next_multiple_of(widest);
         let members = placed;
         Ok(self.inner(name, TypeInner::Struct { members, span }))
     }
 
-    /// Stride in an array, alignment and size of a type, in bytes.
-    pub(super) fn layout(&mut self, ty: Handle<::naga::Type>) -> Res<(u32, u32, u32)> {
+    fn layout(&mut self, ty: Handle<::naga::Type>) -> Res<TypeLayout> {
         if self.layouter.update(self.module.to_ctx()).is_err() {
             return self.refuse("this type is too large");
         }
-        let layout = self.layouter[ty];
-        let align = layout.alignment.round_up(1);
-        Ok((layout.to_stride(), align, layout.size))
+        Ok(self.layouter[ty])
     }
 }
 

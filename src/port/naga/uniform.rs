@@ -131,7 +131,9 @@ impl<'p> Lowerer<'p> {
             init: None,
             memory_decorations: MemoryDecorations::empty(),
         };
-        self.module.global_variables.append(variable, Span::UNDEFINED)
+        self.module
+            .global_variables
+            .append(variable, Span::UNDEFINED)
     }
 
     fn describe(&mut self, ty: Handle<::naga::Type>) {
@@ -175,7 +177,9 @@ impl Body<'_, '_> {
                 Ok(Bound::Value(self.convert(value, Scalar::Bool)))
             }
             Some(Form::Wide(wide)) => self.narrow(ty, wide, pointer).map(Bound::Pointer),
-            None => self.lowerer.refuse("a uniform of this type is not supported"),
+            None => self
+                .lowerer
+                .refuse("a uniform of this type is not supported"),
         }
     }
 

@@ -1,8 +1,8 @@
 //! Naga's check and its writers.
 
+use super::Refused;
 use super::entry::ENTRY;
 use super::lower::Lowered;
-use super::Refused;
 use crate::text::Span;
 use ::naga::back::{hlsl, msl, spv, wgsl};
 use ::naga::proc::{BoundsCheckPolicies, BoundsCheckPolicy};
@@ -58,11 +58,7 @@ impl Language {
 pub type Output = Vec<u8>;
 
 /// Checks a pass and writes it. `credits` are the lines that say who made it.
-pub fn write(
-    lowered: &Lowered,
-    language: Language,
-    credits: &[String],
-) -> Result<Output, Refused> {
+pub fn write(lowered: &Lowered, language: Language, credits: &[String]) -> Result<Output, Refused> {
     let written = catch_unwind(AssertUnwindSafe(|| {
         let info = check(lowered)?;
         emit(lowered, &info, language)
