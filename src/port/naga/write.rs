@@ -86,7 +86,9 @@ pub fn write(lowered: &Lowered, language: Language, credits: &[String]) -> Resul
 }
 
 fn check(lowered: &Lowered) -> Result<ModuleInfo, Refused> {
-    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::default());
+    // The halves of `packHalf2x16`, which all four languages have.
+    let capabilities = Capabilities::default() | Capabilities::SHADER_FLOAT16_IN_FLOAT32;
+    let mut validator = Validator::new(ValidationFlags::all(), capabilities);
     validator.validate(&lowered.module).map_err(|error| {
         let place = error.spans().next().map(|(span, _)| *span);
         let place = place.and_then(|span| span.to_range());
