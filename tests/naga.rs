@@ -95,7 +95,7 @@ const STATEMENTS: &[&str] = &[
     // What is evaluated only where it is asked for.
     "c.x = i > 1 && bump(f.x) > 2.0 ? bump(f.y) : f.x; c.y = i > 2 || bump(f.x) > 1.0 ? 1.0 : 0.0;",
     "bool b = i > 1 ^^ u > 1u; c.x = b ? 1.0 : 2.0; mat2 m = b ? mat2(1.0) : mat2(2.0); c.xy *= m;",
-    "i > 1 ? nothing() : nothing(); c.x = (bump(f.x), f.y);",
+    "nothing(), c.x = (bump(f.x), f.y); if (i > 1) nothing();",
     // Flow.
     "for (int k = 0; k < 9; k++) { if (k == i) continue; if (k > 7) break; c.x += float(k); }",
     "int k = 0; while (k++ < 5) { float z; z += 1.0; c.x += z; } do { k--; if (k == 2) continue; } \

@@ -2,7 +2,7 @@
 
 use super::body::{Body, Bound};
 use super::place::Part;
-use super::types::{Sink, compose};
+use super::types::{Sink, compose, literal};
 use super::{Res, Value};
 use crate::semantic::{Resolution, Scalar, Type, Value as Constant};
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind, PostfixOp, UnaryOp};
@@ -47,23 +47,23 @@ impl Body<'_, '_> {
 
     /// A value that is known.
     fn constant(&mut self, ty: Type, values: &[Constant]) -> Res<Value> {
-        let is_finite = |v: &Constant| !matches!(v, Constant::Float(f) if !f.is_finite());
+        let has_literal = |v: &Constant| literal(*v).is_some();
         if let [first, rest @ ..] = values
             && ty.is_vector()
-            && is_finite(first)
+            && has_literal(first)
             && rest.iter().all(|v| v == first)
         {
             let one = self.constant(Type::scalar(scalar_of(*first)), &[*first])?;
             return Ok(self.splat(one, ty));
         }
-        if values.iter().all(is_finite) {
+        if values.iter().all(has_literal) {
             return match compose(self, ty, &mut values.iter())? {
                 Some(value) => Ok(value),
-                None => self.lowerer.refuse("this value is not finite"),
+                None => self.lowerer.refuse("this value has no literal"),
             };
         }
         if let &[Constant::Float(value)] = values {
-            return self.not_finite(value);
+            return self.from_bits(value);
         }
         let mut values = values.iter();
         let mut parts = Vec::new();
@@ -75,9 +75,9 @@ impl Body<'_, '_> {
         self.compose(ty, parts)
     }
 
-    /// An infinity, or what is no number. The other languages refuse to compile either, so it is
-    /// made out of its bits, which they must not look through.
-    fn not_finite(&mut self, value: f32) -> Res<Value> {
+    /// An infinity, or what is no number. Other languages refuse to compile what yields one, so it is
+    /// made out of its bits, behind a variable that their compilers do not look through.
+    fn from_bits(&mut self, value: f32) -> Res<Value> {
         let bits = self.add(Expression::Literal(::naga::Literal::U32(value.to_bits())));
         let pointer = self.spill(bits, Type::UINT)?;
         let bits = self.load(pointer);

@@ -75,7 +75,7 @@ impl<'p> Lowerer<'p> {
             .append(variable, Span::UNDEFINED)
     }
 
-    /// A named constant as one of the module; `None` where a number in it is not finite.
+    /// A named constant as one of the module; `None` where a number in it has no literal.
     pub(super) fn constant(&mut self, id: VariableId) -> Res<Option<Handle<Constant>>> {
         if let Some(Global::Constant(found)) = self.globals.get(&id) {
             return Ok(Some(*found));

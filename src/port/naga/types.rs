@@ -37,13 +37,14 @@ pub(super) fn size(rows: u8) -> VectorSize {
     }
 }
 
-/// A value as a literal; naga has none for infinities and what is no number.
+/// A value as a literal. Naga has none for infinities and what is no number, and writes the largest
+/// number in so few digits that WGSL takes it for a larger one.
 pub(super) fn literal(value: Constant) -> Option<Literal> {
     Some(match value {
         Constant::Bool(v) => Literal::Bool(v),
         Constant::Int(v) => Literal::I32(v),
         Constant::Uint(v) => Literal::U32(v),
-        Constant::Float(v) if v.is_finite() => Literal::F32(v),
+        Constant::Float(v) if v.abs() < f32::MAX => Literal::F32(v),
         Constant::Float(_) => return None,
     })
 }
@@ -208,7 +209,7 @@ impl Lowerer<'_> {
     }
 }
 
-/// The scalars of a constant, put together as its type says; `None` where one is no finite number.
+/// The scalars of a constant, put together as its type says; `None` where one has no literal.
 pub(super) fn compose<'p>(
     sink: &mut impl Sink<'p>,
     ty: Type,
