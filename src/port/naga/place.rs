@@ -36,13 +36,17 @@ impl Body<'_, '_> {
         let program = self.lowerer.program;
         let id = program.tree.unparen(id);
         match program.tree.expr(id).kind {
-            ExprKind::Name(_) => match program.expr(id).resolution {
-                Resolution::Variable(variable) => match self.bound(variable)? {
-                    Bound::Pointer(pointer) => Ok(Place::Pointer(pointer)),
-                    _ => self.refuse(id, "this cannot be written to"),
-                },
-                _ => self.refuse(id, "this cannot be written to"),
-            },
+            ExprKind::Name(_) => {
+                let Resolution::Variable(variable) = program.expr(id).resolution else {
+                    return self.refuse(id, "this cannot be written to");
+                };
+                let outer = std::mem::replace(&mut self.lowerer.place, program.expr_span(id));
+                let Bound::Pointer(pointer) = self.bound(variable)? else {
+                    return self.refuse(id, "this cannot be written to");
+                };
+                self.lowerer.place = outer;
+                Ok(Place::Pointer(pointer))
+            }
             ExprKind::Member(base, name) => {
                 let part = self.member(base, name)?;
                 let place = self.place(base)?;
