@@ -3,7 +3,7 @@
 //! A [`Project`] is what ShaderToy knows of a shader: passes, and what their channels read.
 //! [`compose`] puts each pass together as the player compiles it; [`html`] and [`glsl`] write what
 //! comes of it. The user's text is never reprinted: it travels as it is, behind the player's own
-//! header.
+//! header. Only the languages of the feature `naga` are written anew, from the checked program.
 
 mod channel;
 mod compose;
@@ -12,6 +12,8 @@ mod export;
 mod glsl;
 mod html;
 mod json;
+#[cfg(feature = "naga")]
+pub mod naga;
 mod parts;
 mod payload;
 mod project;

@@ -1,8 +1,11 @@
 //! The files of each target.
 
+use super::remark::Remark;
 use super::{Args, MainChoice, Target};
+#[cfg(feature = "naga")]
+use crate::port::naga::{Language, translate};
 use crate::port::{
-    Composed, Module, NotSafe, Project, VERTEX, glsl, html, json, module, react, rewrite, three,
+    Composed, Module, Project, VERTEX, glsl, html, json, module, react, rewrite, three,
 };
 use crate::semantic::Pass;
 use std::path::{Path, PathBuf};
@@ -11,8 +14,8 @@ use std::path::{Path, PathBuf};
 pub(super) struct Made {
     /// The files by path.
     pub(super) files: Vec<(PathBuf, Vec<u8>)>,
-    /// The passes that could not be rewritten.
-    pub(super) kept: Vec<(String, NotSafe)>,
+    /// The passes that could not be made as asked for.
+    pub(super) remarks: Vec<Remark>,
 }
 
 /// The target that is asked for; without one the ending of the output tells.
@@ -23,6 +26,14 @@ pub(super) fn target_of(args: &Args) -> Target {
         "html" | "htm" => Target::Html,
         "js" | "mjs" => Target::Module,
         "json" => Target::Json,
+        #[cfg(feature = "naga")]
+        "wgsl" => Target::Wgsl,
+        #[cfg(feature = "naga")]
+        "spv" => Target::Spirv,
+        #[cfg(feature = "naga")]
+        "hlsl" => Target::Hlsl,
+        #[cfg(feature = "naga")]
+        "metal" => Target::Msl,
         _ => Target::Glsl,
     })
 }
@@ -32,7 +43,7 @@ pub(super) fn make(args: &Args, project: &Project, composed: &Composed) -> Resul
     let output = args.output.clone().unwrap_or_default();
     let one = |text: String| Made {
         files: vec![(output.clone(), text.into_bytes())],
-        kept: Vec::new(),
+        remarks: Vec::new(),
     };
     match target_of(args) {
         Target::Html => Ok(one(html(project, composed))),
@@ -60,7 +71,52 @@ pub(super) fn make(args: &Args, project: &Project, composed: &Composed) -> Resul
             Ok(made)
         }
         Target::Glsl => shaders(args, project, composed),
+        #[cfg(feature = "naga")]
+        target => match language(target) {
+            Some(language) => translated(args, project, composed, language),
+            None => Err("this target is not known".to_string()),
+        },
     }
+}
+
+/// The language of a target that naga writes.
+#[cfg(feature = "naga")]
+fn language(target: Target) -> Option<Language> {
+    match target {
+        Target::Wgsl => Some(Language::Wgsl),
+        Target::Spirv => Some(Language::Spirv),
+        Target::Hlsl => Some(Language::Hlsl),
+        Target::Msl => Some(Language::Msl),
+        _ => None,
+    }
+}
+
+/// Each pass in another language; those that have no place there are told of.
+#[cfg(feature = "naga")]
+fn translated(
+    args: &Args,
+    project: &Project,
+    composed: &Composed,
+    language: Language,
+) -> Result<Made, String> {
+    let mut remarks = Vec::new();
+    let mut passes = Vec::new();
+    for unit in &composed.units {
+        let Some(pass) = project.passes.get(unit.pass) else {
+            continue;
+        };
+        match translate(project, composed, unit, language) {
+            Ok(Some(bytes)) => passes.push((pass.title(unit.pass), pass.slug(), bytes)),
+            // The compiler's own errors are told anyway.
+            Ok(None) => {}
+            Err(refused) => remarks.push(Remark::refused(pass.title(unit.pass), &refused)),
+        }
+    }
+    let files = match remarks.is_empty() {
+        true => named(args, passes, language.ending())?,
+        false => Vec::new(),
+    };
+    Ok(Made { files, remarks })
 }
 
 /// A module and its types beside it.
@@ -71,33 +127,50 @@ fn typed(path: PathBuf, module: Module) -> Made {
             (path, module.code.into_bytes()),
             (types, module.types.into_bytes()),
         ],
-        kept: Vec::new(),
+        remarks: Vec::new(),
     }
 }
 
-/// One pass becomes the file named and the vertex shader beside it; several go into a folder, under
-/// names that the converter gives.
+/// The fragment shaders, and the vertex shader beside them.
 fn shaders(args: &Args, project: &Project, composed: &Composed) -> Result<Made, String> {
     let output = args.output.clone().unwrap_or_default();
-    let mut kept = Vec::new();
+    let mut remarks = Vec::new();
     let mut passes = glsl(project, composed);
     if args.main == MainChoice::Rewrite {
         for (pass, unit) in passes.iter_mut().zip(&composed.units) {
             match rewrite(project, composed, unit) {
                 Ok(text) => pass.fragment = text,
-                Err(reason) => kept.push((pass.name.clone(), reason)),
+                Err(reason) => remarks.push(Remark::kept(pass.name.clone(), &reason)),
             }
         }
     }
     let vertex = VERTEX.as_bytes().to_vec();
-    if let [pass] = &passes[..] {
-        let beside = output.with_extension("vert");
-        let fragment = pass.fragment.clone().into_bytes();
-        let files = vec![(output, fragment), (beside, vertex)];
-        return Ok(Made { files, kept });
+    let is_alone = passes.len() == 1;
+    let passes = passes
+        .into_iter()
+        .map(|p| (p.name, p.slug, p.fragment.into_bytes()))
+        .collect();
+    let mut files = named(args, passes, "frag")?;
+    files.push(match is_alone {
+        true => (output.with_extension("vert"), vertex),
+        false => (output.join("pass.vert"), vertex),
+    });
+    Ok(Made { files, remarks })
+}
+
+/// One pass becomes the file named; several go into a folder, under names that the converter gives.
+fn named(
+    args: &Args,
+    passes: Vec<(String, &'static str, Vec<u8>)>,
+    ending: &str,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
+    let output = args.output.clone().unwrap_or_default();
+    if passes.len() < 2 {
+        let only = passes.into_iter().map(|(.., text)| (output.clone(), text));
+        return Ok(only.collect());
     }
     if args.output.is_none() || output.extension().is_some() {
-        let names: Vec<&str> = passes.iter().map(|p| p.name.as_str()).collect();
+        let names: Vec<&str> = passes.iter().map(|p| p.0.as_str()).collect();
         return Err(format!(
             "this has {} passes ({}); write a page, with `-o FILE.html`, or name a folder, with \
              `-o FOLDER`",
@@ -106,15 +179,14 @@ fn shaders(args: &Args, project: &Project, composed: &Composed) -> Result<Made, 
         ));
     }
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
-    for pass in passes {
-        let mut path = output.join(format!("{}.frag", pass.slug));
+    for (_, slug, text) in passes {
+        let mut path = output.join(format!("{slug}.{ending}"));
         let mut number = 2;
         while files.iter().any(|(p, _)| *p == path) {
-            path = output.join(format!("{}_{number}.frag", pass.slug));
+            path = output.join(format!("{slug}_{number}.{ending}"));
             number += 1;
         }
-        files.push((path, pass.fragment.into_bytes()));
+        files.push((path, text));
     }
-    files.push((output.join("pass.vert"), vertex));
-    Ok(Made { files, kept })
+    Ok(files)
 }

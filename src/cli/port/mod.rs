@@ -2,14 +2,16 @@
 
 mod load;
 mod make;
+mod remark;
 mod repair;
 
 use super::output::{Overwrite, write};
 use super::{CLEAN, FAILED, FINDINGS};
-use crate::diagnostic::{Diagnostic, Origin, Severity};
-use crate::port::{Composed, NotSafe, compose, missing};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::port::{Composed, compose, missing};
 use crate::report::{Format, Reporter, Summary};
 use clap::{Parser, ValueEnum};
+use remark::Remark;
 use repair::Repairs;
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
@@ -73,6 +75,28 @@ enum Target {
     React,
     /// The project itself, as an export
     Json,
+    /// A WGSL shader for each pass, for WebGPU
+    #[cfg(feature = "naga")]
+    Wgsl,
+    /// A SPIR-V module for each pass, for Vulkan
+    #[cfg(feature = "naga")]
+    Spirv,
+    /// An HLSL shader for each pass, for Direct3D
+    #[cfg(feature = "naga")]
+    Hlsl,
+    /// An MSL shader for each pass, for Metal
+    #[cfg(feature = "naga")]
+    Msl,
+}
+
+impl Target {
+    /// Whether it is shaders alone, which read nothing themselves.
+    fn is_shaders(self) -> bool {
+        !matches!(
+            self,
+            Target::Html | Target::Module | Target::Three | Target::React | Target::Json
+        )
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
@@ -103,12 +127,17 @@ fn port(args: &Args) -> Result<u8, String> {
         return print(repairs.diff().as_bytes()).map(|()| CLEAN);
     }
     let composed = compose(&project, &name).ok_or(format!("{name}: this is too large"))?;
+    let target = make::target_of(args);
     let made = make::make(args, &project, &composed)?;
-    let summary = report(&composed, &made.kept).map_err(|e| e.to_string())?;
+    let summary = report(&composed, &made.remarks).map_err(|e| e.to_string())?;
     if summary.errors > 0 && !args.repair {
         offer_repair(&composed);
     }
-    if make::target_of(args) != Target::Glsl {
+    // Other languages are made of what compiles, and of nothing else.
+    if target != Target::Glsl && target.is_shaders() && summary.errors > 0 {
+        return Ok(FINDINGS);
+    }
+    if !target.is_shaders() {
         for what in missing(&project) {
             let _ = writeln!(io::stderr(), "note: {what}");
         }
@@ -156,8 +185,8 @@ fn is_colored() -> bool {
     io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
 }
 
-/// Prints what the browser will say of the passes, and why some could not be rewritten.
-fn report(composed: &Composed, kept: &[(String, NotSafe)]) -> io::Result<Summary> {
+/// Prints what the browser will say of the passes, and why some could not be made as asked for.
+fn report(composed: &Composed, remarks: &[Remark]) -> io::Result<Summary> {
     let mut found: Vec<Diagnostic> = Vec::new();
     for unit in &composed.units {
         for problem in composed.analyze(unit).diagnostics {
@@ -167,27 +196,27 @@ fn report(composed: &Composed, kept: &[(String, NotSafe)]) -> io::Result<Summary
         }
     }
     let mut stderr = io::stderr().lock();
-    for (pass, reason) in kept {
-        let message = format!("this stays behind the player's header: {}", reason.message);
-        if composed.sources.text(reason.span).is_empty() {
-            writeln!(stderr, "warning: {pass}: {message}")?;
+    let mut errors = 0;
+    for remark in remarks {
+        if composed.sources.text(remark.span).is_empty() {
+            let (severity, pass) = (remark.severity.name(), &remark.pass);
+            writeln!(stderr, "{severity}: {pass}: {}", remark.message)?;
+            errors += usize::from(remark.severity == Severity::Error);
         } else {
-            let (origin, severity) = (Origin::Compiler, Severity::Warning);
-            found.push(Diagnostic::new(
-                "kept-main",
-                origin,
-                severity,
-                reason.span,
-                message,
-            ));
+            found.push(remark.diagnostic());
         }
     }
     if found.is_empty() {
-        return Ok(Summary::default());
+        return Ok(Summary {
+            errors,
+            ..Summary::default()
+        });
     }
     let mut reporter = Reporter::new(Format::Human, stderr, is_colored());
     reporter.file("", &composed.sources, &found)?;
-    reporter.finish()
+    let mut summary = reporter.finish()?;
+    summary.errors += errors;
+    Ok(summary)
 }
 
 /// Writes all files, or none where one is in the way.

@@ -1,0 +1,188 @@
+//! Variables outside functions: constants, what functions share, inputs and outputs.
+
+use super::body::{Body, Bound};
+use super::lower::{Initialisers, Lowerer};
+use super::types::{Sink, compose};
+use super::{Res, Value};
+use crate::semantic::{Constant as Known, Sampler, Scalar, Storage, Type, VariableId};
+use ::naga::{AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryDecorations, Span};
+
+/// What a variable outside functions is in the module.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Global {
+    /// A variable of the invocation.
+    Variable(Handle<GlobalVariable>),
+    /// A constant.
+    Constant(Handle<Constant>),
+    /// A member of the uniforms.
+    Uniform(u32),
+    /// A texture and how it is sampled.
+    Sampler {
+        /// The texture.
+        image: Handle<GlobalVariable>,
+        /// How it is sampled.
+        sampler: Handle<GlobalVariable>,
+        /// What the shader calls it.
+        kind: Sampler,
+    },
+}
+
+impl<'p> Lowerer<'p> {
+    /// Declares what functions share, and the inputs and outputs of the user.
+    pub(super) fn declare_globals(&mut self) -> Res<()> {
+        let program = self.program;
+        for (i, variable) in program.variables.iter().enumerate() {
+            let is_shared = matches!(
+                variable.storage,
+                Storage::Global | Storage::Input | Storage::Output
+            );
+            let is_used = variable.read || variable.written;
+            if !is_shared || variable.token.is_none() || variable.ty.is_sampler() || !is_used {
+                continue;
+            }
+            if let Some(token) = variable.token.and_then(|t| program.token(t)) {
+                self.place = token.span;
+            }
+            let id = VariableId(i as u32);
+            let name = program.names.text(variable.name);
+            let is_constant = variable.is_const && variable.constant.is_known();
+            if is_constant && self.constant(id)?.is_some() {
+                continue;
+            }
+            let ty = self.ty(variable.ty)?;
+            let handle = self.private(name, ty);
+            self.globals.insert(id, Global::Variable(handle));
+        }
+        Ok(())
+    }
+
+    /// A variable of the invocation.
+    pub(super) fn private(
+        &mut self,
+        name: &str,
+        ty: Handle<::naga::Type>,
+    ) -> Handle<GlobalVariable> {
+        let variable = GlobalVariable {
+            name: Some(name.to_string()),
+            space: AddressSpace::Private,
+            binding: None,
+            ty,
+            init: None,
+            memory_decorations: MemoryDecorations::empty(),
+        };
+        self.module
+            .global_variables
+            .append(variable, Span::UNDEFINED)
+    }
+
+    /// A named constant as one of the module; `None` where a number in it has no literal.
+    pub(super) fn constant(&mut self, id: VariableId) -> Res<Option<Handle<Constant>>> {
+        if let Some(Global::Constant(found)) = self.globals.get(&id) {
+            return Ok(Some(*found));
+        }
+        let program = self.program;
+        let Some(variable) = program.variable(id) else {
+            return Ok(None);
+        };
+        let Some(init) = self.initialiser(variable.ty, variable.constant)? else {
+            return Ok(None);
+        };
+        let constant = Constant {
+            name: Some(program.names.text(variable.name).to_string()),
+            ty: self.ty(variable.ty)?,
+            init,
+        };
+        let handle = self.module.constants.append(constant, Span::UNDEFINED);
+        self.globals.insert(id, Global::Constant(handle));
+        Ok(Some(handle))
+    }
+
+    /// A value of the module.
+    fn initialiser(&mut self, ty: Type, known: Known) -> Res<Option<Value>> {
+        let values = self.program.pool.values(known);
+        let mut all = Initialisers::new(self);
+        let value = compose(&mut all, ty, &mut values.iter());
+        all.finish();
+        value
+    }
+}
+
+impl Body<'_, '_> {
+    /// What a variable is in this function.
+    pub(super) fn bound(&mut self, id: VariableId) -> Res<Bound> {
+        if let Some(found) = self.variables.get(&id) {
+            return Ok(*found);
+        }
+        let program = self.lowerer.program;
+        let Some(variable) = program.variable(id) else {
+            return self.lowerer.refuse("this variable is not known");
+        };
+        match self.lowerer.globals.get(&id).copied() {
+            Some(Global::Variable(handle)) => {
+                Ok(Bound::Pointer(self.add(Expression::GlobalVariable(handle))))
+            }
+            Some(Global::Constant(handle)) => {
+                Ok(Bound::Value(self.add(Expression::Constant(handle))))
+            }
+            Some(Global::Uniform(member)) => self.uniform(variable.ty, member),
+            Some(Global::Sampler {
+                image,
+                sampler,
+                kind,
+            }) => Ok(Bound::Sampler {
+                image: self.add(Expression::GlobalVariable(image)),
+                sampler: self.add(Expression::GlobalVariable(sampler)),
+                kind,
+            }),
+            None if variable.token.is_none() => {
+                self.builtin_variable(program.names.text(variable.name))
+            }
+            None => {
+                let name = program.names.text(variable.name);
+                let ty = program.type_name(variable.ty);
+                self.lowerer
+                    .refuse(format!("`{ty} {name}` has no place in the other languages"))
+            }
+        }
+    }
+
+    /// Whether a variable lies in memory, as far as this function is concerned.
+    pub(super) fn is_pointer(&self, id: VariableId) -> bool {
+        if let Some(found) = self.variables.get(&id) {
+            return matches!(found, Bound::Pointer(_));
+        }
+        let ty = self.lowerer.program.variable(id).map(|v| v.ty);
+        match self.lowerer.globals.get(&id) {
+            Some(Global::Variable(_)) => true,
+            Some(Global::Uniform(_)) => ty.and_then(Type::scalar_kind) != Some(Scalar::Bool),
+            Some(Global::Constant(_) | Global::Sampler { .. }) => false,
+            None => true,
+        }
+    }
+
+    /// A variable of the language, which `fragment_main` fills or hands on.
+    fn builtin_variable(&mut self, name: &str) -> Res<Bound> {
+        const VEC4: Type = Type::vector(Scalar::Float, 4);
+        let found = [
+            ("gl_FragCoord", VEC4),
+            ("gl_FrontFacing", Type::BOOL),
+            ("gl_FragDepth", Type::FLOAT),
+            ("gl_FragColor", VEC4),
+        ];
+        let Some((name, ty)) = found.into_iter().find(|(n, _)| *n == name) else {
+            return self.lowerer.refuse(format!(
+                "`{name}` has no counterpart in the other languages"
+            ));
+        };
+        let handle = match self.lowerer.builtins.get(name) {
+            Some(handle) => *handle,
+            None => {
+                let inner = self.lowerer.ty(ty)?;
+                let handle = self.lowerer.private(name, inner);
+                self.lowerer.builtins.insert(name, handle);
+                handle
+            }
+        };
+        Ok(Bound::Pointer(self.add(Expression::GlobalVariable(handle))))
+    }
+}

@@ -1,0 +1,158 @@
+//! Matrices, where naga knows less of them than GLSL: it multiplies and adds, and that is all.
+
+use super::body::Body;
+use super::operator::{Typed, simple};
+use super::types::Sink;
+use super::{Res, Value};
+use crate::semantic::{Scalar, Type};
+use crate::syntax::ast::BinaryOp;
+use ::naga::{BinaryOperator as Op, Expression, Handle, MathFunction, Statement};
+
+impl Body<'_, '_> {
+    /// An operator one of whose operands is a matrix.
+    pub(super) fn matrix(&mut self, op: BinaryOp, left: Typed, right: Typed) -> Res<Value> {
+        let both = left.1.is_matrix() && right.1.is_matrix();
+        match op {
+            BinaryOp::Mul => Ok(self.op(Op::Multiply, left.0, right.0)),
+            BinaryOp::Add | BinaryOp::Sub if both => Ok(self.op(simple(op), left.0, right.0)),
+            _ => self.by_columns(simple(op), left, right),
+        }
+    }
+
+    /// An operator column by column; a number goes with every component.
+    pub(super) fn by_columns(&mut self, op: Op, left: Typed, right: Typed) -> Res<Value> {
+        let ty = if left.1.is_matrix() { left.1 } else { right.1 };
+        let (columns, column) = columns(ty);
+        let mut done = Vec::new();
+        for i in 0..columns {
+            let l = self.column(left, i, column);
+            let r = self.column(right, i, column);
+            done.push(self.op(op, l, r));
+        }
+        self.compose(ty, done)
+    }
+
+    fn column(&mut self, (value, ty): Typed, index: u32, column: Type) -> Value {
+        if ty.is_matrix() {
+            self.part(value, index)
+        } else {
+            self.splat(value, column)
+        }
+    }
+
+    /// `outerProduct`
+    pub(super) fn outer_product(&mut self, column: Value, row: Value, ty: Type) -> Res<Value> {
+        let mut done = Vec::new();
+        for i in 0..columns(ty).0 {
+            let factor = self.part(row, i);
+            done.push(self.op(Op::Multiply, column, factor));
+        }
+        self.compose(ty, done)
+    }
+
+    /// `inverse`, in a function of its own: not all languages have it.
+    pub(super) fn inverse(&mut self, value: Value, ty: Type) -> Res<Value> {
+        let size = columns(ty).0 as u8;
+        let function = match self.lowerer.inverses.get(&size) {
+            Some(found) => *found,
+            None => {
+                let made = inverse(self, size, ty)?;
+                self.lowerer.inverses.insert(size, made);
+                made
+            }
+        };
+        match self.call(function, vec![value], ty) {
+            Some(value) => Ok(value),
+            None => self.lowerer.refuse("this matrix cannot be inverted"),
+        }
+    }
+
+    /// Cofactors over the determinant.
+    fn cofactors(&mut self, matrix: Value, size: u8, ty: Type) -> Res<Value> {
+        let size = size as usize;
+        let cells: Vec<Vec<Value>> = (0..size)
+            .map(|c| {
+                let column = self.part(matrix, c as u32);
+                (0..size).map(|r| self.part(column, r as u32)).collect()
+            })
+            .collect();
+        let determinant = self.math(MathFunction::Determinant, &[matrix]);
+        let mut done = Vec::new();
+        for c in 0..size {
+            let mut column = Vec::new();
+            for r in 0..size {
+                // The inverse takes the cofactors with rows and columns exchanged.
+                let minor = minor(&cells, r, c);
+                let value = self.determinant(&minor)?;
+                let value = if (c + r) % 2 == 1 {
+                    self.negate(value, Type::FLOAT)?
+                } else {
+                    value
+                };
+                column.push(value);
+            }
+            let column_ty = Type::vector(Scalar::Float, size as u8);
+            let column = self.compose(column_ty, column)?;
+            let by = self.splat(determinant, column_ty);
+            done.push(self.op(Op::Divide, column, by));
+        }
+        self.compose(ty, done)
+    }
+
+    /// The determinant of at most 3 by 3 cells, by the first column.
+    fn determinant(&mut self, cells: &[Vec<Value>]) -> Res<Value> {
+        if let [column] = cells
+            && let [only] = column[..]
+        {
+            return Ok(only);
+        }
+        let first = cells.first().cloned().unwrap_or_default();
+        let mut sum: Option<Value> = None;
+        for (row, cell) in first.into_iter().enumerate() {
+            let rest = self.determinant(&minor(cells, 0, row))?;
+            let term = self.op(Op::Multiply, cell, rest);
+            let op = if row % 2 == 0 { Op::Add } else { Op::Subtract };
+            sum = Some(match sum {
+                Some(before) => self.op(op, before, term),
+                None => term,
+            });
+        }
+        match sum {
+            Some(sum) => Ok(sum),
+            None => self.lowerer.refuse("this matrix is empty"),
+        }
+    }
+}
+
+/// The number of columns of a matrix, and their type.
+fn columns(ty: Type) -> (u32, Type) {
+    let (scalar, columns, rows) = ty.numeric().unwrap_or((Scalar::Float, 1, 1));
+    (columns as u32, Type::vector(scalar, rows))
+}
+
+/// The cells without a column and a row.
+fn minor(cells: &[Vec<Value>], column: usize, row: usize) -> Vec<Vec<Value>> {
+    let others = cells.iter().enumerate().filter(|(c, _)| *c != column);
+    others
+        .map(|(_, cells)| {
+            let others = cells.iter().enumerate().filter(|(r, _)| *r != row);
+            others.map(|(_, cell)| *cell).collect()
+        })
+        .collect()
+}
+
+/// The function that inverts a matrix of a size.
+fn inverse(body: &mut Body, size: u8, ty: Type) -> Res<Handle<::naga::Function>> {
+    let inner = body.lowerer.ty(ty)?;
+    let mut inverse = Body::new(body.lowerer, &format!("inverse{size}"), ty);
+    inverse.argument("m", inner);
+    inverse.function.result = Some(::naga::FunctionResult {
+        ty: inner,
+        binding: None,
+    });
+    let matrix = inverse.add(Expression::FunctionArgument(0));
+    let value = inverse.cofactors(matrix, size, ty)?;
+    inverse.push(Statement::Return { value: Some(value) });
+    let function = inverse.finish();
+    body.lowerer.define(function)
+}

@@ -1,0 +1,79 @@
+//! A checked pass in the languages of the other graphics interfaces: WGSL, SPIR-V, HLSL and MSL.
+//!
+//! [`lower`] turns the typed program into naga's intermediate form, one file to a concern, and
+//! [`write`] has naga check it and write it. Nothing of naga's own reader of GLSL is used. What the
+//! form has no words for is refused, with the place and the reason.
+//!
+//! The module that comes out has one entry point, `fragment_main`. All uniforms are members of one
+//! struct at binding 0 of group 0; the sampler with number `n`, in the order of the text, is a
+//! texture at binding `2n + 1` and a sampler at `2n + 2`.
+
+mod body;
+mod builtin;
+mod call;
+mod construct;
+mod entry;
+mod expression;
+mod flow;
+mod function;
+mod global;
+mod lower;
+mod matrix;
+mod operator;
+mod place;
+mod statement;
+mod texture;
+mod types;
+mod uniform;
+mod weight;
+mod write;
+
+pub use lower::{Lowered, Origin, lower};
+pub use write::{Language, Output, write};
+
+use super::{Composed, PassUnit, Project, Wrapper, credits};
+use crate::diagnostic::Severity;
+use crate::semantic::Pass;
+use crate::text::Span;
+
+/// A pass in another language; `None` where it does not compile.
+pub fn translate(
+    project: &Project,
+    composed: &Composed,
+    unit: &PassUnit,
+    language: Language,
+) -> Result<Option<Output>, Refused> {
+    let analysis = composed.analyze(unit);
+    let is_error = |d: &crate::diagnostic::Diagnostic| d.severity == Severity::Error;
+    if analysis.diagnostics.iter().any(is_error) {
+        return Ok(None);
+    }
+    // What other passes read is found by the number of the row; only pictures are looked at.
+    let origin = match (unit.kind, unit.wrapper) {
+        (Pass::Image, _) | (_, Wrapper::Own) => Origin::Picture,
+        _ => Origin::Row,
+    };
+    let lowered = lower(&analysis.program, origin)?;
+    write(&lowered, language, &credits::lines(project)).map(Some)
+}
+
+/// Why a pass cannot be written in another language.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Refused {
+    /// Where the reason stands; empty where it is the whole pass.
+    pub span: Span,
+    /// The reason.
+    pub message: String,
+}
+
+impl Refused {
+    fn new(span: Span, message: impl Into<String>) -> Refused {
+        Refused {
+            span,
+            message: message.into(),
+        }
+    }
+}
+
+type Res<T> = Result<T, Refused>;
+type Value = ::naga::Handle<::naga::Expression>;

@@ -1,0 +1,211 @@
+//! Looking into textures.
+
+use super::body::{Body, Bound};
+use super::types::{Sink, texel};
+use super::{Res, Value};
+use crate::semantic::{Resolution, Sampler, Scalar, Type};
+use crate::syntax::ast::ExprId;
+use ::naga::{BinaryOperator as Op, Expression, ImageQuery, MathFunction, SampleLevel, ScalarKind};
+
+/// What a sampler asks of the coordinates.
+struct Shape {
+    /// How many coordinates there are.
+    size: u8,
+    /// Whether a layer is chosen.
+    is_layered: bool,
+    /// Whether the depth is compared.
+    is_shadow: bool,
+}
+
+impl Shape {
+    fn of(kind: Sampler) -> Shape {
+        use Sampler as S;
+        let size = match kind {
+            S::Sampler2D | S::Isampler2D | S::Usampler2D | S::Sampler2DShadow => 2,
+            S::Sampler2DArray | S::Isampler2DArray | S::Usampler2DArray => 2,
+            S::Sampler2DArrayShadow => 2,
+            _ => 3,
+        };
+        let is_layered = matches!(
+            kind,
+            S::Sampler2DArray | S::Isampler2DArray | S::Usampler2DArray | S::Sampler2DArrayShadow
+        );
+        Shape {
+            size,
+            is_layered,
+            is_shadow: texel(kind).is_none(),
+        }
+    }
+}
+
+impl Body<'_, '_> {
+    /// The texture that an argument is, and how it is sampled.
+    pub(super) fn sampler(&mut self, arg: ExprId) -> Res<(Value, Value, Sampler)> {
+        let program = self.lowerer.program;
+        let arg = program.tree.unparen(arg);
+        if let Resolution::Variable(variable) = program.expr(arg).resolution
+            && let Bound::Sampler {
+                image,
+                sampler,
+                kind,
+            } = self.bound(variable)?
+        {
+            return Ok((image, sampler, kind));
+        }
+        self.refuse(
+            arg,
+            "only plain samplers are supported, no part of an array or struct",
+        )
+    }
+
+    /// A call of one of the texture functions.
+    pub(super) fn texture(&mut self, id: ExprId, name: &str, args: &[ExprId]) -> Res<Value> {
+        let [texture, rest @ ..] = args else {
+            return self.refuse(id, "this reads no texture");
+        };
+        let (image, sampler, kind) = self.sampler(*texture)?;
+        let shape = Shape::of(kind);
+        match (name, rest) {
+            ("textureSize", &[lod]) => self.texture_size(image, lod, &shape),
+            (_, &[at, lod, ..]) if name.starts_with("texelFetch") => {
+                self.fetch(image, at, lod, rest.get(2).copied(), &shape)
+            }
+            (_, &[at, ref more @ ..]) => {
+                if matches!(texel(kind), Some(ScalarKind::Sint | ScalarKind::Uint)) {
+                    let message = "textures of whole numbers cannot be sampled in the other \
+                                   languages; read them with `texelFetch`";
+                    return self.refuse(id, message);
+                }
+                self.sample(id, name, (image, sampler), at, more, &shape)
+            }
+            _ => self.refuse(id, "this texture function is not supported"),
+        }
+    }
+
+    fn texture_size(&mut self, image: Value, lod: ExprId, shape: &Shape) -> Res<Value> {
+        let level = Some(self.value(lod)?);
+        let query = ImageQuery::Size { level };
+        let size = self.add(Expression::ImageQuery { image, query });
+        let size = self.cast(size, ScalarKind::Sint, Some(4));
+        if !shape.is_layered {
+            return Ok(size);
+        }
+        let query = ImageQuery::NumLayers;
+        let layers = self.add(Expression::ImageQuery { image, query });
+        let layers = self.cast(layers, ScalarKind::Sint, Some(4));
+        self.compose(Type::vector(Scalar::Int, 3), vec![size, layers])
+    }
+
+    fn fetch(
+        &mut self,
+        image: Value,
+        at: ExprId,
+        lod: ExprId,
+        offset: Option<ExprId>,
+        shape: &Shape,
+    ) -> Res<Value> {
+        let at = self.value(at)?;
+        let level = Some(self.value(lod)?);
+        let (mut coordinate, array_index) = if shape.is_layered {
+            (self.swizzle(at, &[0, 1]), Some(self.part(at, 2)))
+        } else {
+            (at, None)
+        };
+        if let Some(offset) = offset {
+            let offset = self.value(offset)?;
+            coordinate = self.op(Op::Add, coordinate, offset);
+        }
+        Ok(self.add(Expression::ImageLoad {
+            image,
+            coordinate,
+            array_index,
+            sample: None,
+            level,
+        }))
+    }
+
+    fn sample(
+        &mut self,
+        id: ExprId,
+        name: &str,
+        (image, sampler): (Value, Value),
+        at: ExprId,
+        more: &[ExprId],
+        shape: &Shape,
+    ) -> Res<Value> {
+        let at_ty = self.lowerer.program.ty(at);
+        let at = self.value(at)?;
+        let at = if name.contains("Proj") {
+            self.projected(at, at_ty, shape)?
+        } else {
+            at
+        };
+        let mut more = more.iter().copied();
+        let mut level = SampleLevel::Auto;
+        if name.contains("Lod") {
+            level = match more.next() {
+                Some(lod) if shape.is_shadow && self.known_index(lod) == Some(0) => {
+                    SampleLevel::Zero
+                }
+                Some(lod) if !shape.is_shadow => SampleLevel::Exact(self.value(lod)?),
+                _ => return self.refuse(id, "depth can only be compared at level 0"),
+            };
+        } else if name.contains("Grad") {
+            let (Some(x), Some(y), false) = (more.next(), more.next(), shape.is_shadow) else {
+                return self.refuse(id, "depth cannot be compared with given derivatives");
+            };
+            let (x, y) = (self.value(x)?, self.value(y)?);
+            level = SampleLevel::Gradient { x, y };
+        }
+        let offset = match name.contains("Offset") {
+            true => more.next().map(|offset| self.value(offset)).transpose()?,
+            false => None,
+        };
+        if let Some(bias) = more.next() {
+            if shape.is_shadow {
+                return self.refuse(id, "depth cannot be compared with a bias");
+            }
+            level = SampleLevel::Bias(self.value(bias)?);
+        }
+        let (coordinate, array_index, depth_ref) = self.coordinates(at, shape);
+        Ok(self.add(Expression::ImageSample {
+            image,
+            sampler,
+            gather: None,
+            coordinate,
+            array_index,
+            offset,
+            level,
+            depth_ref,
+            clamp_to_edge: false,
+        }))
+    }
+
+    /// Coordinates divided by the last.
+    fn projected(&mut self, at: Value, ty: Type, shape: &Shape) -> Res<Value> {
+        let last = self.part(at, ty.components().saturating_sub(1));
+        let count = shape.size as u32 + shape.is_shadow as u32;
+        let lanes: Vec<u32> = (0..count).collect();
+        let first = self.swizzle(at, &lanes);
+        let by = self.splat(last, Type::vector(Scalar::Float, count as u8));
+        Ok(self.op(Op::Divide, first, by))
+    }
+
+    /// Coordinates, layer and the depth to compare with.
+    fn coordinates(&mut self, at: Value, shape: &Shape) -> (Value, Option<Value>, Option<Value>) {
+        if !shape.is_layered && !shape.is_shadow {
+            return (at, None, None);
+        }
+        let lanes: Vec<u32> = (0..shape.size as u32).collect();
+        let coordinate = self.swizzle(at, &lanes);
+        let mut next = shape.size as u32;
+        let layer = shape.is_layered.then(|| {
+            let layer = self.part(at, next);
+            next += 1;
+            let nearest = self.math(MathFunction::Round, &[layer]);
+            self.cast(nearest, ScalarKind::Sint, Some(4))
+        });
+        let depth = shape.is_shadow.then(|| self.part(at, next));
+        (coordinate, layer, depth)
+    }
+}

@@ -1,0 +1,255 @@
+//! The languages that naga writes: every feature of GLSL reaches all four, or is refused where it
+//! stands.
+//!
+//! `INSTA_UPDATE=always cargo test --features naga --test naga` accepts what is written now.
+#![cfg(feature = "naga")]
+
+use shaderlint::port::naga::{Language, Refused, translate};
+use shaderlint::port::{Project, compose};
+use std::fs;
+use std::path::Path;
+
+/// What the only pass of a shader becomes.
+fn written(code: &str, language: Language) -> Result<Vec<u8>, Refused> {
+    let project = Project::from_shader("shader", code).unwrap();
+    let composed = compose(&project, "shader").unwrap();
+    let [unit] = &composed.units[..] else {
+        panic!("one pass");
+    };
+    let problems = composed.analyze(unit).diagnostics;
+    assert!(problems.is_empty(), "{problems:?}\n{code}");
+    translate(&project, &composed, unit, language).map(Option::unwrap)
+}
+
+fn wgsl(code: &str) -> String {
+    let written = written(code, Language::Wgsl).unwrap_or_else(|e| panic!("{e:?}\n{code}"));
+    String::from_utf8(written).unwrap()
+}
+
+/// Asks that all four languages can say it.
+#[track_caller]
+fn reaches_all(code: &str) {
+    for language in Language::ALL {
+        let bytes =
+            written(code, language).unwrap_or_else(|e| panic!("{language:?} {e:?}\n{code}"));
+        match language {
+            Language::Spirv => assert_eq!(bytes[..4], 0x0723_0203_u32.to_le_bytes()),
+            _ => assert!(String::from_utf8(bytes).unwrap().contains("fragment_main")),
+        }
+    }
+}
+
+#[test]
+fn templates_reach_all_languages() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/templates");
+    let mut count = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|e| e == "glsl") {
+            reaches_all(&fs::read_to_string(&path).unwrap());
+            count += 1;
+        }
+    }
+    assert!(count >= 3);
+}
+
+/// Statements that use a feature; `c` is the colour, `f` the place, `i` and `u` whole numbers that
+/// nobody knows before.
+const STATEMENTS: &[&str] = &[
+    // Components, places and assignments that are values.
+    "c.zx = f; c.rgb *= 2.0; c.xyz.yz = f.yx; c[i] = 1.0;",
+    "c.x = c.y = f.x; c += 1.0; i++; --i; vec4 d = c++; c = d--;",
+    "vec2 v = f; v.yx = v; v[i] += v.x; c.xy = v;",
+    "float a[3]; a[0] = f.x; a[i] = a[2]; c = vec4(a[i], a[0], float(a.length()), 1.0);",
+    "float a[2] = float[2](f.x, f.y); float b[] = float[](1.0, 2.0); c.x = float(a == b);",
+    "const float T[3] = float[3](1.0, 2.0, 4.0); c.x = T[i] + T[1];",
+    "struct S { vec2 p; float q[2]; }; S s = S(f, float[2](1.0, f.x)); S t = s; t.q[i] = 3.0; \
+     c.x = float(s != t) + t.q[1];",
+    // Numbers.
+    "c = mod(c, 3.0) + mod(c, c.wzyx); c.x = mod(f.x, 2.0);",
+    "i = i / 3 + i % 5 - (i << 2) + (i >> 1) ^ (i & 7) | ~i; c.x = float(i);",
+    "u = u * 747796405u + 2891336453u; u ^= u >> 16; u <<= 3; c.x = float(-u);",
+    "ivec2 p = ivec2(f) << 1; uvec3 q = uvec3(p, u) >> uvec3(1u, 2u, 3u); c.xyz = vec3(q);",
+    "c.x = float(floatBitsToUint(f.x)) + intBitsToFloat(i) + uintBitsToFloat(u);",
+    "c.x = 1.0 / 0.0; c.y = sqrt(-1.0); c.z = -1.0 / 0.0; c.w = float(isnan(c.y) || isinf(c.x));",
+    "c.xy = vec2(1.0, 1.0 / 0.0);",
+    "c.x = float(any(isnan(c)));",
+    "float w; c.x = modf(f.x, w) + w; vec2 ww; c.xy = modf(f, ww); c.zw = ww;",
+    "c.x = length(f.x) + distance(f.x, 1.0) + dot(f.x, 2.0) + normalize(f.x) + reflect(f.x, 1.0) \
+     + refract(f.x, 1.0, 0.5) + faceforward(f.x, 1.0, f.y);",
+    "c.xyz = refract(c.xyz, c.zyx, 0.7) + reflect(c.xyz, c.zyx) + faceforward(c.xyz, c.zyx, c.yyy);",
+    "c = mix(c, c.wzyx, f.x) + mix(c, c.wzyx, bvec4(true, false, i > 1, u > 2u)) + step(0.5, c);",
+    "c = clamp(c, 0.0, 1.0) + min(c, 0.5) + max(c, f.x) + smoothstep(0.0, 1.0, c);",
+    "i = clamp(i, 0, 3) + abs(i) + sign(i) + min(i, 4); c.x = float(i);",
+    "c.x = atan(f.y, f.x) + atan(f.x) + sinh(f.x) + acosh(f.x) + roundEven(f.x) + trunc(f.x);",
+    "c = vec4(unpackHalf2x16(packHalf2x16(f)), unpackSnorm2x16(packUnorm2x16(f)));",
+    "c.xyz = vec3(lessThan(f, c.xy), all(equal(f, c.xy))); c.x = float(any(not(bvec2(i > 1))));",
+    // Matrices.
+    "mat2 m = mat2(f, f.yx); m *= 2.0; m = m + 1.0 - m / 2.0; m = 3.0 / m; c.xy = m * f * m;",
+    "mat3 m = mat3(2.0); m[1].xy = f; m[i][i] = 4.0; c.xyz = m[i] + m[0]; m++; c.x += -m[0][0];",
+    "mat4 m = mat4(mat2(f, f)); mat2 k = mat2(m); mat2 l = mat2(c); c.x = float(k == l) + k[1].x;",
+    "mat2x3 m = mat2x3(c.xyz, c.xyz); mat3x2 t = transpose(m); mat2 p = t * m; c.xy = p * f;",
+    "mat3 m = outerProduct(c.xyz, c.zyx); c.x = determinant(inverse(m)) + inverse(mat2(c))[0].x;",
+    "c = inverse(mat4(f.x)) * c + matrixCompMult(mat4(1.0), mat4(2.0))[i];",
+    "c.x = (mat2(1.0, 2.0, 3.0, 4.0) * f)[i] + mat2(f, f)[i].x;",
+    // What is evaluated only where it is asked for.
+    "c.x = i > 1 && bump(f.x) > 2.0 ? bump(f.y) : f.x; c.y = i > 2 || bump(f.x) > 1.0 ? 1.0 : 0.0;",
+    "bool b = i > 1 ^^ u > 1u; c.x = b ? 1.0 : 2.0; mat2 m = b ? mat2(1.0) : mat2(2.0); c.xy *= m;",
+    "c.x = (bump(f.x), f.y); if (i > 1) nothing();",
+    // Flow.
+    "for (int k = 0; k < 9; k++) { if (k == i) continue; if (k > 7) break; c.x += float(k); }",
+    "int k = 0; while (k++ < 5) { float z; z += 1.0; c.x += z; } do { k--; if (k == 2) continue; } \
+     while (k > 0);",
+    "while (bool go = i < 3) { i++; c.x += float(go); }",
+    "for (;;) { if (bump(c.x) > 5.0) break; } for (int a = 0, b = 5; a < b; a++, b--) c.y += 1.0;",
+    "switch (i) { case 0: c.x = 1.0; case 1: case 2: c.y = 2.0; break; default: c.z = 3.0; }",
+    "switch (u) { case 1u: float z = 1.0; case 2u: z = 2.0; c.x = z; if (i > 2) break; c.y = z; }",
+    "for (int k = 0; k < 3; k++) { switch (k) { case 1: continue; default: break; } c.x += 1.0; }",
+    "if (f.x < 0.0) discard; if (f.x < 1.0) return; else c.x = 1.0;",
+    // Calls.
+    "c.x = same(f.x) + same(f).y + float(same(i)); swap(c.x, c.y); swap(c.z, c.z);",
+    "float a[2]; fill(a); fill(A); c.x = a[1] + A[0]; swap(G, c.w); c.x = twice(c.x) + G;",
+    "float x = 1.0, y = 2.0; swap(x, y); vec2 v; split(c, v, c.zw); c.xy = v;",
+    // Textures.
+    "c = texture(iChannel0, f) + textureLod(iChannel1, f, 1.0) + texelFetch(iChannel2, ivec2(f), 0);",
+    "c = look(iChannel3, f) + look(iChannel0, f) + textureGrad(iChannel0, f, dFdx(f), dFdy(f));",
+    "c = textureOffset(iChannel0, f, ivec2(1, -1)) + textureProj(iChannel0, c) + \
+     texture(iChannel0, f, 1.5); c.xy += vec2(textureSize(iChannel0, 0)) * fwidth(f);",
+    // Uniforms.
+    "c = iMouse + iDate + vec4(iResolution, iTime) + iTimeDelta + float(iFrame) + iFrameRate;",
+    "c.xyz = iChannelResolution[i] + iChannelResolution[1] + iChannelTime[i] + iChannelTime[2];",
+    "c = gl_FragCoord * (gl_FrontFacing ? 1.0 : 2.0); float gl = 1.0; c.x += gl;",
+];
+
+const FUNCTIONS: &str = "\
+float G = 1.0;
+float A[2] = float[2](1.0, 2.0);
+const vec3 K[2] = vec3[2](vec3(1.0), vec3(2.0, 3.0, 4.0));
+float bump(float x) { G += x; return G + K[1].x; }
+void nothing() { G = 2.0; }
+float same(float x) { return x; }
+vec2 same(vec2 x) { return x; }
+int same(int x) { x++; return x; }
+float twice(const in float x) { return x * 2.0; }
+void swap(inout float a, inout float b) { float t = a; a = b; b = t; }
+void fill(out float a[2]) { a[0] = 1.0; a[1] = a[0]; }
+void split(in vec4 all, out vec2 a, out vec2 b) { a = all.xy; b = all.zw; }
+vec4 look(sampler2D s, vec2 p) { return texture(s, p); }
+float unsaid(float x) { if (x > 1.0) return 2.0; }
+";
+
+#[test]
+fn features_reach_all_languages() {
+    for statement in STATEMENTS {
+        reaches_all(&format!(
+            "{FUNCTIONS}void mainImage(out vec4 c, in vec2 f) {{\n    c = vec4(f, unsaid(f.x), 1.0);\n    \
+             int i = iFrame; uint u = uint(iFrame);\n    {statement}\n}}\n"
+        ));
+    }
+}
+
+#[test]
+fn whole_shaders_reach_all_languages() {
+    reaches_all(
+        "#version 300 es\nprecision highp float;\nuniform vec2 u_resolution;\nin vec2 vUv;\n\
+         layout(location = 0) out vec4 color;\nlayout(location = 1) out vec4 depth;\n\
+         void main() { color = vec4(vUv / u_resolution, gl_FragCoord.xy); depth = vec4(1.0); \
+         gl_FragDepth = 0.5; }\n",
+    );
+}
+
+/// What the other languages have no words for, and what is said of it.
+const REFUSED: &[(&str, &str, &str)] = &[
+    (
+        "uniform isampler2D s;",
+        "color = vec4(texture(s, vUv));",
+        "texture(s, vUv)",
+    ),
+    (
+        "uniform Block { vec4 a; } block;",
+        "color = block.a;",
+        "block",
+    ),
+    ("", "color = vec4(gl_PointCoord, 0, 1);", "gl_PointCoord"),
+];
+
+#[test]
+fn what_has_no_counterpart_is_refused_where_it_stands() {
+    for (declaration, statement, place) in REFUSED {
+        let code = format!(
+            "#version 300 es\nprecision highp float;\nprecision highp isampler2D;\n{declaration}\n\
+             in vec2 vUv;\nout vec4 color;\nvoid main() {{ {statement} }}\n"
+        );
+        let refused = refusal(&code);
+        assert_eq!(refused.1, *place, "{}", refused.0.message);
+    }
+}
+
+/// What is said of a shader, and the text that it is said of. Not every such shader is one that a
+/// page can feed, so it is lowered as it is.
+fn refusal(code: &str) -> (Refused, String) {
+    use shaderlint::port::naga::{Origin, lower};
+    use shaderlint::semantic::{Dialect, Stage, Unit, analyze};
+    use shaderlint::text::{Role, Sources};
+    let mut sources = Sources::new();
+    let files = [sources.add("", None, Role::User, code).unwrap()];
+    let analysis = analyze(&Unit {
+        sources: &sources,
+        files: &files,
+        stage: Stage::Fragment,
+        dialect: Dialect::WebGl { whole: true },
+        infer_channels: false,
+    });
+    assert!(
+        analysis.diagnostics.is_empty(),
+        "{:?}",
+        analysis.diagnostics
+    );
+    let refused = lower(&analysis.program, Origin::Picture).err().unwrap();
+    let text = sources.text(refused.span).to_string();
+    (refused, text)
+}
+
+#[test]
+fn rows_are_turned_for_pictures_only() {
+    let image = "void mainImage(out vec4 c, in vec2 f) { c = vec4(f, dFdy(f)); }";
+    let turned = wgsl(image);
+    assert!(turned.contains("uniforms.iResolution.y"), "{turned}");
+    let derivative = turned.split_once(" = dpdy(").unwrap().0;
+    let name = derivative.rsplit(' ').next().unwrap();
+    assert!(turned.contains(&format!("-({name})")), "{turned}");
+}
+
+#[test]
+fn the_form_of_wgsl() {
+    insta::assert_snapshot!(wgsl(include_str!("fixtures/naga.glsl")));
+}
+
+#[test]
+fn deep_code_is_answered() {
+    let deep = |n: usize, open: &str, close: &str| {
+        format!(
+            "void mainImage(out vec4 c, in vec2 f) {{ float x = f.x; c = vec4({}x{}); }}",
+            open.repeat(n),
+            close.repeat(n)
+        )
+    };
+    for code in [
+        deep(100, "sin(", ")"),
+        deep(110, "-(", ")"),
+        deep(200, "1.0 + ", ""),
+        deep(60, "mod(", ", 2.0)"),
+    ] {
+        for language in Language::ALL {
+            // Deep code may be refused, but not without an answer.
+            let _ = written(&code, language);
+        }
+    }
+    let chain: String = (1..250)
+        .map(|i| format!("float f{i}(float x) {{ return f{}(x) + 1.0; }}\n", i - 1))
+        .collect();
+    reaches_all(&format!(
+        "float f0(float x) {{ return x; }}\n{chain}void mainImage(out vec4 c, in vec2 f) {{ \
+         c = vec4(f249(f.x)); }}"
+    ));
+}
