@@ -43,7 +43,6 @@ impl Allows {
         &mut self,
         program: &Program,
         rules: &[&'static Rule],
-        settings: &Settings,
         found: &mut Vec<Diagnostic>,
     ) {
         let mut own = Vec::new();
@@ -61,7 +60,6 @@ impl Allows {
         if own.is_empty() {
             return;
         }
-        let _ = settings;
         let group_of = |name: &str| rules.iter().find(|r| r.name == name).map(|r| r.group);
         found.retain(|diagnostic| {
             let group = group_of(diagnostic.rule).map(Group::name);
@@ -191,6 +189,10 @@ fn read(program: &Program, comment: Span, text: &str, ends: &FxHashMap<u32, u32>
             });
         }
         at += part.len() as u32 + 1;
+    }
+    if allow.names.is_empty() {
+        let from = comment.start + (mark + blanks) as u32;
+        allow.problem = Some(Span::new(from, at));
     }
     allow.target = if word.trim_end() == "allow-file" {
         let file = program.sources.file_at(comment.start);

@@ -34,8 +34,19 @@ pub enum DialectChoice {
 pub struct HostNames {
     /// Whether three.js puts its own declarations before it.
     pub is_three: bool,
-    /// Further declarations: `uniform highp float uTime;`, a line each.
-    pub declarations: String,
+    /// Further uniforms.
+    pub uniforms: Vec<HostUniform>,
+}
+
+/// A uniform that the host declares, unless the shader does it itself.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct HostUniform {
+    /// Its name.
+    pub name: String,
+    /// Its type without an array's size, `vec4`.
+    pub ty: String,
+    /// How many there are, where it is an array.
+    pub size: Option<u32>,
 }
 
 /// How an input is judged.
