@@ -107,7 +107,8 @@ impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
 
     /// The text after some fixes, if it is another one and has no more errors than before.
     fn attempt(&mut self, fixed: &Fixed, seen: &Look, fixes: &[&Fix]) -> Option<(Fixed, Look)> {
-        let edits: Vec<Edit> = fixes.iter().flat_map(|f| f.edits.iter().cloned()).collect();
+        let mut edits: Vec<Edit> = fixes.iter().flat_map(|f| f.edits.iter().cloned()).collect();
+        end_lines_alike(&mut edits, &fixed.text);
         let text = apply_edits(&fixed.text, seen.span.start, &edits).ok()?;
         if text == fixed.text {
             return None;
@@ -115,6 +116,16 @@ impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
         let after = (self.look)(&text)?;
         let applied = fixed.applied + fixes.len();
         (errors(&after) <= errors(seen)).then_some((Fixed { text, applied }, after))
+    }
+}
+
+/// Writes the line breaks of a text into what is put into it.
+fn end_lines_alike(edits: &mut [Edit], text: &str) {
+    let first = text.find('\n').and_then(|end| text.get(..end));
+    if first.is_some_and(|line| line.ends_with('\r')) {
+        for edit in edits {
+            edit.text = edit.text.replace("\r\n", "\n").replace('\n', "\r\n");
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 //! function or directive; as `allow-file(rule)`, of the whole file. What allows nothing is itself
 //! reported. Compile errors cannot be allowed: the browser does not ask.
 
+use super::removal::remove_lines;
 use super::{Check, Group, Rule, Settings, nearest_rule};
 use crate::diagnostic::{Diagnostic, ERRORS, Origin};
 use crate::semantic::Program;
@@ -23,7 +24,8 @@ pub struct Allows {
 }
 
 struct Allow {
-    comment: Span,
+    /// Takes the comment away.
+    removal: Edit,
     /// Where it allows findings to start.
     target: Span,
     names: Vec<Allowed>,
@@ -101,7 +103,7 @@ impl Allows {
             for name in &allow.names {
                 let fix = is_alone.then(|| {
                     let title = "take the comment out";
-                    crate::diagnostic::Fix::safe(title, vec![Edit::delete(allow.comment)])
+                    crate::diagnostic::Fix::safe(title, vec![allow.removal.clone()])
                 });
                 if let Some(d) = judge(name, rules, settings, finding, fix) {
                     out.push(d);
@@ -160,7 +162,7 @@ impl Allow {
 /// Reads a comment.
 fn read(program: &Program, comment: Span, text: &str, ends: &FxHashMap<u32, u32>) -> Allow {
     let mut allow = Allow {
-        comment,
+        removal: remove_lines(program, comment),
         target: Span::at(comment.end),
         names: Vec::new(),
         problem: None,

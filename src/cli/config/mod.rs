@@ -118,6 +118,17 @@ pub struct Given {
     pub ignore: Vec<String>,
     /// `--config` and `--no-config`
     pub source: Source,
+    /// `--force-exclude`
+    pub exclusion: Exclusion,
+}
+
+/// What `exclude` holds for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Exclusion {
+    /// Files found in folders.
+    Found,
+    /// Files that are named too, as a hook names them.
+    Named,
 }
 
 /// Where the configuration comes from.
@@ -168,6 +179,23 @@ impl Configs {
                 let folder = path.parent().unwrap_or(Path::new("/"));
                 self.nearest(folder)
             }
+        }
+    }
+
+    /// Whether a file is left out although it is named.
+    pub fn leaves_out(&self, path: &Path) -> bool {
+        let config = match self.given.exclusion {
+            Exclusion::Found => None,
+            Exclusion::Named => self.config(path).ok().flatten(),
+        };
+        config.is_some_and(|c| c.leaves_out(path))
+    }
+
+    /// The file that holds a file's configuration.
+    pub fn file_of(&self, path: &Path) -> Option<PathBuf> {
+        match &self.given.source {
+            Source::File(file) => Some(file.clone()),
+            _ => Some(self.config(path).ok()??.root.join(FILE)),
         }
     }
 
@@ -225,7 +253,12 @@ impl Configs {
         Ok(judge)
     }
 
-    fn make(&self, config: Option<&Config>, root: &Path, layers: &[usize]) -> Result<Judge, Arc<str>> {
+    fn make(
+        &self,
+        config: Option<&Config>,
+        root: &Path,
+        layers: &[usize],
+    ) -> Result<Judge, Arc<str>> {
         let mut settings = Settings::new(self.rules, &[], &[]).map_err(unknown)?;
         let mut judge = Judge {
             settings: settings.clone(),
@@ -286,7 +319,7 @@ fn load(file: &Path, rules: &'static [&'static Rule]) -> Result<Arc<Config>, Arc
 }
 
 /// A path from the root of the file system without `..`, as far as that can be told without asking it.
-fn absolute(path: &Path) -> PathBuf {
+pub fn absolute(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
     let mut plain = PathBuf::new();
     for part in path.components() {

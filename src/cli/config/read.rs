@@ -432,7 +432,10 @@ mod tests {
         assert_eq!(config.base.target, Some(Target::Gpu));
         assert_eq!(config.base.levels.last(), Some(&("step-budget", None)));
         let uniforms = config.base.host.unwrap().uniforms;
-        let uniforms: Vec<_> = uniforms.iter().map(|u| (&*u.name, &*u.ty, u.size)).collect();
+        let uniforms: Vec<_> = uniforms
+            .iter()
+            .map(|u| (&*u.name, &*u.ty, u.size))
+            .collect();
         assert_eq!(
             uniforms,
             [

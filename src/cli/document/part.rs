@@ -229,11 +229,7 @@ fn declares(code: &str, name: &str) -> bool {
 }
 
 /// Puts a prelude behind the line with `#version`, or in front where there is none.
-fn behind_version(
-    sources: &mut Sources,
-    own: Vec<FileId>,
-    prelude: FileId,
-) -> Option<Vec<FileId>> {
+fn behind_version(sources: &mut Sources, own: Vec<FileId>, prelude: FileId) -> Option<Vec<FileId>> {
     let mut own = own.into_iter();
     let first = own.next()?;
     let code = sources.code(first)?;
