@@ -10,16 +10,21 @@ use std::path::{Path, PathBuf};
 const MAX_FILE: u64 = 256 * 1024 * 1024;
 
 /// What files a folder is searched for.
-const EXTENSIONS: [&str; 13] = [
+const EXTENSIONS: [&str; 18] = [
     "glsl",
     "frag",
     "vert",
     "fs",
     "vs",
+    "fsh",
+    "vsh",
     "shadertoy",
     "json",
     "html",
+    "htm",
     "js",
+    "mjs",
+    "cjs",
     "ts",
     "jsx",
     "tsx",
@@ -61,12 +66,13 @@ pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>, configs: &Configs) -
         } else if path.is_dir() {
             folder(path, configs, &mut inputs, &mut problems);
         } else if path.exists() {
-            let name = shown(path);
-            inputs.push(InputFile {
-                name,
-                path: Some(path.clone()),
-                is_explicit: true,
-            });
+            if !configs.leaves_out(path) {
+                inputs.push(InputFile {
+                    name: shown(path),
+                    path: Some(path.clone()),
+                    is_explicit: true,
+                });
+            }
         } else {
             problems.push(format!("{}: there is no such file or folder", shown(path)));
         }

@@ -34,23 +34,38 @@ pub fn write(path: &Path, content: &[u8], overwrite: Overwrite) -> io::Result<()
     Ok(())
 }
 
-/// Puts new content in the place of a file, which keeps its permissions. Nothing is written where the
-/// file does not hold `old` any more. A link stays a link: the file that it leads to is replaced.
+/// Puts new content in the place of a file, which keeps its permissions and, as far as that is
+/// allowed, its owner. Nothing is written where the file may not be written to, or does not hold
+/// `old` any more. A link stays a link: the file that it leads to is replaced.
 pub fn replace(path: &Path, old: &[u8], new: &[u8]) -> io::Result<()> {
     let path = fs::canonicalize(path)?;
+    let metadata = fs::metadata(&path)?;
+    if metadata.permissions().readonly() {
+        return Err(io::Error::other("the file is read-only"));
+    }
     let folder = path.parent().unwrap_or(Path::new("."));
     let mut file = tempfile::Builder::new()
         .prefix(".shaderlint")
         .tempfile_in(folder)?;
     file.write_all(new)?;
-    file.as_file()
-        .set_permissions(fs::metadata(&path)?.permissions())?;
+    keep_owner(&metadata, file.path());
+    file.as_file().set_permissions(metadata.permissions())?;
     if fs::read(&path)? != old {
         return Err(io::Error::other("the file has changed meanwhile"));
     }
     file.persist(&path)?;
     Ok(())
 }
+
+/// Gives a file the owner of another, where this process may do so.
+#[cfg(unix)]
+fn keep_owner(of: &fs::Metadata, file: &Path) {
+    use std::os::unix::fs::{MetadataExt, chown};
+    let _ = chown(file, Some(of.uid()), Some(of.gid()));
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_of: &fs::Metadata, _file: &Path) {}
 
 /// Temporary files are for their owner alone; what is written is for everybody to read.
 #[cfg(unix)]
@@ -70,4 +85,22 @@ pub fn diff(name: &str, old: &str, new: &str) -> String {
         .unified_diff()
         .header(&format!("a/{name}"), &format!("b/{name}"))
         .to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_changed_is_not_written_over() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.glsl");
+        fs::write(&path, "new").unwrap();
+        let error = replace(&path, b"old", b"fixed").unwrap_err();
+        assert_eq!(error.to_string(), "the file has changed meanwhile");
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        replace(&path, b"new", b"fixed").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"fixed");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
 }

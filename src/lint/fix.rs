@@ -144,6 +144,7 @@ impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
     ) -> Option<(Fixed, Look)> {
         let fixes = mended.iter().filter_map(|d| d.fix.as_ref());
         let mut edits: Vec<Edit> = fixes.flat_map(|f| f.edits.iter().cloned()).collect();
+        end_lines_alike(&mut edits, &fixed.text);
         let base = seen.span.start;
         let text = apply_edits(&fixed.text, base, &edits).ok()?;
         if text == fixed.text {
@@ -169,6 +170,16 @@ impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
         next.rounds.push(edits);
         next.text = text;
         Some((next, after))
+    }
+}
+
+/// Writes the line breaks of a text into what is put into it.
+fn end_lines_alike(edits: &mut [Edit], text: &str) {
+    let first = text.find('\n').and_then(|end| text.get(..end));
+    if first.is_some_and(|line| line.ends_with('\r')) {
+        for edit in edits {
+            edit.text = edit.text.replace("\r\n", "\n").replace('\n', "\r\n");
+        }
     }
 }
 

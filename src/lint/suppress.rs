@@ -4,6 +4,7 @@
 //! function or directive; as `allow-file(rule)`, of the whole file. What allows nothing is itself
 //! reported. Compile errors cannot be allowed: the browser does not ask.
 
+use super::removal::remove_lines;
 use super::{Check, Group, Rule, Settings, nearest_rule};
 use crate::diagnostic::{Diagnostic, ERRORS, Origin};
 use crate::semantic::Program;
@@ -23,7 +24,8 @@ pub struct Allows {
 }
 
 struct Allow {
-    comment: Span,
+    /// Takes the comment away.
+    removal: Edit,
     /// Where it allows findings to start.
     target: Span,
     names: Vec<Allowed>,
@@ -43,7 +45,6 @@ impl Allows {
         &mut self,
         program: &Program,
         rules: &[&'static Rule],
-        settings: &Settings,
         found: &mut Vec<Diagnostic>,
     ) {
         let mut own = Vec::new();
@@ -61,7 +62,6 @@ impl Allows {
         if own.is_empty() {
             return;
         }
-        let _ = settings;
         let group_of = |name: &str| rules.iter().find(|r| r.name == name).map(|r| r.group);
         found.retain(|diagnostic| {
             let group = group_of(diagnostic.rule).map(Group::name);
@@ -103,7 +103,7 @@ impl Allows {
             for name in &allow.names {
                 let fix = is_alone.then(|| {
                     let title = "take the comment out";
-                    crate::diagnostic::Fix::safe(title, vec![Edit::delete(allow.comment)])
+                    crate::diagnostic::Fix::safe(title, vec![allow.removal.clone()])
                 });
                 if let Some(d) = judge(name, rules, settings, finding, fix) {
                     out.push(d);
@@ -162,7 +162,7 @@ impl Allow {
 /// Reads a comment.
 fn read(program: &Program, comment: Span, text: &str, ends: &FxHashMap<u32, u32>) -> Allow {
     let mut allow = Allow {
-        comment,
+        removal: remove_lines(program, comment),
         target: Span::at(comment.end),
         names: Vec::new(),
         problem: None,
@@ -191,6 +191,10 @@ fn read(program: &Program, comment: Span, text: &str, ends: &FxHashMap<u32, u32>
             });
         }
         at += part.len() as u32 + 1;
+    }
+    if allow.names.is_empty() {
+        let from = comment.start + (mark + blanks) as u32;
+        allow.problem = Some(Span::new(from, at));
     }
     allow.target = if word.trim_end() == "allow-file" {
         let file = program.sources.file_at(comment.start);

@@ -5,7 +5,7 @@ use crate::text::Sources;
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 
-/// A fingerprint for each finding of one file: of its path, its rule, the text of its line without
+/// A fingerprint for each finding of one input: of its pass, its rule, the text of its line without
 /// blanks, and how many like it come before.
 pub fn fingerprints(sources: &Sources, found: &[Diagnostic]) -> Vec<String> {
     let mut seen: HashMap<[u8; 32], u32> = HashMap::new();
@@ -18,7 +18,6 @@ pub fn fingerprints(sources: &Sources, found: &[Diagnostic]) -> Vec<String> {
                 hash.update(text.as_bytes());
                 hash.update([0]);
             };
-            add(file.map_or("", |f| &f.path));
             add(file.and_then(|f| f.part.as_deref()).unwrap_or(""));
             add(diagnostic.rule);
             let line = file.map_or("", |f| {
@@ -35,8 +34,21 @@ pub fn fingerprints(sources: &Sources, found: &[Diagnostic]) -> Vec<String> {
             let count = seen.entry(like).or_default();
             hash.update(count.to_le_bytes());
             *count += 1;
-            let bytes = hash.finalize();
-            bytes.iter().take(16).map(|b| format!("{b:02x}")).collect()
+            hex(&hash.finalize())
         })
         .collect()
+}
+
+/// A fingerprint of texts.
+pub fn digest<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
+    let mut hash = Sha256::new();
+    for text in texts {
+        hash.update(text.as_bytes());
+        hash.update([0]);
+    }
+    hex(&hash.finalize())
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().take(16).map(|b| format!("{b:02x}")).collect()
 }

@@ -7,13 +7,22 @@ use crate::text::Sources;
 use std::io::{self, Write};
 
 /// Writes one finding.
-pub fn write(out: &mut impl Write, sources: &Sources, d: &Diagnostic) -> io::Result<()> {
+pub fn write(
+    out: &mut impl Write,
+    sources: &Sources,
+    d: &Diagnostic,
+    root: &str,
+) -> io::Result<()> {
     let command = match d.severity {
         Severity::Error => "error",
         Severity::Warning => "warning",
         Severity::Info => "notice",
     };
-    write!(out, "::{command} file={}", property(path(sources, d.span)))?;
+    write!(
+        out,
+        "::{command} file={}",
+        property(path(sources, d.span, root))
+    )?;
     if let Some((start, end)) = region(sources, d.span) {
         write!(out, ",line={},endLine={}", start.line, end.line)?;
         // Columns are taken for places of the last line where there are several.

@@ -1,5 +1,6 @@
 //! GitLab's code quality report.
 
+use super::fingerprint::digest;
 use super::{path, placed_message, region};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::text::Sources;
@@ -12,6 +13,7 @@ pub fn write(
     sources: &Sources,
     d: &Diagnostic,
     fingerprint: &str,
+    root: &str,
 ) -> io::Result<()> {
     let severity = match d.severity {
         Severity::Error => "critical",
@@ -19,12 +21,15 @@ pub fn write(
         Severity::Info => "info",
     };
     let begin = region(sources, d.span).map_or(1, |(start, _)| start.line);
+    let path = path(sources, d.span, root);
+    // Of all findings in all files, those of the same fingerprint count as one.
+    let fingerprint = digest([path, fingerprint]);
     let value = json!({
         "description": placed_message(sources, d),
         "check_name": d.rule,
         "fingerprint": fingerprint,
         "severity": severity,
-        "location": {"path": path(sources, d.span), "lines": {"begin": begin}}
+        "location": {"path": path, "lines": {"begin": begin}}
     });
     serde_json::to_writer(out, &value)?;
     Ok(())

@@ -1,8 +1,9 @@
-//! JUnit XML: a suite a file, a failed case a finding. A file without findings is a case that passed.
+//! JUnit XML: a suite a file, a failed case an error or warning. An info is a case that passed and
+//! says something; a file without findings is a case that passed.
 
 use super::xml::escape;
 use super::{placed_message, render};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::text::Sources;
 use std::io::{self, Write};
 
@@ -23,7 +24,7 @@ pub fn file(
         out,
         "  <testsuite name=\"{name}\" tests=\"{}\" failures=\"{}\" errors=\"0\">",
         found.len().max(1),
-        found.len()
+        found.iter().filter(|d| is_failure(d)).count()
     )?;
     if found.is_empty() {
         writeln!(
@@ -38,15 +39,27 @@ pub fn file(
         let (line, column) = position.map_or((1, 1), |p| (p.line, p.column));
         writeln!(
             out,
-            "    <testcase name=\"{} at {line}:{column}\" classname=\"{name}\">\n      \
-             <failure type=\"{}\" message=\"{}\">{}</failure>\n    </testcase>",
-            d.rule,
-            d.severity.name(),
-            escape(&placed_message(sources, d)),
-            escape(render(sources, d).trim_end())
+            "    <testcase name=\"{} at {line}:{column}\" classname=\"{name}\">",
+            d.rule
         )?;
+        let told = render(sources, d);
+        let told = escape(told.trim_end());
+        if is_failure(d) {
+            let (kind, message) = (d.severity.name(), escape(&placed_message(sources, d)));
+            writeln!(
+                out,
+                "      <failure type=\"{kind}\" message=\"{message}\">{told}</failure>"
+            )?;
+        } else {
+            writeln!(out, "      <system-out>{told}</system-out>")?;
+        }
+        out.write_all(b"    </testcase>\n")?;
     }
     out.write_all(b"  </testsuite>\n")
+}
+
+fn is_failure(d: &Diagnostic) -> bool {
+    d.severity != Severity::Info
 }
 
 /// Writes what comes last.

@@ -67,11 +67,14 @@ pub struct Summary {
 }
 
 impl Summary {
-    fn add(&mut self, sources: &Sources, diagnostic: &Diagnostic) {
-        // What stands in an export is not written back.
-        let file = sources.file_at(diagnostic.span.start);
-        let is_in_file = file.is_some_and(|f| f.part.is_none());
-        let fix = diagnostic.fix.as_ref().filter(|_| is_in_file);
+    fn add(&mut self, input: &str, sources: &Sources, diagnostic: &Diagnostic) {
+        // What stands in an export is not written back, nor a file that this one includes.
+        let in_file = |span: Span| {
+            let file = sources.file_at(span.start);
+            file.is_some_and(|f| f.part.is_none() && f.path == input)
+        };
+        let fix = diagnostic.fix.as_ref();
+        let fix = fix.filter(|f| f.edits.iter().all(|e| in_file(e.span)));
         match fix.map(|f| f.applicability) {
             Some(Applicability::Safe) => self.fixable += 1,
             Some(Applicability::Unsafe) => self.suggested += 1,
@@ -100,6 +103,8 @@ pub struct Reporter<W: Write> {
     color: bool,
     pages: Pages,
     offers_fixes: bool,
+    /// The folder that the paths of the formats for services count from; ends with a slash.
+    root: String,
     summary: Summary,
     /// How often each name was reported, for the formats that sum up.
     names: BTreeMap<&'static str, usize>,
@@ -115,6 +120,7 @@ impl<W: Write> Reporter<W> {
             color,
             pages: |_| None,
             offers_fixes: false,
+            root: "/".to_string(),
             summary: Summary::default(),
             names: BTreeMap::new(),
         }
@@ -129,6 +135,12 @@ impl<W: Write> Reporter<W> {
     /// Says at the end how many findings `--fix` would mend.
     pub fn offering_fixes(mut self) -> Reporter<W> {
         self.offers_fixes = true;
+        self
+    }
+
+    /// Names files from this folder in the formats that services read: they know no other.
+    pub fn inside(mut self, folder: &str) -> Reporter<W> {
+        self.root = format!("{}/", folder.trim_end_matches('/'));
         self
     }
 
@@ -161,10 +173,10 @@ impl<W: Write> Reporter<W> {
                 Format::Short => short::write(&mut self.out, sources, diagnostic)?,
                 Format::Json => json::write(&mut self.out, sources, diagnostic, is_first)?,
                 Format::Jsonl => json::write_line(&mut self.out, sources, diagnostic)?,
-                Format::Github => github::write(&mut self.out, sources, diagnostic)?,
+                Format::Github => github::write(&mut self.out, sources, diagnostic, &self.root)?,
                 _ => {}
             }
-            self.summary.add(sources, diagnostic);
+            self.summary.add(name, sources, diagnostic);
             *self.names.entry(diagnostic.rule).or_default() += 1;
         }
         Ok(())
@@ -177,8 +189,10 @@ impl<W: Write> Reporter<W> {
             let separator: &[u8] = if is_first { b"\n" } else { b",\n" };
             self.out.write_all(separator)?;
             match self.format {
-                Format::Sarif => sarif::write(&mut self.out, sources, diagnostic, &print)?,
-                _ => gitlab::write(&mut self.out, sources, diagnostic, &print)?,
+                Format::Sarif => {
+                    sarif::write(&mut self.out, sources, diagnostic, &print, &self.root)?
+                }
+                _ => gitlab::write(&mut self.out, sources, diagnostic, &print, &self.root)?,
             }
         }
         Ok(())
@@ -245,9 +259,10 @@ fn region(sources: &Sources, span: Span) -> Option<(Position, Position)> {
     Some((file.position(span.start), file.position(span.end)))
 }
 
-/// The path of the file that holds a span.
-fn path(sources: &Sources, span: Span) -> &str {
-    sources.file_at(span.start).map_or("", |f| &f.path)
+/// The path of the file that holds a span, from the folder `root` where it lies in there.
+fn path<'a>(sources: &'a Sources, span: Span, root: &str) -> &'a str {
+    let path = sources.file_at(span.start).map_or("", |f| &f.path);
+    path.strip_prefix(root).unwrap_or(path)
 }
 
 /// The message, with the place in its pass where the file has no place for it.

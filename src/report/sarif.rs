@@ -20,6 +20,7 @@ pub fn write(
     sources: &Sources,
     d: &Diagnostic,
     fingerprint: &str,
+    root: &str,
 ) -> io::Result<()> {
     let mut text = placed_message(sources, d);
     for line in d.notes.iter().chain(&d.help) {
@@ -30,7 +31,7 @@ pub fn write(
         .labels
         .iter()
         .map(|l| {
-            let mut place = location(sources, l.span);
+            let mut place = location(sources, l.span, root);
             place["message"] = json!({"text": l.message});
             place
         })
@@ -39,14 +40,14 @@ pub fn write(
         "ruleId": d.rule,
         "level": level(d.severity),
         "message": {"text": text},
-        "locations": [location(sources, d.span)],
+        "locations": [location(sources, d.span, root)],
         "partialFingerprints": {"shaderlint/v1": fingerprint}
     });
     if !related.is_empty() {
         result["relatedLocations"] = Value::Array(related);
     }
     if let Some(fix) = &d.fix
-        && let Some(changes) = changes(sources, &fix.edits)
+        && let Some(changes) = changes(sources, &fix.edits, root)
     {
         result["fixes"] = json!([{"description": {"text": fix.title}, "artifactChanges": changes}]);
     }
@@ -62,9 +63,9 @@ fn level(severity: Severity) -> &'static str {
     }
 }
 
-fn location(sources: &Sources, span: Span) -> Value {
+fn location(sources: &Sources, span: Span, root: &str) -> Value {
     let mut place =
-        json!({"physicalLocation": {"artifactLocation": {"uri": uri(path(sources, span))}}});
+        json!({"physicalLocation": {"artifactLocation": {"uri": uri(path(sources, span, root))}}});
     if let Some(region) = region_of(sources, span) {
         place["physicalLocation"]["region"] = region;
     }
@@ -87,7 +88,7 @@ fn region_of(sources: &Sources, span: Span) -> Option<Value> {
 }
 
 /// The edits of a fix, all of which lie in one file.
-fn changes(sources: &Sources, edits: &[Edit]) -> Option<Value> {
+fn changes(sources: &Sources, edits: &[Edit], root: &str) -> Option<Value> {
     let first = edits.first()?;
     let replacements: Option<Vec<Value>> = edits
         .iter()
@@ -96,7 +97,7 @@ fn changes(sources: &Sources, edits: &[Edit]) -> Option<Value> {
             Some(json!({"deletedRegion": deleted, "insertedContent": {"text": e.text}}))
         })
         .collect();
-    let uri = uri(path(sources, first.span));
+    let uri = uri(path(sources, first.span, root));
     Some(json!([{"artifactLocation": {"uri": uri}, "replacements": replacements?}]))
 }
 

@@ -5,8 +5,8 @@ use super::clean;
 /// Text as it stands in an element or an attribute.
 pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for line in text.split('\n') {
-        if !out.is_empty() {
+    for (i, line) in text.split('\n').enumerate() {
+        if i > 0 {
             out.push_str("&#10;");
         }
         for c in clean(line).chars() {

@@ -13,7 +13,7 @@ use crate::lint::{Rule, Settings, Target};
 use globset::GlobSet;
 use std::collections::HashMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 /// Name of the file.
@@ -56,26 +56,33 @@ impl Config {
     /// A path as patterns see it.
     fn inside(&self, path: &Path) -> PathBuf {
         let path = absolute(path);
-        path.strip_prefix(&self.root).unwrap_or(&path).to_path_buf()
+        let inside = path.strip_prefix(&self.root).map(Path::to_path_buf);
+        inside.unwrap_or(path)
     }
 
     /// Whether a file found in a folder is to be checked; `is_known` tells whether its ending is
     /// one of a shader.
     pub fn takes(&self, path: &Path, is_known: bool) -> bool {
         let path = self.inside(path);
-        let included = self
-            .include
-            .as_ref()
-            .map_or(is_known, |i| i.is_match(&path));
-        included && !self.exclude.as_ref().is_some_and(|e| e.is_match(&path))
+        let included = self.include.as_ref();
+        included.map_or(is_known, |i| i.is_match(&path)) && !self.is_excluded(&path)
     }
 
-    /// The layers that hold for a file, as bits: 1 for the first override, 2 for the second.
-    fn layers(&self, path: &Path) -> u64 {
+    /// Whether a file is left out even where it is named itself.
+    pub fn leaves_out(&self, path: &Path) -> bool {
+        self.is_excluded(&self.inside(path))
+    }
+
+    fn is_excluded(&self, path: &Path) -> bool {
+        self.exclude.as_ref().is_some_and(|e| e.is_match(path))
+    }
+
+    /// Numbers of the overrides that hold for a file.
+    fn layers(&self, path: &Path) -> Vec<usize> {
         let path = self.inside(path);
-        let matching = self.overrides.iter().enumerate().take(64);
-        let bit = |(i, (globs, _)): (usize, &(GlobSet, Layer))| (globs.is_match(&path) as u64) << i;
-        matching.map(bit).sum()
+        let overrides = self.overrides.iter().enumerate();
+        let matching = overrides.filter(|(_, (globs, _))| globs.is_match(&path));
+        matching.map(|(i, _)| i).collect()
     }
 }
 
@@ -111,6 +118,17 @@ pub struct Given {
     pub ignore: Vec<String>,
     /// `--config` and `--no-config`
     pub source: Source,
+    /// `--force-exclude`
+    pub exclusion: Exclusion,
+}
+
+/// What `exclude` holds for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Exclusion {
+    /// Files found in folders.
+    Found,
+    /// Files that are named too, as a hook names them.
+    Named,
 }
 
 /// Where the configuration comes from.
@@ -137,8 +155,8 @@ type Found = Result<Option<Arc<Config>>, Arc<str>>;
 struct Cache {
     /// By folder.
     configs: HashMap<PathBuf, Found>,
-    /// By folder of the configuration and layers.
-    judges: HashMap<(PathBuf, u64), Arc<Judge>>,
+    /// By folder of the configuration and overrides.
+    judges: HashMap<(PathBuf, Vec<usize>), Arc<Judge>>,
 }
 
 impl Configs {
@@ -161,6 +179,23 @@ impl Configs {
                 let folder = path.parent().unwrap_or(Path::new("/"));
                 self.nearest(folder)
             }
+        }
+    }
+
+    /// Whether a file is left out although it is named.
+    pub fn leaves_out(&self, path: &Path) -> bool {
+        let config = match self.given.exclusion {
+            Exclusion::Found => None,
+            Exclusion::Named => self.config(path).ok().flatten(),
+        };
+        config.is_some_and(|c| c.leaves_out(path))
+    }
+
+    /// The file that holds a file's configuration.
+    pub fn file_of(&self, path: &Path) -> Option<PathBuf> {
+        match &self.given.source {
+            Source::File(file) => Some(file.clone()),
+            _ => Some(self.config(path).ok()??.root.join(FILE)),
         }
     }
 
@@ -191,10 +226,20 @@ impl Configs {
             .unwrap_or_else(|poisoned| poisoned.into_inner())
     }
 
+    /// What is wrong with the words of the command line, or with the configuration that it names.
+    pub fn problem(&self) -> Option<Arc<str>> {
+        let words = Settings::new(self.rules, &self.given.select, &self.given.ignore);
+        let named = match &self.given.source {
+            Source::File(_) => self.config(Path::new("")).err(),
+            Source::Nearest | Source::Nowhere => None,
+        };
+        words.map_err(unknown).err().or(named)
+    }
+
     /// How a file is judged. Standard input counts as a file of its name.
     pub fn judge(&self, path: &Path) -> Result<Arc<Judge>, Arc<str>> {
         let config = self.config(path)?;
-        let layers = config.as_ref().map_or(0, |c| c.layers(path));
+        let layers = config.as_ref().map_or(Vec::new(), |c| c.layers(path));
         let root = match &config {
             Some(config) => config.root.clone(),
             None => project_root(path),
@@ -203,12 +248,17 @@ impl Configs {
         if let Some(judge) = self.lock().judges.get(&key) {
             return Ok(judge.clone());
         }
-        let judge = Arc::new(self.make(config.as_deref(), &key.0, layers)?);
+        let judge = Arc::new(self.make(config.as_deref(), &key.0, &key.1)?);
         self.lock().judges.insert(key, judge.clone());
         Ok(judge)
     }
 
-    fn make(&self, config: Option<&Config>, root: &Path, layers: u64) -> Result<Judge, Arc<str>> {
+    fn make(
+        &self,
+        config: Option<&Config>,
+        root: &Path,
+        layers: &[usize],
+    ) -> Result<Judge, Arc<str>> {
         let mut settings = Settings::new(self.rules, &[], &[]).map_err(unknown)?;
         let mut judge = Judge {
             settings: settings.clone(),
@@ -217,13 +267,9 @@ impl Configs {
             includes: Includes::inside(root),
         };
         let overrides = config.map_or(&[][..], |c| &c.overrides);
-        let matching = overrides.iter().enumerate();
-        let matching = matching.filter(|(i, _)| *i < 64 && layers >> i & 1 == 1);
-        let base = config.map(|c| &c.base);
-        for layer in base
-            .into_iter()
-            .chain(matching.map(|(_, (_, layer))| layer))
-        {
+        let matching = layers.iter().filter_map(|i| overrides.get(*i));
+        let base = config.map(|c| &c.base).into_iter();
+        for layer in base.chain(matching.map(|(_, layer)| layer)) {
             self.apply(layer, &mut settings);
             judge.dialect = layer.dialect.unwrap_or(judge.dialect);
             judge.host = layer.host.clone().unwrap_or(judge.host);
@@ -262,7 +308,8 @@ fn unknown(unknown: crate::lint::UnknownRule) -> Arc<str> {
 }
 
 fn load(file: &Path, rules: &'static [&'static Rule]) -> Result<Arc<Config>, Arc<str>> {
-    let shown = file.display();
+    let here = std::env::current_dir().unwrap_or_default();
+    let shown = file.strip_prefix(here).unwrap_or(file).display();
     let text = fs::read_to_string(file).map_err(|e| format!("{shown}: {e}"))?;
     let mut config = parse(&text, rules)
         .map_err(|e| format!("{shown}:{}:{}: {}", e.line, e.column, e.message))?;
@@ -271,9 +318,19 @@ fn load(file: &Path, rules: &'static [&'static Rule]) -> Result<Arc<Config>, Arc
     Ok(Arc::new(config))
 }
 
-/// A path from the root of the file system, as far as that can be told without asking it.
-fn absolute(path: &Path) -> PathBuf {
-    std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf())
+/// A path from the root of the file system without `..`, as far as that can be told without asking it.
+pub fn absolute(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir => {
+                plain.pop();
+            }
+            part => plain.push(part),
+        }
+    }
+    plain
 }
 
 /// The folder that `#include` may not leave where no configuration says it: that of the repository,

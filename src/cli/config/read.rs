@@ -1,12 +1,12 @@
 //! Reads a configuration; every key that it does not know is an error with its place.
 
-use super::super::document::{DialectChoice, HostNames};
+use super::super::document::{DialectChoice, HostNames, HostUniform};
 use super::{Config, Layer};
 use crate::diagnostic::{ERRORS, Severity};
 use crate::lint::{Rule, Target, nearest_rule};
 use crate::syntax::{Version, WordClass, classify};
 use crate::text::LineIndex;
-use globset::{Glob, GlobSet, GlobSetBuilder};
+use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -211,8 +211,8 @@ fn level(value: &Value) -> Result<Option<Severity>> {
 }
 
 fn number(value: &Value) -> Result<f64> {
-    let wrong = || Problem(value.span(), "this must be a number".to_string());
-    match value.get_ref() {
+    let wrong = || Problem(value.span(), "this must be a number, 0 or more".to_string());
+    let number = match value.get_ref() {
         DeValue::Integer(i) => {
             let digits = i.as_str().replace('_', "");
             i64::from_str_radix(&digits, i.radix())
@@ -221,7 +221,11 @@ fn number(value: &Value) -> Result<f64> {
         }
         DeValue::Float(f) => f.as_str().replace('_', "").parse().map_err(|_| wrong()),
         _ => Err(wrong()),
-    }
+    };
+    number.and_then(|n: f64| {
+        let is_amount = n.is_finite() && n >= 0.0;
+        is_amount.then_some(n).ok_or_else(wrong)
+    })
 }
 
 fn host(value: &Value) -> Result<HostNames> {
@@ -238,53 +242,63 @@ fn host(value: &Value) -> Result<HostNames> {
             continue;
         }
         for (name, ty) in table_of(value)? {
-            host.declarations.push_str(&uniform(name, ty)?);
+            host.uniforms.push(uniform(name, ty)?);
         }
     }
     Ok(host)
 }
 
 /// Reads `uTime = "float"` or `lights = "vec3[4]"`.
-fn uniform(name: &Spanned<std::borrow::Cow<str>>, ty: &Value) -> Result<String> {
+fn uniform(name: &Spanned<std::borrow::Cow<str>>, ty: &Value) -> Result<HostUniform> {
     let ident = name.get_ref().as_ref();
     let is_word = ident.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
         && ident
             .bytes()
             .all(|b| b.is_ascii_alphanumeric() || b == b'_');
-    if !is_word || classify(ident, Version::Es300) != WordClass::Plain {
-        return Err(Problem(
-            name.span(),
-            format!("`{ident}` cannot be the name of a uniform"),
-        ));
+    let is_free = is_word && !ident.starts_with("gl_") && !ident.starts_with("webgl_");
+    if !is_free || classify(ident, Version::Es300) != WordClass::Plain {
+        let message = format!("`{ident}` cannot be the name of a uniform");
+        return Err(Problem(name.span(), message));
     }
     let text = string(ty)?;
     let (base, size) = match text.split_once('[') {
-        Some((base, rest)) => (
-            base.trim(),
-            rest.strip_suffix(']').map(|s| s.trim().parse::<u32>()),
-        ),
-        None => (text.trim(), Some(Ok(0))),
+        Some((base, rest)) => {
+            let digits = rest.trim_end().strip_suffix(']').unwrap_or("");
+            let size = digits.trim().parse::<u32>().ok();
+            (base.trim(), size.filter(|s| *s > 0).map(Some))
+        }
+        None => (text.trim(), Some(None)),
     };
-    let is_type = matches!(classify(base, Version::Es300), WordClass::Type(_));
-    let (true, Some(Ok(size))) = (is_type, size) else {
+    let is_type = matches!(classify(base, Version::Es300), WordClass::Type(_)) && base != "void";
+    let (true, Some(size)) = (is_type, size) else {
         let message =
             format!("`{text}` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`");
         return Err(Problem(ty.span(), message));
     };
-    let array = if size > 0 {
-        format!("[{size}]")
-    } else {
-        String::new()
-    };
-    let precision = if base.starts_with('b') { "" } else { "highp " };
-    Ok(format!("uniform {precision}{base} {ident}{array};\n"))
+    Ok(HostUniform {
+        name: ident.to_string(),
+        ty: base.to_string(),
+        size,
+    })
 }
 
+/// Reads patterns as `.gitignore` has them: `*` stays inside a folder, a pattern without a slash
+/// holds at any depth, and what names a folder holds for all in it.
 fn globs(value: &Value) -> Result<GlobSet> {
     let mut set = GlobSetBuilder::new();
     for entry in array(value)? {
-        let glob = Glob::new(string(entry)?);
-        set.add(glob.map_err(|e| Problem(entry.span(), e.to_string()))?);
+        let written = string(entry)?;
+        let plain = written.trim_end_matches('/');
+        let rooted = match plain.strip_prefix('/').or(plain.strip_prefix("./")) {
+            Some(rooted) => rooted.to_string(),
+            None if plain.contains('/') => plain.to_string(),
+            None => format!("**/{plain}"),
+        };
+        for pattern in [format!("{rooted}/**"), rooted] {
+            let glob = GlobBuilder::new(&pattern).literal_separator(true).build();
+            let wrong = |e: globset::Error| format!("`{written}` is no pattern: {}", e.kind());
+            set.add(glob.map_err(|e| Problem(entry.span(), wrong(e)))?);
+        }
     }
     set.build()
         .map_err(|e| Problem(value.span(), e.to_string()))
@@ -388,22 +402,60 @@ mod tests {
             5,
             "`vec5` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`",
         );
+        wrong(
+            "[host.uniforms]\nlights = \"vec3[0]\"",
+            2,
+            10,
+            "`vec3[0]` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`",
+        );
+        wrong(
+            "[host.uniforms]\nsample = \"vec3\"",
+            2,
+            1,
+            "`sample` cannot be the name of a uniform",
+        );
+        wrong(
+            "rules.step-budget.loop = -1",
+            1,
+            19,
+            &unknown_key("loop", &["march", "inner", "total", "level"]),
+        );
         wrong("include = \"a\"", 1, 11, "this must be a list: `[...]`");
         assert!(parse("a = ", RULES).is_err());
     }
 
     #[test]
     fn levels_and_hosts_are_read() {
-        let text = "target = \"gpu\"\n[host]\npreset = \"three\"\nuniforms = { uTime = \"float\", on = \"bool\" }\n\
+        let text = "target = \"gpu\"\n[host]\npreset = \"three\"\nuniforms = { uTime = \"float\", on = \"bool\", lights = \"vec3[4]\" }\n\
             [rules]\nbudget = \"info\"\nstep-budget = \"off\"\n[[overrides]]\npaths = [\"a/**\"]\nrules = { numeric = \"off\" }";
         let config = parse(text, RULES).unwrap();
         assert_eq!(config.base.target, Some(Target::Gpu));
         assert_eq!(config.base.levels.last(), Some(&("step-budget", None)));
-        let host = config.base.host.unwrap();
+        let uniforms = config.base.host.unwrap().uniforms;
+        let uniforms: Vec<_> = uniforms
+            .iter()
+            .map(|u| (&*u.name, &*u.ty, u.size))
+            .collect();
         assert_eq!(
-            host.declarations,
-            "uniform bool on;\nuniform highp float uTime;\n"
+            uniforms,
+            [
+                ("lights", "vec3", Some(4)),
+                ("on", "bool", None),
+                ("uTime", "float", None)
+            ]
         );
         assert!(config.overrides[0].0.is_match("a/b/c.glsl"));
+    }
+
+    #[test]
+    fn patterns_are_those_of_gitignore() {
+        let config = parse("exclude = [\"old\", \"a/*.glsl\", \"/top.frag\"]", RULES).unwrap();
+        let excluded = config.exclude.unwrap();
+        for path in ["old/x.glsl", "b/old/c/x.glsl", "a/x.glsl", "top.frag"] {
+            assert!(excluded.is_match(path), "{path}");
+        }
+        for path in ["older/x.glsl", "a/b/x.glsl", "b/top.frag", "c/a/x.glsl"] {
+            assert!(!excluded.is_match(path), "{path}");
+        }
     }
 }

@@ -34,8 +34,19 @@ pub enum DialectChoice {
 pub struct HostNames {
     /// Whether three.js puts its own declarations before it.
     pub is_three: bool,
-    /// Further declarations: `uniform highp float uTime;`, a line each.
-    pub declarations: String,
+    /// Further uniforms.
+    pub uniforms: Vec<HostUniform>,
+}
+
+/// A uniform that the host declares, unless the shader does it itself.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct HostUniform {
+    /// Its name.
+    pub name: String,
+    /// Its type without an array's size, `vec4`.
+    pub ty: String,
+    /// How many there are, where it is an array.
+    pub size: Option<u32>,
 }
 
 /// How an input is judged.
@@ -96,6 +107,11 @@ fn extension(name: &str) -> &str {
     name.rsplit('.').next().unwrap_or("")
 }
 
+/// Whether a file of this name is a ShaderToy export, by its ending.
+pub fn is_export(name: &str) -> bool {
+    matches!(extension(name), "json" | "shadertoy")
+}
+
 /// Finds what is to be said of the text of one input that stands alone.
 pub fn check(
     name: &str,
@@ -118,7 +134,6 @@ pub fn check_with(
     content: Content,
     options: &Options,
 ) -> Result<Findings, DocumentError> {
-    let is_export = matches!(extension(name), "json" | "shadertoy");
     if let Some(diagnostic) = unreadable(&content, name) {
         let mut sources = Sources::new();
         let file = sources.add(name, None, Role::User, content.text);
@@ -144,7 +159,7 @@ pub fn check_with(
     }
     allows.report(RULES, options.settings, &mut diagnostics);
     diagnostics.append(&mut read.problems);
-    if let (Encoding::Damaged(at), false) = (encoding, is_export) {
+    if let (Encoding::Damaged(at), false) = (encoding, is_export(name)) {
         report_damage(&read, at, &mut diagnostics);
     }
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
@@ -184,7 +199,7 @@ fn read(name: &str, text: String, options: &Options) -> Result<Read, DocumentErr
         embedded: Vec::new(),
         problems: Vec::new(),
     };
-    if matches!(extension(name), "json" | "shadertoy") {
+    if is_export(name) {
         let project = Project::from_json(&text).map_err(|e| match e {
             ProjectError::NotAnExport => DocumentError::NotAnExport,
             e => DocumentError::Export(e),
@@ -225,8 +240,7 @@ fn unreadable(content: &Content, name: &str) -> Option<Diagnostic> {
 
 /// Whether files of this name are no shaders themselves, but may hold some.
 fn holds_others(name: &str) -> bool {
-    let extension = extension(name);
-    matches!(extension, "json" | "shadertoy") || Language::of_extension(extension).is_some()
+    is_export(name) || Language::of_extension(extension(name)).is_some()
 }
 
 /// Reports bytes that are no UTF-8, at this offset of the file, where nothing else is said of

@@ -1,7 +1,7 @@
 //! One shader of an input.
 
 use super::include::spread;
-use super::{DialectChoice, Options, Read};
+use super::{DialectChoice, HostUniform, Options, Read};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::lint::{Allows, Settings, lint_within};
 use crate::port::PassUnit;
@@ -10,6 +10,7 @@ use crate::semantic::snippet::is_certain;
 use crate::semantic::{
     Analysis, Dialect, Kind, Pass, Stage, Unit, analyze, guess, shadertoy_header, three_header,
 };
+use crate::syntax::{Lexer, RawKind};
 use crate::text::embed::Host;
 use crate::text::{FileId, Role, Sources, Span};
 
@@ -77,7 +78,7 @@ pub fn check_part(
     if !has_errors && part.extent != Extent::Excerpt {
         let mut found = Vec::new();
         lint_within(&analysis.program, part.host, RULES, settings, &mut found);
-        allows.apply(&analysis.program, RULES, settings, &mut found);
+        allows.apply(&analysis.program, RULES, &mut found);
         found.sort_by_key(|d| (d.span.start, d.span.end));
         found.truncate(MAX_FINDINGS);
         diagnostics.append(&mut found);
@@ -178,32 +179,63 @@ pub fn with_host(
     own: Vec<FileId>,
     options: &Options,
 ) -> Option<Vec<FileId>> {
-    let declared = &options.host.declarations;
-    let has_header = header.is_some();
-    let mut files = Vec::new();
-    if let Some(header) = header {
-        let text = header + declared;
-        files.push(sources.add("", None, Role::Prelude, text)?);
-    } else if !declared.is_empty() {
-        let prelude = sources.add("", None, Role::Prelude, declared.as_str())?;
-        return split_version(sources, own, prelude);
-    }
-    debug_assert!(has_header || files.is_empty());
+    let declared = declarations(sources, &own, &options.host.uniforms);
+    let Some(header) = header else {
+        if declared.is_empty() {
+            return Some(own);
+        }
+        let prelude = sources.add("", None, Role::Prelude, declared)?;
+        return behind_version(sources, own, prelude);
+    };
+    let mut files = vec![sources.add("", None, Role::Prelude, header + &declared)?];
     files.extend(own);
     Some(files)
 }
 
+/// Declares the host's uniforms, without those that the shader declares itself.
+fn declarations(sources: &Sources, own: &[FileId], uniforms: &[HostUniform]) -> String {
+    let texts = || own.iter().filter_map(|id| Some(sources.code(*id)?.text));
+    let mut text = String::new();
+    for uniform in uniforms {
+        let HostUniform { name, ty, size } = uniform;
+        if texts().any(|code| declares(code, name)) {
+            continue;
+        }
+        let precision = if ty.starts_with('b') { "" } else { "highp " };
+        let size = size.map_or(String::new(), |s| format!("[{s}]"));
+        text.push_str(&format!("uniform {precision}{ty} {name}{size};\n"));
+    }
+    text
+}
+
+/// Whether a text declares a uniform of this name.
+fn declares(code: &str, name: &str) -> bool {
+    if !code.contains(name) {
+        return false;
+    }
+    let mut lexer = Lexer::new(code, 0);
+    let mut in_uniform = false;
+    loop {
+        let token = lexer.next_token();
+        let range = token.span.start as usize..token.span.end as usize;
+        match (token.kind, code.get(range).unwrap_or("")) {
+            (RawKind::End, _) => return false,
+            (RawKind::Word, "uniform") => in_uniform = true,
+            (RawKind::Word, word) if in_uniform && word == name => return true,
+            (_, ";") => in_uniform = false,
+            _ => {}
+        }
+    }
+}
+
 /// Puts a prelude behind the line with `#version`, or in front where there is none.
-fn split_version(sources: &mut Sources, own: Vec<FileId>, prelude: FileId) -> Option<Vec<FileId>> {
+fn behind_version(sources: &mut Sources, own: Vec<FileId>, prelude: FileId) -> Option<Vec<FileId>> {
     let mut own = own.into_iter();
     let first = own.next()?;
     let code = sources.code(first)?;
     let (text, base) = (code.text.to_string(), code.base);
-    let behind = text
-        .find("#version")
-        .and_then(|at| text.get(at..)?.find('\n').map(|end| at + end + 1));
     let mut files = Vec::new();
-    match behind {
+    match version_end(&text) {
         None => files.extend([prelude, first]),
         Some(behind) => {
             let file = sources.file_id_at(base)?;
@@ -215,4 +247,25 @@ fn split_version(sources: &mut Sources, own: Vec<FileId>, prelude: FileId) -> Op
     }
     files.extend(own);
     Some(files)
+}
+
+/// Where the line behind `#version` starts.
+fn version_end(text: &str) -> Option<usize> {
+    let mut lexer = Lexer::new(text, 0);
+    let mut after_hash = false;
+    let mut seen = false;
+    loop {
+        let token = lexer.next_token();
+        let range = token.span.start as usize..token.span.end as usize;
+        match token.kind {
+            RawKind::End => return None,
+            RawKind::Newline if seen => return Some(range.end),
+            RawKind::Hash => after_hash = true,
+            RawKind::Word => {
+                seen |= after_hash && text.get(range) == Some("version");
+                after_hash = false;
+            }
+            _ => {}
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The arguments of `shaderlint`.
 
-use super::super::config::{Given, Source};
+use super::super::config::{Exclusion, Given, Source};
 use super::super::document::DialectChoice;
 use crate::report::Format;
 use clap::{Parser, Subcommand, ValueEnum};
@@ -86,6 +86,9 @@ pub struct Args {
     /// Take no configuration
     #[arg(long)]
     pub no_config: bool,
+    /// Leave out what the configuration excludes even where it is named, as hooks name files
+    #[arg(long)]
+    pub force_exclude: bool,
     /// When to print in colour: auto, always, never
     #[arg(
         long,
@@ -198,6 +201,11 @@ impl Args {
                 Some(file) => Source::File(file.clone()),
                 None if self.no_config => Source::Nowhere,
                 None => Source::Nearest,
+            },
+            exclusion: if self.force_exclude {
+                Exclusion::Named
+            } else {
+                Exclusion::Found
             },
         }
     }

@@ -1,7 +1,8 @@
-//! `--write-baseline` and `--baseline`: findings that were there before, by fingerprint, so that
-//! lines may move.
+//! `--write-baseline` and `--baseline`: findings that were there before, by file and fingerprint, so
+//! that lines may move. Files are named from the folder of the baseline, whatever folder the command
+//! runs in.
 
-use super::super::config::Configs;
+use super::super::config::{Configs, absolute};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::super::{CLEAN, FAILED};
@@ -12,14 +13,16 @@ use crate::diagnostic::Diagnostic;
 use crate::report::fingerprints;
 use crate::text::Sources;
 use serde_json::{Value, json};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Findings that are left out.
 pub struct Baseline {
-    known: HashSet<String>,
+    folder: PathBuf,
+    /// By file.
+    known: HashMap<String, HashSet<String>>,
 }
 
 impl Baseline {
@@ -31,18 +34,40 @@ impl Baseline {
         let files = value.get("files").and_then(Value::as_object);
         let files =
             files.ok_or_else(|| wrong("this is no baseline; --write-baseline writes one"))?;
-        let prints = files.values().filter_map(Value::as_array).flatten();
-        let prints = prints.filter_map(|f| f.get("fingerprint")?.as_str());
+        let prints = |entries: &Value| -> HashSet<String> {
+            let entries = entries.as_array().into_iter().flatten();
+            let prints = entries.filter_map(|e| e.get("fingerprint")?.as_str());
+            prints.map(str::to_string).collect()
+        };
+        let known = files.iter().map(|(file, e)| (file.clone(), prints(e)));
         Ok(Baseline {
-            known: prints.map(str::to_string).collect(),
+            folder: folder_of(path),
+            known: known.collect(),
         })
     }
 
     /// Takes away the findings of one file that it knows.
-    pub fn filter(&mut self, sources: &Sources, found: &mut Vec<Diagnostic>) {
+    pub fn filter(&self, file: &str, sources: &Sources, found: &mut Vec<Diagnostic>) {
+        let Some(known) = self.known.get(&named(&self.folder, file)) else {
+            return;
+        };
         let mut prints = fingerprints(sources, found).into_iter();
-        found.retain(|_| prints.next().is_none_or(|p| !self.known.contains(&p)));
+        found.retain(|_| prints.next().is_none_or(|p| !known.contains(&p)));
     }
+}
+
+/// The folder that the files of a baseline are named from.
+fn folder_of(baseline: &Path) -> PathBuf {
+    let mut folder = absolute(baseline);
+    folder.pop();
+    folder
+}
+
+/// The name of a file in a baseline.
+fn named(folder: &Path, file: &str) -> String {
+    let path = absolute(Path::new(file));
+    let path = path.strip_prefix(folder).unwrap_or(&path);
+    path.to_string_lossy().replace('\\', "/")
 }
 
 /// Writes the findings of all inputs into the file that the arguments name.
@@ -51,6 +76,7 @@ pub fn write(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result
         return Ok(FAILED);
     };
     let mut files: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+    let folder = folder_of(path);
     let mut all_well = true;
     let mut count = 0;
     examine_all(inputs, configs, None, &mut |input, outcome| {
@@ -62,12 +88,16 @@ pub fn write(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result
                 let entries: Vec<Value> = entries.collect();
                 count += entries.len();
                 if !entries.is_empty() {
-                    files.insert(input.name.clone(), entries);
+                    files.insert(named(&folder, &input.name), entries);
                 }
             }
             Outcome::Skipped => {}
             Outcome::Failed(message) => {
                 complain(&format!("{}: {message}", input.name));
+                all_well = false;
+            }
+            Outcome::Misconfigured(message) => {
+                complain(&message);
                 all_well = false;
             }
         }

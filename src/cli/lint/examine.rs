@@ -4,14 +4,13 @@ use super::super::STACK;
 use super::super::config::Configs;
 use super::super::document::{DocumentError, Findings, check_with};
 use super::super::input::{Content, InputFile, read};
-use super::config_problem;
 use super::mend::{Mend, Mended};
 use std::collections::BTreeMap;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::sync::{Arc, mpsc};
 
 /// What became of one input.
 pub enum Outcome {
@@ -21,6 +20,8 @@ pub enum Outcome {
     Skipped,
     /// It cannot be judged, for this reason.
     Failed(String),
+    /// Its configuration is wrong, in this way.
+    Misconfigured(Arc<str>),
 }
 
 /// Checks all inputs and hands on what became of them, in order.
@@ -81,7 +82,7 @@ pub fn examine_all(
 fn examine(input: &InputFile, configs: &Configs, mend: Option<Mend>) -> Outcome {
     let judge = match configs.judge(Path::new(&input.name)) {
         Ok(judge) => judge,
-        Err(message) => return config_problem(message),
+        Err(message) => return Outcome::Misconfigured(message),
     };
     let content = match read(input) {
         Ok(content) => content,

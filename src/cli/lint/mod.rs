@@ -18,7 +18,6 @@ use baseline::Baseline;
 use examine::{Outcome, examine_all};
 use mend::{Mend, Mended};
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
 use std::sync::Arc;
 
 /// Runs the linter and gives the exit code.
@@ -42,8 +41,7 @@ pub fn run(args: &Args) -> u8 {
 /// Checks the paths once.
 fn check(args: &Args) -> io::Result<u8> {
     let configs = Configs::new(args.given(), RULES);
-    // A wrong word on the command line, or a wrong configuration right here, is told once.
-    if let Err(message) = configs.judge(Path::new("./stdin.glsl")) {
+    if let Some(message) = configs.problem() {
         complain(&message);
         return Ok(FAILED);
     }
@@ -75,7 +73,7 @@ fn complain(message: &str) {
 /// be read and written.
 fn judge(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<(Summary, bool)> {
     let mend = Mend::of(args);
-    let mut baseline = args.baseline.as_deref().map(Baseline::load).transpose()?;
+    let baseline = args.baseline.as_deref().map(Baseline::load).transpose()?;
     // What is printed of fixes goes first to where the findings would go.
     let prints_text = mend.is_some_and(|m| m.prints(inputs));
     let format = if prints_text {
@@ -88,11 +86,15 @@ fn judge(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<(Su
     } else {
         Box::new(io::stdout().lock())
     };
+    let here = std::env::current_dir().unwrap_or_default();
+    let here = here.to_string_lossy().replace('\\', "/");
     let out = BufWriter::with_capacity(1 << 16, out);
     let mut reporter = Reporter::new(format, out, args.color.is_on())
         .with_pages(explain::page)
+        .inside(&here)
         .offering_fixes();
     let mut all_well = true;
+    let mut told: Vec<Arc<str>> = Vec::new();
     let mut print = |input: &InputFile, outcome: Outcome| -> io::Result<()> {
         let (mut findings, mended) = match outcome {
             Outcome::Checked(findings, mended) => (findings, mended),
@@ -102,9 +104,18 @@ fn judge(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<(Su
                 all_well = false;
                 return Ok(());
             }
+            Outcome::Misconfigured(message) => {
+                if !told.contains(&message) {
+                    complain(&message);
+                    told.push(message);
+                }
+                all_well = false;
+                return Ok(());
+            }
         };
         match mended {
             None => {}
+            Some(Mended::Left(message)) => complain(&format!("{}: {message}", input.name)),
             Some(Mended::Written(count)) => reporter.add_fixed(count),
             Some(Mended::Text(text)) => io::stdout().lock().write_all(text.as_bytes())?,
             Some(Mended::Refused(message)) => {
@@ -112,17 +123,12 @@ fn judge(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<(Su
                 all_well = false;
             }
         }
-        if let Some(baseline) = &mut baseline {
-            baseline.filter(&findings.sources, &mut findings.diagnostics);
+        if let Some(baseline) = &baseline {
+            baseline.filter(&input.name, &findings.sources, &mut findings.diagnostics);
         }
         reporter.file(&input.name, &findings.sources, &findings.diagnostics)
     };
     examine_all(inputs, configs, mend, &mut print)?;
     let summary = reporter.finish()?;
     Ok((summary, all_well))
-}
-
-/// What is said where the configuration of a file cannot be read.
-fn config_problem(message: Arc<str>) -> Outcome {
-    Outcome::Failed(message.to_string())
 }

@@ -1,40 +1,50 @@
 //! `--watch`: checks again whenever a file changes, until it is stopped.
 
-use super::super::config::Configs;
-use super::super::input::collect;
+use super::super::FAILED;
+use super::super::config::{Configs, FILE};
+use super::super::input::{InputFile, collect};
 use super::args::Args;
 use super::{check, complain};
 use crate::rules::RULES;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 /// How often files are looked at. Asking the file system works on every one of them, network and
 /// container mounts included, where change events do not arrive.
 const PAUSE: Duration = Duration::from_millis(300);
 
-/// Runs until the process is ended.
+/// Runs until the process is ended. The two lines on standard error that frame each check are for
+/// editors, which clear their list of problems at the first.
 pub fn run(args: &Args) -> io::Result<u8> {
-    let mut stamp = Stamp::new();
+    if args.paths.iter().any(|p| p.as_os_str() == "-") {
+        complain("standard input cannot be watched");
+        return Ok(FAILED);
+    }
     loop {
         if io::stdout().is_terminal() {
             // Clears the screen and goes to its top.
             write!(io::stdout(), "\x1b[2J\x1b[H")?;
         }
+        complain("checking");
+        let before = take_stamp(args);
         check(args)?;
-        let seen = take_stamp(args);
+        // What was mended is no change.
+        let mut stamp = if args.fix || args.unsafe_fixes {
+            take_stamp(args)
+        } else {
+            before
+        };
         complain("waiting for changes");
-        stamp.clone_from(&seen);
-        loop {
+        while take_stamp(args) == stamp {
             std::thread::sleep(PAUSE);
-            let now = take_stamp(args);
-            if now != stamp {
-                // Editors write in several steps; the last look decides.
-                stamp = settle(args, now);
-                break;
-            }
+        }
+        // Editors write in several steps; the last look decides.
+        while take_stamp(args) != stamp {
+            stamp = take_stamp(args);
+            std::thread::sleep(PAUSE / 3);
         }
     }
 }
@@ -42,27 +52,15 @@ pub fn run(args: &Args) -> io::Result<u8> {
 /// Sizes and times of all files.
 type Stamp = BTreeMap<PathBuf, (u64, Option<SystemTime>)>;
 
-fn settle(args: &Args, mut stamp: Stamp) -> Stamp {
-    loop {
-        std::thread::sleep(PAUSE / 3);
-        let now = take_stamp(args);
-        if now == stamp {
-            return now;
-        }
-        stamp = now;
-    }
-}
-
 fn take_stamp(args: &Args) -> Stamp {
     let configs = Configs::new(args.given(), RULES);
     let inputs = collect(&args.paths, args.stdin_filename.as_deref(), &configs).inputs;
-    let paths = inputs.into_iter().filter_map(|i| i.path);
-    let config = args
-        .config
-        .clone()
-        .unwrap_or_else(|| super::super::config::FILE.into());
-    paths
-        .chain([config])
+    let files = inputs.iter().filter_map(|i| i.path.clone());
+    let config_of = |i: &InputFile| configs.file_of(Path::new(&i.name));
+    let here = PathBuf::from(FILE);
+    files
+        .chain(inputs.iter().filter_map(config_of))
+        .chain([here])
         .filter_map(|path| {
             let data = fs::metadata(&path).ok()?;
             Some((path, (data.len(), data.modified().ok())))

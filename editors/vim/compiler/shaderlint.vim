@@ -1,0 +1,41 @@
+" shaderlint for :make. Put this file into ~/.vim/compiler (Neovim: ~/.config/nvim/compiler), then
+"
+"   autocmd FileType glsl compiler shaderlint
+"   :make       checks the file; :copen lists what is found
+"   :make %:h   checks its folder too
+if exists('current_compiler')
+  finish
+endif
+let current_compiler = 'shaderlint'
+
+if exists(':CompilerSet') != 2
+  command -nargs=* CompilerSet setlocal <args>
+endif
+
+CompilerSet makeprg=shaderlint\ --format\ short\ %:S\ $*
+CompilerSet errorformat=%f:%l:%c:\ %trror[%*[^]]]:\ %m
+CompilerSet errorformat+=%f:%l:%c:\ %tarning[%*[^]]]:\ %m
+CompilerSet errorformat+=%f:%l:%c:\ %tnfo[%*[^]]]:\ %m
+CompilerSet errorformat+=%-Gshaderlint:\ %.%#
+
+" shaderlint counts columns in characters, and Vim in bytes.
+function! s:CountBytes() abort
+  if getbufvar('%', 'current_compiler', get(g:, 'current_compiler', '')) !=# 'shaderlint'
+    return
+  endif
+  let l:list = getqflist()
+  for l:item in l:list
+    if l:item.valid && l:item.col > 1 && l:item.bufnr > 0
+      call bufload(l:item.bufnr)
+      let l:line = get(getbufline(l:item.bufnr, l:item.lnum), 0, '')
+      let l:byte = byteidx(l:line, l:item.col - 1)
+      let l:item.col = l:byte >= 0 ? l:byte + 1 : l:item.col
+    endif
+  endfor
+  call setqflist(l:list, 'r')
+endfunction
+
+augroup shaderlint
+  autocmd!
+  autocmd QuickFixCmdPost make call s:CountBytes()
+augroup END

@@ -1,0 +1,323 @@
+//! `shaderlint.toml`.
+
+use crate::scratch::{CLEAN, Scratch, WARNED, root};
+use serde_json::Value;
+use std::fs;
+
+fn config(text: &str) -> Scratch {
+    Scratch::new(&[("shaderlint.toml", text), ("a.glsl", WARNED)])
+}
+
+#[test]
+fn the_nearest_configuration_above_a_file_holds() {
+    let scratch = Scratch::new(&[
+        ("shaderlint.toml", "rules.pow-negative-base = \"off\""),
+        ("a.glsl", WARNED),
+        ("in/a.glsl", WARNED),
+        ("own/shaderlint.toml", "rules.tidy = \"off\""),
+        ("own/deep/a.glsl", WARNED),
+    ]);
+    assert_eq!(scratch.places(&["a.glsl"]), ["3:11 unused-variable"]);
+    assert_eq!(scratch.places(&["in/a.glsl"]), ["3:11 unused-variable"]);
+    assert_eq!(
+        scratch.places(&["own/deep/a.glsl"]),
+        ["2:22 pow-negative-base"]
+    );
+    let all = ["2:22 pow-negative-base", "3:11 unused-variable"];
+    assert_eq!(scratch.places(&["--no-config", "a.glsl"]), all);
+    let given = ["--config", "own/shaderlint.toml", "a.glsl"];
+    assert_eq!(scratch.places(&given), ["2:22 pow-negative-base"]);
+    // From inside, `..` leads to the same file.
+    let ran = scratch.run_in("own/deep", &["--format", "short", "../../a.glsl"]);
+    assert!(ran.out.contains("unused-variable") && !ran.out.contains("pow-negative-base"));
+    let named = ["-", "--stdin-filename", "own/b.glsl", "--format", "short"];
+    let ran = scratch.pipe(WARNED, &named);
+    assert!(!ran.out.contains("unused-variable") && ran.out.contains("pow-negative-base"));
+}
+
+#[test]
+fn rules_and_groups_have_levels() {
+    let level = |config_text: &str| {
+        let ran = config(config_text).run(&["--format", "short", "a.glsl"]);
+        let line = ran.out.lines().find(|l| l.contains("pow-negative-base"));
+        line.map(|l| l.split([' ', '[']).nth(1).unwrap().to_string())
+    };
+    let some = |level: &str| Some(level.to_string());
+    assert_eq!(level(""), some("warning"));
+    assert_eq!(level("[rules]\nnumeric = \"info\""), some("info"));
+    assert_eq!(level("[rules]\nnumeric = \"off\""), None);
+    let both = "[rules]\npow-negative-base = \"warning\"\nnumeric = \"off\"";
+    assert_eq!(level(both), some("warning"), "a rule goes before its group");
+    let table = "[rules]\npow-negative-base = { level = \"info\" }";
+    assert_eq!(level(table), some("info"));
+}
+
+#[test]
+fn a_rule_that_is_off_can_be_turned_on() {
+    let code = "float f(float x, float y) { return x; }\n\
+        void mainImage(out vec4 c, in vec2 p) { c = vec4(f(p.x, p.y)); }\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    assert_eq!(scratch.places(&["a.glsl"]), [""; 0]);
+    scratch.write("shaderlint.toml", "rules.unused-parameter = \"warning\"");
+    assert_eq!(scratch.places(&["a.glsl"]), ["1:24 unused-parameter"]);
+    assert_eq!(scratch.places(&["--ignore", "tidy", "a.glsl"]), [""; 0]);
+}
+
+const MARCH: &str = "\
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec3 ro = vec3(0.0), rd = normalize(vec3(fragCoord, 1.0));
+    float t = 0.0;
+    for (int i = 0; i < 100; i++) {
+        float d = length(ro + rd * t) - 1.0;
+        if (d < 0.001) break;
+        t += d;
+    }
+    fragColor = vec4(t);
+}
+";
+
+#[test]
+fn options_and_target_change_what_rules_go_by() {
+    let scratch = Scratch::new(&[("a.glsl", MARCH)]);
+    let finds = |text: &str| {
+        scratch.write("shaderlint.toml", text);
+        let places = scratch.places(&["a.glsl"]);
+        places.iter().any(|p| p.ends_with(" step-budget"))
+    };
+    assert!(finds(""));
+    assert!(!finds("[rules.step-budget]\nmarch = 128\ntotal = 200"));
+    assert!(finds("[rules.step-budget]\nmarch = 99\ntotal = 200"));
+    assert!(!finds("target = \"gpu\""));
+    assert!(finds("target = \"gpu\"\n[rules.step-budget]\nmarch = 64"));
+}
+
+#[test]
+fn overrides_hold_for_their_paths() {
+    let scratch = Scratch::new(&[
+        (
+            "shaderlint.toml",
+            "[[overrides]]\npaths = [\"legacy\", \"*.test.glsl\"]\nrules = { numeric = \"off\" }\n\
+             [[overrides]]\npaths = [\"legacy/new/*\"]\nrules = { pow-negative-base = \"info\" }\n",
+        ),
+        ("a.glsl", WARNED),
+        ("x/a.test.glsl", WARNED),
+        ("legacy/deep/a.glsl", WARNED),
+        ("legacy/new/a.glsl", WARNED),
+    ]);
+    let level = |file: &str| {
+        let ran = scratch.run(&["--format", "short", file]);
+        let line = ran.out.lines().find(|l| l.contains("pow-negative-base"));
+        line.map_or("off", |l| {
+            if l.contains(" info[") {
+                "info"
+            } else {
+                "warning"
+            }
+        })
+    };
+    assert_eq!(level("a.glsl"), "warning");
+    assert_eq!(level("x/a.test.glsl"), "off");
+    assert_eq!(level("legacy/deep/a.glsl"), "off");
+    assert_eq!(
+        level("legacy/new/a.glsl"),
+        "info",
+        "the later override goes first"
+    );
+}
+
+#[test]
+fn the_dialect_is_set_for_all_and_for_some() {
+    let webgl1 = "precision highp float;\nvoid main() { gl_FragColor = vec4(1.0); }\n";
+    let scratch = Scratch::new(&[
+        (
+            "shaderlint.toml",
+            "dialect = \"webgl2\"\n[[overrides]]\npaths = [\"old\"]\ndialect = \"webgl1\"",
+        ),
+        ("a.glsl", webgl1),
+        ("old/a.glsl", webgl1),
+    ]);
+    assert_eq!(scratch.run(&["a.glsl"]).code, 1);
+    assert_eq!(scratch.run(&["old/a.glsl"]).code, 0);
+    assert_eq!(scratch.run(&["--dialect", "webgl1", "a.glsl"]).code, 0);
+}
+
+#[test]
+fn the_host_declares_uniforms() {
+    let code = "#version 300 es\nprecision highp float;\nout vec4 color;\n\
+        void main() { color = vec4(uTime, lights[3]); }\n";
+    let own = code.replace(
+        "out vec4 color;\n",
+        "out vec4 color;\nuniform float uTime;\n",
+    );
+    let plain = "void mainImage(out vec4 c, in vec2 p) { c = vec4(uTime); }\n";
+    let scratch = Scratch::new(&[
+        ("a.frag", code),
+        ("own.frag", &own),
+        ("plain.glsl", plain),
+        ("none/shaderlint.toml", ""),
+        ("none/a.frag", code),
+    ]);
+    let uniforms = "[host.uniforms]\nuTime = \"float\"\nlights = \"vec3[4]\"\n";
+    scratch.write("shaderlint.toml", uniforms);
+    for file in ["a.frag", "own.frag", "plain.glsl"] {
+        let ran = scratch.run(&[file]);
+        assert_eq!((ran.code, ran.out.as_str()), (0, ""), "{file}");
+    }
+    assert_eq!(scratch.run(&["none/a.frag"]).code, 1);
+    // The types are those that are told.
+    scratch.write("shaderlint.toml", uniforms.replace("\"float\"", "\"vec2\""));
+    let found = scratch.places(&["a.frag"]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].starts_with("4:"), "{found:?}");
+}
+
+#[test]
+fn three_declares_its_names() {
+    let code = "varying vec2 vUv;\nvoid main() {\n    vUv = uv;\n    \
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);\n}\n";
+    let scratch = Scratch::new(&[("a.vert", code)]);
+    assert_eq!(scratch.run(&["a.vert"]).code, 1);
+    scratch.write("shaderlint.toml", "host = \"three\"");
+    let ran = scratch.run(&["a.vert"]);
+    assert_eq!((ran.code, ran.out.as_str()), (0, ""));
+}
+
+#[test]
+fn include_and_exclude_choose_files_in_folders() {
+    let scratch = Scratch::new(&[
+        ("a.glsl", WARNED),
+        ("a.shader", WARNED),
+        ("third_party/a.glsl", WARNED),
+    ]);
+    let files = |args: &[&str]| {
+        let ran = scratch.run(&[&["--format", "checkstyle"], args].concat());
+        let xml = roxmltree::Document::parse(&ran.out).unwrap();
+        let names = xml.descendants().filter(|n| n.has_tag_name("file"));
+        names
+            .map(|n| n.attribute("name").unwrap().to_string())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(files(&["."]), ["a.glsl", "third_party/a.glsl"]);
+    scratch.write("shaderlint.toml", "exclude = [\"third_party\"]");
+    assert_eq!(files(&["."]), ["a.glsl"]);
+    assert_eq!(
+        files(&["third_party/a.glsl"]),
+        ["third_party/a.glsl"],
+        "it is named"
+    );
+    assert_eq!(
+        files(&["--force-exclude", "a.glsl", "third_party/a.glsl"]),
+        ["a.glsl"]
+    );
+    scratch.write("shaderlint.toml", "include = [\"*.shader\"]");
+    assert_eq!(files(&["."]), ["a.shader"]);
+}
+
+#[test]
+fn a_mistake_is_an_error_with_its_place() {
+    let wrong = |text: &str, message: &str| {
+        let ran = config(text).run(&["a.glsl", "a.glsl"]);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+        assert_eq!(ran.err, format!("shaderlint: {message}\n"));
+    };
+    wrong(
+        "# é\ntaget = \"gpu\"",
+        "shaderlint.toml:2:1: unknown key `taget`; did you mean `target`?",
+    );
+    wrong(
+        "[rules]\nflaot-equality = \"off\"",
+        "shaderlint.toml:2:1: there is no rule or group `flaot-equality`; did you mean `float-equality`?",
+    );
+    wrong(
+        "[rules.step-budget]\nmarsh = 3",
+        "shaderlint.toml:2:1: unknown key `marsh`; did you mean `march`?",
+    );
+    wrong(
+        "[[overrides]]\nrules = {}",
+        "shaderlint.toml:1:1: an override needs `paths`: `paths = [\"legacy/**\"]`",
+    );
+    wrong(
+        "exclude = [\"a\", \"[\"]",
+        "shaderlint.toml:1:17: `[` is no pattern: unclosed character class; missing ']'",
+    );
+}
+
+#[test]
+fn a_wrong_configuration_is_told_once_and_others_still_count() {
+    let scratch = Scratch::new(&[
+        ("bad/shaderlint.toml", "x = 1"),
+        ("bad/a.glsl", WARNED),
+        ("bad/b.glsl", WARNED),
+        ("good/a.glsl", WARNED),
+    ]);
+    let ran = scratch.run(&["--format", "short", "."]);
+    assert_eq!(ran.code, 2);
+    assert_eq!(ran.err.lines().count(), 1, "{}", ran.err);
+    assert!(
+        ran.err
+            .starts_with("shaderlint: bad/shaderlint.toml:1:1: unknown key `x`")
+    );
+    assert_eq!(ran.out.lines().count(), 2, "{}", ran.out);
+    let ran = scratch.run(&["--config", "missing.toml", "good"]);
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err.starts_with("shaderlint: missing.toml: "),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn the_committed_schema_is_fresh() {
+    let schema = Scratch::new(&[]).run(&["schema"]).out;
+    let path = root().join("editors/shaderlint.schema.json");
+    if std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always") {
+        fs::write(&path, &schema).unwrap();
+    }
+    let committed = fs::read_to_string(path).unwrap_or_default();
+    assert!(
+        schema == committed,
+        "editors/shaderlint.schema.json is stale"
+    );
+}
+
+/// The schema and the reader must know the same keys.
+#[test]
+fn the_schema_knows_what_the_reader_knows() {
+    let schema: Value = serde_json::from_str(&Scratch::new(&[]).run(&["schema"]).out).unwrap();
+    let keys = |at: &str| -> Vec<String> {
+        let object = schema.pointer(at).and_then(Value::as_object).unwrap();
+        object.keys().cloned().collect()
+    };
+    let told = |text: &str| {
+        let ran = config(text).run(&["a.glsl"]);
+        let names = ran
+            .err
+            .split("there are `")
+            .nth(1)
+            .unwrap()
+            .trim_end()
+            .trim_end_matches('`');
+        let mut names: Vec<String> = names.split("`, `").map(str::to_string).collect();
+        names.sort();
+        names
+    };
+    assert_eq!(keys("/properties"), told("zzzzzzzzzz = 1"));
+    let overrides = "[[overrides]]\npaths = []\nzzzzzzzzzz = 1";
+    assert_eq!(
+        keys("/properties/overrides/items/properties"),
+        told(overrides)
+    );
+    let host = "host.zzzzzzzzzz = 1";
+    assert_eq!(keys("/properties/host/oneOf/1/properties"), told(host));
+    for rule in keys("/properties/rules/properties") {
+        let ran = config(&format!("rules.{rule} = \"info\"")).run(&["a.glsl"]);
+        assert_ne!(ran.code, 2, "{rule}");
+    }
+}
+
+#[test]
+fn a_clean_file_needs_no_configuration() {
+    let scratch = Scratch::new(&[("a.glsl", CLEAN)]);
+    assert_eq!(scratch.run(&["a.glsl"]).code, 0);
+}

@@ -1,0 +1,214 @@
+//! `--fix`, `--unsafe-fixes` and `--diff`.
+
+use crate::scratch::{BROKEN, CLEAN, Scratch, WARNED, mended};
+use std::fs;
+
+#[test]
+fn safe_fixes_are_written_until_nothing_is_left() {
+    let scratch = Scratch::new(&[("a.glsl", BROKEN), ("b.glsl", CLEAN)]);
+    let ran = scratch.run(&["--fix", "."]);
+    assert_eq!((ran.code, ran.out.as_str()), (0, "2 findings fixed\n"));
+    assert_eq!(scratch.read("a.glsl"), mended());
+    let again = scratch.run(&["--fix", "."]);
+    assert_eq!((again.code, again.out.as_str()), (0, ""));
+    assert_eq!(scratch.read("a.glsl"), mended());
+}
+
+#[test]
+fn one_fix_opens_the_way_for_the_next() {
+    // The error hides what the rules say of the shader that compiles.
+    let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = 1;\n    float unused = a;\n    c = vec4(p, a, 1.0);\n}\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    let ran = scratch.run(&["--fix", "a.glsl"]);
+    assert_eq!(ran.out, "2 findings fixed\n");
+    let fixed = "void mainImage(out vec4 c, in vec2 p) {\n    float a = 1.0;\n    c = vec4(p, a, 1.0);\n}\n";
+    assert_eq!(scratch.read("a.glsl"), fixed);
+}
+
+#[test]
+fn unsafe_fixes_want_to_be_asked_for() {
+    let code =
+        "void mainImage(out vec4 c, in vec2 p) {\n    float a = acos(p.x);\n    c = vec4(a);\n}\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    let told = scratch.run(&["a.glsl"]).out;
+    assert!(
+        told.ends_with("1 warning in 1 file; 1 can be fixed with --unsafe-fixes\n"),
+        "{told}"
+    );
+    scratch.run(&["--fix", "a.glsl"]);
+    assert_eq!(scratch.read("a.glsl"), code);
+    let ran = scratch.run(&["--unsafe-fixes", "a.glsl"]);
+    assert_eq!(ran.out, "1 finding fixed\n");
+    assert!(
+        scratch
+            .read("a.glsl")
+            .contains("acos(clamp(p.x, -1.0, 1.0))")
+    );
+}
+
+#[test]
+fn a_diff_writes_nothing() {
+    let scratch = Scratch::new(&[("src/a.glsl", BROKEN)]);
+    let ran = scratch.run(&["--diff", "src"]);
+    let diff = "\
+--- a/src/a.glsl
++++ b/src/a.glsl
+@@ -1,7 +1,7 @@
+ // größe 𝄞
+-float halfOf(float x) { return x / 2; }
++float halfOf(float x) { return x / 2.0; }
+ 
+ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+-    /* 𝄞é */ float a = 1;
++    /* 𝄞é */ float a = 1.0;
+     fragColor = vec4(halfOf(a));
+ }
+";
+    assert_eq!((ran.code, ran.out.as_str()), (1, diff));
+    assert_eq!(scratch.read("src/a.glsl"), BROKEN);
+    let both = scratch.run(&["--fix", "--diff", "src"]);
+    assert_eq!(both.out, diff);
+    assert_eq!(scratch.read("src/a.glsl"), BROKEN);
+}
+
+#[test]
+fn standard_input_comes_out_mended() {
+    let scratch = Scratch::new(&[]);
+    let ran = scratch.pipe(BROKEN, &["--fix", "-"]);
+    assert_eq!((ran.code, ran.out), (0, mended()));
+    let ran = scratch.pipe(CLEAN, &["--fix", "-"]);
+    assert_eq!(
+        (ran.code, ran.out.as_str(), ran.err.as_str()),
+        (0, CLEAN, "")
+    );
+    // What is left to say does not mix with the text.
+    let ran = scratch.pipe(WARNED, &["--fix", "-", "--stdin-filename", "x/a.glsl"]);
+    assert_eq!(ran.out, WARNED.replace("    float unused = 2.0;\n", ""));
+    assert!(
+        ran.err
+            .starts_with("x/a.glsl:2:22: warning[pow-negative-base]"),
+        "{}",
+        ran.err
+    );
+    let ran = scratch.pipe(BROKEN, &["--diff", "-"]);
+    assert!(ran.out.starts_with("--- a/stdin.glsl\n"), "{}", ran.out);
+}
+
+#[test]
+fn line_ends_and_byte_order_marks_stay() {
+    let crlf = format!("\u{feff}{}", BROKEN.replace('\n', "\r\n"));
+    let scratch = Scratch::new(&[("a.glsl", &crlf)]);
+    assert_eq!(scratch.run(&["--fix", "a.glsl"]).code, 0);
+    assert_eq!(
+        scratch.read("a.glsl"),
+        format!("\u{feff}{}", mended().replace('\n', "\r\n"))
+    );
+    // A fix that puts lines in ends them as the file does.
+    let code = "#version 300 es\r\nout vec4 c;\r\nvoid main() {\r\n    c = vec4(1.0);\r\n}\r\n";
+    scratch.write("b.frag", code);
+    scratch.run(&["--unsafe-fixes", "b.frag"]);
+    let fixed = scratch.read("b.frag");
+    assert!(fixed.contains("precision "), "{fixed}");
+    assert_eq!(
+        fixed.matches('\n').count(),
+        fixed.matches("\r\n").count(),
+        "{fixed:?}"
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn links_modes_and_read_only_files() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let scratch = Scratch::new(&[("real/a.glsl", BROKEN), ("locked.glsl", BROKEN)]);
+    let mode = |name: &str, mode: u32| {
+        fs::set_permissions(scratch.path(name), fs::Permissions::from_mode(mode)).unwrap();
+    };
+    mode("real/a.glsl", 0o640);
+    mode("locked.glsl", 0o444);
+    symlink("real/a.glsl", scratch.path("link.glsl")).unwrap();
+    assert_eq!(scratch.run(&["--fix", "link.glsl"]).code, 0);
+    assert!(scratch.path("link.glsl").is_symlink());
+    assert_eq!(scratch.read("real/a.glsl"), mended());
+    let metadata = fs::metadata(scratch.path("real/a.glsl")).unwrap();
+    assert_eq!(metadata.permissions().mode() & 0o777, 0o640);
+    let ran = scratch.run(&["--fix", "locked.glsl"]);
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .contains("locked.glsl: the fixes cannot be written: the file is read-only")
+    );
+    assert!(ran.out.contains("2 errors in 1 file"), "{}", ran.out);
+    assert_eq!(scratch.read("locked.glsl"), BROKEN);
+    let left: Vec<_> = fs::read_dir(scratch.path("")).unwrap().collect();
+    assert_eq!(left.len(), 3, "no temporary file stays");
+}
+
+const MAIN: &str =
+    "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, 0.0, 1.0); float a = 1; c.x = a; }";
+
+#[test]
+fn shaders_inside_other_files_are_mended_in_place() {
+    let fixed = MAIN.replace("= 1;", "= 1.0;");
+    let texts = [
+        (
+            "a.html",
+            "<p>1;</p>\n<script type=\"x-shader/x-fragment\">@</script>\n",
+        ),
+        ("a.js", "let a = 1;\nconst s = /* glsl */ `\n@\n`;\n"),
+        ("b.ts", "let a = 1;\nconst s: string = glsl`@`;\n"),
+        ("a.md", "A text: a = 1;\n\n```glsl\n@\n```\n"),
+    ];
+    for (name, text) in texts {
+        let scratch = Scratch::new(&[(name, &text.replace('@', MAIN))]);
+        let ran = scratch.run(&["--fix", name]);
+        assert_eq!(ran.code, 0, "{name}: {}", ran.out);
+        assert_eq!(scratch.read(name), text.replace('@', &fixed));
+    }
+}
+
+#[test]
+fn a_string_in_quotes_stays_a_string() {
+    let text = "const s = \"#version 300 es\\nprecision highp float;\\nout vec4 c;\\nvoid main() { float a = 1; c = vec4(a); }\";\n";
+    let scratch = Scratch::new(&[("a.js", text)]);
+    scratch.run(&["--fix", "a.js"]);
+    assert_eq!(scratch.read("a.js"), text.replace("a = 1;", "a = 1.0;"));
+}
+
+#[test]
+fn exports_are_not_written() {
+    let code = format!("// \"quoted\"\n{MAIN}");
+    let pass = serde_json::json!({"type": "image", "name": "Image", "code": code, "inputs": [], "outputs": []});
+    let export = serde_json::json!({"info": {"name": "x"}, "renderpass": [pass]}).to_string();
+    let scratch = Scratch::new(&[("a.json", &export)]);
+    let plain = scratch.run(&["a.json"]).out;
+    assert!(
+        plain.ends_with("1 error in 1 file\n"),
+        "it promises no fix: {plain}"
+    );
+    let ran = scratch.run(&["--fix", "a.json"]);
+    assert_eq!(ran.code, 1);
+    assert_eq!(
+        ran.err,
+        "shaderlint: a.json: 1 fix is not written, since an export holds code in escapes; save the pass as a file of its own\n"
+    );
+    assert_eq!(scratch.read("a.json"), export);
+    assert_eq!(scratch.run(&["--diff", "a.json"]).out, "");
+    let piped = scratch.pipe(&export, &["--fix", "-", "--stdin-filename", "a.json"]);
+    assert_eq!(piped.out, export);
+}
+
+#[test]
+fn an_included_file_is_mended_as_itself_only() {
+    let common = "float one() { float a = 1; return a; }\n";
+    let image =
+        "#include \"common.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(one()); }\n";
+    let scratch = Scratch::new(&[("a.glsl", image), ("common.glsl", common)]);
+    let told = scratch.run(&["a.glsl"]).out;
+    assert!(told.ends_with("1 error in 1 file\n"), "{told}");
+    scratch.run(&["--fix", "a.glsl"]);
+    assert_eq!(scratch.read("a.glsl"), image);
+    assert_eq!(scratch.read("common.glsl"), common);
+    scratch.run(&["--fix", "common.glsl"]);
+    assert_eq!(scratch.run(&["a.glsl"]).out, "");
+}

@@ -1,0 +1,10 @@
+//! The linter as people set it up and use it, each time in a folder of its own: configuration,
+//! suppressions, fixes, baselines, and every output format read by a parser.
+
+mod baselines;
+mod commands;
+mod config;
+mod fixes;
+mod outputs;
+mod scratch;
+mod suppressions;

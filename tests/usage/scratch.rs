@@ -1,0 +1,145 @@
+//! A folder to try the program in.
+
+use insta_cmd::get_cargo_bin;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// A folder that goes away with the test.
+pub struct Scratch(tempfile::TempDir);
+
+/// What a run gave.
+#[derive(Debug)]
+pub struct Ran {
+    /// The exit code.
+    pub code: i32,
+    /// Standard output.
+    pub out: String,
+    /// Standard error.
+    pub err: String,
+}
+
+impl Scratch {
+    /// A folder with these files.
+    pub fn new(files: &[(&str, &str)]) -> Scratch {
+        let scratch = Scratch(tempfile::tempdir().unwrap());
+        for (name, text) in files {
+            scratch.write(name, text);
+        }
+        scratch
+    }
+
+    /// The path of a file in it.
+    pub fn path(&self, name: &str) -> PathBuf {
+        // The folder for temporary files may itself be a link.
+        fs::canonicalize(self.0.path()).unwrap().join(name)
+    }
+
+    /// Writes a file.
+    pub fn write(&self, name: &str, text: impl AsRef<[u8]>) {
+        let path = self.path(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+
+    /// Reads a file.
+    pub fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    /// The command that runs the program in the folder.
+    pub fn command(&self, args: &[&str]) -> Command {
+        let mut command = Command::new(get_cargo_bin("shaderlint"));
+        command
+            .current_dir(self.path(""))
+            .args(args)
+            .env("NO_COLOR", "1");
+        command
+    }
+
+    /// Runs the program.
+    pub fn run(&self, args: &[&str]) -> Ran {
+        ran(&mut self.command(args), "")
+    }
+
+    /// Runs the program in a folder inside.
+    pub fn run_in(&self, folder: &str, args: &[&str]) -> Ran {
+        ran(self.command(args).current_dir(self.path(folder)), "")
+    }
+
+    /// Runs the program with this text as its standard input.
+    pub fn pipe(&self, text: &str, args: &[&str]) -> Ran {
+        ran(&mut self.command(args), text)
+    }
+
+    /// What the program prints of a file, a line each: `line:column rule`.
+    pub fn places(&self, args: &[&str]) -> Vec<String> {
+        let ran = self.run(&[args, &["--format", "short"]].concat());
+        let place = |line: &str| {
+            let mut parts = line.splitn(4, ':');
+            let at = format!("{}:{}", parts.nth(1)?, parts.next()?);
+            let rule = parts.next()?.split(['[', ']']).nth(1)?.to_string();
+            Some(format!("{at} {rule}"))
+        };
+        ran.out.lines().filter_map(place).collect()
+    }
+}
+
+fn ran(command: &mut Command, input: &str) -> Ran {
+    let mut child = command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A program that needs no input may be gone already.
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+    let out = child.wait_with_output().unwrap();
+    Ran {
+        code: out.status.code().unwrap(),
+        out: String::from_utf8(out.stdout).unwrap(),
+        err: String::from_utf8(out.stderr).unwrap(),
+    }
+}
+
+/// The top of the repository.
+pub fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// A shader with one finding of each severity that a default rule has; the warning is the only one
+/// of its line.
+pub const WARNED: &str = "\
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    float wave = pow(iTime - 9.0, 2.0);
+    float unused = 2.0;
+    fragColor = vec4(wave);
+}
+";
+
+/// A shader with two compile errors that have safe fixes, the second behind characters of two and
+/// four bytes.
+pub const BROKEN: &str = "\
+// größe 𝄞
+float halfOf(float x) { return x / 2; }
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    /* 𝄞é */ float a = 1;
+    fragColor = vec4(halfOf(a));
+}
+";
+
+/// [`BROKEN`] when it is mended.
+pub fn mended() -> String {
+    BROKEN
+        .replace("x / 2;", "x / 2.0;")
+        .replace("a = 1;", "a = 1.0;")
+}
+
+/// A shader without findings.
+pub const CLEAN: &str = "\
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    fragColor = vec4(fragCoord / iResolution.xy, 0.0, 1.0);
+}
+";

@@ -1,0 +1,124 @@
+//! `// shaderlint: allow(rule) reason`.
+
+use crate::scratch::Scratch;
+
+/// What is found in the body of a shader.
+fn found(body: &str) -> Vec<String> {
+    let code =
+        format!("void mainImage(out vec4 c, in vec2 p) {{\nc = vec4(p, 0.0, 1.0);\n{body}\n}}\n");
+    Scratch::new(&[("a.glsl", &code)]).places(&["a.glsl"])
+}
+
+const POW: &str = "c += pow(iTime - 9.0, 2.0);";
+
+#[test]
+fn behind_code_it_speaks_of_its_line() {
+    assert_eq!(found(POW), ["3:10 pow-negative-base"]);
+    let allowed = format!("{POW} // shaderlint: allow(pow-negative-base) it is squared");
+    assert_eq!(found(&allowed), [""; 0]);
+    let next = format!("{allowed}\n{POW}");
+    assert_eq!(found(&next), ["4:10 pow-negative-base"]);
+    let block = format!("{POW} /* shaderlint: allow(pow-negative-base) */");
+    assert_eq!(found(&block), [""; 0]);
+}
+
+#[test]
+fn alone_it_speaks_of_the_next_statement() {
+    let over = format!("// shaderlint: allow(pow-negative-base)\n\n{POW}\n{POW}");
+    assert_eq!(found(&over), ["6:10 pow-negative-base"]);
+    let block =
+        format!("// shaderlint: allow(numeric)\nif (p.x > 0.0) {{\n{POW}\n{POW}\n}}\n{POW}");
+    assert_eq!(found(&block), ["8:10 pow-negative-base"]);
+    let function = "// shaderlint: allow(pow-negative-base) known\nfloat f(float x) {\n    return pow(x - 9.0, 2.0);\n}\n\
+        void mainImage(out vec4 c, in vec2 p) { c = vec4(f(iTime)); }\n";
+    assert_eq!(
+        Scratch::new(&[("a.glsl", function)]).places(&["a.glsl"]),
+        [""; 0]
+    );
+}
+
+#[test]
+fn a_whole_file_can_be_allowed() {
+    let file = format!("{POW}\n// shaderlint: allow-file(pow-negative-base) measured\n{POW}");
+    assert_eq!(found(&file), [""; 0]);
+}
+
+#[test]
+fn what_allows_nothing_is_reported() {
+    let unused = "c *= 2.0; // shaderlint: allow(pow-negative-base)";
+    assert_eq!(found(unused), ["3:32 unused-allow"]);
+    let one_of_two = format!("{POW} // shaderlint: allow(pow-negative-base, float-equality)");
+    assert_eq!(found(&one_of_two), ["3:72 unused-allow"]);
+    let misspelt = format!("{POW} // shaderlint: allow(pow-negativ-base)");
+    assert_eq!(
+        found(&misspelt),
+        ["3:10 pow-negative-base", "3:51 unused-allow"]
+    );
+    for order in [
+        "alow(pow-negative-base)",
+        "allow pow-negative-base",
+        "allow()",
+        "allow",
+    ] {
+        let lines = found(&format!("c *= 2.0; // shaderlint: {order}"));
+        assert_eq!(lines, ["3:26 unused-allow"], "{order}");
+    }
+}
+
+#[test]
+fn a_rule_that_does_not_run_is_not_missed() {
+    let code = "// shaderlint: allow-file(unused-parameter, pow-negative-base)\n\
+        void mainImage(out vec4 c, in vec2 p) { c = vec4(pow(iTime - 9.0, 2.0)); }\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    assert_eq!(scratch.places(&["a.glsl"]), [""; 0]);
+    assert_eq!(scratch.places(&["--ignore", "numeric", "a.glsl"]), [""; 0]);
+    assert_eq!(
+        scratch
+            .places(&["--select", "unused-parameter", "a.glsl"])
+            .len(),
+        1
+    );
+}
+
+#[test]
+fn compile_errors_cannot_be_allowed() {
+    let body = "float x = 1; // shaderlint: allow(int-float-mix)";
+    assert!(
+        found(body).contains(&"3:11 int-float-mix".to_string()),
+        "{:?}",
+        found(body)
+    );
+    let body = "c *= 2.0; // shaderlint: allow(int-float-mix)";
+    assert_eq!(found(body), ["3:32 unused-allow"]);
+}
+
+#[test]
+fn it_holds_in_pages_and_exports() {
+    let line = "void mainImage(out vec4 c, in vec2 p) { c = vec4(pow(iTime - 9.0, 2.0)); }";
+    let allow = "// shaderlint: allow(pow-negative-base) known";
+    let page = |line: &str| format!("const s = /* glsl */ `\n{line}\n`;\n");
+    let export = |line: &str| {
+        let pass = serde_json::json!({"type": "image", "name": "Image", "code": line, "inputs": [], "outputs": []});
+        serde_json::json!({"info": {"name": "x"}, "renderpass": [pass]}).to_string()
+    };
+    let allowed = format!("{line} {allow}");
+    let scratch = Scratch::new(&[
+        ("a.js", &page(line)),
+        ("b.js", &page(&allowed)),
+        ("a.json", &export(line)),
+        ("b.json", &export(&allowed)),
+    ]);
+    for (file, count) in [("a.js", 1), ("b.js", 0), ("a.json", 1), ("b.json", 0)] {
+        assert_eq!(scratch.places(&[file]).len(), count, "{file}");
+    }
+}
+
+#[test]
+fn the_fix_takes_an_idle_comment_out() {
+    let code = "// kept\n// shaderlint: allow(pow-negative-base) once\n\
+        void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1.0); // shaderlint: allow(numeric)\n}\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    assert_eq!(scratch.run(&["--fix", "a.glsl"]).code, 0);
+    let fixed = "// kept\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1.0);\n}\n";
+    assert_eq!(scratch.read("a.glsl"), fixed);
+}
