@@ -1,7 +1,7 @@
 //! One variable under two names.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
+use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::flow::range::{root_variable, swizzle};
 use crate::semantic::{Direction, FunctionRef, Resolution, Storage, VariableId};
 use crate::syntax::ast::{ExprId, ExprKind};
@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("inout_alias.md"),
-    check: Check::Expr(check),
+    check: Check::Expr(&[Shape::Call], check),
 };
 
 fn check(cx: &mut Context, id: ExprId) {

@@ -140,8 +140,8 @@ impl<'a, 'p> Facts<'a, 'p> {
     }
 
     /// What numbers the components of a number or vector may be.
-    pub fn range(&self, expr: ExprId) -> Vec<Range> {
-        self.ranges().components(expr).collect()
+    pub fn range(&self, expr: ExprId) -> impl Iterator<Item = Range> {
+        self.ranges().components(expr)
     }
 
     /// The function that draws: `mainImage` and its kin, or `main`.

@@ -19,6 +19,8 @@ pub struct Position {
 #[derive(Debug)]
 pub struct LineIndex {
     starts: Vec<u32>,
+    /// Whether every character is one byte, so that columns need no counting.
+    is_ascii: bool,
 }
 
 impl LineIndex {
@@ -32,7 +34,10 @@ impl LineIndex {
                 starts.push(i as u32 + 1);
             }
         }
-        LineIndex { starts }
+        LineIndex {
+            starts,
+            is_ascii: text.is_ascii(),
+        }
     }
 
     /// Number of lines; a text that ends with a line break has an empty last one.
@@ -60,6 +65,15 @@ impl LineIndex {
             end -= 1;
         }
         let before = text.as_bytes().get(start..end).unwrap_or(&[]);
+        if self.is_ascii {
+            let column = before.len() as u32 + 1;
+            return Position {
+                line,
+                column,
+                utf16: column,
+                byte: offset,
+            };
+        }
         // Every byte but a continuation starts a character; those of four bytes take two units.
         let characters = before.iter().filter(|&&b| b & 0xc0 != 0x80).count() as u32;
         let pairs = before.iter().filter(|&&b| b >= 0xf0).count() as u32;
