@@ -7,6 +7,7 @@ mod calls;
 mod effects;
 mod estimate;
 mod gradients;
+mod lists;
 mod loops;
 mod paths;
 mod purity;
