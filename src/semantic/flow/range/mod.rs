@@ -23,9 +23,11 @@ use crate::semantic::flow::Structure;
 use crate::semantic::{Program, VariableId};
 use crate::syntax::ast::*;
 use guards::Guards;
+use origins::Origins;
 use places::Places;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::RefCell;
+use std::rc::Rc;
 
 /// What the analysis has found out so far.
 pub struct Ranges {
@@ -35,6 +37,8 @@ pub struct Ranges {
     counters: FxHashSet<VariableId>,
     /// What is known of expressions.
     exprs: RefCell<Known>,
+    /// By variable and component: what its value may be a copy of.
+    origins: RefCell<FxHashMap<(VariableId, u8), Rc<Origins>>>,
     /// By place and component; `None` while the answer is being made.
     places_known: RefCell<FxHashMap<(u32, u8), Option<Range>>>,
     /// By function and component of its result; `None` while the answer is being made.
@@ -49,6 +53,7 @@ impl Ranges {
             guards: Guards::of(program),
             counters: counters(program),
             exprs: RefCell::new(Known::of(program.tree.exprs.len())),
+            origins: RefCell::default(),
             places_known: RefCell::default(),
             results: RefCell::default(),
         }
