@@ -54,6 +54,7 @@ impl Uniformity {
         program: &Program,
         structure: &Structure,
         calls: &CallGraph,
+        mentions: &Mentions,
         entry: FunctionRef,
     ) -> Uniformity {
         let tree = &program.tree;
@@ -77,7 +78,7 @@ impl Uniformity {
             program,
             structure,
             calls,
-            names: names(program),
+            mentions,
         };
         let mut todo: Vec<u32> = Vec::new();
         for (i, variable) in program.variables.iter().enumerate() {
@@ -175,17 +176,6 @@ fn is_flat(program: &Program, variable: usize) -> bool {
     })
 }
 
-/// By variable: the expressions that name it.
-fn names(program: &Program) -> Lists<ExprId> {
-    let named = program.exprs.iter().zip(0..).filter_map(|(info, i)| {
-        let Resolution::Variable(v) = info.resolution else {
-            return None;
-        };
-        Some((v.0, ExprId(i)))
-    });
-    Lists::of(program.variables.len(), named)
-}
-
 /// The variables of a function's parameters.
 fn params<'a>(program: &'a Program, function: FunctionRef) -> &'a [Option<VariableId>] {
     let definition = program.function(function).and_then(|f| f.definition);
@@ -202,7 +192,7 @@ struct Spread<'a, 'p> {
     program: &'a Program<'p>,
     structure: &'a Structure,
     calls: &'a CallGraph,
-    names: Lists<ExprId>,
+    mentions: &'a Mentions,
 }
 
 impl Spread<'_, '_> {
@@ -245,7 +235,7 @@ impl Spread<'_, '_> {
     }
 
     fn variable(&self, v: VariableId, mut visit: impl FnMut(Varying)) {
-        let names = self.names.get(v.0).iter();
+        let names = self.mentions.all(v).iter();
         names.for_each(|&e| visit(Varying::Expr(e)));
         // An `out` parameter hands it to the callers' variables.
         let Some(variable) = self.program.variable(v) else {

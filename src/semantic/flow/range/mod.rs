@@ -24,7 +24,7 @@ use crate::semantic::{Program, VariableId};
 use crate::syntax::ast::*;
 use guards::Guards;
 use origins::Origins;
-use places::Places;
+use places::{PlaceId, Places};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -37,8 +37,8 @@ pub struct Ranges {
     counters: FxHashSet<VariableId>,
     /// What is known of expressions.
     exprs: RefCell<Known>,
-    /// By variable and component: what its value may be a copy of.
-    origins: RefCell<FxHashMap<(VariableId, u8), Rc<Origins>>>,
+    /// By place and component: what its value may be a copy of.
+    origins: RefCell<FxHashMap<(PlaceId, u8), Rc<Origins>>>,
     /// By place and component; `None` while the answer is being made.
     places_known: RefCell<FxHashMap<(u32, u8), Option<Range>>>,
     /// By function and component of its result; `None` while the answer is being made.

@@ -43,19 +43,34 @@ impl Evaluator<'_, '_> {
             || (right.contains(&Origin::Texture) && exact(a))
     }
 
-    /// What an expression may be a copy of. Of a variable it is found out once: many questions are
+    /// What an expression may be a copy of. Of a place it is found out once: many questions are
     /// about the same one.
     fn origins(&self, expr: ExprId, component: u8) -> Rc<Origins> {
-        let Some(variable) = self.program.variable_of(expr) else {
+        let Some(key) = self.place_of(expr, component) else {
             return Rc::new(self.copied(expr, component));
         };
-        let key = (variable, component);
         let known = self.ranges.origins.borrow().get(&key).cloned();
         known.unwrap_or_else(|| {
             let found = Rc::new(self.copied(expr, component));
             self.ranges.origins.borrow_mut().insert(key, found.clone());
             found
         })
+    }
+
+    /// The place, and its component, whose value an expression is; `None` for a known constant.
+    fn place_of(&self, expr: ExprId, component: u8) -> Option<(PlaceId, u8)> {
+        let program = self.program;
+        if !program.values(expr).is_empty() {
+            return None;
+        }
+        let component = match program.ty(expr).element().components() {
+            1 => 0,
+            _ => component,
+        };
+        match self.ranges.places.named(program, expr)? {
+            (place, None) => Some((place, component)),
+            (place, Some(components)) => Some((place, components.at(component)?)),
+        }
     }
 
     fn copied(&self, expr: ExprId, component: u8) -> Origins {
