@@ -3,6 +3,8 @@
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
 use crate::syntax::ast::{Extent, TokenId};
+use rustc_hash::FxHashMap;
+use std::sync::LazyLock;
 
 pub static RULE: Rule = Rule {
     name: "backend-keyword",
@@ -63,6 +65,17 @@ const LANGUAGES: [(&str, &[&str]); 5] = [
     ]),
 ];
 
+/// Bit `i` is set in what the words of `LANGUAGES[i]` have.
+static REFUSED_BY: LazyLock<FxHashMap<&str, u8>> = LazyLock::new(|| {
+    let mut refused_by: FxHashMap<&str, u8> = FxHashMap::default();
+    for (i, (_, words)) in LANGUAGES.iter().enumerate() {
+        for word in *words {
+            *refused_by.entry(word).or_default() |= 1 << i;
+        }
+    }
+    refused_by
+});
+
 fn check(cx: &mut Context) {
     let program = cx.program;
     let variables = program.variables.iter().filter_map(|v| v.token);
@@ -82,13 +95,16 @@ fn check(cx: &mut Context) {
         let Some(name) = cx.user_name(token) else {
             continue;
         };
+        let Some(languages) = REFUSED_BY.get(name) else {
+            continue;
+        };
         let refusing: Vec<&str> = LANGUAGES
             .iter()
-            .filter(|(_, words)| words.contains(&name))
-            .map(|(language, _)| *language)
+            .enumerate()
+            .filter(|(i, _)| languages >> i & 1 == 1)
+            .map(|(_, (language, _))| *language)
             .collect();
-        let is_wgsl_alone = refusing == ["WGSL"];
-        if refusing.is_empty() || (is_wgsl_alone && cx.option("wgsl") == 0.0) {
+        if refusing == ["WGSL"] && cx.option("wgsl") == 0.0 {
             continue;
         }
         cx.report(

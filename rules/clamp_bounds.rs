@@ -20,8 +20,8 @@ fn check(cx: &mut Context, call: &Builtin) {
     };
     let program = cx.program;
     let is_known = |e| !program.values(e).is_empty();
-    let bounds = cx.facts.range(low).into_iter().zip(cx.facts.range(high));
-    let is_crossed = bounds.into_iter().any(|(a, b)| a.lo.value > b.hi.value);
+    let mut bounds = cx.facts.range(low).zip(cx.facts.range(high));
+    let is_crossed = bounds.any(|(a, b)| a.lo.value > b.hi.value);
     let is_moved = is_known(x) && is_known(low) && !is_known(high);
     if !is_crossed && !is_moved {
         return;

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::light::{color, has_word, name_of};
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Shape};
 use crate::syntax::ast::*;
 
 pub static RULE: Rule = Rule {
@@ -31,7 +31,7 @@ pub static RULE: Rule = Rule {
         },
     ],
     page: include_str!("gray_material.md"),
-    check: Check::Expr(check),
+    check: Check::Expr(&[Shape::Construct], check),
 };
 
 const MATERIALS: &[&str] = &[

@@ -1,7 +1,7 @@
 //! Indexes outside their array, vector or matrix.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
+use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::Type;
 use crate::syntax::ast::{ExprId, ExprKind};
 
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("index_range.md"),
-    check: Check::Expr(check),
+    check: Check::Expr(&[Shape::Index], check),
 };
 
 fn check(cx: &mut Context, id: ExprId) {
@@ -29,8 +29,9 @@ fn check(cx: &mut Context, id: ExprId) {
         _ => return,
     };
     let last = count as f64 - 1.0;
-    let ranges = cx.facts.range(index);
-    let Some(range) = ranges.first() else { return };
+    let Some(range) = cx.facts.range(index).next() else {
+        return;
+    };
     if !range.reaches_below(0.0) && !range.reaches_above(last) {
         return;
     }

@@ -1,8 +1,8 @@
 //! One variable under two names.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::flow::range::{root_variable, swizzle};
+use crate::lint::{Check, Context, Group, Rule, Shape};
+use crate::semantic::flow::range::swizzle;
 use crate::semantic::{Direction, FunctionRef, Resolution, Storage, VariableId};
 use crate::syntax::ast::{ExprId, ExprKind};
 
@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("inout_alias.md"),
-    check: Check::Expr(check),
+    check: Check::Expr(&[Shape::Call], check),
 };
 
 fn check(cx: &mut Context, id: ExprId) {
@@ -90,14 +90,5 @@ fn names_it(cx: &Context, function: FunctionRef, id: VariableId) -> bool {
     else {
         return false;
     };
-    // The expressions of a function lie together.
-    let exprs = &program.tree.exprs;
-    let from = exprs.partition_point(|e| e.extent.last < extent.first);
-    let inside = exprs.iter().enumerate().skip(from);
-    inside
-        .take_while(|(_, e)| e.extent.first <= extent.last)
-        .any(|(i, e)| {
-            matches!(e.kind, ExprKind::Name(_))
-                && root_variable(program, ExprId(i as u32)) == Some(id)
-        })
+    cx.facts.mentions().is_in(program, id, extent)
 }

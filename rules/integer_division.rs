@@ -25,8 +25,12 @@ fn check(cx: &mut Context, e: &Binary) {
     {
         return;
     }
-    let ranges = (cx.facts.range(e.left), cx.facts.range(e.right));
-    let ([a], [b]) = (ranges.0.as_slice(), ranges.1.as_slice()) else {
+    // Both are scalars: what they make is one.
+    let (left, right) = (
+        cx.facts.range(e.left).next(),
+        cx.facts.range(e.right).next(),
+    );
+    let (Some(a), Some(b)) = (left, right) else {
         return;
     };
     let literals = is_literal(cx, e.left) && is_literal(cx, e.right);

@@ -24,7 +24,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     };
     let (least, most) = (-1.0 - ROUNDING, 1.0 + ROUNDING);
     let is_beyond = |r: &Range| r.reaches_below(least) || r.reaches_above(most);
-    let Some(range) = cx.facts.range(of).into_iter().find(is_beyond) else {
+    let Some(range) = cx.facts.range(of).find(is_beyond) else {
         return;
     };
     let span = cx.program.expr_span(of);

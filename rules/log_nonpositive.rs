@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::flow::range::Range;
 
 pub static RULE: Rule = Rule {
     name: "log-nonpositive",
@@ -17,7 +18,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let ("log" | "log2", &[of]) = (call.name, call.args) else {
         return;
     };
-    let ranges = cx.facts.range(of);
+    let ranges: Vec<Range> = cx.facts.range(of).collect();
     let negative = ranges.iter().find(|r| r.reaches_below(0.0));
     let Some(range) = negative.or(ranges.iter().find(|r| r.holds(0.0))) else {
         return;

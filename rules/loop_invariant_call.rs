@@ -75,36 +75,27 @@ fn runs_each_turn(program: &Program, looped: StmtId, expr: ExprId) -> bool {
     }
 }
 
-/// Where variables are written to, declarations included: first tokens, in order.
-struct Writes(Vec<Vec<TokenId>>);
+/// Where variables are written to, declarations included: first tokens, in order of the variables
+/// and of the text.
+struct Writes(Vec<(VariableId, TokenId)>);
 
 impl Writes {
     fn of(program: &Program) -> Writes {
-        let mut all = vec![Vec::new(); program.variables.len()];
-        let mut add = |v: VariableId, token| {
-            if let Some(list) = all.get_mut(v.0 as usize) {
-                list.push(token);
-            }
-        };
+        let mut all = Vec::new();
         for (i, expr) in program.tree.exprs.iter().enumerate() {
-            each_written(program, ExprId(i as u32), |v| add(v, expr.extent.first));
+            let token = expr.extent.first;
+            each_written(program, ExprId(i as u32), |v| all.push((v, token)));
         }
-        for (i, variable) in program.variables.iter().enumerate() {
-            variable
-                .token
-                .into_iter()
-                .for_each(|t| add(VariableId(i as u32), t));
-        }
-        all.iter_mut().for_each(|list| list.sort_unstable());
+        let variables = program.variables.iter().zip(0..);
+        all.extend(variables.filter_map(|(v, i)| Some((VariableId(i), v.token?))));
+        all.sort_unstable();
         Writes(all)
     }
 
     fn is_written_in(&self, variable: VariableId, extent: Extent) -> bool {
-        let Some(all) = self.0.get(variable.0 as usize) else {
-            return true;
-        };
-        let next = all.partition_point(|t| *t < extent.first);
-        all.get(next).is_some_and(|t| *t <= extent.last)
+        let next = self.0.partition_point(|w| *w < (variable, extent.first));
+        let next = self.0.get(next);
+        next.is_some_and(|(v, token)| *v == variable && *token <= extent.last)
     }
 }
 

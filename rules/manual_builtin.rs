@@ -1,7 +1,7 @@
 //! Formulas for which GLSL has a function.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, same_code};
+use crate::lint::{Check, Context, Group, Rule, Shape, same_code};
 use crate::semantic::Scalar;
 use crate::syntax::ast::*;
 use crate::text::Edit;
@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("manual_builtin.md"),
-    check: Check::Expr(check),
+    check: Check::Expr(&[Shape::Binary, Shape::Call], check),
 };
 
 /// What a formula is, and the call that says the same.

@@ -1,7 +1,7 @@
 //! Negative floats that become unsigned.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule};
+use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::Scalar;
 use crate::syntax::ast::{ExprId, ExprKind};
 use crate::text::Edit;
@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("negative_to_uint.md"),
-    check: Check::Expr(check),
+    check: Check::Expr(&[Shape::Construct], check),
 };
 
 fn check(cx: &mut Context, id: ExprId) {
@@ -30,11 +30,7 @@ fn check(cx: &mut Context, id: ExprId) {
             continue;
         }
         // Towards zero, so what lies between -1 and 0 becomes 0.
-        let bad = cx
-            .facts
-            .range(arg)
-            .into_iter()
-            .find(|r| r.reaches_below(-1.0));
+        let bad = cx.facts.range(arg).find(|r| r.reaches_below(-1.0));
         let Some(range) = bad else { continue };
         let is = range.may_or_is(|r| r.is_below(0.0));
         let whole = program.type_name(program.ty(arg).with_scalar(Scalar::Int));

@@ -17,8 +17,8 @@ fn check(cx: &mut Context, call: &Builtin) {
     let ("normalize", &[of]) = (call.name, call.args) else {
         return;
     };
-    let ranges = cx.facts.range(of);
-    if ranges.is_empty() || !ranges.iter().all(|r| r.single() == Some(0.0)) {
+    let mut ranges = cx.facts.range(of).peekable();
+    if ranges.peek().is_none() || !ranges.all(|r| r.single() == Some(0.0)) {
         return;
     }
     cx.report_expr(of, "`normalize` of a zero vector")

@@ -20,11 +20,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let ("pow", &[base, exponent]) = (call.name, call.args) else {
         return;
     };
-    let bad = cx
-        .facts
-        .range(base)
-        .into_iter()
-        .find(|r| r.reaches_below(0.0));
+    let bad = cx.facts.range(base).find(|r| r.reaches_below(0.0));
     let Some(range) = bad else { return };
     let exponents = cx.program.values(exponent);
     let square = !exponents.is_empty() && exponents.iter().all(|e| *e == Value::Float(2.0));

@@ -1,7 +1,7 @@
 //! `vec3(v)` of a `vec3`, `float(1.0)`.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule};
+use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::syntax::ast::*;
 use crate::text::{Edit, Span};
 
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("redundant_constructor.md"),
-    check: Check::Expr(check),
+    check: Check::Expr(&[Shape::Construct], check),
 };
 
 /// Longest code that a message repeats, in bytes.

@@ -1,7 +1,7 @@
 //! Shifts by more bits than an integer has.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
+use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("shift_range.md"),
-    check: Check::Expr(check),
+    check: Check::Expr(&[Shape::Binary, Shape::Assign], check),
 };
 
 fn check(cx: &mut Context, id: ExprId) {
@@ -24,7 +24,7 @@ fn check(cx: &mut Context, id: ExprId) {
     }
     let is_bad =
         |r: &crate::semantic::flow::range::Range| r.reaches_below(0.0) || r.reaches_above(31.0);
-    let Some(range) = cx.facts.range(by).into_iter().find(is_bad) else {
+    let Some(range) = cx.facts.range(by).find(is_bad) else {
         return;
     };
     let is = range.may_or_is(|r| r.is_below(0.0) || r.is_above(31.0));

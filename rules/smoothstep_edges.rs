@@ -18,7 +18,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let ("smoothstep", &[low, high, x]) = (call.name, call.args) else {
         return;
     };
-    let edges = cx.facts.range(low).into_iter().zip(cx.facts.range(high));
+    let edges = cx.facts.range(low).zip(cx.facts.range(high));
     let (mut is_wrong, mut is_equal) = (false, false);
     for (a, b) in edges {
         is_equal |= a.single().is_some() && a.single() == b.single();

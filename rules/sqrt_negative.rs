@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::flow::range::Range;
 use crate::text::Edit;
 
 pub static RULE: Rule = Rule {
@@ -19,7 +20,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let is_inverse = call.name == "inversesqrt";
-    let ranges = cx.facts.range(of);
+    let ranges: Vec<Range> = cx.facts.range(of).collect();
     if let Some(range) = ranges.iter().find(|r| r.reaches_below(0.0)) {
         let least = if is_inverse { "1e-6" } else { "0.0" };
         let span = cx.program.expr_span(of);

@@ -1,7 +1,7 @@
 //! Division by zero.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
+use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::Scalar;
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
 
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("zero_division.md"),
-    check: Check::Expr(check),
+    check: Check::Expr(&[Shape::Binary, Shape::Assign, Shape::Call], check),
 };
 
 fn check(cx: &mut Context, id: ExprId) {
@@ -29,7 +29,7 @@ fn check(cx: &mut Context, id: ExprId) {
     if !matches!(op, BinaryOp::Div | BinaryOp::Rem) {
         return;
     }
-    let Some(range) = cx.facts.range(divisor).into_iter().find(|r| r.holds(0.0)) else {
+    let Some(range) = cx.facts.range(divisor).find(|r| r.holds(0.0)) else {
         return;
     };
     let is_float = cx.program.ty(divisor).scalar_kind() == Some(Scalar::Float);

@@ -116,7 +116,7 @@ fn check_all(text: &str) {
     for format in [Format::Human, Format::Short, Format::Json, Format::Jsonl] {
         let mut out = Vec::new();
         let mut reporter = Reporter::new(format, &mut out, true);
-        let written = reporter.file(&found.sources, &found.diagnostics);
+        let written = reporter.file("shader.glsl", &found.sources, &found.diagnostics);
         assert!(
             written.is_ok() && reporter.finish().is_ok(),
             "{format:?} cannot be written"

@@ -4,8 +4,8 @@ use super::march::{March, marches};
 use super::words::{Counts, Unseen};
 use crate::semantic::flow::range::{Evaluator, Range, Ranges};
 use crate::semantic::flow::{
-    CallGraph, Effects, Gradient, Loops, Paths, Purity, Reach, Structure, Uniformity, Usage, Work,
-    gradients,
+    CallGraph, Effects, Gradient, Loops, Mentions, Paths, Purity, Reach, Structure, Uniformity,
+    Usage, Work, gradients,
 };
 use crate::semantic::{Dialect, FunctionRef, Program, Stage};
 use crate::syntax::ast::ExprId;
@@ -19,6 +19,7 @@ pub struct Facts<'a, 'p> {
     structure: OnceCell<Structure>,
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
+    mentions: OnceCell<Mentions>,
     ranges: OnceCell<Ranges>,
     paths: OnceCell<Paths>,
     entry: OnceCell<Option<FunctionRef>>,
@@ -44,6 +45,7 @@ impl<'a, 'p> Facts<'a, 'p> {
             structure: OnceCell::new(),
             calls: OnceCell::new(),
             loops: OnceCell::new(),
+            mentions: OnceCell::new(),
             ranges: OnceCell::new(),
             paths: OnceCell::new(),
             entry: OnceCell::new(),
@@ -77,6 +79,11 @@ impl<'a, 'p> Facts<'a, 'p> {
             .get_or_init(|| Loops::of(self.program, self.structure(), self.calls()))
     }
 
+    /// Where variables are named.
+    pub fn mentions(&self) -> &Mentions {
+        self.mentions.get_or_init(|| Mentions::of(self.program))
+    }
+
     /// Which functions give the same answer to the same arguments.
     pub fn purity(&self) -> &Purity {
         self.purity
@@ -96,7 +103,8 @@ impl<'a, 'p> Facts<'a, 'p> {
                 .entry()
                 .filter(|_| self.program.stage == Stage::Fragment);
             entry.map_or_else(Uniformity::default, |entry| {
-                Uniformity::of(self.program, self.structure(), self.calls(), entry)
+                let (structure, calls) = (self.structure(), self.calls());
+                Uniformity::of(self.program, structure, calls, self.mentions(), entry)
             })
         })
     }
@@ -140,8 +148,8 @@ impl<'a, 'p> Facts<'a, 'p> {
     }
 
     /// What numbers the components of a number or vector may be.
-    pub fn range(&self, expr: ExprId) -> Vec<Range> {
-        self.ranges().components(expr).collect()
+    pub fn range(&self, expr: ExprId) -> impl Iterator<Item = Range> {
+        self.ranges().components(expr)
     }
 
     /// The function that draws: `mainImage` and its kin, or `main`.

@@ -19,7 +19,7 @@ pub use facts::Facts;
 pub use fix::{Allow, Fixed, Look, fix};
 pub use page::{Fence, FenceKind, Page};
 pub use removal::{remove_declarator, remove_lines, remove_statement};
-pub use rule::{Binary, Builtin, Check, Group, Rule, RuleOption};
+pub use rule::{Binary, Builtin, Check, Group, Rule, RuleOption, Shape};
 pub use run::{lint, lint_within};
 pub use same::{code_hash, same_code};
 pub use settings::{Settings, Target, UnknownRule, nearest_rule};

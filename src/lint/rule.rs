@@ -3,7 +3,7 @@
 use super::Context;
 use crate::diagnostic::Severity;
 use crate::semantic::FunctionRef;
-use crate::syntax::ast::{BinaryOp, ExprId, StmtId};
+use crate::syntax::ast::{BinaryOp, ExprId, ExprKind, StmtId};
 
 /// What a rule is about.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -70,6 +70,38 @@ pub struct Builtin<'a> {
     pub args: &'a [ExprId],
 }
 
+/// The shapes of expressions that rules ask for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Shape {
+    /// `l op r`
+    Binary,
+    /// `l = r` and `l op= r`
+    Assign,
+    /// A call of any function, and the making of a struct.
+    Call,
+    /// The making of what is no struct: `vec3(1.0)`.
+    Construct,
+    /// `object[index]`
+    Index,
+}
+
+impl Shape {
+    /// How many there are.
+    pub(super) const COUNT: usize = 5;
+
+    /// The shape of an expression; `None` for one that no rule asks for.
+    pub(super) const fn of(kind: &ExprKind) -> Option<Shape> {
+        match kind {
+            ExprKind::Binary(..) => Some(Shape::Binary),
+            ExprKind::Assign(..) => Some(Shape::Assign),
+            ExprKind::Call(..) => Some(Shape::Call),
+            ExprKind::Construct(..) => Some(Shape::Construct),
+            ExprKind::Index(..) => Some(Shape::Index),
+            _ => None,
+        }
+    }
+}
+
 /// What a rule wants to look at. One walk over the tree serves all rules.
 #[derive(Clone, Copy)]
 pub enum Check {
@@ -79,8 +111,8 @@ pub enum Check {
     Binary(fn(&mut Context, &Binary)),
     /// Every call of a built-in function.
     Builtin(fn(&mut Context, &Builtin)),
-    /// Every expression.
-    Expr(fn(&mut Context, ExprId)),
+    /// Every expression of these shapes.
+    Expr(&'static [Shape], fn(&mut Context, ExprId)),
     /// Every statement.
     Stmt(fn(&mut Context, StmtId)),
     /// Every function with a body.

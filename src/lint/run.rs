@@ -1,6 +1,6 @@
 //! Runs rules over a shader.
 
-use super::{Binary, Builtin, Check, Context, Facts, Rule, Settings};
+use super::{Binary, Builtin, Check, Context, Facts, Rule, Settings, Shape};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::semantic::{FunctionRef, Program};
 use crate::syntax::ast::*;
@@ -46,7 +46,11 @@ pub fn lint_within(
             Check::Program(check) => check(&mut run.context(active)),
             Check::Binary(check) => exprs.binary.push((active, check)),
             Check::Builtin(check) => exprs.builtin.push((active, check)),
-            Check::Expr(check) => exprs.any.push((active, check)),
+            Check::Expr(shapes, check) => {
+                for &shape in shapes {
+                    exprs.by_shape[shape as usize].push((active, check));
+                }
+            }
             Check::Stmt(check) => stmts.push((active, check)),
             Check::Function(check) => functions.push((active, check)),
             Check::Allows => {}
@@ -110,7 +114,8 @@ type ExprCheck = fn(&mut Context, ExprId);
 struct ExprRules {
     binary: Vec<(Active, BinaryCheck)>,
     builtin: Vec<(Active, BuiltinCheck)>,
-    any: Vec<(Active, ExprCheck)>,
+    /// By [`Shape`].
+    by_shape: [Vec<(Active, ExprCheck)>; Shape::COUNT],
 }
 
 struct Run<'a, 'p> {
@@ -133,7 +138,10 @@ impl<'p> Run<'_, 'p> {
     }
 
     fn expr(&mut self, rules: &ExprRules, id: ExprId, expr: &Expr) {
-        for (rule, check) in &rules.any {
+        let Some(shape) = Shape::of(&expr.kind) else {
+            return;
+        };
+        for (rule, check) in &rules.by_shape[shape as usize] {
             check(&mut self.context(*rule), id);
         }
         match expr.kind {

@@ -196,6 +196,9 @@ pub fn guess(text: &str) -> Guess {
     Guess { kind, stage }
 }
 
+/// Words that tell the stage. Behind a `#version` no other word tells anything.
+const VERTEX_WORDS: [&str; 2] = ["attribute", "gl_Position"];
+
 #[derive(Default)]
 struct Seen {
     version: bool,
@@ -211,7 +214,8 @@ impl Seen {
         use crate::syntax::{Lexer, RawKind};
         let mut lexer = Lexer::new(text, 0);
         let mut behind_hash = false;
-        loop {
+        let may_be_vertex = VERTEX_WORDS.iter().any(|w| text.contains(w));
+        while may_be_vertex || !self.version {
             let token = lexer.next_token();
             match token.kind {
                 RawKind::End => return,

@@ -61,6 +61,16 @@ impl<'a> Lexer<'a> {
         }
     }
 
+    /// Passes by blanks that stand next; says whether there are any. Most blanks are one: what is
+    /// passed by here need not become a token.
+    #[inline]
+    pub fn skip_blanks(&mut self) -> bool {
+        let rest = self.bytes.get(self.at..).unwrap_or(&[]);
+        let len = count(rest, |b| b == b' ' || b == b'\t');
+        self.at += len;
+        len > 0
+    }
+
     /// The next token; at the end of the text an empty `End`, again and again.
     #[inline]
     pub fn next_token(&mut self) -> RawToken {

@@ -19,6 +19,20 @@ pub struct Position {
 #[derive(Debug)]
 pub struct LineIndex {
     starts: Vec<u32>,
+    /// The characters of more than one byte, so that no column needs counting, however long its
+    /// line is.
+    wide: Vec<Wide>,
+}
+
+/// A character of more than one byte.
+#[derive(Clone, Copy, Default, Debug)]
+struct Wide {
+    /// Its offset.
+    at: u32,
+    /// How many bytes more than one such characters have, this one and all before it together.
+    extra: u32,
+    /// How many of them, this one included, take two UTF-16 units.
+    pairs: u32,
 }
 
 impl LineIndex {
@@ -32,7 +46,10 @@ impl LineIndex {
                 starts.push(i as u32 + 1);
             }
         }
-        LineIndex { starts }
+        LineIndex {
+            starts,
+            wide: wide(text),
+        }
     }
 
     /// Number of lines; a text that ends with a line break has an empty last one.
@@ -59,10 +76,10 @@ impl LineIndex {
         while !text.is_char_boundary(end) {
             end -= 1;
         }
-        let before = text.as_bytes().get(start..end).unwrap_or(&[]);
-        // Every byte but a continuation starts a character; those of four bytes take two units.
-        let characters = before.iter().filter(|&&b| b & 0xc0 != 0x80).count() as u32;
-        let pairs = before.iter().filter(|&&b| b >= 0xf0).count() as u32;
+        let (from, to) = (self.wide_before(start), self.wide_before(end));
+        let bytes = end.saturating_sub(start) as u32;
+        let characters = bytes - (to.extra - from.extra);
+        let pairs = to.pairs - from.pairs;
         Position {
             line,
             column: characters + 1,
@@ -70,6 +87,31 @@ impl LineIndex {
             byte: offset,
         }
     }
+
+    /// The last character of more than one byte that starts before an offset.
+    fn wide_before(&self, offset: usize) -> Wide {
+        let behind = self.wide.partition_point(|w| (w.at as usize) < offset);
+        let last = behind.checked_sub(1).and_then(|i| self.wide.get(i));
+        last.copied().unwrap_or_default()
+    }
+}
+
+/// Finds the characters of more than one byte.
+fn wide(text: &str) -> Vec<Wide> {
+    if text.is_ascii() {
+        return Vec::new();
+    }
+    let mut last = Wide::default();
+    let found = text.char_indices().filter(|(_, c)| !c.is_ascii());
+    let counted = found.map(|(at, c)| {
+        last = Wide {
+            at: at as u32,
+            extra: last.extra + c.len_utf8() as u32 - 1,
+            pairs: last.pairs + c.len_utf16() as u32 - 1,
+        };
+        last
+    });
+    counted.collect()
 }
 
 #[cfg(test)]
@@ -97,5 +139,6 @@ mod tests {
     fn columns_count_characters_and_utf16_units() {
         check("é𝄞x", 6, 1, 3, 4);
         check("é𝄞x", 3, 1, 2, 2);
+        check("é𝄞x\né𝄞x", 14, 2, 3, 4);
     }
 }

@@ -1,5 +1,6 @@
 //! Who calls whom.
 
+use super::lists::Lists;
 use crate::semantic::{Call, FunctionRef, Program, Resolution};
 use crate::syntax::ast::{ExprId, ExprKind};
 
@@ -8,35 +9,28 @@ use crate::syntax::ast::{ExprId, ExprKind};
 pub struct CallGraph {
     calls: Vec<Call>,
     /// Indexes of `calls`, by callee.
-    of: Vec<Vec<u32>>,
+    of: Lists<u32>,
     /// Indexes of `calls`, by caller.
-    by: Vec<Vec<u32>>,
+    by: Lists<u32>,
+    functions: usize,
 }
 
 impl CallGraph {
     /// The calls in a shader.
     pub fn of(program: &Program) -> CallGraph {
         let count = program.functions.len();
-        let mut graph = CallGraph {
+        let calls = || program.calls.iter().zip(0..);
+        CallGraph {
             calls: program.calls.clone(),
-            of: vec![Vec::new(); count],
-            by: vec![Vec::new(); count],
-        };
-        for (i, call) in program.calls.iter().enumerate() {
-            if let Some(list) = graph.of.get_mut(call.callee.0 as usize) {
-                list.push(i as u32);
-            }
-            let by = call.caller.and_then(|c| graph.by.get_mut(c.0 as usize));
-            if let Some(list) = by {
-                list.push(i as u32);
-            }
+            of: Lists::of(count, calls().map(|(c, i)| (c.callee.0, i))),
+            by: Lists::of(count, calls().filter_map(|(c, i)| Some((c.caller?.0, i)))),
+            functions: count,
         }
-        graph
     }
 
-    fn pick<'a>(&'a self, lists: &'a [Vec<u32>], f: FunctionRef) -> impl Iterator<Item = &'a Call> {
-        let list = lists.get(f.0 as usize).map_or(&[][..], Vec::as_slice);
-        list.iter().filter_map(|&i| self.calls.get(i as usize))
+    fn pick<'a>(&'a self, lists: &'a Lists<u32>, f: FunctionRef) -> impl Iterator<Item = &'a Call> {
+        let list = lists.get(f.0).iter();
+        list.filter_map(|&i| self.calls.get(i as usize))
     }
 
     /// The calls of a function.
@@ -51,7 +45,7 @@ impl CallGraph {
 
     /// Whether each function is reached from `entry`, by number. `entry` itself is.
     pub fn reached_from(&self, entry: FunctionRef) -> Vec<bool> {
-        let mut reached = vec![false; self.of.len()];
+        let mut reached = vec![false; self.functions];
         let mut todo = vec![entry];
         while let Some(next) = todo.pop() {
             match reached.get_mut(next.0 as usize) {
@@ -65,9 +59,9 @@ impl CallGraph {
 
     /// All functions, each behind those that it calls.
     pub fn bottom_up(&self) -> Vec<FunctionRef> {
-        let mut order = Vec::with_capacity(self.of.len());
-        let mut open = vec![false; self.of.len()];
-        for root in 0..self.of.len() as u32 {
+        let mut order = Vec::with_capacity(self.functions);
+        let mut open = vec![false; self.functions];
+        for root in 0..self.functions as u32 {
             // A function comes a second time when all that it calls is done.
             let mut todo = vec![(FunctionRef(root), false)];
             while let Some((next, is_done)) = todo.pop() {
@@ -88,7 +82,7 @@ impl CallGraph {
 
     /// A shortest chain of functions from `entry` to `to`, both included.
     pub fn chain(&self, entry: FunctionRef, to: FunctionRef) -> Option<Vec<FunctionRef>> {
-        let mut from: Vec<Option<FunctionRef>> = vec![None; self.of.len()];
+        let mut from: Vec<Option<FunctionRef>> = vec![None; self.functions];
         let mut todo = std::collections::VecDeque::from([entry]);
         while let Some(next) = todo.pop_front() {
             if next == to {

@@ -6,6 +6,7 @@
 //! may call too much different, never too little.
 
 use super::calls::arguments;
+use super::lists::Lists;
 use super::purity::each_written;
 use super::{CallGraph, Structure, each_expr, each_inner, each_operand};
 use crate::semantic::{Direction, FunctionRef, Program, Resolution, Storage, VariableId};
@@ -53,6 +54,7 @@ impl Uniformity {
         program: &Program,
         structure: &Structure,
         calls: &CallGraph,
+        mentions: &Mentions,
         entry: FunctionRef,
     ) -> Uniformity {
         let tree = &program.tree;
@@ -76,8 +78,7 @@ impl Uniformity {
             program,
             structure,
             calls,
-            names: names(program),
-            params: params(program),
+            mentions,
         };
         let mut todo: Vec<u32> = Vec::new();
         for (i, variable) in program.variables.iter().enumerate() {
@@ -175,34 +176,15 @@ fn is_flat(program: &Program, variable: usize) -> bool {
     })
 }
 
-/// By variable: the expressions that name it.
-fn names(program: &Program) -> Vec<Vec<ExprId>> {
-    let mut names = vec![Vec::new(); program.variables.len()];
-    for (i, info) in program.exprs.iter().enumerate() {
-        if let Resolution::Variable(v) = info.resolution
-            && let Some(list) = names.get_mut(v.0 as usize)
-        {
-            list.push(ExprId(i as u32));
-        }
-    }
-    names
-}
-
-/// By function: the variables of its parameters.
-fn params(program: &Program) -> Vec<Vec<Option<VariableId>>> {
-    let of = |f: &crate::semantic::Function| {
-        let decl = program.tree.function(f.definition?)?;
-        let from = decl.params.start as usize;
-        let all = program
-            .declared_params
-            .get(from..from + decl.params.len as usize)?;
-        Some(all.to_vec())
+/// The variables of a function's parameters.
+fn params<'a>(program: &'a Program, function: FunctionRef) -> &'a [Option<VariableId>] {
+    let definition = program.function(function).and_then(|f| f.definition);
+    let Some(decl) = definition.and_then(|d| program.tree.function(d)) else {
+        return &[];
     };
-    program
-        .functions
-        .iter()
-        .map(|f| of(f).unwrap_or_default())
-        .collect()
+    let from = decl.params.start as usize;
+    let params = from..from + decl.params.len as usize;
+    program.declared_params.get(params).unwrap_or(&[])
 }
 
 /// Where difference goes from a place.
@@ -210,8 +192,7 @@ struct Spread<'a, 'p> {
     program: &'a Program<'p>,
     structure: &'a Structure,
     calls: &'a CallGraph,
-    names: Vec<Vec<ExprId>>,
-    params: Vec<Vec<Option<VariableId>>>,
+    mentions: &'a Mentions,
 }
 
 impl Spread<'_, '_> {
@@ -254,11 +235,8 @@ impl Spread<'_, '_> {
     }
 
     fn variable(&self, v: VariableId, mut visit: impl FnMut(Varying)) {
-        let names = self.names.get(v.0 as usize);
-        names
-            .into_iter()
-            .flatten()
-            .for_each(|&e| visit(Varying::Expr(e)));
+        let names = self.mentions.all(v).iter();
+        names.for_each(|&e| visit(Varying::Expr(e)));
         // An `out` parameter hands it to the callers' variables.
         let Some(variable) = self.program.variable(v) else {
             return;
@@ -267,8 +245,8 @@ impl Spread<'_, '_> {
         else {
             return;
         };
-        let params = self.params.get(function.0 as usize);
-        let position = params.and_then(|p| p.iter().position(|p| *p == Some(v)));
+        let mut params = params(self.program, function).iter();
+        let position = params.position(|p| *p == Some(v));
         if let Some(position) = position.filter(|_| direction.writes()) {
             for call in self.calls.calls_of(function) {
                 let arg = arguments(self.program, call.expr).get(position);
@@ -340,7 +318,7 @@ impl Spread<'_, '_> {
         match self.program.expr(call).resolution {
             Resolution::Function(callee) => {
                 let args = arguments(self.program, call).iter();
-                let params = self.params.get(callee.0 as usize).into_iter().flatten();
+                let params = params(self.program, callee);
                 for (_, param) in args.zip(params).filter(|(a, _)| **a == arg) {
                     param.iter().for_each(|p| visit(Varying::Variable(*p)));
                 }

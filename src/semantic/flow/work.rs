@@ -1,5 +1,6 @@
 //! How much the functions of a shader do: operations, and turns of loops.
 
+use super::lists::Lists;
 use super::{CallGraph, Loops, Structure, each_inner};
 use crate::semantic::{FunctionRef, Program, Resolution};
 use crate::syntax::ast::*;
@@ -76,7 +77,7 @@ impl Work {
                 work.note_call(stmt, call.callee, turns);
             }
             // Children stand before their parents.
-            for &stmt in by_function.get(function.0 as usize).into_iter().flatten() {
+            for &stmt in by_function.get(function.0) {
                 work.close(tree, loops, stmt);
             }
             let decl = program
@@ -206,15 +207,10 @@ fn often(tree: &Tree, loops: &Loops) -> Vec<f64> {
 }
 
 /// The statements of each function, children before parents.
-fn by_function(tree: &Tree, structure: &Structure, functions: usize) -> Vec<Vec<StmtId>> {
-    let mut lists = vec![Vec::new(); functions];
-    for i in 0..tree.stmts.len() as u32 {
-        let function = structure.function_of(StmtId(i));
-        if let Some(list) = function.and_then(|f| lists.get_mut(f.0 as usize)) {
-            list.push(StmtId(i));
-        }
-    }
-    lists
+fn by_function(tree: &Tree, structure: &Structure, functions: usize) -> Lists<StmtId> {
+    let stmts = (0..tree.stmts.len() as u32).map(StmtId);
+    let owned = stmts.filter_map(|s| Some((structure.function_of(s)?.0, s)));
+    Lists::of(functions, owned)
 }
 
 /// Operations of one expression, its operands and callees left out.

@@ -269,6 +269,7 @@ impl<'a> Preprocessor<'a> {
     fn next_piece(&mut self) -> Piece {
         let mut space = false;
         loop {
+            space |= self.lexer.skip_blanks();
             let raw = self.lexer.next_token();
             match raw.kind {
                 RawKind::Whitespace => space = true,

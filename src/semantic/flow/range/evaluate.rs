@@ -24,14 +24,14 @@ pub struct Evaluator<'x, 'p> {
     pub ranges: &'x Ranges,
 }
 
-impl Evaluator<'_, '_> {
+impl<'x, 'p> Evaluator<'x, 'p> {
     /// The range of a component of an expression; of a scalar, the component is 0.
     pub fn component(&self, expr: ExprId, component: u8) -> Range {
         self.part(expr, component, 0)
     }
 
     /// The ranges of all components of a number or vector.
-    pub fn components(&self, expr: ExprId) -> impl Iterator<Item = Range> {
+    pub fn components(self, expr: ExprId) -> impl Iterator<Item = Range> + use<'x, 'p> {
         let ty = self.program.ty(expr);
         let count = if ty.is_matrix() { 0 } else { ty.components() };
         (0..count as u8).map(move |c| {
@@ -60,16 +60,20 @@ impl Evaluator<'_, '_> {
         if depth > MAX_DEPTH {
             return Range::ANY;
         }
-        let key = (expr.0, component);
-        if let Some(known) = self.ranges.exprs.borrow().get(&key) {
-            return *known;
+        if let Some(range) = self.constant(expr, component) {
+            return range;
         }
-        let range = match self.constant(expr, component) {
-            Some(range) => range,
-            None if component == LENGTH => self.measured(expr, depth + 1),
-            None => self.fit(expr, self.compute(expr, component, depth + 1)),
+        if let Some(known) = self.ranges.exprs.borrow().get(expr, component) {
+            return known;
+        }
+        let range = match component {
+            LENGTH => self.measured(expr, depth + 1),
+            _ => self.fit(expr, self.compute(expr, component, depth + 1)),
         };
-        self.ranges.exprs.borrow_mut().insert(key, range);
+        self.ranges
+            .exprs
+            .borrow_mut()
+            .insert(expr, component, range);
         range
     }
 

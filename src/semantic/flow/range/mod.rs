@@ -23,9 +23,11 @@ use crate::semantic::flow::Structure;
 use crate::semantic::{Program, VariableId};
 use crate::syntax::ast::*;
 use guards::Guards;
-use places::Places;
+use origins::Origins;
+use places::{PlaceId, Places};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::RefCell;
+use std::rc::Rc;
 
 /// What the analysis has found out so far.
 pub struct Ranges {
@@ -33,8 +35,10 @@ pub struct Ranges {
     guards: Guards,
     /// Variables that count the turns of a `for` loop, one by one, and nothing else.
     counters: FxHashSet<VariableId>,
-    /// By expression and component.
-    exprs: RefCell<FxHashMap<(u32, u8), Range>>,
+    /// What is known of expressions.
+    exprs: RefCell<Known>,
+    /// By place and component: what its value may be a copy of.
+    origins: RefCell<FxHashMap<(PlaceId, u8), Rc<Origins>>>,
     /// By place and component; `None` while the answer is being made.
     places_known: RefCell<FxHashMap<(u32, u8), Option<Range>>>,
     /// By function and component of its result; `None` while the answer is being made.
@@ -48,9 +52,45 @@ impl Ranges {
             places: Places::of(program, |stmt| structure.function_of(stmt)),
             guards: Guards::of(program),
             counters: counters(program),
-            exprs: RefCell::default(),
+            exprs: RefCell::new(Known::of(program.tree.exprs.len())),
+            origins: RefCell::default(),
             places_known: RefCell::default(),
             results: RefCell::default(),
+        }
+    }
+}
+
+/// Ranges by expression and component.
+struct Known {
+    /// By expression, then component: the number of its range, plus one; 0 where none is known.
+    slots: Vec<u32>,
+    ranges: Vec<Range>,
+}
+
+impl Known {
+    /// The components of a vector, and its length.
+    const PARTS: usize = evaluate::LENGTH as usize + 1;
+
+    fn of(exprs: usize) -> Known {
+        Known {
+            slots: vec![0; exprs * Known::PARTS],
+            ranges: Vec::new(),
+        }
+    }
+
+    fn slot(expr: ExprId, component: u8) -> usize {
+        expr.0 as usize * Known::PARTS + component as usize
+    }
+
+    fn get(&self, expr: ExprId, component: u8) -> Option<Range> {
+        let number = self.slots.get(Known::slot(expr, component))?;
+        self.ranges.get(number.checked_sub(1)? as usize).copied()
+    }
+
+    fn insert(&mut self, expr: ExprId, component: u8, range: Range) {
+        if let Some(slot) = self.slots.get_mut(Known::slot(expr, component)) {
+            self.ranges.push(range);
+            *slot = self.ranges.len() as u32;
         }
     }
 }

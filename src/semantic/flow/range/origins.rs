@@ -5,13 +5,14 @@ use super::places::{PlaceId, Written, swizzle};
 use crate::semantic::{Program, Resolution};
 use crate::syntax::ast::*;
 use rustc_hash::FxHashSet;
+use std::rc::Rc;
 
-/// Most copies that are followed for one question.
+/// Most copies that are followed for one question, and most writes to one place.
 const MAX_COPIES: usize = 200;
 
 /// Where a value comes from when all copies are taken back.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-enum Origin {
+pub(super) enum Origin {
     /// A constant, by its bits.
     Constant(u32),
     /// A component of a variable or member.
@@ -19,6 +20,9 @@ enum Origin {
     /// A component of what a texture holds.
     Texture,
 }
+
+/// All that a value may be a copy of.
+pub(super) type Origins = FxHashSet<Origin>;
 
 impl Evaluator<'_, '_> {
     /// Whether two numbers may be copies of one value, so that comparing them is exact: a variable
@@ -28,7 +32,7 @@ impl Evaluator<'_, '_> {
         let right = self.origins(b, component);
         let is_whole = |o: &Origin| matches!(o, Origin::Constant(bits) if f32::from_bits(*bits).fract() == 0.0);
         // A flag that another pass or the keyboard has put into a texture.
-        let stored = |x: &FxHashSet<Origin>, y: &FxHashSet<Origin>| {
+        let stored = |x: &Origins, y: &Origins| {
             x.contains(&Origin::Texture) && (y.iter().any(is_whole) || y.contains(&Origin::Texture))
         };
         let exact = |e| self.component(e, component).exact;
@@ -39,12 +43,45 @@ impl Evaluator<'_, '_> {
             || (right.contains(&Origin::Texture) && exact(a))
     }
 
-    fn origins(&self, expr: ExprId, component: u8) -> FxHashSet<Origin> {
+    /// What an expression may be a copy of. Of a place it is found out once: many questions are
+    /// about the same one.
+    fn origins(&self, expr: ExprId, component: u8) -> Rc<Origins> {
+        let Some(key) = self.place_of(expr, component) else {
+            return Rc::new(self.copied(expr, component));
+        };
+        let known = self.ranges.origins.borrow().get(&key).cloned();
+        known.unwrap_or_else(|| {
+            let found = Rc::new(self.copied(expr, component));
+            self.ranges.origins.borrow_mut().insert(key, found.clone());
+            found
+        })
+    }
+
+    /// The place, and its component, whose value an expression is; `None` for a known constant.
+    fn place_of(&self, expr: ExprId, component: u8) -> Option<(PlaceId, u8)> {
+        let program = self.program;
+        if !program.values(expr).is_empty() {
+            return None;
+        }
+        let component = match program.ty(expr).element().components() {
+            1 => 0,
+            _ => component,
+        };
+        match self.ranges.places.named(program, expr)? {
+            (place, None) => Some((place, component)),
+            (place, Some(components)) => Some((place, components.at(component)?)),
+        }
+    }
+
+    fn copied(&self, expr: ExprId, component: u8) -> Origins {
         let mut found = FxHashSet::default();
         let mut seen = FxHashSet::default();
         let mut todo = vec![(expr, component)];
         while let Some(next) = todo.pop() {
-            if seen.len() > MAX_COPIES || !seen.insert(next) {
+            if seen.len() > MAX_COPIES {
+                break;
+            }
+            if !seen.insert(next) {
                 continue;
             }
             self.origin(next.0, next.1, &mut todo, &mut found);
@@ -57,7 +94,7 @@ impl Evaluator<'_, '_> {
         expr: ExprId,
         component: u8,
         todo: &mut Vec<(ExprId, u8)>,
-        found: &mut FxHashSet<Origin>,
+        found: &mut Origins,
     ) {
         let program = self.program;
         let component = match program.ty(expr).element().components() {
@@ -137,7 +174,7 @@ impl Evaluator<'_, '_> {
         place: Option<PlaceId>,
         component: u8,
         todo: &mut Vec<(ExprId, u8)>,
-        found: &mut FxHashSet<Origin>,
+        found: &mut Origins,
     ) {
         let Some(place) = place else { return };
         // What an out argument takes back is the callee's parameter.
@@ -146,7 +183,9 @@ impl Evaluator<'_, '_> {
             if found.len() > MAX_COPIES || !found.insert(Origin::Place(place, component)) {
                 continue;
             }
-            for write in self.ranges.places.writes(place) {
+            let writes = self.ranges.places.writes(place);
+            let passed_by = writes.len().saturating_sub(MAX_COPIES);
+            for write in writes.iter().skip(passed_by) {
                 let at = match write.to {
                     Some(to) => to.position(component),
                     None => Some(component),

@@ -1,0 +1,76 @@
+//! Many short lists in one piece of memory.
+
+/// Lists by number. Shaders have thousands of functions and variables, most with one use or two: a
+/// list of its own for each would cost more than what is in it.
+#[derive(Debug)]
+pub(super) struct Lists<T> {
+    /// By list: where it starts in `entries`; then where the last one ends.
+    starts: Vec<u32>,
+    entries: Vec<T>,
+}
+
+impl<T> Default for Lists<T> {
+    fn default() -> Lists<T> {
+        Lists {
+            starts: Vec::new(),
+            entries: Vec::new(),
+        }
+    }
+}
+
+impl<T: Copy> Lists<T> {
+    /// Makes `count` lists of entries that each name their list. The order within a list stays;
+    /// an entry whose list there is not is left out.
+    pub(super) fn of(count: usize, all: impl Iterator<Item = (u32, T)> + Clone) -> Lists<T> {
+        let mut starts = vec![0; count + 1];
+        let mut first = None;
+        for (list, entry) in all.clone() {
+            if let Some(behind) = starts.get_mut(list as usize + 1) {
+                *behind += 1;
+                first = Some(entry);
+            }
+        }
+        let mut total = 0;
+        for start in &mut starts {
+            total += *start;
+            *start = total;
+        }
+        let Some(filler) = first else {
+            return Lists::default();
+        };
+        let mut entries = vec![filler; total as usize];
+        let mut next = starts.clone();
+        for (list, entry) in all.filter(|(list, _)| (*list as usize) < count) {
+            if let Some(at) = next.get_mut(list as usize) {
+                if let Some(slot) = entries.get_mut(*at as usize) {
+                    *slot = entry;
+                }
+                *at += 1;
+            }
+        }
+        Lists { starts, entries }
+    }
+
+    /// A list; empty where there is none of this number.
+    pub(super) fn get(&self, number: u32) -> &[T] {
+        let start = self.starts.get(number as usize).copied().unwrap_or(0);
+        let end = self.starts.get(number as usize + 1).copied().unwrap_or(0);
+        let range = start as usize..end as usize;
+        self.entries.get(range).unwrap_or(&[])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_come_to_their_lists_in_order() {
+        let entries = [(2, 'a'), (0, 'b'), (2, 'c'), (7, 'd')];
+        let lists = Lists::of(4, entries.into_iter());
+        let found: Vec<&[char]> = (0..5).map(|i| lists.get(i)).collect();
+        let none: &[char] = &[];
+        assert_eq!(found, [&['b'][..], none, &['a', 'c'], none, none]);
+        assert_eq!(Lists::of(3, [].into_iter()).get(1), none);
+    }
+}

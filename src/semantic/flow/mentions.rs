@@ -1,0 +1,36 @@
+//! Where each variable is named.
+
+use super::lists::Lists;
+use crate::semantic::{Program, Resolution, VariableId};
+use crate::syntax::ast::{ExprId, Extent};
+
+/// The expressions that name variables, in the order of the tree.
+#[derive(Default, Debug)]
+pub struct Mentions(Lists<ExprId>);
+
+impl Mentions {
+    /// Finds the names of all variables in a shader.
+    pub fn of(program: &Program) -> Mentions {
+        let named = program.exprs.iter().zip(0..).filter_map(|(info, i)| {
+            let Resolution::Variable(v) = info.resolution else {
+                return None;
+            };
+            Some((v.0, ExprId(i)))
+        });
+        Mentions(Lists::of(program.variables.len(), named))
+    }
+
+    /// The expressions that name a variable.
+    pub fn all(&self, variable: VariableId) -> &[ExprId] {
+        self.0.get(variable.0)
+    }
+
+    /// Whether a variable is named among some tokens.
+    pub fn is_in(&self, program: &Program, variable: VariableId, extent: Extent) -> bool {
+        let all = self.all(variable);
+        let extent_of = |e: &ExprId| program.tree.expr(*e).extent;
+        let next = all.partition_point(|e| extent_of(e).last < extent.first);
+        let next = all.get(next);
+        next.is_some_and(|e| extent_of(e).first <= extent.last)
+    }
+}
