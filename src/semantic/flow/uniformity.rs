@@ -6,9 +6,8 @@
 //! may call too much different, never too little.
 
 use super::calls::arguments;
-use super::lists::Lists;
 use super::purity::each_written;
-use super::{CallGraph, Structure, each_expr, each_inner, each_operand};
+use super::{CallGraph, Mentions, Structure, each_expr, each_inner, each_operand};
 use crate::semantic::{Direction, FunctionRef, Program, Resolution, Storage, VariableId};
 use crate::syntax::ast::*;
 
