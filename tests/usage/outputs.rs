@@ -333,7 +333,7 @@ fn junit_is_xml_and_counts() {
         .descendants()
         .filter(|n| n.attribute("name") == Some("warned.glsl"));
     assert_eq!(
-        warned.last().unwrap().attribute("failures"),
+        warned.next_back().unwrap().attribute("failures"),
         Some("1"),
         "an info is no failure"
     );
