@@ -63,7 +63,7 @@ impl Body<'_, '_> {
             };
         }
         if let &[Constant::Float(value)] = values {
-            return self.from_bits(value);
+            return self.bits(value);
         }
         let mut values = values.iter();
         let mut parts = Vec::new();
@@ -77,7 +77,7 @@ impl Body<'_, '_> {
 
     /// An infinity, or what is no number. Other languages refuse to compile what yields one, so it is
     /// made out of its bits, behind a variable that their compilers do not look through.
-    fn from_bits(&mut self, value: f32) -> Res<Value> {
+    fn bits(&mut self, value: f32) -> Res<Value> {
         let bits = self.add(Expression::Literal(::naga::Literal::U32(value.to_bits())));
         let pointer = self.spill(bits, Type::UINT)?;
         let bits = self.load(pointer);

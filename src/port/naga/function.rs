@@ -4,7 +4,7 @@ use super::body::{Body, Bound};
 use super::lower::Lowerer;
 use super::types::{Sink, image, texel};
 use super::{Res, Value};
-use crate::semantic::{Direction, FunctionRef, Parameter, Program, VariableId};
+use crate::semantic::{FunctionRef, Parameter, Program, VariableId};
 use ::naga::{
     AddressSpace, Expression, FunctionArgument, FunctionResult, Handle, Statement, TypeInner,
 };
@@ -119,7 +119,7 @@ impl Body<'_, '_> {
             let found = variable.and_then(|v| self.lowerer.program.variable(v));
             let is_plain = param.ty.is_scalar() || param.ty.is_vector();
             let is_fixed = found.is_none_or(|v| !v.written);
-            match is_fixed && is_plain || param.direction == Direction::ConstIn && is_plain {
+            match is_fixed && is_plain {
                 true => Bound::Value(value),
                 false => {
                     let pointer = self.local(Some(name), param.ty)?;

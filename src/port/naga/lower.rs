@@ -29,8 +29,6 @@ pub struct Lowered {
     pub(super) module: Module,
     /// What the host must know: the places of uniforms, textures and samplers.
     pub(super) legend: Vec<String>,
-    /// The whole text, for what naga says of a place.
-    pub(super) span: Span,
 }
 
 /// The module that is being made.
@@ -85,7 +83,6 @@ pub fn lower(program: &Program, origin: Origin) -> Result<Lowered, Refused> {
     Ok(Lowered {
         module: lowerer.module,
         legend,
-        span: Span::default(),
     })
 }
 

@@ -92,7 +92,7 @@ fn check(lowered: &Lowered) -> Result<ModuleInfo, Refused> {
     validator.validate(&lowered.module).map_err(|error| {
         let place = error.spans().next().map(|(span, _)| *span);
         let place = place.and_then(|span| span.to_range());
-        let span = place.map_or(lowered.span, |range| Span {
+        let span = place.map_or(Span::default(), |range| Span {
             start: range.start as u32,
             end: range.end as u32,
         });
