@@ -43,7 +43,10 @@ async function exported(context, file, name) {
   try {
     const first = await firstFrame(opened);
     const { renderpass } = [JSON.parse(fs.readFileSync(file, 'utf8'))].flat()[0];
-    const asked = renderpass.some((pass) => pass.type !== 'sound' && /\b(iTime|iFrame)\b/.test(pass.code));
+    const code = renderpass.filter((p) => p.type !== 'sound').map((p) => p.code).join('\n');
+    const usesTime = /\biTime\b/.test(code.replace(/\/\/.*|\/\*[^]*?\*\//g, ''));
+    // One that is of one colour here lacks its textures, or computes what has no value.
+    const asked = usesTime && colors(first) > 1;
     const isMoving = await moves(opened.page, first);
     if (asked) moving.asked++;
     if (asked && !isMoving) moving.still.push(name);
