@@ -317,6 +317,15 @@ fn the_schema_knows_what_the_reader_knows() {
 }
 
 #[test]
+fn the_example_of_the_readme_is_read() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let example = readme.split("```toml\n").nth(1).unwrap();
+    let scratch = config(example.split("```").next().unwrap());
+    let ran = scratch.run(&["a.glsl"]);
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""));
+}
+
+#[test]
 fn a_clean_file_needs_no_configuration() {
     let scratch = Scratch::new(&[("a.glsl", CLEAN)]);
     assert_eq!(scratch.run(&["a.glsl"]).code, 0);
