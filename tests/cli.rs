@@ -364,3 +364,8 @@ fn what_comes_from_outside_cannot_leave_its_element() {
     assert_eq!(page.matches("</script").count(), 2);
     assert!(!page.contains("<!--") && !page.contains('\u{2028}'));
 }
+
+#[test]
+fn excerpts_in_a_text() {
+    assert_cmd_snapshot!(lint(&["--format", "short", "notes.md"]));
+}

@@ -58,6 +58,7 @@ const OPEN: &[&str] = &[
     error::MISSING_OUTPUT,
     error::MISSING_MAIN,
     error::UNWRAPPED_MAINIMAGE,
+    error::FRAGCOORD_IN_MAIN,
     error::NOT_CONSTANT,
     error::MISPLACED_JUMP,
     error::UNBALANCED_CONDITIONAL,

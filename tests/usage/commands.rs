@@ -22,6 +22,8 @@ fn every_rule_is_listed_and_explained() {
             .out
             .starts_with("# vector-size\n")
     );
+    let page = scratch.run(&["--explain", "vector-size"]);
+    assert!(page.out.starts_with("# vector-size\n"));
     let ran = scratch.run(&["explain", "flaot-equality"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
     assert!(

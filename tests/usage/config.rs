@@ -64,15 +64,25 @@ fn a_rule_that_is_off_can_be_turned_on() {
 }
 
 const MARCH: &str = "\
-void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    vec3 ro = vec3(0.0), rd = normalize(vec3(fragCoord, 1.0));
+#define MAX_STEPS 256
+
+float map(vec3 p) {
+    return length(p) - 1.0;
+}
+
+float march(vec3 origin, vec3 direction) {
     float t = 0.0;
-    for (int i = 0; i < 100; i++) {
-        float d = length(ro + rd * t) - 1.0;
+    for (int i = 0; i < MAX_STEPS; i++) {
+        float d = map(origin + direction * t);
         if (d < 0.001) break;
         t += d;
     }
-    fragColor = vec4(t);
+    return t;
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = (2.0 * fragCoord - iResolution.xy) / iResolution.y;
+    fragColor = vec4(march(vec3(0.0, 0.0, -3.0), normalize(vec3(uv, 1.5))) / 10.0);
 }
 ";
 
@@ -85,10 +95,10 @@ fn options_and_target_change_what_rules_go_by() {
         places.iter().any(|p| p.ends_with(" step-budget"))
     };
     assert!(finds(""));
-    assert!(!finds("[rules.step-budget]\nmarch = 128\ntotal = 200"));
-    assert!(finds("[rules.step-budget]\nmarch = 99\ntotal = 200"));
+    assert!(!finds("[rules.step-budget]\nmain = 256\nsum = 300"));
+    assert!(finds("[rules.step-budget]\nmain = 255\nsum = 300"));
     assert!(!finds("target = \"gpu\""));
-    assert!(finds("target = \"gpu\"\n[rules.step-budget]\nmarch = 64"));
+    assert!(finds("target = \"gpu\"\n[rules.step-budget]\nmain = 64"));
 }
 
 #[test]
@@ -229,8 +239,8 @@ fn a_mistake_is_an_error_with_its_place() {
         "shaderlint.toml:2:1: there is no rule or group `flaot-equality`; did you mean `float-equality`?",
     );
     wrong(
-        "[rules.step-budget]\nmarsh = 3",
-        "shaderlint.toml:2:1: unknown key `marsh`; did you mean `march`?",
+        "[rules.step-budget]\nmian = 3",
+        "shaderlint.toml:2:1: unknown key `mian`; did you mean `main`?",
     );
     wrong(
         "[[overrides]]\nrules = {}",
@@ -314,6 +324,15 @@ fn the_schema_knows_what_the_reader_knows() {
         let ran = config(&format!("rules.{rule} = \"info\"")).run(&["a.glsl"]);
         assert_ne!(ran.code, 2, "{rule}");
     }
+}
+
+#[test]
+fn the_example_of_the_readme_is_read() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let example = readme.split("```toml\n").nth(1).unwrap();
+    let scratch = config(example.split("```").next().unwrap());
+    let ran = scratch.run(&["a.glsl"]);
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""));
 }
 
 #[test]

@@ -27,8 +27,7 @@ fn one_fix_opens_the_way_for_the_next() {
 
 #[test]
 fn unsafe_fixes_want_to_be_asked_for() {
-    let code =
-        "void mainImage(out vec4 c, in vec2 p) {\n    float a = acos(p.x);\n    c = vec4(a);\n}\n";
+    let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = acos(iTime * 2.0 + 3.0);\n    c = vec4(a);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let told = scratch.run(&["a.glsl"]).out;
     assert!(
@@ -42,7 +41,7 @@ fn unsafe_fixes_want_to_be_asked_for() {
     assert!(
         scratch
             .read("a.glsl")
-            .contains("acos(clamp(p.x, -1.0, 1.0))")
+            .contains("acos(clamp(iTime * 2.0 + 3.0, -1.0, 1.0))")
     );
 }
 

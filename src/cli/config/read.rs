@@ -418,7 +418,7 @@ mod tests {
             "rules.step-budget.loop = -1",
             1,
             19,
-            &unknown_key("loop", &["march", "inner", "total", "level"]),
+            &unknown_key("loop", &["main", "shadow", "sum", "level"]),
         );
         wrong("include = \"a\"", 1, 11, "this must be a list: `[...]`");
         assert!(parse("a = ", RULES).is_err());

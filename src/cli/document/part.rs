@@ -2,7 +2,7 @@
 
 use super::include::spread;
 use super::{DialectChoice, HostUniform, Options, Read};
-use crate::diagnostic::{Diagnostic, Severity};
+use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::lint::{Allows, Settings, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
@@ -73,7 +73,7 @@ pub fn check_part(
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
     let has_errors = analysis.diagnostics.iter().any(is_error);
     if part.extent != Extent::Whole {
-        keep_certain(sources, &mut analysis);
+        keep_certain(sources, part.extent, &mut analysis);
     }
     if !has_errors && part.extent != Extent::Excerpt {
         let mut found = Vec::new();
@@ -90,7 +90,7 @@ pub fn check_part(
 const MAX_FINDINGS: usize = 500;
 
 /// Keeps what is wrong whatever the rest of the shader is.
-fn keep_certain(sources: &Sources, analysis: &mut Analysis) {
+fn keep_certain(sources: &Sources, extent: Extent, analysis: &mut Analysis) {
     let program = &analysis.program;
     let is_own = |name: &str| {
         let functions = program.functions.iter();
@@ -102,9 +102,11 @@ fn keep_certain(sources: &Sources, analysis: &mut Analysis) {
         let file = sources.file_at(span.start);
         file.is_some_and(|f| f.role == Role::User && f.span().contains(span))
     };
-    analysis
-        .diagnostics
-        .retain(|d| is_user(d.span) && is_certain(d, sources.text(d.span), is_own));
+    // An excerpt leaves bodies out, by `...` or a comment.
+    let is_left_out = |d: &Diagnostic| extent == Extent::Excerpt && d.rule == error::MISSING_RETURN;
+    analysis.diagnostics.retain(|d| {
+        is_user(d.span) && !is_left_out(d) && is_certain(d, sources.text(d.span), is_own)
+    });
     for diagnostic in &mut analysis.diagnostics {
         diagnostic.labels.retain(|l| is_user(l.span));
     }

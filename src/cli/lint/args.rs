@@ -23,7 +23,7 @@ pub struct Args {
     #[command(subcommand)]
     pub command: Option<Command>,
     /// Files and folders to check; `-` is standard input
-    #[arg(value_name = "PATH", required = true)]
+    #[arg(value_name = "PATH", required_unless_present = "explain")]
     pub paths: Vec<PathBuf>,
     /// How to print the findings
     #[arg(
@@ -89,6 +89,9 @@ pub struct Args {
     /// Leave out what the configuration excludes even where it is named, as hooks name files
     #[arg(long)]
     pub force_exclude: bool,
+    /// Print the page of a rule or a compile error
+    #[arg(long, value_name = "NAME", conflicts_with = "paths")]
+    pub explain: Option<String>,
     /// When to print in colour: auto, always, never
     #[arg(
         long,

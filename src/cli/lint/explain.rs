@@ -15,13 +15,7 @@ pub fn run(command: &Command) -> io::Result<u8> {
     // Collected first, so that the libraries which print need not deal with closed pipes.
     let mut text = Vec::new();
     match command {
-        Command::Explain { name } => match page(name) {
-            Some(page) => text.extend_from_slice(page.as_bytes()),
-            None => {
-                complain(&unknown(name));
-                return Ok(FAILED);
-            }
-        },
+        Command::Explain { name } => return explain(name),
         Command::Rules => text.extend_from_slice(rules().as_bytes()),
         Command::Completions { shell } => {
             clap_complete::generate(*shell, &mut Args::command(), "shaderlint", &mut text);
@@ -30,6 +24,16 @@ pub fn run(command: &Command) -> io::Result<u8> {
         Command::Schema => text.extend_from_slice(schema(RULES).as_bytes()),
     }
     io::stdout().lock().write_all(&text)?;
+    Ok(CLEAN)
+}
+
+/// Prints a page and gives the exit code.
+pub fn explain(name: &str) -> io::Result<u8> {
+    let Some(page) = page(name) else {
+        complain(&unknown(name));
+        return Ok(FAILED);
+    };
+    io::stdout().lock().write_all(page.as_bytes())?;
     Ok(CLEAN)
 }
 

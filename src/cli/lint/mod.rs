@@ -22,10 +22,11 @@ use std::sync::Arc;
 
 /// Runs the linter and gives the exit code.
 pub fn run(args: &Args) -> u8 {
-    let code = match &args.command {
-        Some(command) => explain::run(command),
-        None if args.watch => watch::run(args),
-        None => check(args),
+    let code = match (&args.command, &args.explain) {
+        (Some(command), _) => explain::run(command),
+        (None, Some(name)) => explain::explain(name),
+        (None, None) if args.watch => watch::run(args),
+        (None, None) => check(args),
     };
     match code {
         Ok(code) => code,
