@@ -71,6 +71,6 @@ mod tests {
         let found: Vec<&[char]> = (0..5).map(|i| lists.get(i)).collect();
         let none: &[char] = &[];
         assert_eq!(found, [&['b'][..], none, &['a', 'c'], none, none]);
-        assert_eq!(Lists::of(3, [].into_iter()).get(1), none);
+        assert_eq!(Lists::<char>::of(3, [].into_iter()).get(1), none);
     }
 }
