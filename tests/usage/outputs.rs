@@ -329,7 +329,7 @@ fn junit_is_xml_and_counts() {
             .unwrap()
             .contains("2 │ float halfOf(float x) { return x / 2; }")
     );
-    let warned = xml
+    let mut warned = xml
         .descendants()
         .filter(|n| n.attribute("name") == Some("warned.glsl"));
     assert_eq!(
