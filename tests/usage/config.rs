@@ -175,7 +175,10 @@ fn the_host_declares_uniforms() {
     }
     assert_eq!(scratch.run(&["none/a.frag"]).code, 1);
     // The types are those that are told.
-    scratch.write("shaderlint.toml", uniforms.replace("\"float\"", "\"vec2\""));
+    scratch.write(
+        "shaderlint.toml",
+        uniforms.replace("\"float\"", "\"sampler2D\""),
+    );
     let found = scratch.places(&["a.frag"]);
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(found[0].starts_with("4:"), "{found:?}");
@@ -332,7 +335,8 @@ fn the_example_of_the_readme_is_read() {
     let example = readme.split("```toml\n").nth(1).unwrap();
     let scratch = config(example.split("```").next().unwrap());
     let ran = scratch.run(&["a.glsl"]);
-    assert_eq!((ran.code, ran.err.as_str()), (0, ""));
+    assert_eq!(ran.err, "");
+    assert_ne!(ran.code, 2);
 }
 
 #[test]
