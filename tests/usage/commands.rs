@@ -1,9 +1,9 @@
 //! `explain`, `rules`, `completions`, `man`, `--watch`.
 
 use crate::scratch::{BROKEN, Scratch, mended};
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read};
 use std::process::Stdio;
-use std::sync::mpsc;
+use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
 #[test]
@@ -48,6 +48,28 @@ fn completions_and_the_man_page_name_the_options() {
     assert!(man.contains(".TH shaderlint 1") && man.contains("\\-\\-write\\-baseline"));
 }
 
+/// The lines that a process writes, as they come.
+fn lines_of(stream: impl Read + Send + 'static) -> Receiver<String> {
+    let (sender, lines) = mpsc::channel();
+    std::thread::spawn(move || {
+        let lines = BufReader::new(stream).lines();
+        lines.for_each(|l| drop(sender.send(l.unwrap())));
+    });
+    lines
+}
+
+/// Waits for a line that holds `wanted`.
+fn until(lines: &Receiver<String>, wanted: &str) {
+    let mut seen = Vec::new();
+    loop {
+        match lines.recv_timeout(Duration::from_secs(30)) {
+            Ok(line) if line.contains(wanted) => return,
+            Ok(line) => seen.push(line),
+            Err(_) => panic!("no `{wanted}` in {seen:?}"),
+        }
+    }
+}
+
 #[test]
 fn watching_checks_again_when_a_file_changes() {
     let scratch = Scratch::new(&[("a.glsl", BROKEN)]);
@@ -58,41 +80,19 @@ fn watching_checks_again_when_a_file_changes() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    let (sender, lines) = mpsc::channel();
-    let (out, err) = (child.stdout.take().unwrap(), child.stderr.take().unwrap());
-    let other = sender.clone();
-    std::thread::spawn(move || {
-        BufReader::new(out)
-            .lines()
-            .for_each(|l| drop(sender.send(l.unwrap())));
-    });
-    std::thread::spawn(move || {
-        BufReader::new(err)
-            .lines()
-            .for_each(|l| drop(other.send(l.unwrap())));
-    });
-    let until = |wanted: &str| {
-        let mut seen = Vec::new();
-        loop {
-            let line = lines.recv_timeout(Duration::from_secs(30));
-            let line = line.unwrap_or_else(|_| panic!("no `{wanted}` in {seen:?}"));
-            let is_wanted = line.contains(wanted);
-            seen.push(line);
-            if is_wanted {
-                return seen;
-            }
-        }
-    };
-    until("checking");
-    until("a.glsl:5:24: error[int-float-mix]");
-    until("waiting for changes");
+    let found = lines_of(child.stdout.take().unwrap());
+    let told = lines_of(child.stderr.take().unwrap());
+    until(&told, "checking");
+    until(&found, "a.glsl:5:24: error[int-float-mix]");
+    until(&told, "waiting for changes");
     scratch.write("a.glsl", mended().replace("halfOf(a)", "halfOf(b)"));
-    until("checking");
-    until("undeclared");
-    until("waiting for changes");
+    until(&told, "checking");
+    until(&found, "undeclared");
+    until(&told, "waiting for changes");
     scratch.write("a.glsl", mended());
-    let seen = until("waiting for changes");
-    assert!(seen.iter().all(|l| !l.contains("error")), "{seen:?}");
+    until(&told, "waiting for changes");
+    let rest: Vec<String> = found.try_iter().collect();
+    assert!(rest.iter().all(|l| !l.contains("error")), "{rest:?}");
     child.kill().unwrap();
     child.wait().unwrap();
     let ran = scratch.run(&["--watch", "-"]);
