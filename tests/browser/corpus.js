@@ -63,13 +63,13 @@ const slow = [];
 let count = 0;
 
 function fewAreSlow() {
-  assert.ok(slow.length <= 0.03 * count, `${slow.length} of ${count}: ${slow.join(' ')}`);
+  assert.ok(slow.length <= Math.max(2, 0.03 * count), `${slow.length} of ${count}: ${slow.join(' ')}`);
 }
 
 /** Some shaders use the time only for what is seen later, or when a button is pressed. */
 function mostMove() {
-  const share = moving.still.length / moving.asked;
-  assert.ok(moving.asked > 0 && share < 0.15, `${moving.still.length} of ${moving.asked} stand still: ${moving.still.join(' ')}`);
+  const most = Math.max(3, 0.15 * moving.asked);
+  assert.ok(moving.asked > 0 && moving.still.length <= most, `${moving.still.length} of ${moving.asked} stand still: ${moving.still.join(' ')}`);
 }
 
 /** Compiles every shader that `--main rewrite` calls safe. */
@@ -128,7 +128,9 @@ export function corpusTests() {
   tests.push({ name: 'rewritten: the picture stays', run: rewrittenPicture });
   const cases = process.env.SHADERLINT_CASES && path.join(process.env.SHADERLINT_CASES, 'shadertoy');
   if (cases && fs.existsSync(cases)) {
-    const exports = fs.readdirSync(cases).filter((f) => f.endsWith('.json')).map((f) => path.join(cases, f));
+    const every = Number(process.env.EVERY ?? 1);
+    const all = fs.readdirSync(cases).filter((f) => f.endsWith('.json')).map((f) => path.join(cases, f));
+    const exports = all.filter((_, i) => i % every === 0);
     count = exports.length;
     for (const file of exports) {
       const name = path.basename(file, '.json');
