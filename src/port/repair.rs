@@ -4,6 +4,7 @@
 //! Each is added to the error that it mends, so that the same engine applies these and the fixes that
 //! the errors bring along.
 
+use super::whole::PLACES;
 use crate::diagnostic::{Applicability, Diagnostic, Fix, error};
 use crate::semantic::{Dialect, Pass, Program};
 use crate::syntax::TokenKind;
@@ -82,19 +83,6 @@ fn output(program: &Program) -> Option<Fix> {
         .collect();
     Some(Fix::safe(format!("write to `{color}`"), edits?))
 }
-
-/// Names that are taken for the place in the picture, from 0 to 1.
-const PLACES: [&str; 9] = [
-    "vUv",
-    "vUV",
-    "v_uv",
-    "uv",
-    "vTexCoord",
-    "v_texCoord",
-    "v_texcoord",
-    "texCoord",
-    "texcoord",
-];
 
 /// A `varying` of ShaderToy code is an input that no vertex shader of the player writes; where it is
 /// the place in the picture, that can be computed.

@@ -70,7 +70,7 @@ const UNIFORMS: &[Names] = &[
 ];
 
 /// Names of the inputs that are taken for the place in the picture, from 0 to 1.
-const PLACES: [&str; 8] = [
+pub(super) const PLACES: [&str; 9] = [
     "vUv",
     "vUV",
     "v_uv",
@@ -79,6 +79,7 @@ const PLACES: [&str; 8] = [
     "v_texCoord",
     "v_texcoord",
     "texCoord",
+    "texcoord",
 ];
 
 /// A whole shader as a pass.
