@@ -155,23 +155,30 @@ impl Checker<'_> {
         if !self.is_direct(self.tree.expr(at).extent) {
             return None;
         }
-        if let Some((token, swizzle, _)) = self.swizzle_of(at) {
-            let kept = swizzle.get(..size as usize)?;
-            let edit = Edit::replace(self.token_span(token), kept);
-            return Some(Fix::suggestion(format!("take `.{kept}`"), vec![edit]));
-        }
         let span = self.expr_span(at);
-        let edits = match self.is_atom(at) {
-            true => vec![Edit::insert(span.end, format!(".{letters}"))],
-            false => vec![
-                Edit::insert(span.start, "("),
-                Edit::insert(span.end, format!(").{letters}")),
-            ],
-        };
         let text = self.sources.text(span);
-        let title = match at == id || text.len() > MAX_SHOWN {
+        let swizzle = self.swizzle_of(at);
+        let (shown, edits) = match swizzle {
+            Some((token, swizzle, _)) => {
+                let kept = swizzle.get(..size as usize)?;
+                let shown = format!("{}{kept}", text.strip_suffix(swizzle)?);
+                (shown, vec![Edit::replace(self.token_span(token), kept)])
+            }
+            None if self.is_atom(at) => {
+                let edit = Edit::insert(span.end, format!(".{letters}"));
+                (format!("{text}.{letters}"), vec![edit])
+            }
+            None => {
+                let edits = vec![
+                    Edit::insert(span.start, "("),
+                    Edit::insert(span.end, format!(").{letters}")),
+                ];
+                (format!("({text}).{letters}"), edits)
+            }
+        };
+        let title = match shown.len() > MAX_SHOWN || shown.contains('\n') {
             true => format!("take `.{letters}` of it"),
-            false => format!("write `{text}.{letters}`"),
+            false => format!("write `{shown}`"),
         };
         Some(Fix::suggestion(title, edits))
     }
@@ -211,6 +218,8 @@ impl Checker<'_> {
         let set = letters.iter().find(|set| set.starts_with(swizzle))?;
         let longer = set.get(..size as usize).filter(|_| has >= size)?;
         let edit = Edit::replace(self.token_span(token), longer);
-        Some(Fix::suggestion(format!("take `.{longer}`"), vec![edit]))
+        let text = self.expr_text(id).strip_suffix(swizzle)?;
+        let title = format!("write `{text}{longer}`");
+        Some(Fix::suggestion(title, vec![edit]))
     }
 }
