@@ -3,7 +3,7 @@
 use super::whole::{self, Known};
 use super::{Composed, Input, InputKind, OutputId, PassUnit, Project, VERTEX, Wrapper, credits};
 use crate::semantic::Pass;
-use crate::semantic::tunable::{Tunable, tunables};
+use crate::semantic::tunable::{Tunable, may_hold_tunables, tunables};
 use crate::text::{FileId, Role, SourceFile, Sources};
 use serde::Serialize;
 
@@ -194,6 +194,10 @@ fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> 
 fn all_tunables(composed: &Composed) -> Vec<TunableData> {
     let mut found: Vec<TunableData> = Vec::new();
     for unit in &composed.units {
+        let mut files = unit.files.iter().filter_map(|f| composed.sources.file(*f));
+        if !files.any(|f| may_hold_tunables(&f.text)) {
+            continue;
+        }
         let analysis = composed.analyze(unit);
         for tunable in tunables(&analysis.program) {
             if let Some(data) = tunable_data(&composed.sources, &tunable)

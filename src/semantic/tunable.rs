@@ -48,6 +48,12 @@ pub fn tunables(program: &Program) -> Vec<Tunable> {
     found.collect()
 }
 
+/// Whether a text may hold a tunable number: for callers that would have to check the whole shader
+/// to ask [`tunables`], and mostly would find none.
+pub fn may_hold_tunables(text: &str) -> bool {
+    text.contains('~')
+}
+
 /// The number that is all that a macro holds.
 fn number(program: &Program, definition: usize) -> Option<(Span, f64)> {
     let body = &program.tokens.macros.get(definition)?.body;
