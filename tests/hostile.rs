@@ -189,6 +189,17 @@ fn chains_are_no_nesting() {
 }
 
 #[test]
+fn much_is_broken_in_one_line() {
+    let many = |text: &str| text.repeat(100_000);
+    for head in ["if (x; ", "while (x; ", "for (;; x; ", "for (x; "] {
+        judge(&body(&many(head)), Refused);
+    }
+    let structs = many("struct S { float ; vec3 a( ; }; ");
+    judge(&format!("{structs}{}", body("")), Refused);
+    judge(&body(&structs), Refused);
+}
+
+#[test]
 fn macros_explode() {
     let doubled = |depth: usize| {
         let lines = each(depth, |i| format!("#define M{} M{i} + M{i}\n", i + 1));

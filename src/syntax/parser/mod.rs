@@ -188,6 +188,11 @@ impl<'a> Parser<'a> {
         Diagnostic::error(rule, self.next().span, message)
     }
 
+    /// Whether no further error is reported, so that none needs its place to be looked for.
+    fn has_many_errors(&self) -> bool {
+        self.diagnostics.len() >= MAX_ERRORS
+    }
+
     /// Reports an error at the next token.
     fn report(&mut self, diagnostic: Diagnostic) {
         let token = self.next();
@@ -196,7 +201,7 @@ impl<'a> Parser<'a> {
 
     /// Reports an error at `token`, with the macros that the token came through.
     fn report_at(&mut self, mut diagnostic: Diagnostic, token: &Token) {
-        if self.diagnostics.len() >= MAX_ERRORS {
+        if self.has_many_errors() {
             return;
         }
         diagnostic.macros = macro_uses(&self.all.expansions, &self.all.macros, self.names, token);

@@ -220,7 +220,7 @@ impl Parser<'_> {
     /// The `)` of the head of a statement. A `;` that stands before it in the same line is what is
     /// wrong then, and the head ends at the `)` all the same.
     pub(super) fn close_head(&mut self, open: TokenId) -> Parsed<()> {
-        if !self.is(TokenKind::Semicolon) || !self.closes_in_line() {
+        if !self.is(TokenKind::Semicolon) || self.has_many_errors() || !self.closes_in_line() {
             return self.close(TokenKind::RightParen, open);
         }
         self.unexpected("`)`");
@@ -232,7 +232,8 @@ impl Parser<'_> {
     /// Whether the parentheses around are closed before the line ends.
     fn closes_in_line(&self) -> bool {
         let mut open = 0_u32;
-        for at in self.at..self.tokens.len() {
+        let last = self.tokens.len().min(self.at + MAX_PARAM_TOKENS);
+        for at in self.at..last {
             if self.starts_line(at) {
                 return false;
             }
@@ -299,7 +300,7 @@ impl Parser<'_> {
     /// Reports that the block opened at `open`, or one inside it, is never closed. Says so once for
     /// all blocks that end at the same place.
     pub(super) fn missing_brace(&mut self, open: TokenId) {
-        if self.missing_brace_at == Some(self.at) {
+        if self.missing_brace_at == Some(self.at) || self.has_many_errors() {
             return;
         }
         self.missing_brace_at = Some(self.at);
