@@ -56,17 +56,23 @@ fn literal_answer(cx: &Context, e: &Binary) -> Option<bool> {
     }
 }
 
+/// Whether an expression holds a name, or too much to look for one: each comparison of a long chain
+/// holds all those before it.
 fn has_name(cx: &Context, id: ExprId) -> bool {
+    const MAX_LOOK: usize = 100;
     let tree = &cx.program.tree;
     let mut todo = vec![id];
-    while let Some(next) = todo.pop() {
+    for _ in 0..MAX_LOOK {
+        let Some(next) = todo.pop() else {
+            return false;
+        };
         let expr = tree.expr(next);
         if let ExprKind::Name(_) = expr.kind {
             return true;
         }
         each_operand(tree, expr, |child| todo.push(child));
     }
-    false
+    true
 }
 
 /// The answer where something that is never negative is compared with zero.

@@ -56,6 +56,7 @@ mod switch_return;
 mod tunable_range;
 mod unbounded_loop;
 mod uninitialized_read;
+mod unknown_uniform;
 mod unused_allow;
 mod unused_function;
 mod unused_macro;
@@ -126,6 +127,7 @@ pub static RULES: &[&Rule] = &[
     &tunable_range::RULE,
     &unbounded_loop::RULE,
     &uninitialized_read::RULE,
+    &unknown_uniform::RULE,
     &unused_allow::RULE,
     &unused_function::RULE,
     &unused_macro::RULE,

@@ -25,7 +25,7 @@ pub static RULE: Rule = Rule {
 
 /// Name of the function that takes its place.
 const HASH: &str = "integerHash";
-const ADVICE: &str = "hash integers: they are the same everywhere";
+const ADVICE: &str = "hash integers: the same input gives the same bits on every GPU";
 
 fn check(cx: &mut Context, call: &Builtin) {
     let &[arg] = call.args else { return };
@@ -45,7 +45,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     };
     let fix = fix(cx, call.id, sine);
     let finding = cx
-        .report_expr(call.id, "this hash draws another picture on every GPU")
+        .report_expr(call.id, "this hash may draw another picture on another GPU")
         .note("`sin` is exact to a few digits only, and the factor brings the others up");
     match fix {
         Some(fix) => finding.fix(fix),

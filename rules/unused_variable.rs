@@ -102,8 +102,8 @@ fn report(cx: &mut Context, declared: &Declared) {
     let Some(token) = variable.token else { return };
     let name = program.names.text(variable.name);
     let writes: Vec<ExprId> = cx.facts.usage().writes(declared.variable).collect();
-    let fix =
-        removal(cx, declared, &writes).map(|edits| Fix::safe(format!("take `{name}` out"), edits));
+    let fix = removal(cx, declared, &writes)
+        .map(|edits| Fix::suggestion(format!("take `{name}` out"), edits));
     let message = match writes.first() {
         None => format!("`{name}` is never used"),
         Some(_) => format!("`{name}` is written to, but never read"),

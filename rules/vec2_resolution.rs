@@ -1,10 +1,9 @@
 //! `uniform vec2 iResolution`.
 
-use crate::diagnostic::{Fix, Severity};
+use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule};
 use crate::semantic::{Scalar, Storage, Type};
 use crate::syntax::ast::{DeclKind, Extent, Item};
-use crate::text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "vec2-resolution",
@@ -26,10 +25,7 @@ fn check(cx: &mut Context) {
         let Some(decl) = program.tree.decl(decl) else {
             continue;
         };
-        let DeclKind::Variables {
-            ty, declarators, ..
-        } = decl.kind
-        else {
+        let DeclKind::Variables { declarators, .. } = decl.kind else {
             continue;
         };
         for (i, declarator) in program.tree.declarators(declarators).iter().enumerate() {
@@ -43,17 +39,13 @@ fn check(cx: &mut Context) {
             if !is_it {
                 continue;
             }
-            let extent = program.tree.ty(ty).extent;
-            let is_alone = declarators.len == 1 && program.is_direct(extent);
-            let edit = Edit::replace(program.span(extent), "vec3");
-            let fix = is_alone.then(|| Fix::suggestion("make it a `vec3`", vec![edit]));
             cx.report(
                 Extent::token(declarator.ident.token),
                 "`iResolution` is a `vec2` here, and a `vec3` in ShaderToy",
             )
             .note("code from there that reads its `z` or hands it on does not compile")
-            .note("a page must set it with `uniform2f`; what `uniform3f` sets does not arrive")
-            .fix(fix);
+            .note("its page sets it with `uniform2f`; what `uniform3f` sets does not arrive")
+            .help("for code from ShaderToy declare a `vec3`, and set it with `uniform3f(location, width, height, 1)`");
         }
     }
 }

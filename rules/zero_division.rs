@@ -34,15 +34,14 @@ fn check(cx: &mut Context, id: ExprId) {
     };
     let is_float = cx.program.ty(divisor).scalar_kind() == Some(Scalar::Float);
     let is_zero = range.single() == Some(0.0);
-    let (known, least) = match is_float {
-        true => (range.to_string(), "1e-6"),
-        false => (range.of_integer(), "1"),
+    let known = match is_float {
+        true => range.to_string(),
+        false => range.of_integer(),
     };
     let message = match is_zero {
         true => "division by zero".to_string(),
         false => format!("the divisor may be zero: {known}"),
     };
-    let text = cx.program.expr_text(divisor).to_string();
     let finding = cx.report_expr(divisor, message).note(match is_float {
         true => {
             "the result is an infinity, or a NaN if both are zero; some GPUs give something else"
@@ -50,6 +49,6 @@ fn check(cx: &mut Context, id: ExprId) {
         false => "the result of an integer division by zero is undefined",
     });
     if !is_zero && range.lo.value >= 0.0 {
-        finding.help(format!("bound it with `max({text}, {least})`"));
+        finding.help("decide what comes out there: start the counter behind zero, leave that case out, or bound the divisor from below by the smallest value that means something");
     }
 }

@@ -70,7 +70,7 @@ fn an_export_names_its_passes() {
 }
 
 #[test]
-fn a_clean_file_prints_nothing() {
+fn a_clean_file_is_summed_up() {
     assert_cmd_snapshot!(lint(&["clean.glsl"]));
 }
 
@@ -127,8 +127,9 @@ fn an_unknown_rule() {
 }
 
 #[test]
-fn no_path() {
-    assert_cmd_snapshot!(lint(&[]));
+fn no_path_is_the_current_folder() {
+    let run = |args: &[&str]| lint(args).output().unwrap();
+    assert_eq!(run(&[]), run(&["."]));
 }
 
 #[test]

@@ -10,6 +10,7 @@ use shaderlint::report::render;
 use shaderlint::rules::RULES;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 fn templates() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/templates");
@@ -64,4 +65,70 @@ fn what_shaderport_writes() {
         );
         golden(&path, "port", passes[0].fragment.clone());
     }
+}
+
+/// The files in `corpus/mistakes`, by name.
+fn mistakes() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/mistakes");
+    let entries = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path());
+    let mut found: Vec<PathBuf> = entries
+        .filter(|p| p.extension().is_some_and(|e| e != "txt" && e != "md"))
+        .collect();
+    found.sort();
+    assert!(found.len() >= 40);
+    found
+}
+
+/// What the program prints of a file, as a person sees it without colours.
+fn printed(path: &Path) -> String {
+    let folder = path.parent().unwrap();
+    let done = Command::new(env!("CARGO_BIN_EXE_shaderlint"))
+        .current_dir(folder)
+        .args(["--no-config", "--color", "never"])
+        .arg(path.file_name().unwrap())
+        .output()
+        .unwrap();
+    assert_eq!(
+        done.status.code(),
+        Some(1),
+        "{} has no error",
+        path.display()
+    );
+    String::from_utf8(done.stdout).unwrap()
+}
+
+/// Each mistake, what is printed of it beside it, and a table of all of them.
+#[test]
+fn what_is_printed_of_mistakes() {
+    let mut table = String::from(
+        "# Mistakes\n\nShaders as people write them, each with a mistake. Beside each is what \
+         `shaderlint` prints of it.\n\n| file | the first line |\n|---|---|\n",
+    );
+    let mut stale = Vec::new();
+    for path in mistakes() {
+        let name = path.file_name().unwrap().to_str().unwrap().to_string();
+        let text = printed(&path);
+        let first = text.lines().next().unwrap_or("").replace('|', "\\|");
+        table.push_str(&format!(
+            "| [{name}]({name}), [printed]({name}.txt) | {first} |\n"
+        ));
+        stale.extend(beside(&path.with_file_name(format!("{name}.txt")), &text));
+    }
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/mistakes");
+    stale.extend(beside(&folder.join("README.md"), &table));
+    assert!(stale.is_empty(), "{}", stale.join("\n\n"));
+}
+
+/// Says what a file should hold where it holds something else; `INSTA_UPDATE=always` writes it.
+fn beside(path: &Path, text: &str) -> Option<String> {
+    if fs::read_to_string(path).is_ok_and(|now| now == text) {
+        return None;
+    }
+    if std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always") {
+        fs::write(path, text).unwrap();
+    }
+    Some(format!(
+        "{} is stale, it should say\n{text}",
+        path.display()
+    ))
 }

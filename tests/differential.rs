@@ -7,7 +7,7 @@ use glsl_lang::ast::TranslationUnit;
 use glsl_lang::parse::DefaultParse;
 use shaderlint::diagnostic::Severity;
 use shaderlint::semantic::{Pass, shadertoy_header};
-use shaderlint::syntax::{RawKind, TokenKind, parse, preprocess, tokenize, unsplice};
+use shaderlint::syntax::{Language, RawKind, TokenKind, parse, preprocess, tokenize, unsplice};
 use shaderlint::text::{Role, Sources, Span};
 use std::collections::HashMap;
 use std::fs;
@@ -107,8 +107,12 @@ fn preprocessed(text: &str) -> (String, bool) {
     let header = sources.add("", None, Role::Prelude, header);
     let file = sources.add("a.glsl", None, Role::User, text);
     let files = [header.unwrap(), file.unwrap()];
-    let read = preprocess(&sources, &files, true);
-    let (_, problems) = parse(&sources, &read.tokens, &read.names, read.version, true);
+    let mut read = preprocess(&sources, &files, true);
+    let language = Language {
+        version: read.version,
+        is_fragment: true,
+    };
+    let problems = parse(&sources, &mut read.tokens, &read.names, language).diagnostics;
     let mut all = read.diagnostics.iter().chain(&problems);
     let is_good = !all.any(|d| d.severity == Severity::Error);
     let ends: HashMap<u32, u32> = sources
@@ -175,7 +179,7 @@ fn push_exports(folder: &Path, found: &mut Vec<(String, String)>) {
 fn every_disagreement_has_a_name() {
     let mut texts = Vec::new();
     push_files(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus"),
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/templates"),
         &mut texts,
     );
     if let Some(cases) = std::env::var_os("SHADERLINT_CASES") {

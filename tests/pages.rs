@@ -6,7 +6,7 @@
 
 use shaderlint::cli::document::{DialectChoice, check, fix_text};
 use shaderlint::cli::input::Content;
-use shaderlint::diagnostic::{Diagnostic, ERRORS};
+use shaderlint::diagnostic::{Diagnostic, ERRORS, error_page};
 use shaderlint::lint::{Allow, Fence, FenceKind, Page, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
@@ -92,6 +92,32 @@ impl Example<'_> {
     }
 }
 
+/// What stands before a fence, so that a rendered page says what it shows.
+fn label(name: &str, kind: FenceKind) -> Option<&'static str> {
+    let is_error = ERRORS.contains(&name);
+    Some(match kind {
+        FenceKind::Bad if is_error => "Refused:",
+        FenceKind::Bad => "Reported:",
+        FenceKind::Text => "What is printed:",
+        FenceKind::Fixed => "What `--fix` makes of it:",
+        FenceKind::Suggested => "What `--unsafe-fixes` makes of it:",
+        FenceKind::Good if is_error => "Accepted:",
+        FenceKind::Good => "Not reported:",
+        FenceKind::Other => return None,
+    })
+}
+
+/// The text up to the content of a fence, with the label before the fence.
+fn labelled(before: &str, label: Option<&str>) -> String {
+    let (Some(label), Some((text, info))) = (label, before.rsplit_once("```")) else {
+        return before.to_string();
+    };
+    match text.trim_end() {
+        text if text.ends_with(label) => format!("{text}\n\n```{info}"),
+        text => format!("{text}\n\n{label}\n\n```{info}"),
+    }
+}
+
 /// Checks one page; gives what is wrong, and the page as it should be.
 fn check_page(name: &str, text: &str) -> (Vec<String>, String) {
     let page = Page::new(text);
@@ -128,7 +154,11 @@ fn check_page(name: &str, text: &str) -> (Vec<String>, String) {
         if fence.kind == FenceKind::Bad {
             example.bad = Some(fence);
         }
-        fresh.push_str(&text[done..fence.range.start]);
+        let before = labelled(&text[done..fence.range.start], label(name, fence.kind));
+        if before != text[done..fence.range.start] {
+            problems.push(format!("{name}: a fence without its label"));
+        }
+        fresh.push_str(&before);
         let now = &text[fence.range.clone()];
         match example.expected(fence) {
             Ok(Some(expected)) => {
@@ -183,11 +213,26 @@ fn pages_of_errors() {
         .map(|name| (format!("rules/errors/{name}.md"), *name)));
 }
 
-/// What stands around the table of rules, where a file has one.
-const MARKERS: (&str, &str) = ("<!-- rules -->\n", "<!-- /rules -->");
+/// A generated table, and what stands around it in a file.
+struct Table {
+    markers: (&'static str, &'static str),
+    /// The table, given the folder that leads from the file to the pages.
+    rows: fn(&str) -> String,
+}
+
+const TABLES: [Table; 2] = [
+    Table {
+        markers: ("<!-- rules -->\n", "<!-- /rules -->"),
+        rows: rules,
+    },
+    Table {
+        markers: ("<!-- errors -->\n", "<!-- /errors -->"),
+        rows: errors,
+    },
+];
 
 /// A row for each rule. `folder` leads from the file to the pages.
-fn table(folder: &str) -> String {
+fn rules(folder: &str) -> String {
     let mut text = String::from(
         "\n| rule | group | level | by default | fix | what it finds |\n|---|---|---|---|---|---|\n",
     );
@@ -217,45 +262,60 @@ fn table(folder: &str) -> String {
     text
 }
 
+/// A row for each compile error.
+fn errors(folder: &str) -> String {
+    let mut text = String::from("\n| error | what it means |\n|---|---|\n");
+    for name in ERRORS {
+        let page = Page::new(error_page(name).unwrap());
+        let summary = page.summary.replace('|', "\\|");
+        text.push_str(&format!(
+            "| [{name}]({folder}errors/{name}.md) | {summary} |\n"
+        ));
+    }
+    text.push('\n');
+    text
+}
+
 /// A file with its table as it should be; `None` where it has no table.
-fn with_table(text: &str, folder: &str) -> Option<String> {
-    let (before, rest) = text.split_once(MARKERS.0)?;
-    let (_, behind) = rest.split_once(MARKERS.1)?;
-    let table = table(folder);
-    Some(format!("{before}{}{table}{}{behind}", MARKERS.0, MARKERS.1))
+fn with_table(text: &str, table: &Table, folder: &str) -> Option<String> {
+    let (open, close) = table.markers;
+    let (before, rest) = text.split_once(open)?;
+    let (_, behind) = rest.split_once(close)?;
+    Some(format!(
+        "{before}{open}{}{close}{behind}",
+        (table.rows)(folder)
+    ))
 }
 
 #[test]
-fn tables_of_rules() {
+fn tables_of_rules_and_errors() {
     let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut stale = Vec::new();
-    for (path, folder, must) in [
-        ("rules/README.md", "", true),
-        ("README.md", "rules/", false),
-    ] {
-        let text = fs::read_to_string(root.join(path)).unwrap_or_default();
-        match with_table(&text, folder) {
-            Some(fresh) if fresh != text => {
-                stale.push(path);
-                if accept {
-                    fs::write(root.join(path), fresh).unwrap();
-                }
-            }
-            None if must => panic!("{path} has no place for the table of rules"),
-            _ => {}
-        }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("rules/README.md");
+    let text = fs::read_to_string(&path).unwrap();
+    let fresh = TABLES.iter().fold(text.clone(), |text, table| {
+        with_table(&text, table, "").expect("rules/README.md has a place for each table")
+    });
+    if accept && fresh != text {
+        fs::write(&path, &fresh).unwrap();
     }
-    assert!(stale.is_empty(), "the table of rules is stale in {stale:?}");
+    assert!(fresh == text, "a table in rules/README.md is stale");
 }
 
 #[test]
 fn a_table_stands_between_its_markers() {
     let text = "# A\n\n<!-- rules -->\nold\n<!-- /rules -->\n\nmore\n";
-    let fresh = with_table(text, "rules/").unwrap();
+    let fresh = with_table(text, &TABLES[0], "rules/").unwrap();
     assert!(fresh.starts_with("# A\n\n<!-- rules -->\n\n| rule "));
     assert!(fresh.ends_with(" |\n\n<!-- /rules -->\n\nmore\n"));
     assert!(!fresh.contains("old"));
     assert!(fresh.contains("| [float-equality](rules/float_equality.md) | numeric | "));
-    assert_eq!(with_table("# A\n", ""), None);
+    assert_eq!(with_table("# A\n", &TABLES[0], ""), None);
+}
+
+#[test]
+fn a_fence_is_labelled_once() {
+    let once = labelled("Text.\n\n```glsl bad\n", Some("Refused:"));
+    assert_eq!(once, "Text.\n\nRefused:\n\n```glsl bad\n");
+    assert_eq!(labelled(&once, Some("Refused:")), once);
+    assert_eq!(labelled("Text.\n\n```sh\n", None), "Text.\n\n```sh\n");
 }

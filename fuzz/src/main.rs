@@ -1,21 +1,29 @@
 //! `shaderlint-fuzz TARGET|all [--seconds N] [--seed S] [FILE]...`
+//! `shaderlint-fuzz write|pairs [--count N] [--seed S]`
 //!
 //! Breaks the shaders of the corpus and of the rules' pages in random ways and throws them at a
 //! target. A panic or an answer that takes too long is a failure: its text is made as short as it
 //! can be, stored in `fuzz/failures/`, and the exit code is 1. With files, those are thrown as they
-//! are.
+//! are. `write` prints the programs of N seeds, each with shaderlint's verdict, as JSON lines for
+//! `tests/browser/verdicts.js`, which asks Chromium.
+//!
+//! `shaderlint-fuzz pairs [--count N] [--seed S]` prints pairs of stages for a browser to link.
 
+mod generate;
 mod mutate;
+mod pairs;
 mod targets;
 
+use generate::generate;
 use mutate::{Random, mutate, split};
+use shaderlint::semantic::Stage;
 use std::panic::{catch_unwind, set_hook};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use std::{env, fs, thread};
-use targets::{TARGETS, Target};
+use targets::{TARGETS, Target, Texts};
 
 /// An answer that takes longer is a failure.
 const TOO_LONG: Duration = Duration::from_secs(2);
@@ -30,6 +38,7 @@ type Current = Arc<Mutex<(Instant, String)>>;
 fn main() -> ExitCode {
     let mut seconds = 10;
     let mut seed = 1;
+    let mut count = 1000;
     let mut words = Vec::new();
     let mut args = env::args().skip(1);
     while let Some(arg) = args.next() {
@@ -37,16 +46,26 @@ fn main() -> ExitCode {
         match arg.as_str() {
             "--seconds" => seconds = number().unwrap_or(seconds),
             "--seed" => seed = number().unwrap_or(seed),
+            "--count" => count = number().unwrap_or(count),
             _ => words.push(arg),
         }
     }
     let name = words.first().map_or("all", String::as_str);
+    if name == "write" {
+        return write(seed, count);
+    }
+    if name == "pairs" {
+        pairs::print(seed, count as usize);
+        return ExitCode::SUCCESS;
+    }
     let chosen: Vec<&Target> = TARGETS
         .iter()
         .filter(|t| name == "all" || t.name == name)
         .collect();
     if chosen.is_empty() {
-        eprintln!("there is no target `{name}`: lex, parse, check, fix, port or all");
+        eprintln!(
+            "there is no target `{name}`: lex, parse, check, link, fix, port, programs or all"
+        );
         return ExitCode::from(2);
     }
     let files = words.get(1..).unwrap_or(&[]);
@@ -62,6 +81,23 @@ fn main() -> ExitCode {
         };
     }
     ExitCode::from(failed as u8)
+}
+
+/// Prints the programs of `count` seeds with what shaderlint says of them.
+fn write(seed: u64, count: u64) -> ExitCode {
+    for seed in seed..seed + count {
+        let program = generate(seed);
+        let is_fragment = program.stage == Stage::Fragment;
+        let verdict = serde_json::json!({
+            "id": seed,
+            "stage": if is_fragment { "fragment" } else { "vertex" },
+            "ok": targets::is_accepted(&program.text, program.stage),
+            "right": program.is_right,
+            "source": program.text,
+        });
+        println!("{verdict}");
+    }
+    ExitCode::SUCCESS
 }
 
 /// Ends the process when one text takes far too long.
@@ -98,9 +134,12 @@ fn fuzz(target: &Target, time: Duration, seed: u64, current: &Current) -> bool {
     let seeds = seeds();
     let mut random = Random::new(seed);
     let start = Instant::now();
-    let mut count = 0;
+    let mut count: u64 = 0;
     while start.elapsed() < time {
-        let text = mutate(&mut random, &seeds);
+        let text = match target.texts {
+            Texts::Broken => mutate(&mut random, &seeds),
+            Texts::Programs => generate(seed + count).text,
+        };
         if let Some(failure) = throw(target, &text, current) {
             let small = minimise(target, &text, current);
             let path = store(target.name, &small);

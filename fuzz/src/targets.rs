@@ -1,5 +1,7 @@
 //! What the broken shaders are thrown at. A target panics where something is wrong.
 
+use crate::mutate::split;
+use crate::pairs;
 use shaderlint::cli::document::{DialectChoice, Findings, check, fix_text};
 use shaderlint::cli::input::Content;
 use shaderlint::diagnostic::Severity;
@@ -7,38 +9,65 @@ use shaderlint::lint::{Allow, Settings};
 use shaderlint::port::{Project, compose, glsl, html};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
-use shaderlint::syntax::{parse, preprocess, tokenize};
+use shaderlint::semantic::Stage;
+use shaderlint::syntax::{Language, parse, preprocess, tokenize};
 use shaderlint::text::{FileId, Role, Sources};
 
 /// Something to throw shaders at.
 pub struct Target {
     /// Its name on the command line.
     pub name: &'static str,
+    /// What is thrown.
+    pub texts: Texts,
     /// Runs it.
     pub run: fn(&str),
 }
 
+/// Where texts come from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Texts {
+    /// Shaders of the corpus and the pages, broken.
+    Broken,
+    /// Programs that are written for it.
+    Programs,
+}
+
 /// All targets.
-pub const TARGETS: [Target; 5] = [
+pub const TARGETS: [Target; 7] = [
     Target {
         name: "lex",
+        texts: Texts::Broken,
         run: lex,
     },
     Target {
         name: "parse",
+        texts: Texts::Broken,
         run: parse_only,
     },
     Target {
         name: "check",
+        texts: Texts::Broken,
         run: check_all,
     },
     Target {
+        name: "link",
+        texts: Texts::Broken,
+        run: link_both,
+    },
+    Target {
         name: "fix",
+        texts: Texts::Broken,
         run: fix,
     },
     Target {
         name: "port",
+        texts: Texts::Broken,
         run: port,
+    },
+    Target {
+        name: "programs",
+        texts: Texts::Programs,
+        run: programs,
     },
 ];
 
@@ -71,8 +100,12 @@ fn lex(text: &str) {
 /// The parser: children are stored before their parents.
 fn parse_only(text: &str) {
     let (sources, files) = sources(text);
-    let read = preprocess(&sources, &files, true);
-    let (tree, _) = parse(&sources, &read.tokens, &read.names, read.version, true);
+    let mut read = preprocess(&sources, &files, true);
+    let language = Language {
+        version: read.version,
+        is_fragment: true,
+    };
+    let tree = parse(&sources, &mut read.tokens, &read.names, language).tree;
     for (i, expr) in tree.exprs.iter().enumerate() {
         assert!(
             expr.extent.first <= expr.extent.last,
@@ -83,6 +116,13 @@ fn parse_only(text: &str) {
             "expression {i} has no end"
         );
     }
+}
+
+/// A shader as both stages of a program.
+fn link_both(text: &str) {
+    let head = "#version 300 es\nprecision highp float;\n";
+    let vertex = text.replace("in ", "out ");
+    pairs::judge(&format!("{head}{vertex}"), &format!("{head}{text}"));
 }
 
 fn judge(text: &str) -> Option<Findings> {
@@ -162,4 +202,48 @@ fn port(text: &str) {
     }
     let _ = html(&project, &composed);
     let _ = glsl(&project, &composed);
+}
+
+/// Whether no error is reported of a shader.
+pub fn is_accepted(text: &str, stage: Stage) -> bool {
+    let name = match stage {
+        Stage::Vertex => "a.vert",
+        Stage::Fragment => "a.frag",
+    };
+    let Ok(settings) = Settings::new(&[], &[], &[]) else {
+        return false;
+    };
+    let found = check(name, Content::utf8(text), DialectChoice::Auto, &settings);
+    let all = found.map_or(Vec::new(), |f| f.diagnostics);
+    !all.iter().any(|d| d.severity == Severity::Error)
+}
+
+/// The verdict hangs on the tokens alone, not on what stands between them, and rules and formats
+/// answer for what is nearly right too.
+fn programs(text: &str) {
+    for stage in [Stage::Vertex, Stage::Fragment] {
+        let verdict = is_accepted(text, stage);
+        let spread = is_accepted(&spread(text), stage);
+        assert_eq!(verdict, spread, "with other blanks");
+    }
+    check_all(text);
+}
+
+/// A text with other blanks between its tokens; directives stay as they are.
+fn spread(text: &str) -> String {
+    let mut out = String::new();
+    for line in text.split_inclusive('\n') {
+        if line.starts_with('#') {
+            out.push_str(line);
+            continue;
+        }
+        for token in split(line) {
+            out.push_str(if token.trim().is_empty() {
+                "\n/* */\t"
+            } else {
+                &token
+            });
+        }
+    }
+    out
 }

@@ -1,35 +1,15 @@
 //! Finding and reading input files.
 
 use super::config::Configs;
+use crate::text::kind::{Claim, is_searched};
 use ignore::WalkBuilder;
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// Largest file that is read, in bytes.
 const MAX_FILE: u64 = 256 * 1024 * 1024;
-
-/// What files a folder is searched for.
-const EXTENSIONS: [&str; 18] = [
-    "glsl",
-    "frag",
-    "vert",
-    "fs",
-    "vs",
-    "fsh",
-    "vsh",
-    "shadertoy",
-    "json",
-    "html",
-    "htm",
-    "js",
-    "mjs",
-    "cjs",
-    "ts",
-    "jsx",
-    "tsx",
-    "md",
-];
 
 /// An input.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -40,6 +20,8 @@ pub struct InputFile {
     pub path: Option<PathBuf>,
     /// Whether it was named itself, not found in a folder.
     pub is_explicit: bool,
+    /// What the configuration says of it.
+    pub claim: Claim,
 }
 
 /// What paths name.
@@ -48,6 +30,37 @@ pub struct Collected {
     pub inputs: Vec<InputFile>,
     /// What is wrong with the paths, a line each.
     pub problems: Vec<String>,
+    /// What of the folders is not read.
+    pub passed_over: PassedOver,
+}
+
+/// What of the folders is not read.
+#[derive(Default)]
+pub struct PassedOver {
+    /// Files that the configuration leaves out.
+    pub excluded: Vec<String>,
+    /// How many files have other endings.
+    pub others: usize,
+    /// Some of those endings.
+    pub endings: BTreeSet<String>,
+}
+
+impl PassedOver {
+    /// Most endings that are kept.
+    const MAX_ENDINGS: usize = 12;
+
+    fn add(&mut self, path: &Path) {
+        if is_searched(&path.to_string_lossy()) {
+            self.excluded.push(shown(path));
+            return;
+        }
+        self.others += 1;
+        let ending = path.extension().and_then(|e| e.to_str());
+        if self.endings.len() < PassedOver::MAX_ENDINGS {
+            let ending = ending.map_or("no ending".to_string(), |e| format!(".{e}"));
+            self.endings.insert(ending);
+        }
+    }
 }
 
 /// The inputs that `paths` name. Folders are searched, in the order of names, leaving out what
@@ -55,6 +68,7 @@ pub struct Collected {
 pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>, configs: &Configs) -> Collected {
     let mut inputs = Vec::new();
     let mut problems = Vec::new();
+    let mut passed_over = PassedOver::default();
     for path in paths {
         if path.as_os_str() == "-" {
             let name = stdin_name.unwrap_or("stdin.glsl").to_string();
@@ -62,15 +76,20 @@ pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>, configs: &Configs) -
                 name,
                 path: None,
                 is_explicit: true,
+                claim: Claim::None,
             });
         } else if path.is_dir() {
-            folder(path, configs, &mut inputs, &mut problems);
+            let found = folder(path, configs, &mut problems, &mut passed_over);
+            inputs.extend(found);
         } else if path.exists() {
-            if !configs.leaves_out(path) {
+            if configs.leaves_out(path) {
+                passed_over.excluded.push(shown(path));
+            } else {
                 inputs.push(InputFile {
                     name: shown(path),
                     path: Some(path.clone()),
                     is_explicit: true,
+                    claim: claim(path, configs),
                 });
             }
         } else {
@@ -79,10 +98,19 @@ pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>, configs: &Configs) -
     }
     let mut seen = std::collections::HashSet::new();
     inputs.retain(|i| seen.insert(i.name.clone()));
-    Collected { inputs, problems }
+    Collected {
+        inputs,
+        problems,
+        passed_over,
+    }
 }
 
-fn folder(path: &Path, configs: &Configs, inputs: &mut Vec<InputFile>, problems: &mut Vec<String>) {
+fn folder(
+    path: &Path,
+    configs: &Configs,
+    problems: &mut Vec<String>,
+    passed_over: &mut PassedOver,
+) -> Vec<InputFile> {
     let mut found = Vec::new();
     let mut walk = WalkBuilder::new(path);
     walk.require_git(false)
@@ -91,9 +119,12 @@ fn folder(path: &Path, configs: &Configs, inputs: &mut Vec<InputFile>, problems:
         match entry {
             Ok(entry) => {
                 let is_file = entry.file_type().is_some_and(|t| t.is_file());
-                if is_file && is_taken(entry.path(), configs) {
+                if is_file && !is_taken(entry.path(), configs) {
+                    passed_over.add(entry.path());
+                } else if is_file {
                     found.push(InputFile {
                         name: shown(entry.path()),
+                        claim: claim(entry.path(), configs),
                         path: Some(entry.into_path()),
                         is_explicit: false,
                     });
@@ -103,19 +134,21 @@ fn folder(path: &Path, configs: &Configs, inputs: &mut Vec<InputFile>, problems:
         }
     }
     found.sort();
-    inputs.append(&mut found);
+    found
 }
 
-fn has_extension(path: &Path) -> bool {
-    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-    let is_packed = path.to_string_lossy().ends_with(".min.js");
-    EXTENSIONS.contains(&extension) && !is_packed
+/// Whether the configuration names a file as one to check.
+fn claim(path: &Path, configs: &Configs) -> Claim {
+    match configs.config(path) {
+        Ok(Some(config)) if config.names(path) => Claim::Shader,
+        _ => Claim::None,
+    }
 }
 
 /// Whether a file found in a folder is to be checked. Where its configuration cannot be read, that is
 /// told when it is checked.
 fn is_taken(path: &Path, configs: &Configs) -> bool {
-    let is_known = has_extension(path);
+    let is_known = is_searched(&path.to_string_lossy());
     match configs.config(path) {
         Ok(Some(config)) => config.takes(path, is_known),
         Ok(None) | Err(_) => is_known,

@@ -57,6 +57,8 @@ errors! {
     MACRO_ARGUMENTS = "macro-arguments";
     /// `#` or `##` in a macro that is used.
     TOKEN_PASTE = "token-paste";
+    /// A macro whose definition makes its uses fail.
+    FAULTY_MACRO = "faulty-macro";
     /// Macros that expand to more than the browser takes.
     MACRO_BUDGET = "macro-budget";
 
@@ -177,6 +179,18 @@ errors! {
     MISPLACED_JUMP = "misplaced-jump";
     /// A loop that never ends.
     INFINITE_LOOP = "infinite-loop";
+
+    // Both stages together.
+    /// Stages of two versions of the language.
+    LINK_VERSION = "link-version";
+    /// What the fragment shader reads, and the vertex shader does not give, or not so.
+    LINK_VARYING = "link-varying";
+    /// A uniform that both stages declare differently.
+    LINK_UNIFORM = "link-uniform";
+    /// A uniform block that both stages declare differently.
+    LINK_BLOCK = "link-block";
+    /// Attributes without a place, or at one place.
+    LINK_ATTRIBUTE = "link-attribute";
 
     // Limits and versions.
     /// More than the browser takes.

@@ -105,6 +105,8 @@ pub enum Origin {
     Compiler,
     /// A lint rule found it; `rules/NAME.md`.
     Rule,
+    /// Who prints the findings speaks of what is left out; `README.md`.
+    Report,
 }
 
 /// One finding.
@@ -200,6 +202,7 @@ impl Diagnostic {
     pub fn page(&self) -> String {
         match self.origin {
             Origin::Compiler => format!("rules/errors/{}.md", self.rule),
+            Origin::Report => "README.md".to_string(),
             Origin::Rule => format!("rules/{}.md", self.rule.replace('-', "_")),
         }
     }

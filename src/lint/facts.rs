@@ -1,5 +1,6 @@
 //! What rules ask for about a shader as a whole. Each answer is made at the first question.
 
+use super::broken::Broken;
 use super::march::{March, marches};
 use super::words::{Counts, Unseen};
 use crate::semantic::flow::range::{Evaluator, Range, Ranges};
@@ -35,6 +36,8 @@ pub struct Facts<'a, 'p> {
     marches: OnceCell<Vec<March>>,
     /// The page or script that the shader stands in.
     pub host: Host,
+    /// What of the shader has errors.
+    pub broken: Broken<'p>,
 }
 
 impl<'a, 'p> Facts<'a, 'p> {
@@ -60,6 +63,7 @@ impl<'a, 'p> Facts<'a, 'p> {
             gradients: OnceCell::new(),
             marches: OnceCell::new(),
             host: Host::default(),
+            broken: Broken::default(),
         }
     }
 
@@ -141,9 +145,13 @@ impl<'a, 'p> Facts<'a, 'p> {
         Evaluator {
             program: self.program,
             structure,
-            ranges: self
-                .ranges
-                .get_or_init(|| Ranges::of(self.program, structure)),
+            ranges: self.ranges.get_or_init(|| {
+                let mut ranges = Ranges::of(self.program, structure);
+                if self.broken.any() {
+                    ranges.forget(self.program, |name| self.broken.has(name));
+                }
+                ranges
+            }),
         }
     }
 
@@ -190,7 +198,8 @@ impl<'a, 'p> Facts<'a, 'p> {
 
     /// The words that the compiler does not see.
     pub fn unseen(&self) -> &Unseen<'p> {
-        self.unseen.get_or_init(|| Unseen::of(self.program))
+        self.unseen
+            .get_or_init(|| Unseen::of(self.program, &self.broken))
     }
 
     /// How often each word stands in the user's files.

@@ -1,11 +1,15 @@
 //! The fix engine: which fixes of one look at a text go together, and their repetition until
 //! nothing is left to mend.
 
-use crate::diagnostic::{Applicability, Diagnostic, Fix, Severity};
-use crate::text::{Edit, Span, apply_edits};
+use super::Judged;
+use crate::diagnostic::{Applicability, Diagnostic, Fix, Severity, error};
+use crate::text::{Edit, Sources, Span, apply_edits};
 
 /// Most looks that are taken at one text.
 const MAX_ROUNDS: usize = 16;
+/// Most bytes that are looked at again for the fixes of one text. What is left over then stays a
+/// finding: a text of a megabyte gets two looks, one of ten kilobytes two hundred.
+const MAX_LOOKED: usize = 2_000_000;
 
 /// Which fixes may be applied.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -29,6 +33,8 @@ pub struct Look {
     pub diagnostics: Vec<Diagnostic>,
     /// Addresses of the text.
     pub span: Span,
+    /// What of the text was judged; `None` stands for all of it.
+    pub judged: Option<Judged>,
 }
 
 /// A text after its fixes.
@@ -39,61 +45,140 @@ pub struct Fixed {
     /// The findings whose fixes were applied. Their spans are offsets in the text as it was at first;
     /// labels and fixes still have the addresses of their own look.
     pub applied: Vec<Diagnostic>,
-    /// The edits of each round, as offsets in the text before it, in order.
-    rounds: Vec<Vec<Edit>>,
+    /// What each round did to places in the text.
+    rounds: Vec<Moves>,
 }
 
 impl Fixed {
+    /// A text in which nothing is mended.
+    fn unchanged(text: &str) -> Fixed {
+        Fixed {
+            text: text.to_string(),
+            applied: Vec::new(),
+            rounds: Vec::new(),
+        }
+    }
+
     /// The offset in the text as it was at first of one in the text as it is now.
     fn origin(&self, offset: u32) -> u32 {
         let rounds = self.rounds.iter().rev();
-        rounds.fold(offset, |offset, edits| before(edits, offset))
+        rounds.fold(offset, |offset, moves| moves.before(offset))
     }
 }
 
-/// The offset before some edits, which are in order, of one after them. What was put in comes from
-/// the start of what it took the place of.
-fn before(edits: &[Edit], offset: u32) -> u32 {
-    let (mut removed, mut added) = (0, 0);
-    for edit in edits {
-        let start = edit.span.start + added - removed;
-        let length = edit.text.len() as u32;
-        if offset < start {
-            break;
-        }
-        if offset < start + length {
-            return edit.span.start;
-        }
-        (removed, added) = (removed + edit.span.len(), added + length);
+/// Where places behind edits come from; there may be very many of both.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Moves(Vec<Move>);
+
+/// What one edit does to places.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Move {
+    /// Where what it put in stands behind all edits.
+    inserted: Span,
+    /// Where what it took away stood before them.
+    from: u32,
+    /// Bytes that it and all before it took away, and put in.
+    removed: u32,
+    added: u32,
+}
+
+impl Moves {
+    /// Those of edits that are in order.
+    fn of(edits: &[Edit]) -> Moves {
+        let (mut removed, mut added) = (0, 0);
+        let one = |edit: &Edit| {
+            let start = edit.span.start + added - removed;
+            let length = edit.text.len() as u32;
+            (removed, added) = (removed + edit.span.len(), added + length);
+            Move {
+                inserted: Span::new(start, start + length),
+                from: edit.span.start,
+                removed,
+                added,
+            }
+        };
+        Moves(edits.iter().map(one).collect())
     }
-    offset + removed - added
+
+    /// The offset before the edits of one behind them. What was put in comes from the start of what
+    /// it took the place of.
+    fn before(&self, offset: u32) -> u32 {
+        let behind = self.0.partition_point(|m| m.inserted.start <= offset);
+        match behind.checked_sub(1).and_then(|i| self.0.get(i)) {
+            None => offset,
+            Some(last) if offset < last.inserted.end => last.from,
+            Some(last) => offset + last.removed - last.added,
+        }
+    }
+
+    /// Whether an offset behind the edits lies in what they put in.
+    fn has_inserted(&self, offset: u32) -> bool {
+        let behind = self.0.partition_point(|m| m.inserted.start <= offset);
+        let last = behind.checked_sub(1).and_then(|i| self.0.get(i));
+        last.is_some_and(|m| offset < m.inserted.end)
+    }
 }
 
 /// Applies fixes until there are none, or none that helps.
 ///
-/// In each round the fixes of one look are applied, those left out that touch others. The text
-/// after a round has no more errors than before: fixes that would bring one are found and left out.
-pub fn fix(text: &str, allow: Allow, look: impl FnMut(&str) -> Option<Look>) -> Fixed {
-    let mut engine = Engine { look };
-    let mut fixed = Fixed {
-        text: text.to_string(),
-        applied: Vec::new(),
-        rounds: Vec::new(),
+/// In each round the fixes of one look are applied, those left out that touch others. A fix is kept
+/// where it makes no error: those that come to light behind it do not count, where nothing could be
+/// said of their places before. Fixes that would make one are found and left out.
+pub fn fix(text: &str, allow: Allow, mut look: impl FnMut(&str) -> Option<Look>) -> Fixed {
+    match look(text) {
+        Some(seen) => fix_in_steps(text, seen, look, allow, |_| {}),
+        None => Fixed::unchanged(text),
+    }
+}
+
+/// How many findings are fixed in a text that has been looked at: by the safe fixes, and by all.
+pub fn count_fixes(
+    text: &str,
+    seen: Look,
+    look: impl FnMut(&str) -> Option<Look>,
+) -> (usize, usize) {
+    let mut safe = 0;
+    let all = fix_in_steps(text, seen, look, Allow::Unsafe, |fixed| {
+        safe = fixed.applied.len();
+    });
+    (safe, all.applied.len())
+}
+
+/// First applies the safe fixes, and then, where they may be applied, the others too; so what the
+/// safe ones mend does not depend on the others.
+fn fix_in_steps(
+    text: &str,
+    mut seen: Look,
+    look: impl FnMut(&str) -> Option<Look>,
+    allow: Allow,
+    mut behind_safe: impl FnMut(&Fixed),
+) -> Fixed {
+    let mut engine = Engine {
+        look,
+        left: MAX_LOOKED,
     };
-    let Some(mut seen) = (engine.look)(text) else {
-        return fixed;
-    };
-    for _ in 0..MAX_ROUNDS {
-        let Some(next) = engine.round(&fixed, &seen, allow) else {
-            break;
-        };
-        (fixed, seen) = next;
+    let mut fixed = Fixed::unchanged(text);
+    for step in [Allow::Safe, Allow::Unsafe] {
+        if step == Allow::Unsafe {
+            behind_safe(&fixed);
+            if allow == Allow::Safe {
+                break;
+            }
+        }
+        for _ in 0..MAX_ROUNDS {
+            let Some(next) = engine.round(&fixed, &seen, step) else {
+                break;
+            };
+            (fixed, seen) = next;
+        }
     }
     fixed
 }
 
 struct Engine<F> {
     look: F,
+    /// How many bytes may still be looked at.
+    left: usize,
 }
 
 /// What a round gives: the fixes that it kept, and what became of the text.
@@ -135,7 +220,7 @@ impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
         kept.after
     }
 
-    /// The text after some fixes, if it is another one and has no more errors than before.
+    /// The text after some fixes, if it is another one and they make no error.
     fn attempt(
         &mut self,
         fixed: &Fixed,
@@ -150,8 +235,11 @@ impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
         if text == fixed.text {
             return None;
         }
+        self.left = self.left.checked_sub(text.len())?;
         let after = (self.look)(&text)?;
-        if errors(&after) > errors(seen) {
+        let change = Change::new(seen, &after, &edits, mended);
+        let grows = errors(&after).count() > errors(seen).count();
+        if !change.mends() || grows && !change.only_reveals() {
             return None;
         }
         let mut next = fixed.clone();
@@ -167,7 +255,7 @@ impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
             edit.span = Span::new(edit.span.start - base, edit.span.end - base);
         }
         edits.sort_by_key(|e| e.span);
-        next.rounds.push(edits);
+        next.rounds.push(Moves::of(&edits));
         next.text = text;
         Some((next, after))
     }
@@ -183,9 +271,115 @@ fn end_lines_alike(edits: &mut [Edit], text: &str) {
     }
 }
 
-fn errors(look: &Look) -> usize {
-    let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
-    look.diagnostics.iter().filter(is_error).count()
+fn errors(look: &Look) -> impl Iterator<Item = &Diagnostic> {
+    let all = look.diagnostics.iter();
+    all.filter(|d| d.severity == Severity::Error)
+}
+
+/// What edits do to the errors of a text.
+struct Change<'a> {
+    seen: &'a Look,
+    after: &'a Look,
+    moves: Moves,
+    mended: &'a [&'a Diagnostic],
+}
+
+impl<'a> Change<'a> {
+    fn new(
+        seen: &'a Look,
+        after: &'a Look,
+        edits: &[Edit],
+        mended: &'a [&'a Diagnostic],
+    ) -> Change<'a> {
+        let mut edits: Vec<Edit> = edits.to_vec();
+        for edit in &mut edits {
+            edit.span.start -= seen.span.start;
+            edit.span.end -= seen.span.start;
+        }
+        edits.sort_by_key(|e| e.span);
+        Change {
+            seen,
+            after,
+            moves: Moves::of(&edits),
+            mended,
+        }
+    }
+
+    /// The place before the edits of an error behind them.
+    fn origin(&self, d: &Diagnostic) -> Span {
+        let of = |address: u32| {
+            let offset = address.saturating_sub(self.after.span.start);
+            self.seen.span.start + self.moves.before(offset)
+        };
+        Span::new(of(d.span.start), of(d.span.end))
+    }
+
+    /// Whether an error was there before at the same place, and was not one to mend.
+    fn is_known(&self, d: &Diagnostic, place: Span) -> bool {
+        let is_same = |s: &Diagnostic| s.span.start == place.start && s.rule == d.rule;
+        errors(self.seen).any(|s| is_same(s) && !self.mended.iter().any(|m| std::ptr::eq(*m, s)))
+    }
+
+    /// Whether the errors that the edits are for are gone, and have not only moved.
+    fn mends(&self) -> bool {
+        let remains = |d: &Diagnostic| {
+            let place = self.origin(d);
+            let is_at = |m: &&Diagnostic| {
+                let mut edits = m.fix.iter().flat_map(|f| &f.edits);
+                let whole = edits.clone().fold(m.span, |all, e| all.to(e.span));
+                let is_error = m.severity == Severity::Error && m.rule == d.rule;
+                let is_inside = whole.start <= place.start && place.start < whole.end;
+                is_error && (is_inside || edits.any(|e| e.span.start == place.start))
+            };
+            self.mended.iter().any(is_at) && !self.is_known(d, place)
+        };
+        !errors(self.after).any(remains)
+    }
+
+    /// Whether the errors that are there besides were hidden before: each stands where the code
+    /// could not be judged, and not in what was put in.
+    fn only_reveals(&self) -> bool {
+        let Some(judged) = &self.seen.judged else {
+            return false;
+        };
+        errors(self.after).all(|d| {
+            let place = self.origin(d);
+            let offset = d.span.start.saturating_sub(self.after.span.start);
+            let is_hidden = !self.moves.has_inserted(offset) && !judged.has_seen(place);
+            self.is_known(d, place) || (is_hidden && !SYNTAX.contains(&d.rule))
+        })
+    }
+}
+
+/// What the parser and the preprocessor say. They judge all that they read.
+const SYNTAX: &[&str] = &[
+    error::SYNTAX_ERROR,
+    error::MISSING_SEMICOLON,
+    error::UNCLOSED_DELIMITER,
+    error::STRAY_SEMICOLON,
+    error::UNBALANCED_CONDITIONAL,
+    error::UNTERMINATED_COMMENT,
+    error::INVALID_CHARACTER,
+    error::BAD_DIRECTIVE,
+    error::MACRO_ARGUMENTS,
+    error::LOCAL_FUNCTION,
+];
+
+/// Takes the fix away from a finding where it would take a comment away, and tells it in words
+/// instead. The comments are in the order of the text.
+pub fn keep_comments(sources: &Sources, comments: &[Span], diagnostic: &mut Diagnostic) {
+    let loses = |edit: &Edit| {
+        let first = comments.partition_point(|c| c.end <= edit.span.start);
+        let touched = comments.iter().skip(first);
+        let mut touched = touched.take_while(|c| c.start < edit.span.end);
+        touched.any(|c| {
+            let text = sources.text(*c);
+            text.is_empty() || !edit.text.contains(text) || !edit.span.contains(*c)
+        })
+    };
+    if let Some(fix) = diagnostic.fix.take_if(|f| f.edits.iter().any(loses)) {
+        diagnostic.help.push(fix.title);
+    }
 }
 
 /// The fixes that go together: in the order of the text, each of which touches nothing that one
@@ -243,7 +437,11 @@ mod tests {
             diagnostics.push(Diagnostic::error(error::SYNTAX_ERROR, Span::at(0), "bb"));
         }
         let span = Span::new(0, text.len() as u32);
-        Some(Look { diagnostics, span })
+        Some(Look {
+            diagnostics,
+            span,
+            judged: None,
+        })
     }
 
     #[test]
@@ -298,7 +496,11 @@ mod tests {
             }
         }
         let span = Span::new(0, text.len() as u32);
-        Some(Look { diagnostics, span })
+        Some(Look {
+            diagnostics,
+            span,
+            judged: None,
+        })
     }
 
     #[test]
@@ -318,6 +520,64 @@ mod tests {
         assert_eq!(places, ["(a)", "(b)", "((a))"]);
     }
 
+    /// `a` can be written `b`; a `c` behind an `a` is not seen, any other is an error.
+    fn hiding(text: &str) -> Option<Look> {
+        let mut look = Look {
+            diagnostics: Vec::new(),
+            span: Span::new(0, text.len() as u32),
+            judged: None,
+        };
+        let mut judged = Judged::default();
+        let mut hidden = false;
+        for (i, c) in text.char_indices() {
+            let span = Span::new(i as u32, i as u32 + 1);
+            hidden |= c == 'a';
+            let error = || Diagnostic::error(error::UNDECLARED_NAME, span, "x");
+            if hidden {
+                judged.left.push(span)
+            } else {
+                judged.done.push(span)
+            }
+            match c {
+                'a' => {
+                    let fix = Fix::safe("b", vec![Edit::replace(span, "b")]);
+                    look.diagnostics.push(error().fix(fix));
+                }
+                // What the edit brings about before itself.
+                'd' if text.contains('b') => look.diagnostics.push(error()),
+                'c' if !hidden => look.diagnostics.push(error()),
+                _ => {}
+            }
+        }
+        look.judged = Some(judged);
+        Some(look)
+    }
+
+    #[test]
+    fn what_comes_to_light_is_no_reason_to_refuse() {
+        assert_eq!(fix("acc", Allow::Safe, hiding).text, "bcc");
+        assert_eq!(fix("ddacc", Allow::Safe, hiding).text, "ddacc");
+    }
+
+    #[test]
+    fn comments_stay() {
+        let mut sources = Sources::new();
+        let text = "a /* b */ c";
+        sources.add("a", None, crate::text::Role::User, text);
+        let check = |edit: Edit| {
+            let mut found = info(Span::new(0, 1)).fix(Fix::safe("do it", vec![edit]));
+            keep_comments(&sources, &[Span::new(2, 9)], &mut found);
+            (found.fix.is_some(), found.help)
+        };
+        let kept = (true, Vec::new());
+        assert_eq!(check(Edit::delete(Span::new(0, 2))), kept);
+        assert_eq!(check(Edit::delete(Span::new(9, 11))), kept);
+        assert_eq!(check(Edit::replace(Span::new(0, 11), "x /* b */")), kept);
+        let refused = (false, vec!["do it".to_string()]);
+        assert_eq!(check(Edit::delete(Span::new(0, 3))), refused);
+        assert_eq!(check(Edit::replace(Span::new(0, 11), "x")), refused);
+    }
+
     #[test]
     fn offsets_go_back_through_edits() {
         let edits = [
@@ -325,8 +585,9 @@ mod tests {
             Edit::replace(Span::new(4, 6), "y"),
             Edit::delete(Span::new(8, 10)),
         ];
+        let moves = Moves::of(&edits);
         // "0123456789ab" became "01xx23y67ab".
-        let back: Vec<u32> = (0..11).map(|i| before(&edits, i)).collect();
+        let back: Vec<u32> = (0..11).map(|i| moves.before(i)).collect();
         assert_eq!(back, [0, 1, 2, 2, 2, 3, 4, 6, 7, 10, 11]);
     }
 

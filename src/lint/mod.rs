@@ -1,10 +1,13 @@
 //! What a lint rule is, and how rules are run. No rule is in here; they are in `rules/`.
 
+mod broken;
 mod context;
 mod facts;
 mod fix;
+mod judged;
 pub mod light;
 pub mod march;
+mod misspelt;
 mod page;
 mod removal;
 mod rule;
@@ -14,14 +17,16 @@ mod settings;
 mod suppress;
 mod words;
 
+pub use broken::Broken;
 pub use context::{Context, Finding};
 pub use facts::Facts;
-pub use fix::{Allow, Fixed, Look, fix};
+pub use fix::{Allow, Fixed, Look, count_fixes, fix, keep_comments};
+pub use judged::Judged;
 pub use page::{Fence, FenceKind, Page};
 pub use removal::{remove_declarator, remove_lines, remove_statement};
 pub use rule::{Binary, Builtin, Check, Group, Rule, RuleOption, Shape};
-pub use run::{lint, lint_within};
+pub use run::{Unrun, lint, lint_within};
 pub use same::{code_hash, same_code};
-pub use settings::{Settings, Target, UnknownRule, nearest_rule};
+pub use settings::{Failing, Settings, Target, UnknownRule, nearest_name, nearest_rule};
 pub use suppress::Allows;
 pub use words::{Counts, Unseen};

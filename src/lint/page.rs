@@ -4,7 +4,7 @@
 //! fences are tests: `glsl bad` is reported, the `text` behind it is exactly what is printed,
 //! `glsl fixed` is exactly what `--fix` makes of it (`glsl suggested`: what `--unsafe-fixes` makes),
 //! and `glsl good` stays silent. A word behind these is the name of the file that the example stands
-//! for; its ending tells the stage.
+//! for; its ending tells the stage. `html bad` and `html good` are pages that hold several shaders.
 
 use std::ops::Range;
 
@@ -83,10 +83,10 @@ fn fences(text: &str) -> Vec<Fence<'_>> {
             None => {
                 let mut words = info.split_whitespace();
                 let kind = match (words.next(), words.next()) {
-                    (Some("glsl"), Some("bad")) => FenceKind::Bad,
+                    (Some("glsl" | "html"), Some("bad")) => FenceKind::Bad,
                     (Some("glsl"), Some("fixed")) => FenceKind::Fixed,
                     (Some("glsl"), Some("suggested")) => FenceKind::Suggested,
-                    (Some("glsl"), Some("good")) => FenceKind::Good,
+                    (Some("glsl" | "html"), Some("good")) => FenceKind::Good,
                     (Some("text"), None) => FenceKind::Text,
                     _ => FenceKind::Other,
                 };

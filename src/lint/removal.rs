@@ -1,5 +1,5 @@
 //! Edits that take code away and leave no debris: no blank line where a statement was, no comma
-//! without its name, no comment that spoke of nothing else.
+//! without its name.
 
 use crate::semantic::Program;
 use crate::syntax::ast::{Declarator, Extent};
@@ -15,8 +15,7 @@ pub fn remove_statement(program: &Program, extent: Extent) -> Option<Edit> {
         .then(|| remove_lines(program, span))
 }
 
-/// Takes the code under a span away: with its lines, and the comment behind it, where it has them
-/// for itself.
+/// Takes the code under a span away: with its lines, where it has them for itself. Comments stay.
 pub fn remove_lines(program: &Program, span: Span) -> Edit {
     let Some(file) = program.sources.file_at(span.start) else {
         return Edit::delete(span);
@@ -26,17 +25,21 @@ pub fn remove_lines(program: &Program, span: Span) -> Edit {
     let (Some(before), Some(behind)) = (text.get(..start), text.get(end..)) else {
         return Edit::delete(span);
     };
-    let line = before.rfind('\n').map_or(0, |i| i + 1);
+    // Asked of the index, since a line may be the whole file and hold very many such spans.
+    let bounds = |at: usize| file.lines().bounds(at as u32, text.len() as u32);
+    let (line, next) = (bounds(start).0 as usize, bounds(end).1 as usize);
     let blanks = behind.len() - behind.trim_start_matches([' ', '\t']).len();
-    let (spaced, newline) = behind.split_at(behind.find('\n').unwrap_or(behind.len()));
+    let (spaced, newline) = match behind.get(..next - end) {
+        Some(line) if line.ends_with('\n') => line.split_at(line.len() - 1),
+        Some(line) => (line, ""),
+        None => (behind, ""),
+    };
     let is_first = before.get(line..).is_some_and(|s| s.trim().is_empty());
     let rest = spaced.trim();
-    let is_last = rest.is_empty() || rest.starts_with("//");
-    // A comment that goes on in the next line holds more than this statement's remark.
-    let goes_on = rest.ends_with('\\');
+    let is_last = rest.is_empty();
     let edit =
         |from: usize, to: usize| Edit::delete(Span::new(base + from as u32, base + to as u32));
-    match (is_first, is_last && !goes_on) {
+    match (is_first, is_last) {
         (true, true) => {
             let mut to = end + spaced.len() + usize::from(!newline.is_empty());
             // Two blank lines that would meet become one.

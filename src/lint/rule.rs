@@ -119,6 +119,8 @@ pub enum Check {
     Function(fn(&mut Context, FunctionRef)),
     /// Comments that allow findings, which are looked at when all findings are there.
     Allows,
+    /// What the script around shaders asks of them, which is looked at where they are linked.
+    Page,
 }
 
 /// A number that a rule goes by, and that the configuration may set.

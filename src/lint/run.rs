@@ -1,36 +1,99 @@
 //! Runs rules over a shader.
 
+use super::broken::Broken;
 use super::{Binary, Builtin, Check, Context, Facts, Rule, Settings, Shape};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::semantic::{FunctionRef, Program};
 use crate::syntax::ast::*;
-use crate::text::Role;
 use crate::text::embed::Host;
+use crate::text::{Role, Span};
 
-/// Runs the selected rules over a shader without compile errors: one walk over the expressions and
-/// one over the statements serve all of them.
+/// Where rules did not run, since what stands there has errors.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub enum Unrun {
+    /// They ran everywhere.
+    #[default]
+    Nowhere,
+    /// In these functions.
+    Functions {
+        /// Their names.
+        names: Vec<String>,
+        /// Where no rule looked, in the order of the text.
+        broken: Vec<Span>,
+    },
+    /// In the whole shader.
+    Everywhere,
+}
+
+/// Runs the selected rules over a shader: one walk over the expressions and one over the statements
+/// serve all of them.
 pub fn lint(
     program: &Program,
     rules: &[&'static Rule],
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    lint_within(program, Host::default(), rules, settings, diagnostics);
+    lint_within(program, Host::default(), &[], rules, settings, diagnostics);
 }
 
-/// Runs the selected rules over a shader that stands in a page or script.
+/// Runs the selected rules over a shader that stands in a page or script, as far as it is free of
+/// the errors given. Says where they did not run.
 pub fn lint_within(
     program: &Program,
     host: Host,
+    errors: &[Diagnostic],
+    rules: &[&'static Rule],
+    settings: &Settings,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Unrun {
+    let mut facts = Facts::new(program);
+    facts.host = host;
+    facts.broken = Broken::of(program, errors);
+    if facts.broken.whole() {
+        return Unrun::Everywhere;
+    }
+    let before = diagnostics.len();
+    walk(program, &facts, rules, settings, diagnostics);
+    if !facts.broken.any() {
+        return Unrun::Nowhere;
+    }
+    let mut at = 0;
+    diagnostics.retain(|d| {
+        at += 1;
+        at <= before || facts.broken.admits(program, d)
+    });
+    Unrun::Functions {
+        names: broken_functions(program, &facts.broken),
+        broken: facts.broken.spans().collect(),
+    }
+}
+
+/// The names of the functions that have errors, in the order of the text.
+fn broken_functions(program: &Program, broken: &Broken) -> Vec<String> {
+    let functions = program.functions.iter().zip(0..);
+    let functions = functions.filter(|(_, i)| broken.function(FunctionRef(*i)));
+    let placed = functions.map(|(f, _)| {
+        let id = f.definition.unwrap_or(f.declaration);
+        let token = program.tree.function(id).map(|d| d.ident.token);
+        (token, program.names.text(f.name).to_string())
+    });
+    let mut placed: Vec<_> = placed.collect();
+    placed.sort();
+    placed.dedup_by(|a, b| a.1 == b.1);
+    placed.into_iter().map(|(_, name)| name).collect()
+}
+
+/// Runs the rules over all that is there.
+fn walk<'p>(
+    program: &Program<'p>,
+    facts: &Facts<'_, 'p>,
     rules: &[&'static Rule],
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    let mut facts = Facts::new(program);
-    facts.host = host;
     let mut run = Run {
         program,
-        facts: &facts,
+        facts,
         settings,
         diagnostics,
     };
@@ -53,7 +116,7 @@ pub fn lint_within(
             }
             Check::Stmt(check) => stmts.push((active, check)),
             Check::Function(check) => functions.push((active, check)),
-            Check::Allows => {}
+            Check::Allows | Check::Page => {}
         }
     }
     let first = first_user_token(program);
@@ -78,7 +141,8 @@ pub fn lint_within(
     }
     for (i, function) in program.functions.iter().enumerate() {
         let decl = function.definition.and_then(|d| tree.function(d));
-        if decl.is_some_and(|d| d.extent.first >= first) {
+        let is_whole = !facts.broken.function(FunctionRef(i as u32));
+        if is_whole && decl.is_some_and(|d| d.extent.first >= first) {
             for (rule, check) in &functions {
                 check(&mut run.context(*rule), FunctionRef(i as u32));
             }

@@ -2,7 +2,7 @@
 
 use super::{Group, Rule};
 use crate::diagnostic::{ERRORS, Severity};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// What draws the shader in the end, which decides how much work a pixel may take.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -21,6 +21,10 @@ pub struct Settings {
     levels: FxHashMap<&'static str, Severity>,
     /// By rule and option, where it differs from what the rule goes by otherwise.
     options: FxHashMap<(&'static str, &'static str), f64>,
+    /// The rules whose findings fail the run.
+    failing: FxHashSet<&'static str>,
+    /// The only names that are reported, where these were chosen.
+    chosen: Option<FxHashSet<&'static str>>,
     /// What draws the shader.
     pub target: Target,
 }
@@ -45,6 +49,8 @@ impl Settings {
         let mut settings = Settings {
             levels: FxHashMap::default(),
             options: FxHashMap::default(),
+            failing: FxHashSet::default(),
+            chosen: None,
             target: Target::default(),
         };
         for rule in rules.iter().filter(|r| r.default) {
@@ -54,24 +60,66 @@ impl Settings {
         Ok(settings)
     }
 
-    /// Adds the rules that `select` names to those that run, and takes those of `ignore` away.
+    /// Adds the rules that `select` names to those that run, and takes those of `ignore` away. Of two
+    /// words for a rule the more specific holds: its own name before its group's before `all`. Of
+    /// two that are as specific, `ignore` holds.
     pub fn adjust(
         &mut self,
         rules: &[&'static Rule],
         select: &[String],
         ignore: &[String],
     ) -> Result<(), UnknownRule> {
-        for word in select {
-            for rule in named(rules, word)? {
-                self.levels.entry(rule.name).or_insert(rule.severity);
-            }
+        for word in select.iter().chain(ignore) {
+            named(rules, word)?;
         }
-        for word in ignore {
-            for rule in named(rules, word)? {
-                self.set_level(rule, None);
+        for rule in rules {
+            let best = |words: &[String]| words.iter().filter_map(|w| Reach::of(w, rule)).max();
+            match (best(select), best(ignore)) {
+                (Some(selected), ignored) if Some(selected) > ignored => {
+                    self.levels.entry(rule.name).or_insert(rule.severity);
+                }
+                (_, Some(_)) => self.set_level(rule, None),
+                _ => {}
             }
         }
         Ok(())
+    }
+
+    /// Nothing but what these words name, rules that are off included. A word may be a compile
+    /// error, too.
+    pub fn choose(&mut self, rules: &[&'static Rule], words: &[String]) -> Result<(), UnknownRule> {
+        let mut chosen = FxHashSet::default();
+        for word in words {
+            chosen.extend(named(rules, word)?.iter().map(|r| r.name));
+            chosen.extend(ERRORS.iter().filter(|e| *e == word));
+        }
+        for rule in rules {
+            if chosen.contains(rule.name) {
+                self.levels.entry(rule.name).or_insert(rule.severity);
+            } else {
+                self.set_level(rule, None);
+            }
+        }
+        self.chosen = Some(chosen);
+        Ok(())
+    }
+
+    /// Whether findings of this name are reported at all.
+    pub fn reports(&self, name: &str) -> bool {
+        self.chosen.as_ref().is_none_or(|c| c.contains(name))
+    }
+
+    /// Lets findings of a rule fail the run, or not.
+    pub fn set_failing(&mut self, rule: &Rule, failing: Failing) {
+        match failing {
+            Failing::Yes => self.failing.insert(rule.name),
+            Failing::No => self.failing.remove(rule.name),
+        };
+    }
+
+    /// Whether a finding of this name fails the run, whatever its level.
+    pub fn fails(&self, name: &str) -> bool {
+        self.failing.contains(name)
     }
 
     /// No rule but one of those chosen.
@@ -115,11 +163,40 @@ impl Settings {
     }
 }
 
+/// Whether findings of a rule fail the run although they are no errors.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Failing {
+    /// They do.
+    Yes,
+    /// They do as their level does.
+    No,
+}
+
+/// How much a word names; the less, the more it says.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Reach {
+    All,
+    Group,
+    Rule,
+}
+
+impl Reach {
+    /// As what a word names a rule, if it does.
+    fn of(word: &str, rule: &Rule) -> Option<Reach> {
+        match word {
+            _ if word == rule.name => Some(Reach::Rule),
+            _ if word == rule.group.name() => Some(Reach::Group),
+            "all" => Some(Reach::All),
+            _ => None,
+        }
+    }
+}
+
 /// The rules that a word names.
 fn named(rules: &[&'static Rule], word: &str) -> Result<Vec<&'static Rule>, UnknownRule> {
     let found: Vec<&'static Rule> = rules
         .iter()
-        .filter(|r| word == "all" || r.name == word || r.group.name() == word)
+        .filter(|r| Reach::of(word, r).is_some())
         .copied()
         .collect();
     // Compile errors have names too, but cannot be chosen or left out.
@@ -128,18 +205,61 @@ fn named(rules: &[&'static Rule], word: &str) -> Result<Vec<&'static Rule>, Unkn
     }
     Err(UnknownRule {
         name: word.to_string(),
-        near: nearest_rule(rules, word),
+        near: nearest_name(rules, word),
     })
 }
 
 /// The rule or group whose name is most like a word, if one is like it.
 pub fn nearest_rule(rules: &[&'static Rule], word: &str) -> Option<&'static str> {
-    rules
-        .iter()
-        .map(|r| r.name)
-        .chain(Group::ALL.iter().map(|g| g.name()))
+    let names = rules.iter().map(|r| r.name);
+    nearest(names.chain(Group::ALL.iter().map(|g| g.name())), word)
+}
+
+/// The rule, group or compile error whose name is most like a word, if one is like it.
+pub fn nearest_name(rules: &[&'static Rule], word: &str) -> Option<&'static str> {
+    let names = rules.iter().map(|r| r.name).chain(ERRORS.iter().copied());
+    nearest(names.chain(Group::ALL.iter().map(|g| g.name())), word)
+}
+
+fn nearest(names: impl Iterator<Item = &'static str>, word: &str) -> Option<&'static str> {
+    names
+        .filter(|n| n.len().abs_diff(word.len()) <= 3)
         .map(|n| (strsim::damerau_levenshtein(n, word), n))
         .filter(|(distance, _)| *distance <= 3)
         .min()
         .map(|(_, n)| n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rules::RULES;
+
+    /// Whether `float-equality`, and `unused-parameter`, which is off by default, run.
+    #[track_caller]
+    fn check(select: &str, ignore: &str, expected: (bool, bool)) {
+        let words = |text: &str| -> Vec<String> {
+            let words = text.split(' ').filter(|w| !w.is_empty());
+            words.map(str::to_string).collect()
+        };
+        let settings = Settings::new(RULES, &words(select), &words(ignore)).unwrap();
+        let runs = |name: &str| {
+            let rule = RULES.iter().find(|r| r.name == name).unwrap();
+            settings.level(rule).is_some()
+        };
+        assert_eq!((runs("float-equality"), runs("unused-parameter")), expected);
+    }
+
+    #[test]
+    fn the_more_specific_word_holds() {
+        check("", "", (true, false));
+        check("", "all", (false, false));
+        check("float-equality", "all", (true, false));
+        check("float-equality", "numeric", (true, false));
+        check("numeric", "all", (true, false));
+        check("all", "numeric", (false, true));
+        check("all", "float-equality", (false, true));
+        check("numeric", "float-equality", (false, false));
+        check("float-equality tidy", "float-equality all", (false, true));
+    }
 }

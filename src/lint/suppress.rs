@@ -4,12 +4,13 @@
 //! function or directive; as `allow-file(rule)`, of the whole file. What allows nothing is itself
 //! reported. Compile errors cannot be allowed: the browser does not ask.
 
+use super::misspelt::{self, Meant};
 use super::removal::remove_lines;
-use super::{Check, Group, Rule, Settings, nearest_rule};
-use crate::diagnostic::{Diagnostic, ERRORS, Origin};
+use super::{Check, Rule, Settings, nearest_rule};
+use crate::diagnostic::{Diagnostic, ERRORS, Fix, Origin};
 use crate::semantic::Program;
 use crate::syntax::{Lexer, RawKind};
-use crate::text::{Edit, Span};
+use crate::text::{Edit, LineIndex, Span};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
@@ -30,7 +31,15 @@ struct Allow {
     target: Span,
     names: Vec<Allowed>,
     /// Text that is no `allow(...)`.
-    problem: Option<Span>,
+    problem: Option<Problem>,
+}
+
+/// Something that is meant to be an `allow(...)`.
+struct Problem {
+    span: Span,
+    meant: Option<Meant>,
+    /// The rules of the findings that it may speak of.
+    found: Vec<&'static str>,
 }
 
 struct Allowed {
@@ -48,40 +57,66 @@ impl Allows {
         found: &mut Vec<Diagnostic>,
     ) {
         let mut own = Vec::new();
-        let mut ends: Option<FxHashMap<u32, u32>> = None;
+        let mut reader: Option<Reader> = None;
         for &comment in &program.tokens.comments {
             let text = program.sources.text(comment);
-            if text.contains(MARK) {
+            if text.contains(MARK) || misspelt::read(text, rules).is_some() {
                 own.push(comment.start);
                 self.found.entry(comment.start).or_insert_with(|| {
-                    let ends = ends.get_or_insert_with(|| statement_ends(program));
-                    read(program, comment, text, ends)
+                    let reader = reader.get_or_insert_with(|| Reader::new(program));
+                    reader.read(comment, text, rules)
                 });
             }
         }
         if own.is_empty() {
             return;
         }
-        let group_of = |name: &str| rules.iter().find(|r| r.name == name).map(|r| r.group);
-        found.retain(|diagnostic| {
-            let group = group_of(diagnostic.rule).map(Group::name);
-            let mut keep = true;
-            for address in &own {
-                let Some(allow) = self.found.get_mut(address) else {
-                    continue;
-                };
-                if !allow.covers(diagnostic) {
-                    continue;
-                }
-                for allowed in &mut allow.names {
-                    if allowed.name == diagnostic.rule || Some(allowed.name.as_str()) == group {
-                        allowed.used = true;
-                        keep = false;
-                    }
+        let places = Places::of(rules, found);
+        let mut allowed_at: FxHashMap<String, Vec<Span>> = FxHashMap::default();
+        for address in &own {
+            let Some(allow) = self.found.get_mut(address) else {
+                continue;
+            };
+            if let Some(problem) = &mut allow.problem
+                && problem.meant.as_ref().is_some_and(|m| m.names.is_empty())
+            {
+                problem.found = places.rules_within(rules, allow.target);
+            }
+            for allowed in &mut allow.names {
+                allowed.used |= places.any_within(&allowed.name, allow.target);
+                let targets = allowed_at.entry(allowed.name.clone()).or_default();
+                // Those that follow one another mostly speak of the same code.
+                if targets.last() != Some(&allow.target) {
+                    targets.push(allow.target);
                 }
             }
-            keep
+        }
+        allowed_at.values_mut().for_each(merge);
+        let is_allowed = |name: &str, place: u32| {
+            let targets = allowed_at.get(name).map_or(&[][..], Vec::as_slice);
+            let behind = targets.partition_point(|t| t.start <= place);
+            let last = behind.checked_sub(1).and_then(|i| targets.get(i));
+            last.is_some_and(|t| place < t.end)
+        };
+        found.retain(|diagnostic| {
+            let group = group_of(rules, diagnostic);
+            !places_of(diagnostic).any(|place| {
+                is_allowed(diagnostic.rule, place) || group.is_some_and(|g| is_allowed(g, place))
+            })
         });
+    }
+
+    /// Lets comments be that speak of code in which no rule looked, whose spans are in order.
+    pub fn excuse(&mut self, broken: &[Span]) {
+        for allow in self.found.values_mut() {
+            let first = broken.partition_point(|b| b.end <= allow.target.start);
+            if broken
+                .get(first)
+                .is_some_and(|b| b.start < allow.target.end)
+            {
+                allow.names.iter_mut().for_each(|n| n.used = true);
+            }
+        }
     }
 
     /// Reports what allows nothing.
@@ -93,17 +128,20 @@ impl Allows {
         let finding =
             |span, message: String| Diagnostic::new(rule.name, Origin::Rule, level, span, message);
         for allow in self.found.into_values() {
-            if let Some(span) = allow.problem {
+            if let Some(problem) = &allow.problem {
                 let message = "this is no `allow(...)`, so it allows nothing".to_string();
-                out.push(finding(span, message).help(
-                    "write `// shaderlint: allow(rule-name) reason` or `allow-file(rule-name)`",
-                ));
+                let fix = problem.fix();
+                let help =
+                    "write `// shaderlint: allow(rule-name) reason` or `allow-file(rule-name)`";
+                let help = fix.is_none().then_some(help);
+                let finding = finding(problem.span, message).fix(fix);
+                out.push(help.into_iter().fold(finding, Diagnostic::help));
             }
             let is_alone = allow.names.len() == 1;
             for name in &allow.names {
                 let fix = is_alone.then(|| {
                     let title = "take the comment out";
-                    crate::diagnostic::Fix::safe(title, vec![allow.removal.clone()])
+                    Fix::safe(title, vec![allow.removal.clone()])
                 });
                 if let Some(d) = judge(name, rules, settings, finding, fix) {
                     out.push(d);
@@ -119,7 +157,7 @@ fn judge(
     rules: &[&'static Rule],
     settings: &Settings,
     finding: impl Fn(Span, String) -> Diagnostic,
-    fix: Option<crate::diagnostic::Fix>,
+    fix: Option<Fix>,
 ) -> Option<Diagnostic> {
     let name = allowed.name.as_str();
     let in_group = |r: &&&'static Rule| r.name == name || r.group.name() == name;
@@ -143,7 +181,7 @@ fn judge(
     let message = format!("there is no rule or group `{name}`");
     let d = finding(allowed.span, message);
     Some(match nearest_rule(rules, name) {
-        Some(near) => d.fix(crate::diagnostic::Fix::safe(
+        Some(near) => d.fix(Fix::safe(
             format!("did you mean `{near}`?"),
             vec![Edit::replace(allowed.span, near)],
         )),
@@ -151,73 +189,199 @@ fn judge(
     })
 }
 
-impl Allow {
-    fn covers(&self, diagnostic: &Diagnostic) -> bool {
-        let inside = |at: u32| self.target.start <= at && at < self.target.end;
-        let mut macros = diagnostic.macros.iter();
-        inside(diagnostic.span.start) || macros.any(|m| inside(m.definition.start))
+impl Problem {
+    /// Spells it right, for the rules that it names, or else for those that find something there.
+    fn fix(&self) -> Option<Fix> {
+        let meant = self.meant.as_ref()?;
+        let names = match meant.names.as_slice() {
+            [] => &self.found,
+            names => names,
+        };
+        if names.is_empty() {
+            return None;
+        }
+        let spelt = meant.spelt(names);
+        let title = format!("write `{spelt}`");
+        Some(Fix::safe(title, vec![Edit::replace(self.span, spelt)]))
     }
 }
 
-/// Reads a comment.
-fn read(program: &Program, comment: Span, text: &str, ends: &FxHashMap<u32, u32>) -> Allow {
-    let mut allow = Allow {
-        removal: remove_lines(program, comment),
-        target: Span::at(comment.end),
-        names: Vec::new(),
-        problem: None,
-    };
-    let mark = text.find(MARK).unwrap_or(0) + MARK.len();
-    let order = text.get(mark..).unwrap_or("");
-    let blanks = order.len() - order.trim_start().len();
-    let order = order.trim_start();
-    let (word, list) = order.split_once('(').unwrap_or((order, ""));
-    let list = list.split_once(')').map(|(names, _)| names);
-    let (Some(names), "allow" | "allow-file") = (list, word.trim_end()) else {
-        let from = comment.start + mark as u32 + blanks as u32;
-        let length = order.trim_end_matches(['*', '/']).trim_end().len() as u32;
-        allow.problem = Some(Span::new(from, from + length));
-        return allow;
-    };
-    let mut at = comment.start + (mark + blanks + word.len() + 1) as u32;
-    for part in names.split(',') {
-        let start = at + (part.len() - part.trim_start().len()) as u32;
-        let name = part.trim();
-        if !name.is_empty() {
-            allow.names.push(Allowed {
-                span: Span::new(start, start + name.len() as u32),
-                name: name.to_string(),
-                used: false,
+/// The group of a finding's rule, by its name.
+fn group_of(rules: &[&'static Rule], diagnostic: &Diagnostic) -> Option<&'static str> {
+    let rule = rules.iter().find(|r| r.name == diagnostic.rule);
+    rule.map(|r| r.group.name())
+}
+
+/// Where a finding may be allowed: where it stands, and where the macros that it came through are.
+fn places_of(diagnostic: &Diagnostic) -> impl Iterator<Item = u32> {
+    let macros = diagnostic.macros.iter().map(|m| m.definition.start);
+    std::iter::once(diagnostic.span.start).chain(macros)
+}
+
+/// Where findings may be allowed, in order, by the names of rules and groups.
+struct Places(FxHashMap<&'static str, Vec<u32>>);
+
+impl Places {
+    fn of(rules: &[&'static Rule], found: &[Diagnostic]) -> Places {
+        let mut by_name: FxHashMap<&'static str, Vec<u32>> = FxHashMap::default();
+        for diagnostic in found {
+            for name in [Some(diagnostic.rule), group_of(rules, diagnostic)] {
+                let of_name = name.map(|n| by_name.entry(n).or_default());
+                of_name
+                    .into_iter()
+                    .for_each(|p| p.extend(places_of(diagnostic)));
+            }
+        }
+        by_name.values_mut().for_each(|p| p.sort_unstable());
+        Places(by_name)
+    }
+
+    /// The rules that find something within a target.
+    fn rules_within(&self, rules: &[&'static Rule], target: Span) -> Vec<&'static str> {
+        let names = rules.iter().map(|r| r.name);
+        names.filter(|n| self.any_within(n, target)).collect()
+    }
+
+    /// Whether a finding of a rule or group starts within a target.
+    fn any_within(&self, name: &str, target: Span) -> bool {
+        let places = self.0.get(name).map_or(&[][..], Vec::as_slice);
+        let first = places.partition_point(|&p| p < target.start);
+        places.get(first).is_some_and(|&p| p < target.end)
+    }
+}
+
+/// Puts targets in order, and those that overlap together.
+fn merge(targets: &mut Vec<Span>) {
+    targets.sort_unstable_by_key(|t| t.start);
+    targets.dedup_by(|next, before| {
+        let overlaps = next.start <= before.end;
+        if overlaps {
+            before.end = before.end.max(next.end);
+        }
+        overlaps
+    });
+}
+
+/// Reads the comments of one shader, in the order of the text.
+struct Reader<'a> {
+    program: &'a Program<'a>,
+    /// Where statements end, by where they start.
+    ends: FxHashMap<u32, u32>,
+    /// The lines of the text that holds the comment before, by the text's address.
+    lines: Option<(u32, LineIndex)>,
+    /// The stretch of blanks and comments that was last looked through, and what stands behind it:
+    /// the comments in it speak of the same code.
+    stretch: Option<(Span, Span)>,
+}
+
+impl<'a> Reader<'a> {
+    fn new(program: &'a Program<'a>) -> Reader<'a> {
+        Reader {
+            program,
+            ends: statement_ends(program),
+            lines: None,
+            stretch: None,
+        }
+    }
+
+    /// Reads a comment.
+    fn read(&mut self, comment: Span, text: &str, rules: &[&'static Rule]) -> Allow {
+        let program = self.program;
+        let mut allow = Allow {
+            removal: remove_lines(program, comment),
+            target: Span::at(comment.end),
+            names: Vec::new(),
+            problem: None,
+        };
+        let found = text.find(MARK);
+        let mark = found.map_or(text.len(), |m| m + MARK.len());
+        let order = text.get(mark..).unwrap_or("");
+        let blanks = order.len() - order.trim_start().len();
+        let order = order.trim_start();
+        let (word, list) = order.split_once('(').unwrap_or((order, ""));
+        let list = list.split_once(')').map(|(names, _)| names);
+        let (Some(names), "allow" | "allow-file") = (list, word.trim_end()) else {
+            let length = order.trim_end_matches(['*', '/']).trim_end().len();
+            let meant = misspelt::read(text, rules);
+            let range = meant.as_ref().map(|m| m.range.clone());
+            let range = range.unwrap_or(mark + blanks..mark + blanks + length);
+            let at = |offset: usize| comment.start + offset as u32;
+            allow.problem = Some(Problem {
+                span: Span::new(at(range.start), at(range.end)),
+                meant,
+                found: Vec::new(),
+            });
+            allow.target = self.target(comment);
+            return allow;
+        };
+        let mut at = comment.start + (mark + blanks + word.len() + 1) as u32;
+        for part in names.split(',') {
+            let start = at + (part.len() - part.trim_start().len()) as u32;
+            let name = part.trim();
+            if !name.is_empty() {
+                allow.names.push(Allowed {
+                    span: Span::new(start, start + name.len() as u32),
+                    name: name.to_string(),
+                    used: false,
+                });
+            }
+            at += part.len() as u32 + 1;
+        }
+        if allow.names.is_empty() {
+            let from = comment.start + (mark + blanks) as u32;
+            allow.problem = Some(Problem {
+                span: Span::new(from, at),
+                meant: None,
+                found: Vec::new(),
             });
         }
-        at += part.len() as u32 + 1;
+        allow.target = if word.trim_end() == "allow-file" {
+            let file = program.sources.file_at(comment.start);
+            file.map_or(comment, |f| Span::new(f.base, f.span().end + 1))
+        } else {
+            self.target(comment)
+        };
+        allow
     }
-    if allow.names.is_empty() {
-        let from = comment.start + (mark + blanks) as u32;
-        allow.problem = Some(Span::new(from, at));
+
+    /// What a comment speaks of.
+    fn target(&mut self, comment: Span) -> Span {
+        let Some(code) = self.program.sources.code_at(comment.start) else {
+            return comment;
+        };
+        let offset = comment.start - code.base;
+        if self
+            .lines
+            .as_ref()
+            .is_none_or(|(base, _)| *base != code.base)
+        {
+            self.lines = Some((code.base, LineIndex::new(code.text)));
+        }
+        let line = match &self.lines {
+            Some((_, lines)) => lines.bounds(offset, code.text.len() as u32).0,
+            None => 0,
+        };
+        let before = code.text.get(line as usize..offset as usize);
+        if !before.unwrap_or("").trim_start().is_empty() {
+            return Span::new(code.base + line, comment.start);
+        }
+        match self.stretch {
+            Some((stretch, target)) if stretch.contains(Span::at(comment.end)) => target,
+            _ => {
+                let behind = (comment.end - code.base) as usize;
+                let rest = code.text.get(behind..).unwrap_or("");
+                let (first, target) = next_code(rest, comment.end, &self.ends);
+                self.stretch = Some((Span::new(comment.end, first), target));
+                target
+            }
+        }
     }
-    allow.target = if word.trim_end() == "allow-file" {
-        let file = program.sources.file_at(comment.start);
-        file.map_or(comment, |f| Span::new(f.base, f.span().end + 1))
-    } else {
-        target(program, comment, ends)
-    };
-    allow
 }
 
-/// What a comment speaks of.
-fn target(program: &Program, comment: Span, ends: &FxHashMap<u32, u32>) -> Span {
-    let Some(code) = program.sources.code_at(comment.start) else {
-        return comment;
-    };
-    let offset = (comment.start - code.base) as usize;
-    let before = code.text.get(..offset).unwrap_or("");
-    let line = before.rfind(['\n', '\r']).map_or(0, |i| i + 1);
-    if !before.get(line..).unwrap_or("").trim().is_empty() {
-        return Span::new(code.base + line as u32, comment.start);
-    }
-    let behind = (comment.end - code.base) as usize;
-    let mut lexer = Lexer::new(code.text.get(behind..).unwrap_or(""), comment.end);
+/// The first code in `text`, which starts at an address: where it starts, and as far as a comment
+/// before it speaks of it.
+fn next_code(text: &str, address: u32, ends: &FxHashMap<u32, u32>) -> (u32, Span) {
+    let mut lexer = Lexer::new(text, address);
     let mut first: Option<u32> = None;
     loop {
         let token = lexer.next_token();
@@ -230,7 +394,7 @@ fn target(program: &Program, comment: Span, ends: &FxHashMap<u32, u32>) -> Span 
             RawKind::Newline | RawKind::End => {
                 let start = first.unwrap_or(token.span.start);
                 let end = ends.get(&start).copied().unwrap_or(0);
-                return Span::new(start, end.max(token.span.start));
+                return (start, Span::new(start, end.max(token.span.start)));
             }
             _ => {
                 first.get_or_insert(token.span.start);

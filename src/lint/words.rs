@@ -1,6 +1,7 @@
 //! Words that stand in the text, those included that the compiler does not see: a name in a group
 //! that `#if` left out, or in a macro that nothing calls, may be needed once a switch is set.
 
+use super::broken::Broken;
 use crate::semantic::Program;
 use crate::syntax::{Lexer, RawKind, TokenKind};
 use crate::text::{Role, Span};
@@ -15,9 +16,9 @@ pub struct Unseen<'p>(FxHashSet<&'p str>);
 pub struct Counts<'p>(FxHashMap<&'p str, u32>);
 
 impl<'p> Unseen<'p> {
-    /// Reads what `#if` left out, and the macros that are never expanded.
-    pub fn of(program: &Program<'p>) -> Unseen<'p> {
-        let mut words = FxHashSet::default();
+    /// Reads what `#if` left out, the macros that are never expanded, and what has errors.
+    pub fn of(program: &Program<'p>, broken: &Broken<'p>) -> Unseen<'p> {
+        let mut words: FxHashSet<&'p str> = broken.words().collect();
         let tokens = &program.tokens;
         for &span in &tokens.inactive {
             each_word(program.sources.text(span), |word| {
@@ -71,7 +72,8 @@ impl<'p> Counts<'p> {
     }
 }
 
-fn each_word<'a>(text: &'a str, mut visit: impl FnMut(&'a str)) {
+/// Calls `visit` with each word of a text, comments aside.
+pub fn each_word<'a>(text: &'a str, mut visit: impl FnMut(&'a str)) {
     let mut lexer = Lexer::new(text, 0);
     loop {
         let token = lexer.next_token();

@@ -3,8 +3,9 @@
 
 use super::{clean_char, location_name};
 use crate::diagnostic::Diagnostic;
-use crate::text::{SourceFile, Sources, Span};
+use crate::text::{FileId, SourceFile, Sources, Span};
 use codespan_reporting::files::{Error, Files};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Widest line that is shown whole, in characters.
@@ -43,21 +44,21 @@ pub struct Excerpt {
 impl Excerpt {
     /// Cuts out what `diagnostic` points at. A span over several lines is shown by its first line.
     pub fn new(sources: &Sources, diagnostic: &Diagnostic) -> Excerpt {
-        let mut spans = vec![diagnostic.span];
-        spans.extend(diagnostic.labels.iter().map(|l| l.span));
-        let mut parts: Vec<(u32, Part)> = Vec::new();
-        for file in sources.files() {
-            let inside: Vec<Span> = spans
-                .iter()
-                .copied()
-                .filter(|s| file.span().contains(Span::at(s.start)))
-                .collect();
-            if let Some(first) = inside.first() {
-                let name = location_name(sources, *first);
-                parts.push((file.base, Part::new(file, name, &inside)));
+        let mut by_file: BTreeMap<FileId, Vec<Span>> = BTreeMap::new();
+        let labels = diagnostic.labels.iter().map(|l| l.span);
+        for span in std::iter::once(diagnostic.span).chain(labels) {
+            if let Some(file) = sources.file_id_at(span.start) {
+                by_file.entry(file).or_default().push(span);
             }
         }
-        Excerpt { parts }
+        let part = |(id, inside): (FileId, Vec<Span>)| {
+            let file = sources.file(id)?;
+            let name = location_name(sources, *inside.first()?);
+            Some((file.base, Part::new(file, name, &inside)))
+        };
+        Excerpt {
+            parts: by_file.into_iter().filter_map(part).collect(),
+        }
     }
 
     /// The part that holds a span, and the span's range in it. A span that goes on over lines ends
@@ -124,7 +125,7 @@ impl Part {
             to: from + shown.len() as u32,
             start: self.text.len(),
             prefix: prefix.len(),
-            cut: line.get(..cut).map_or(0, |before| before.chars().count()),
+            cut: file.position(from).column as usize - 1,
         });
         self.text.push_str(prefix);
         self.text.extend(shown.chars().map(clean_char));

@@ -1,7 +1,7 @@
 //! For people: the finding with an excerpt of the source, rendered by codespan-reporting.
 
+use super::clean;
 use super::excerpt::Excerpt;
-use super::{Summary, clean};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::text::Sources;
 use anstyle::{AnsiColor, Effects, Style};
@@ -93,42 +93,6 @@ fn macro_note(diagnostic: &Diagnostic) -> Option<String> {
             ))
         }
     }
-}
-
-/// Writes the line that sums up.
-pub fn summary(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
-    let count = |n: usize, one: &str| match n {
-        0 => None,
-        1 => Some(format!("1 {one}")),
-        n => Some(format!("{n} {one}s")),
-    };
-    let found: Vec<String> = [
-        count(summary.errors, "error"),
-        count(summary.warnings, "warning"),
-        count(summary.infos, "info"),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
-    let files = count(summary.files, "file").unwrap_or_default();
-    let mut parts = Vec::new();
-    parts.extend(count(summary.fixed, "finding").map(|n| format!("{n} fixed")));
-    if !found.is_empty() {
-        parts.push(format!("{} in {files}", found.join(", ")));
-    }
-    let suggested = summary.suggested;
-    parts.extend(match (summary.fixable, suggested) {
-        (0, 0) => None,
-        (0, n) => Some(format!("{n} can be fixed with --unsafe-fixes")),
-        (n, 0) => Some(format!("{n} can be fixed with --fix")),
-        (n, m) => Some(format!(
-            "{n} can be fixed with --fix, {m} more with --unsafe-fixes"
-        )),
-    });
-    if parts.is_empty() {
-        return Ok(());
-    }
-    writeln!(out, "{}", parts.join("; "))
 }
 
 /// Puts codespan's styles into ANSI escape sequences.

@@ -4,6 +4,7 @@ use super::Summary;
 use crate::diagnostic::{Diagnostic, Label, MacroUse};
 use crate::text::{Edit, Position, Sources, Span};
 use serde::Serialize;
+use serde_json::json;
 use std::io::{self, Write};
 
 /// Number of the schema; it changes when a field changes its meaning.
@@ -172,16 +173,21 @@ pub fn write_line(out: &mut impl Write, sources: &Sources, d: &Diagnostic) -> io
 
 /// Writes what comes behind the last finding.
 pub fn end(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
-    let Summary {
-        files,
-        errors,
-        warnings,
-        infos,
-        fixable,
-        ..
-    } = summary;
-    writeln!(
-        out,
-        "\n],\"summary\":{{\"files\":{files},\"errors\":{errors},\"warnings\":{warnings},\"infos\":{infos},\"fixable\":{fixable}}}}}"
-    )
+    let unrun = summary.unrun_functions.iter();
+    let unrun: Vec<_> = unrun
+        .map(|(function, file)| json!({"file": file, "function": function}))
+        .collect();
+    let value = json!({
+        "files": summary.files,
+        "shaders": summary.shaders,
+        "errors": summary.errors,
+        "warnings": summary.warnings,
+        "infos": summary.infos,
+        "fixed": summary.fixed,
+        "failing": summary.failing,
+        "left_out": summary.left_out,
+        "unrun_shaders": summary.unrun_shaders,
+        "unrun_functions": unrun
+    });
+    writeln!(out, "\n],\"summary\":{value}}}")
 }

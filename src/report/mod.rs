@@ -3,6 +3,7 @@
 //! A [`Reporter`] is given the findings file by file and writes them as it goes; [`Reporter::finish`]
 //! writes what comes last. One file per format.
 
+mod agent;
 mod checkstyle;
 mod excerpt;
 mod fingerprint;
@@ -13,11 +14,13 @@ mod json;
 mod junit;
 mod sarif;
 mod short;
+mod summary;
 mod xml;
 
 pub use fingerprint::fingerprints;
+pub use summary::{Scope, Summary};
 
-use crate::diagnostic::{Applicability, Diagnostic, Severity};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::text::{Position, Sources, Span};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -29,6 +32,8 @@ pub enum Format {
     Human,
     /// One line a finding.
     Short,
+    /// One line a finding, with its fix, its other places and its notes.
+    Agent,
     /// One JSON object.
     Json,
     /// One JSON object a line, one line a finding.
@@ -47,50 +52,26 @@ pub enum Format {
     Statistics,
 }
 
-/// How many findings there were.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Summary {
-    /// Files looked at.
-    pub files: usize,
-    /// Errors.
-    pub errors: usize,
-    /// Warnings.
-    pub warnings: usize,
-    /// Infos.
-    pub infos: usize,
-    /// Findings that `--fix` would mend.
-    pub fixable: usize,
-    /// Findings that `--unsafe-fixes` would mend besides.
-    pub suggested: usize,
-    /// Findings that have been mended.
-    pub fixed: usize,
+impl Format {
+    /// Whether it says at the end how many findings can be fixed.
+    pub fn sums_up(self) -> bool {
+        use Format::{Agent, Human, Statistics};
+        matches!(self, Human | Agent | Statistics)
+    }
 }
 
-impl Summary {
-    fn add(&mut self, input: &str, sources: &Sources, diagnostic: &Diagnostic) {
-        // What stands in an export is not written back, nor a file that this one includes.
-        let in_file = |span: Span| {
-            let file = sources.file_at(span.start);
-            file.is_some_and(|f| f.part.is_none() && f.path == input)
-        };
-        let fix = diagnostic.fix.as_ref();
-        let fix = fix.filter(|f| f.edits.iter().all(|e| in_file(e.span)));
-        match fix.map(|f| f.applicability) {
-            Some(Applicability::Safe) => self.fixable += 1,
-            Some(Applicability::Unsafe) => self.suggested += 1,
-            None => {}
-        }
-        match diagnostic.severity {
-            Severity::Error => self.errors += 1,
-            Severity::Warning => self.warnings += 1,
-            Severity::Info => self.infos += 1,
-        }
-    }
+/// Most findings of one input that are printed.
+const MAX_PRINTED: usize = 200;
 
-    /// All findings.
-    pub fn findings(&self) -> usize {
-        self.errors + self.warnings + self.infos
-    }
+/// What is said at the end, in the formats for people.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Ending {
+    /// Nothing.
+    None,
+    /// What was found, if anything was.
+    Counts,
+    /// What was looked at, found, and not looked at.
+    All,
 }
 
 /// The page of a rule or a compile error, by its name.
@@ -102,10 +83,14 @@ pub struct Reporter<W: Write> {
     out: W,
     color: bool,
     pages: Pages,
-    offers_fixes: bool,
+    ending: Ending,
     /// The folder that the paths of the formats for services count from; ends with a slash.
     root: String,
     summary: Summary,
+    /// How many findings were printed.
+    printed: usize,
+    /// What an agent was told already.
+    told: agent::Told,
     /// How often each name was reported, for the formats that sum up.
     names: BTreeMap<&'static str, usize>,
 }
@@ -119,9 +104,11 @@ impl<W: Write> Reporter<W> {
             out,
             color,
             pages: |_| None,
-            offers_fixes: false,
+            ending: Ending::Counts,
             root: "/".to_string(),
             summary: Summary::default(),
+            printed: 0,
+            told: agent::Told::default(),
             names: BTreeMap::new(),
         }
     }
@@ -132,9 +119,15 @@ impl<W: Write> Reporter<W> {
         self
     }
 
-    /// Says at the end how many findings `--fix` would mend.
-    pub fn offering_fixes(mut self) -> Reporter<W> {
-        self.offers_fixes = true;
+    /// Says at the end what was looked at, what was not, and how many findings can be fixed.
+    pub fn summing_up(mut self) -> Reporter<W> {
+        self.ending = Ending::All;
+        self
+    }
+
+    /// Says nothing at the end, but in the formats that always do.
+    pub fn without_summary(mut self) -> Reporter<W> {
+        self.ending = Ending::None;
         self
     }
 
@@ -149,6 +142,17 @@ impl<W: Write> Reporter<W> {
         self.summary.fixed += count;
     }
 
+    /// Counts findings that `--fix` and that all fixes would mend.
+    pub fn add_offer(&mut self, safe: usize, all: usize) {
+        self.summary.fixable += safe;
+        self.summary.suggested += all.saturating_sub(safe);
+    }
+
+    /// Sends on what was written so far.
+    pub fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+
     /// Writes the findings of one input file, in the order given. `name` is its path.
     pub fn file(
         &mut self,
@@ -156,28 +160,70 @@ impl<W: Write> Reporter<W> {
         sources: &Sources,
         diagnostics: &[Diagnostic],
     ) -> io::Result<()> {
+        self.input(name, sources, diagnostics, &Scope::default())
+    }
+
+    /// Writes the findings of one input file, and counts what was looked at in it.
+    pub fn input(
+        &mut self,
+        name: &str,
+        sources: &Sources,
+        diagnostics: &[Diagnostic],
+        scope: &Scope,
+    ) -> io::Result<()> {
         if self.summary.files == 0 {
             self.begin()?;
         }
         self.summary.files += 1;
+        self.summary.enter(name, scope);
+        for diagnostic in diagnostics {
+            self.summary.add(diagnostic);
+            *self.names.entry(diagnostic.rule).or_default() += 1;
+        }
+        let left_out = diagnostics.len().saturating_sub(MAX_PRINTED);
+        self.summary.left_out += left_out;
+        let missing = scope.left_out + left_out;
+        if missing == 0 {
+            return self.print(name, sources, diagnostics);
+        }
+        let noun = if missing == 1 { "finding" } else { "findings" };
+        let more = format!("and {missing} more {noun}");
+        let mut printed = worst(diagnostics);
         match self.format {
-            Format::Checkstyle => checkstyle::file(&mut self.out, name, sources, diagnostics)?,
-            Format::Junit => junit::file(&mut self.out, name, sources, diagnostics)?,
-            Format::Sarif | Format::Gitlab => self.with_fingerprints(sources, diagnostics)?,
+            Format::Human | Format::Short | Format::Agent => {
+                self.print(name, sources, &printed)?;
+                writeln!(self.out, "{}: {more}", clean(name))
+            }
+            _ => {
+                let at = printed
+                    .last()
+                    .map_or(Span::at(0), |d| Span::at(d.span.start));
+                let (rule, origin) = ("more-findings", Origin::Report);
+                printed.push(Diagnostic::new(rule, origin, Severity::Info, at, more));
+                self.print(name, sources, &printed)
+            }
+        }
+    }
+
+    fn print(&mut self, name: &str, sources: &Sources, found: &[Diagnostic]) -> io::Result<()> {
+        match self.format {
+            Format::Checkstyle => checkstyle::file(&mut self.out, name, sources, found)?,
+            Format::Junit => junit::file(&mut self.out, name, sources, found)?,
+            Format::Sarif | Format::Gitlab => self.with_fingerprints(sources, found)?,
             _ => {}
         }
-        for diagnostic in diagnostics {
-            let is_first = self.summary.findings() == 0;
+        for diagnostic in found {
+            let out = &mut self.out;
             match self.format {
-                Format::Human => human::write(&mut self.out, sources, diagnostic, self.color)?,
-                Format::Short => short::write(&mut self.out, sources, diagnostic)?,
-                Format::Json => json::write(&mut self.out, sources, diagnostic, is_first)?,
-                Format::Jsonl => json::write_line(&mut self.out, sources, diagnostic)?,
-                Format::Github => github::write(&mut self.out, sources, diagnostic, &self.root)?,
+                Format::Human => human::write(out, sources, diagnostic, self.color)?,
+                Format::Short => short::write(out, sources, diagnostic)?,
+                Format::Agent => agent::write(out, sources, diagnostic, &mut self.told)?,
+                Format::Json => json::write(out, sources, diagnostic, self.printed == 0)?,
+                Format::Jsonl => json::write_line(out, sources, diagnostic)?,
+                Format::Github => github::write(out, sources, diagnostic, &self.root)?,
                 _ => {}
             }
-            self.summary.add(name, sources, diagnostic);
-            *self.names.entry(diagnostic.rule).or_default() += 1;
+            self.printed += 1;
         }
         Ok(())
     }
@@ -185,7 +231,7 @@ impl<W: Write> Reporter<W> {
     fn with_fingerprints(&mut self, sources: &Sources, found: &[Diagnostic]) -> io::Result<()> {
         let prints = fingerprints(sources, found);
         for (i, (diagnostic, print)) in found.iter().zip(prints).enumerate() {
-            let is_first = self.summary.findings() + i == 0;
+            let is_first = self.printed + i == 0;
             let separator: &[u8] = if is_first { b"\n" } else { b",\n" };
             self.out.write_all(separator)?;
             match self.format {
@@ -198,16 +244,22 @@ impl<W: Write> Reporter<W> {
         Ok(())
     }
 
-    /// The summary as people see it.
-    fn told_summary(&self) -> Summary {
-        if self.offers_fixes {
-            return self.summary;
+    /// Writes the lines that sum up.
+    fn sum_up(&mut self) -> io::Result<()> {
+        let summary = &self.summary;
+        let lines = match self.ending {
+            Ending::None => Vec::new(),
+            Ending::Counts if summary.findings() == 0 => Vec::new(),
+            Ending::Counts => {
+                let files = summary::count(summary.files, "file");
+                vec![format!("{} in {files}", summary.counts())]
+            }
+            Ending::All => summary.lines(),
+        };
+        for line in lines {
+            writeln!(self.out, "{}", clean(&line))?;
         }
-        Summary {
-            fixable: 0,
-            suggested: 0,
-            ..self.summary
-        }
+        Ok(())
     }
 
     fn begin(&mut self) -> io::Result<()> {
@@ -226,10 +278,13 @@ impl<W: Write> Reporter<W> {
         if self.summary.files == 0 {
             self.begin()?;
         }
-        let summary = self.told_summary();
         match self.format {
             Format::Json => json::end(&mut self.out, &self.summary)?,
-            Format::Human => human::summary(&mut self.out, &summary)?,
+            Format::Human => self.sum_up()?,
+            Format::Agent => {
+                self.ending = Ending::All;
+                self.sum_up()?;
+            }
             Format::Sarif => {
                 let names: Vec<&'static str> = self.names.keys().copied().collect();
                 sarif::end(&mut self.out, &names, self.pages)?;
@@ -238,18 +293,28 @@ impl<W: Write> Reporter<W> {
             Format::Junit => junit::end(&mut self.out)?,
             Format::Checkstyle => checkstyle::end(&mut self.out)?,
             Format::Statistics => {
-                let mut counts: Vec<_> = self.names.into_iter().collect();
+                let mut counts: Vec<_> = std::mem::take(&mut self.names).into_iter().collect();
                 counts.sort_by_key(|(name, count)| (std::cmp::Reverse(*count), *name));
                 for (name, count) in counts {
                     writeln!(self.out, "{count:>7}  {name}")?;
                 }
-                human::summary(&mut self.out, &summary)?;
+                self.sum_up()?;
             }
             _ => {}
         }
         self.out.flush()?;
         Ok(self.summary)
     }
+}
+
+/// The findings that are printed where there are too many: the worst, in the order of the text.
+fn worst(found: &[Diagnostic]) -> Vec<Diagnostic> {
+    let mut order: Vec<usize> = (0..found.len()).collect();
+    order.sort_by_key(|i| std::cmp::Reverse(found.get(*i).map(|d| d.severity)));
+    order.truncate(MAX_PRINTED);
+    order.sort_unstable();
+    let picked = order.iter().filter_map(|i| found.get(*i));
+    picked.cloned().collect()
 }
 
 /// Where a finding starts and ends in its file; `None` for a pass of an export, whose code does not

@@ -45,7 +45,7 @@ impl Value {
             Value::Bool(v) => v as i32,
             Value::Int(v) => v,
             Value::Uint(v) => v as i32,
-            Value::Float(v) => v as i32,
+            Value::Float(v) => float_to_int(v),
         }
     }
 
@@ -68,6 +68,15 @@ impl Value {
             Value::Uint(v) => v as f32,
             Value::Float(v) => v,
         }
+    }
+}
+
+/// `int(x)`. What is out of range is undefined; ANGLE gives what the processor does.
+fn float_to_int(x: f32) -> i32 {
+    if (-2_147_483_648.0..2_147_483_648.0).contains(&x) {
+        x as i32
+    } else {
+        i32::MIN
     }
 }
 

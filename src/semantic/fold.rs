@@ -1,14 +1,23 @@
 //! Built-in functions of constants.
 
 use super::constant::Value;
-use super::types::Scalar;
+use super::types::{Scalar, Type};
 
 /// Computes a built-in function. `args` are the scalars of each argument; `None` where the result is
 /// not known.
 pub type Fold = fn(args: &[&[Value]]) -> Option<Vec<Value>>;
 
 /// How to compute the function of this name (GLSL ES 3.00 chapter 8).
-pub fn fold_of(name: &str) -> Option<Fold> {
+///
+/// `first` is the type of its first argument.
+pub fn fold_of(name: &str, first: Type) -> Option<Fold> {
+    if name == "transpose" {
+        return match first.numeric() {
+            Some((_, 2, _)) => Some(transpose::<2>),
+            Some((_, 3, _)) => Some(transpose::<3>),
+            _ => Some(transpose::<4>),
+        };
+    }
     angle_or_power(name)
         .or_else(|| common(name))
         .or_else(|| geometric(name))
@@ -83,8 +92,16 @@ fn common(name: &str) -> Option<Fold> {
         "max" => |a| pair(a, |x, y| if less(x, y) { y } else { x }),
         "clamp" => |a| {
             triple(a, |x, lo, hi| {
-                let low = if less(x, lo) { lo } else { x };
-                if less(hi, low) { hi } else { low }
+                if less(hi, lo) {
+                    // Undefined; the browser gives 0.
+                    zero_of(lo)
+                } else if !less(lo, x) {
+                    lo
+                } else if less(hi, x) {
+                    hi
+                } else {
+                    x
+                }
             })
         },
         "mix" => |a| {
@@ -105,7 +122,13 @@ fn common(name: &str) -> Option<Fold> {
         "smoothstep" => |a| {
             triple(a, |e0, e1, x| {
                 let (e0, e1, x) = (e0.as_float(), e1.as_float(), x.as_float());
+                if e0 >= e1 {
+                    // Undefined; the browser gives 0.
+                    return Value::Float(0.0);
+                }
                 let t = ((x - e0) / (e1 - e0)).clamp(0.0, 1.0);
+                // What is no number counts as 0.
+                let t = if t.is_nan() { 0.0 } else { t };
                 Value::Float(t * t * (3.0 - 2.0 * t))
             })
         },
@@ -132,7 +155,7 @@ fn geometric(name: &str) -> Option<Fold> {
         "faceforward" | "reflect" | "refract" => vector_function(name)?,
         "matrixCompMult" => |a| map2(a, |x, y| x * y),
         "determinant" => |a| scalar(determinant(&square(a.first()?)?)),
-        "transpose" | "outerProduct" | "inverse" => matrix_function(name)?,
+        "outerProduct" | "inverse" => matrix_function(name)?,
         _ => return None,
     })
 }
@@ -153,12 +176,14 @@ fn relational_or_packing(name: &str) -> Option<Fold> {
             })
         },
         "packUnorm2x16" => |a| pack(a, |x| (x.clamp(0.0, 1.0) * 65535.0).round() as u16),
+        "packHalf2x16" => |a| pack(a, half_bits),
+        "unpackHalf2x16" => |a| unpack(a, half_value),
         "unpackSnorm2x16" => |a| unpack(a, |x| (x as i16 as f32 / 32767.0).clamp(-1.0, 1.0)),
         "unpackUnorm2x16" => |a| unpack(a, |x| x as f32 / 65535.0),
         "lessThan" => |a| pair(a, |x, y| Value::Bool(less(x, y))),
-        "lessThanEqual" => |a| pair(a, |x, y| Value::Bool(!less(y, x))),
+        "lessThanEqual" => |a| pair(a, |x, y| Value::Bool(less(x, y) || x == y)),
         "greaterThan" => |a| pair(a, |x, y| Value::Bool(less(y, x))),
-        "greaterThanEqual" => |a| pair(a, |x, y| Value::Bool(!less(x, y))),
+        "greaterThanEqual" => |a| pair(a, |x, y| Value::Bool(less(y, x) || x == y)),
         "equal" => |a| pair(a, |x, y| Value::Bool(x == y)),
         "notEqual" => |a| pair(a, |x, y| Value::Bool(x != y)),
         "any" => |a| Some(vec![Value::Bool(a.first()?.iter().any(|v| v.as_bool()))]),
@@ -175,6 +200,14 @@ fn sign(x: f32) -> f32 {
         -1.0
     } else {
         0.0
+    }
+}
+
+fn zero_of(like: Value) -> Value {
+    match like {
+        Value::Int(_) => Value::Int(0),
+        Value::Uint(_) => Value::Uint(0),
+        _ => Value::Float(0.0),
     }
 }
 
@@ -290,6 +323,44 @@ fn vector_function(name: &str) -> Option<Fold> {
     })
 }
 
+/// A matrix of so many columns, its rows made columns.
+fn transpose<const COLUMNS: usize>(args: &[&[Value]]) -> Option<Vec<Value>> {
+    let &[m] = args else { return None };
+    let rows = m.len() / COLUMNS;
+    let at = |i: usize| m.get(i % COLUMNS * rows + i / COLUMNS).copied();
+    (0..m.len()).map(at).collect()
+}
+
+/// The 16 bits that are nearest to a number.
+fn half_bits(x: f32) -> u16 {
+    let sign = if x.is_sign_negative() { 0x8000 } else { 0 };
+    let bits = x.abs().to_bits();
+    sign | if x.is_nan() {
+        0x7fff
+    } else if bits >= 0x4780_0000 {
+        0x7c00
+    } else if bits >= 0x3880_0000 {
+        // Rounded to even, with the exponent counted from another zero.
+        let odd = bits >> 13 & 1;
+        ((bits - 0x3800_0000 + 0xfff + odd) >> 13) as u16
+    } else {
+        // Too small for a leading one: counted in steps of 2^-24.
+        (x.abs() * 16_777_216.0).round_ties_even() as u16
+    }
+}
+
+/// The number that 16 bits stand for.
+fn half_value(bits: u16) -> f32 {
+    let (exponent, rest) = (bits >> 10 & 0x1f, (bits & 0x3ff) as f32);
+    let size = match exponent {
+        0 => rest / 16_777_216.0,
+        31 if rest == 0.0 => f32::INFINITY,
+        31 => f32::NAN,
+        e => (1.0 + rest / 1024.0) * 2f32.powi(e as i32 - 15),
+    };
+    if bits & 0x8000 != 0 { -size } else { size }
+}
+
 /// A square matrix as columns.
 fn square(arg: &[Value]) -> Option<Vec<Vec<f32>>> {
     let n = match arg.len() {
@@ -331,17 +402,6 @@ fn determinant(m: &[Vec<f32>]) -> f32 {
 
 fn matrix_function(name: &str) -> Option<Fold> {
     Some(match name {
-        // The shape of a matrix that is not square cannot be told from its scalars alone.
-        "transpose" => |a| {
-            let m = square(a.first()?)?;
-            let n = m.len();
-            values((0..n * n).map(|i| {
-                m.get(i % n)
-                    .and_then(|c| c.get(i / n))
-                    .copied()
-                    .unwrap_or(0.0)
-            }))
-        },
         "outerProduct" => |a| {
             let (c, r) = (floats(a.first()?), floats(a.get(1)?));
             values(r.iter().flat_map(|y| c.iter().map(move |x| x * y)))
@@ -380,7 +440,8 @@ mod tests {
             .map(|a| a.iter().map(|&x| Value::Float(x)).collect())
             .collect();
         let args: Vec<&[Value]> = args.iter().map(Vec::as_slice).collect();
-        let found = fold_of(name).unwrap()(&args).unwrap();
+        let ty = Type::matrix(2, args[0].len() as u8 / 2);
+        let found = fold_of(name, ty).unwrap()(&args).unwrap();
         let found: Vec<f32> = found.iter().map(|v| v.as_float()).collect();
         assert!(
             found
@@ -406,6 +467,34 @@ mod tests {
         check("determinant", &[&[1.0, 2.0, 3.0, 4.0]], &[-2.0]);
         check("inverse", &[&[2.0, 0.0, 0.0, 4.0]], &[0.5, 0.0, 0.0, 0.25]);
         check("transpose", &[&[1.0, 2.0, 3.0, 4.0]], &[1.0, 3.0, 2.0, 4.0]);
+        check(
+            "transpose",
+            &[&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]],
+            &[1.0, 4.0, 2.0, 5.0, 3.0, 6.0],
+        );
         check("reflect", &[&[1.0, -1.0], &[0.0, 1.0]], &[1.0, 1.0]);
+    }
+
+    #[test]
+    fn what_is_undefined_is_what_the_browser_makes_of_it() {
+        check("clamp", &[&[3.0], &[7.0], &[1.0]], &[0.0]);
+        check("clamp", &[&[f32::NAN], &[1.0], &[2.0]], &[1.0]);
+        check("smoothstep", &[&[1.0], &[0.5], &[0.7]], &[0.0]);
+        check("smoothstep", &[&[0.0], &[1.0], &[f32::NAN]], &[0.0]);
+        assert_eq!(Value::Float(f32::NAN).as_int(), i32::MIN);
+        assert_eq!(Value::Float(1e20).as_int(), i32::MIN);
+    }
+
+    #[test]
+    fn halves_are_packed_as_ieee_754_says() {
+        for (number, bits) in [
+            (1.0, 0x3c00),
+            (-2.5, 0xc100),
+            (65504.0, 0x7bff),
+            (5.960_464_5e-8, 1),
+            (f32::INFINITY, 0x7c00),
+        ] {
+            assert_eq!((half_bits(number), half_value(bits)), (bits, number));
+        }
     }
 }

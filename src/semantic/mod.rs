@@ -14,14 +14,17 @@
     )
 )]
 
+mod blame;
 pub mod builtins;
 mod checker;
 mod constant;
 mod dialect;
 pub mod flow;
 mod fold;
+pub mod link;
 mod program;
 mod scope;
+mod settle;
 pub mod snippet;
 pub mod tunable;
 mod types;

@@ -156,6 +156,14 @@ impl Type {
         }
     }
 
+    /// An interface block, by its number.
+    pub const fn block(id: u32) -> Type {
+        Type {
+            base: Base::Block(id),
+            array: 0,
+        }
+    }
+
     /// A sampler.
     pub const fn sampler(sampler: Sampler) -> Type {
         Type {

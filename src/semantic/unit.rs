@@ -1,12 +1,14 @@
 //! One shader from files to findings.
 
+use super::blame::{attribute, gather};
 use super::builtins::Stage;
 use super::checker::{Parsed, check};
 use super::dialect::{Channels, Dialect};
 use super::program::Program;
+use super::settle::Corrected;
 use super::types::Sampler;
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::syntax::{Preprocessed, TokenKind, parse, preprocess};
+use crate::syntax::{Language, Preprocessed, TokenKind, parse, preprocess};
 use crate::text::{FileId, Role, Sources, Span};
 
 /// Most errors that are told of one shader.
@@ -34,8 +36,22 @@ pub struct Analysis<'a> {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads and checks one shader.
+/// Reads and checks one shader, and finds whose fault its errors are.
 pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
+    let Analysis {
+        program,
+        diagnostics,
+    } = analyze_once(unit);
+    let mut diagnostics = attribute(unit, &program, diagnostics);
+    limit(&mut diagnostics);
+    Analysis {
+        program,
+        diagnostics,
+    }
+}
+
+/// Reads and checks one shader: every error stands where the compiler stumbles.
+pub(super) fn analyze_once<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     let is_fragment = unit.stage == Stage::Fragment;
     let Preprocessed {
         mut tokens,
@@ -47,33 +63,44 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     if gave_up {
         tokens.tokens.drain(..tokens.tokens.len().saturating_sub(1));
     }
-    let (tree, problems) = parse(unit.sources, &tokens, &names, version, is_fragment);
-    if !gave_up {
-        diagnostics.extend(problems);
-    }
-    let has_errors = !diagnostics.is_empty();
+    let language = Language {
+        version,
+        is_fragment,
+    };
+    let parse = parse(unit.sources, &mut tokens, &names, language);
+    let translated = parse.translated;
+    let has_errors = !diagnostics.is_empty()
+        || !parse.diagnostics.is_empty()
+        || !translated.diagnostics.is_empty();
     let parsed = Parsed {
         sources: unit.sources,
         tokens,
         names,
-        tree,
+        tree: parse.tree,
         version,
         has_errors,
     };
-    let (program, problems) = if unit.infer_channels && !gave_up {
-        check_with_any_channels(parsed, unit)
-    } else {
-        check(parsed, unit.stage, unit.dialect, [None; 4])
+    let corrected = Corrected {
+        language,
+        choices: parse.choices,
+        original: parse.original,
+        lost: translated.lost,
+    };
+    let (program, problems) = match gave_up {
+        true => check(parsed, unit.stage, unit.dialect, [None; 4]),
+        false => corrected.settle(parsed, parse.diagnostics, unit),
     };
     // Of half a shader only what the preprocessor says is certain.
     if !gave_up {
         diagnostics.extend(problems);
+        diagnostics.extend(translated.diagnostics);
     }
     if let Some(cut) = program.tokens.cut {
         judge_cut(unit.sources, cut, &mut diagnostics);
     }
+    let mut diagnostics = gather(&program, diagnostics);
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
-    limit(&mut diagnostics);
+    diagnostics.truncate(MAX_ERRORS);
     Analysis {
         program,
         diagnostics,
@@ -123,6 +150,14 @@ fn limit(diagnostics: &mut Vec<Diagnostic>) {
                 "there may be more: only the first {MAX_ERRORS} errors are told"
             ));
         }
+    }
+}
+
+/// Checks a shader, with the types of its channels found out where they are not known.
+pub(super) fn judge<'a>(parsed: Parsed<'a>, unit: &Unit<'a>) -> (Program<'a>, Vec<Diagnostic>) {
+    match unit.infer_channels {
+        true => check_with_any_channels(parsed, unit),
+        false => check(parsed, unit.stage, unit.dialect, [None; 4]),
     }
 }
 
@@ -177,7 +212,7 @@ fn uses_channel(program: &Program, channel: usize) -> bool {
 
 impl<'a> Program<'a> {
     /// The shader as it was before it was checked.
-    fn into_parsed(self) -> Parsed<'a> {
+    pub(super) fn into_parsed(self) -> Parsed<'a> {
         Parsed {
             sources: self.sources,
             tokens: self.tokens,

@@ -216,6 +216,7 @@ fn scan(bytes: &[u8]) -> (RawKind, usize) {
             _ => operator(bytes),
         },
         b'#' => (RawKind::Hash, 1),
+        b'"' | b'\'' => (RawKind::Other, quoted_len(bytes)),
         b'\\' if splice_len(bytes, 0).is_some() => (RawKind::Whitespace, blanks(bytes)),
         0x80.. if is_foreign_letter(bytes) => word(bytes),
         0x80.. => (RawKind::Other, character_len(bytes)),
@@ -358,6 +359,25 @@ fn integer(bytes: &[u8], len: usize) -> (RawKind, usize) {
 
 /// An operator, by the longest match, or a character that is none.
 #[rustfmt::skip]
+/// Longest text in quotes that is taken for a string of another language.
+const MAX_QUOTED: usize = 200;
+
+/// Length of a text in quotes, which GLSL does not have, or of the quote alone where it is not
+/// closed in its line or holds what the browser takes for a comment.
+fn quoted_len(bytes: &[u8]) -> usize {
+    let quote = bytes.first();
+    let rest = bytes.iter().zip(bytes.iter().skip(1)).take(MAX_QUOTED);
+    for (i, (before, byte)) in rest.enumerate() {
+        match byte {
+            b'\n' | b'\r' | b'\\' => break,
+            b'/' | b'*' if *before == b'/' => break,
+            byte if Some(byte) == quote => return i + 2,
+            _ => {}
+        }
+    }
+    1
+}
+
 fn operator(bytes: &[u8]) -> (RawKind, usize) {
     use TokenKind::*;
     let at = |i: usize| bytes.get(i).copied().unwrap_or(0);

@@ -13,16 +13,23 @@
 )]
 
 pub mod ast;
+mod foreign;
 mod lexer;
 mod names;
 mod parser;
 mod preprocessor;
+mod reduce;
 mod token;
+mod translation;
 
+pub use foreign::{Foreign, Meaning, foreign, type_in_another_case};
 pub use lexer::{Lexer, tokenize, unsplice};
 pub use names::{Name, Names, TypeWord, Version, WordClass, classify};
-pub use parser::parse;
+pub use parser::{Choice, Correction, Language, Parse, parse, parse_corrected};
 pub use preprocessor::{
-    Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed, Tokens, macro_uses, preprocess,
+    DIRECTIVES, Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed, Tokens, macro_uses,
+    preprocess,
 };
+pub use reduce::{Reduced, reduce};
 pub use token::{RawKind, RawToken, Token, TokenKind};
+pub use translation::Translated;

@@ -39,6 +39,12 @@ impl TypeWord {
             Sampler2DShadow, SamplerCubeShadow, Sampler2DArrayShadow,
         ]
     };
+
+    /// The word itself.
+    pub fn name(self) -> &'static str {
+        let row = TYPES.iter().find(|(_, _, word)| *word == self);
+        row.map_or("", |(name, ..)| name)
+    }
 }
 
 /// A version of the language that WebGL2 compiles.

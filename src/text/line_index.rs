@@ -67,6 +67,14 @@ impl LineIndex {
         self.starts.partition_point(|&s| s <= offset) as u32
     }
 
+    /// Offsets of the first byte of the line that holds `offset`, and of the first behind it: of
+    /// the next line, or `length` of the whole text.
+    pub fn bounds(&self, offset: u32, length: u32) -> (u32, u32) {
+        let line = self.line(offset);
+        let start = self.start(line).unwrap_or(0);
+        (start, self.start(line + 1).unwrap_or(length))
+    }
+
     /// Line and columns of `offset` in the text that the index was made from. An offset inside a
     /// character counts as the place before it.
     pub fn position(&self, text: &str, offset: u32) -> Position {

@@ -16,6 +16,8 @@
 
 mod edit;
 pub mod embed;
+pub mod json;
+pub mod kind;
 mod line_index;
 mod source;
 mod span;

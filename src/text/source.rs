@@ -64,6 +64,8 @@ struct Piece {
     base: u32,
     /// What the compiler reads, byte for byte in the place of the file's own text.
     code: Arc<str>,
+    /// The highest address in this piece and all pieces before it.
+    reach: u32,
 }
 
 /// What the compiler reads of a file or a piece of one.
@@ -85,6 +87,8 @@ pub struct Code<'a> {
 pub struct Sources {
     files: Vec<SourceFile>,
     pieces: Vec<Piece>,
+    /// Whether the pieces are not in the order of the text.
+    is_shuffled: bool,
 }
 
 impl Sources {
@@ -136,7 +140,16 @@ impl Sources {
         whole.text.get(offset..offset.checked_add(code.len())?)?;
         let base = whole.base + offset as u32;
         let id = FileId(PIECE | self.pieces.len() as u32);
-        self.pieces.push(Piece { file, base, code });
+        let last = self.pieces.last();
+        self.is_shuffled |= last.is_some_and(|p| p.base > base);
+        let reach = last.map_or(0, |p| p.reach);
+        let reach = reach.max(base + code.len() as u32);
+        self.pieces.push(Piece {
+            file,
+            base,
+            code,
+            reach,
+        });
         Some(id)
     }
 
@@ -160,12 +173,19 @@ impl Sources {
 
     /// The piece that holds an address, or else its file.
     pub fn code_at(&self, address: u32) -> Option<Code<'_>> {
-        let holds = |p: &&Piece| {
-            let end = p.base + p.code.len() as u32;
-            p.base <= address && address <= end
+        // Pieces are mostly named in the order of the text: those behind are left out at once, and
+        // nothing is looked for where no piece before reaches.
+        let from = match self.is_shuffled {
+            false => self.pieces.partition_point(|p| p.base <= address),
+            true => self.pieces.len(),
         };
-        let piece = self.pieces.iter().rposition(|p| holds(&p));
-        match piece {
+        let before = self.pieces.get(..from).unwrap_or(&[]);
+        let near = before.iter().enumerate().rev();
+        let holds = |p: &Piece| (p.base..=p.base + p.code.len() as u32).contains(&address);
+        let piece = near
+            .take_while(|(_, p)| p.reach >= address)
+            .find(|(_, p)| holds(p));
+        match piece.map(|(index, _)| index) {
             Some(index) => self.code(FileId(PIECE | index as u32)),
             None => self.code(self.file_id_at(address)?),
         }

@@ -8,9 +8,10 @@ import { hostileTests } from './hostile.js';
 import { moduleTests } from './modules.js';
 import { pageTests } from './page.js';
 import { pixelTests } from './pixels.js';
+import { verdictTests } from './verdicts.js';
 
 const words = process.argv.slice(2);
-const tests = [...pixelTests, ...pageTests, ...hostileTests, ...moduleTests, ...corpusTests()];
+const tests = [...pixelTests, ...pageTests, ...hostileTests, ...moduleTests, ...verdictTests, ...corpusTests()];
 const wanted = tests.filter((t) => words.length === 0 || words.some((w) => t.name.includes(w)));
 
 class Late extends Error {}

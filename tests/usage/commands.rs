@@ -1,4 +1,4 @@
-//! `explain`, `rules`, `completions`, `man`, `--watch`.
+//! `explain`, `rules`, `reduce`, `completions`, `man`, `--watch`.
 
 use crate::scratch::{BROKEN, Scratch, mended};
 use std::io::{BufRead, BufReader, Read};
@@ -46,6 +46,85 @@ fn completions_and_the_man_page_name_the_options() {
     }
     let man = scratch.run(&["man"]).out;
     assert!(man.contains(".TH shaderlint 1") && man.contains("\\-\\-write\\-baseline"));
+}
+
+/// A shader with one error in a lot that has nothing to do with it.
+const LARGE: &str = "#version 300 es
+precision highp float;
+uniform float time;
+out vec4 color;
+float wave(float x) { return sin(x) * 0.5; }
+void main() {
+    float sum = 0.0;
+    for (int i = 0; i < 5; i++) { sum += wave(float(i) + time); }
+    vec3 c = vec3(sum);
+    if (time > 1.0) { c = c * vec2(time); }
+    color = vec4(c, 1.0);
+}
+";
+
+#[test]
+fn a_shader_is_reduced_to_what_its_error_needs() {
+    let scratch = Scratch::new(&[("a.frag", LARGE)]);
+    let ran = scratch.run(&["reduce", "a.frag"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(
+        ran.out.len() < 100 && !ran.out.contains("wave"),
+        "{}",
+        ran.out
+    );
+    scratch.write("b.frag", &ran.out);
+    let left = scratch.run(&["--format", "short", "b.frag"]);
+    assert!(left.out.contains("[vector-size]"), "{}", left.out);
+    assert_eq!(scratch.read("a.frag"), LARGE);
+}
+
+#[test]
+fn a_shader_is_reduced_to_what_a_rule_or_a_command_needs() {
+    let clean = LARGE.replace("vec2(time)", "time");
+    let scratch = Scratch::new(&[("a.frag", LARGE), ("c.frag", &clean)]);
+    let ran = scratch.run(&[
+        "reduce",
+        "a.frag",
+        "--rule",
+        "vector-size",
+        "-o",
+        "small.frag",
+    ]);
+    assert_eq!((ran.code, ran.out.as_str()), (0, ""), "{}", ran.err);
+    assert!(scratch.read("small.frag").len() < 100);
+    // Nothing is written over a file that is there.
+    let ran = scratch.run(&["reduce", "a.frag", "-o", "a.frag"]);
+    assert_eq!((ran.code, scratch.read("a.frag").as_str()), (2, LARGE));
+    for (args, complaint) in [
+        (&["reduce", "c.frag"][..], "there is no error to keep"),
+        (
+            &["reduce", "c.frag", "--rule", "nonsense"],
+            "no rule or compile error",
+        ),
+        (
+            &["reduce", "c.frag", "--rule", "vector-size"],
+            "not all of these rules",
+        ),
+        (&["reduce", "c.frag", "--keep", "true"], "no `{}`"),
+        (
+            &["reduce", "c.frag", "--keep", "test -d {}"],
+            "does not exit with 0",
+        ),
+        (&["reduce", "missing.frag"], "missing.frag"),
+    ] {
+        let ran = scratch.run(args);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{args:?}");
+        assert!(ran.err.contains(complaint), "{args:?}: {}", ran.err);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_shader_is_reduced_to_what_a_command_accepts() {
+    let scratch = Scratch::new(&[("it's.frag", LARGE)]);
+    let ran = scratch.run(&["reduce", "it's.frag", "--keep", "grep -q wave {}"]);
+    assert_eq!((ran.code, ran.out.trim()), (0, "wave"), "{}", ran.err);
 }
 
 /// The lines that a process writes, as they come.

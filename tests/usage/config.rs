@@ -170,7 +170,7 @@ fn the_host_declares_uniforms() {
     let uniforms = "[host.uniforms]\nuTime = \"float\"\nlights = \"vec3[4]\"\n";
     scratch.write("shaderlint.toml", uniforms);
     for file in ["a.frag", "own.frag", "plain.glsl"] {
-        let ran = scratch.run(&[file]);
+        let ran = scratch.run(&["-q", file]);
         assert_eq!((ran.code, ran.out.as_str()), (0, ""), "{file}");
     }
     assert_eq!(scratch.run(&["none/a.frag"]).code, 1);
@@ -191,7 +191,7 @@ fn three_declares_its_names() {
     let scratch = Scratch::new(&[("a.vert", code)]);
     assert_eq!(scratch.run(&["a.vert"]).code, 1);
     scratch.write("shaderlint.toml", "host = \"three\"");
-    let ran = scratch.run(&["a.vert"]);
+    let ran = scratch.run(&["-q", "a.vert"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
 }
 

@@ -379,8 +379,12 @@ fn formats_hold_together_without_any_finding() {
         let ran = scratch.run(&["--format", format, "clean.glsl"]);
         roxmltree::Document::parse(&ran.out).unwrap();
     }
-    for format in ["short", "jsonl", "github", "human"] {
+    for format in ["short", "jsonl", "github"] {
         assert_eq!(scratch.run(&["--format", format, "clean.glsl"]).out, "");
+    }
+    for format in ["human", "agent"] {
+        let ran = scratch.run(&["--format", format, "clean.glsl"]);
+        assert_eq!(ran.out, "1 shader in 1 file, no findings\n");
     }
 }
 
@@ -415,7 +419,8 @@ fn statistics_sum_up() {
             "      2  int-float-mix",
             "      1  pow-negative-base",
             "      1  unused-variable",
-            "2 errors, 1 warning, 1 info in 2 files; 3 can be fixed with --fix"
+            "2 shaders in 2 files: 2 errors, 1 warning, 1 info; 2 can be fixed with --fix, 1 more with --unsafe-fixes",
+            "rules did not run in 2 functions with errors: `halfOf` of a b/größe,1.glsl, `mainImage` of a b/größe,1.glsl"
         ]
     );
     assert_eq!(ran.code, 1);

@@ -54,15 +54,41 @@ fn what_allows_nothing_is_reported() {
         found(&misspelt),
         ["3:10 pow-negative-base", "3:50 unused-allow"]
     );
-    for order in [
-        "alow(pow-negative-base)",
-        "allow pow-negative-base",
-        "allow()",
-        "allow",
+    for (order, place) in [
+        ("shaderlint: alow(pow-negative-base)", "3:14 unused-allow"),
+        ("shaderlint: allow pow-negative-base", "3:14 unused-allow"),
+        ("shaderlint: allow()", "3:26 unused-allow"),
+        ("shaderlint: allow", "3:14 unused-allow"),
+        ("shaderlint: permit", "3:26 unused-allow"),
+        ("shaderlint-disable-line", "3:14 unused-allow"),
+        ("shaderlint allow(look)", "3:14 unused-allow"),
     ] {
-        let lines = found(&format!("c *= 2.0; // shaderlint: {order}"));
-        assert_eq!(lines, ["3:26 unused-allow"], "{order}");
+        let lines = found(&format!("c *= 2.0; // {order}"));
+        assert_eq!(lines, [place], "{order}");
     }
+    assert_eq!(found("c *= 2.0; // eslint-disable-line"), [""; 0]);
+}
+
+#[test]
+fn what_is_misspelt_is_spelt_right() {
+    let code = |first: &str, second: &str| {
+        format!(
+            "void mainImage(out vec4 c, in vec2 p) {{\n    c = vec4(pow(iTime - 9.0, 2.0)); // {first}\n    \
+             // {second}\n    c *= p.x == 0.3 ? 1.0 : 2.0;\n}}\n"
+        )
+    };
+    let wrong = code(
+        "shaderlint-disable-line",
+        "shaderlint ignore(float_equality) known",
+    );
+    let scratch = Scratch::new(&[("a.glsl", &wrong)]);
+    let ran = scratch.run(&["-q", "--fix", "a.glsl"]);
+    assert_eq!((ran.code, ran.out.as_str()), (0, ""));
+    let right = code(
+        "shaderlint: allow(pow-negative-base)",
+        "shaderlint: allow(float-equality) known",
+    );
+    assert_eq!(scratch.read("a.glsl"), right);
 }
 
 #[test]

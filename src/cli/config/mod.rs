@@ -7,9 +7,11 @@ pub use read::{ConfigError, parse};
 pub use schema::schema;
 
 use super::document::include::Includes;
-use super::document::{DialectChoice, HostNames, Options};
+use super::document::partner::NOBODY;
+use super::document::{Desktop, DialectChoice, HostNames, Options};
 use crate::diagnostic::Severity;
-use crate::lint::{Rule, Settings, Target};
+use crate::lint::{Failing, Rule, Settings, Target, UnknownRule};
+use crate::text::kind::Claim;
 use globset::GlobSet;
 use std::collections::HashMap;
 use std::fs;
@@ -28,8 +30,12 @@ pub struct Layer {
     pub dialect: Option<DialectChoice>,
     /// What the host declares.
     pub host: Option<HostNames>,
+    /// What is said of shaders that WebGL does not compile.
+    pub desktop: Option<Desktop>,
     /// Levels of rules, groups before single rules; `None` is off.
     pub levels: Vec<(RuleName, Option<Severity>)>,
+    /// Rules whose findings fail the run, or do not, groups before single rules.
+    pub failing: Vec<(RuleName, Failing)>,
     /// Numbers that rules go by.
     pub options: Vec<(RuleName, String, f64)>,
 }
@@ -68,6 +74,12 @@ impl Config {
         included.map_or(is_known, |i| i.is_match(&path)) && !self.is_excluded(&path)
     }
 
+    /// Whether a pattern of `include` fits a file.
+    pub fn names(&self, path: &Path) -> bool {
+        let included = self.include.as_ref();
+        included.is_some_and(|i| i.is_match(self.inside(path)))
+    }
+
     /// Whether a file is left out even where it is named itself.
     pub fn leaves_out(&self, path: &Path) -> bool {
         self.is_excluded(&self.inside(path))
@@ -89,10 +101,12 @@ impl Config {
 /// How a file is judged.
 #[derive(Debug)]
 pub struct Judge {
-    settings: Settings,
+    /// Which rules run.
+    pub settings: Settings,
     dialect: DialectChoice,
     host: HostNames,
     includes: Includes,
+    desktop: Desktop,
 }
 
 impl Judge {
@@ -103,6 +117,9 @@ impl Judge {
             settings: &self.settings,
             host: &self.host,
             includes: &self.includes,
+            partners: &NOBODY,
+            desktop: self.desktop,
+            claim: Claim::None,
         }
     }
 }
@@ -116,6 +133,8 @@ pub struct Given {
     pub select: Vec<String>,
     /// `--ignore`
     pub ignore: Vec<String>,
+    /// `--only`
+    pub only: Vec<String>,
     /// `--config` and `--no-config`
     pub source: Source,
     /// `--force-exclude`
@@ -228,7 +247,7 @@ impl Configs {
 
     /// What is wrong with the words of the command line, or with the configuration that it names.
     pub fn problem(&self) -> Option<Arc<str>> {
-        let words = Settings::new(self.rules, &self.given.select, &self.given.ignore);
+        let words = Settings::new(self.rules, &[], &[]).and_then(|mut s| self.adjust(&mut s));
         let named = match &self.given.source {
             Source::File(_) => self.config(Path::new("")).err(),
             Source::Nearest | Source::Nowhere => None,
@@ -265,6 +284,7 @@ impl Configs {
             dialect: DialectChoice::Auto,
             host: HostNames::default(),
             includes: Includes::inside(root),
+            desktop: Desktop::default(),
         };
         let overrides = config.map_or(&[][..], |c| &c.overrides);
         let matching = layers.iter().filter_map(|i| overrides.get(*i));
@@ -272,16 +292,25 @@ impl Configs {
         for layer in base.chain(matching.map(|(_, layer)| layer)) {
             self.apply(layer, &mut settings);
             judge.dialect = layer.dialect.unwrap_or(judge.dialect);
+            judge.desktop = layer.desktop.unwrap_or(judge.desktop);
             judge.host = layer.host.clone().unwrap_or(judge.host);
         }
-        settings
-            .adjust(self.rules, &self.given.select, &self.given.ignore)
-            .map_err(unknown)?;
+        self.adjust(&mut settings).map_err(unknown)?;
         if self.given.dialect != DialectChoice::Auto {
             judge.dialect = self.given.dialect;
         }
         judge.settings = settings;
         Ok(judge)
+    }
+
+    /// Does what the words of the command line say.
+    fn adjust(&self, settings: &mut Settings) -> Result<(), UnknownRule> {
+        let given = &self.given;
+        settings.adjust(self.rules, &given.select, &given.ignore)?;
+        if given.only.is_empty() {
+            return Ok(());
+        }
+        settings.choose(self.rules, &given.only)
     }
 
     fn apply(&self, layer: &Layer, settings: &mut Settings) {
@@ -292,6 +321,11 @@ impl Configs {
                 settings.set_level(rule, *level);
             }
         }
+        for (name, failing) in &layer.failing {
+            if let Some(rule) = rule(name) {
+                settings.set_failing(rule, *failing);
+            }
+        }
         for (name, option, value) in &layer.options {
             if let Some(rule) = rule(name) {
                 settings.set_option(rule, option, *value);
@@ -300,7 +334,7 @@ impl Configs {
     }
 }
 
-fn unknown(unknown: crate::lint::UnknownRule) -> Arc<str> {
+fn unknown(unknown: UnknownRule) -> Arc<str> {
     let near = unknown
         .near
         .map_or(String::new(), |n| format!("; did you mean `{n}`?"));

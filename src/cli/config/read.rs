@@ -1,9 +1,9 @@
 //! Reads a configuration; every key that it does not know is an error with its place.
 
-use super::super::document::{DialectChoice, HostNames, HostUniform};
+use super::super::document::{Desktop, DialectChoice, HostNames, HostUniform};
 use super::{Config, Layer};
 use crate::diagnostic::{ERRORS, Severity};
-use crate::lint::{Rule, Target, nearest_rule};
+use crate::lint::{Failing, Group, Rule, Target, nearest_rule};
 use crate::syntax::{Version, WordClass, classify};
 use crate::text::LineIndex;
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
@@ -12,9 +12,10 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys of the file.
-pub const KEYS: [&str; 7] = [
+pub const KEYS: [&str; 8] = [
     "target",
     "dialect",
+    "desktop",
     "host",
     "rules",
     "include",
@@ -22,13 +23,15 @@ pub const KEYS: [&str; 7] = [
     "overrides",
 ];
 /// Keys of an override.
-pub const OVERRIDE_KEYS: [&str; 5] = ["paths", "target", "dialect", "host", "rules"];
+pub const OVERRIDE_KEYS: [&str; 6] = ["paths", "target", "dialect", "desktop", "host", "rules"];
 /// Keys of `host`.
 pub const HOST_KEYS: [&str; 2] = ["preset", "uniforms"];
 /// Words for `target`.
 pub const TARGETS: [&str; 2] = ["swiftshader", "gpu"];
 /// Words for `dialect`.
 pub const DIALECTS: [&str; 4] = ["auto", "shadertoy", "webgl2", "webgl1"];
+/// Words for `desktop`.
+pub const DESKTOPS: [&str; 3] = ["report", "skip", "port"];
 /// Words for `level`.
 pub const LEVELS: [&str; 3] = ["off", "info", "warning"];
 /// Words for `host` and its `preset`.
@@ -116,6 +119,13 @@ fn layer(table: &DeTable, rules: &'static [&'static Rule]) -> Result<Layer> {
                     _ => DialectChoice::Auto,
                 });
             }
+            "desktop" => {
+                layer.desktop = Some(match word(value, &DESKTOPS)? {
+                    "skip" => Desktop::Skip,
+                    "port" => Desktop::Port,
+                    _ => Desktop::Report,
+                });
+            }
             "host" => layer.host = Some(host(value)?),
             "rules" => rules_of(table_of(value)?, rules, &mut layer)?,
             _ => {}
@@ -125,39 +135,45 @@ fn layer(table: &DeTable, rules: &'static [&'static Rule]) -> Result<Layer> {
 }
 
 fn rules_of(table: &DeTable, rules: &'static [&'static Rule], layer: &mut Layer) -> Result<()> {
-    let mut single = Vec::new();
-    for (key, value) in table {
-        let name = key.get_ref().as_ref();
-        let named: Vec<&'static Rule> = rules
-            .iter()
-            .filter(|r| r.name == name || r.group.name() == name)
-            .copied()
-            .collect();
-        let is_group = crate::lint::Group::ALL.iter().any(|g| g.name() == name);
-        if named.is_empty() && !is_group {
-            return Err(Problem(key.span(), no_rule(name, rules)));
-        }
-        let level = match value.get_ref() {
-            DeValue::String(_) => Some(level(value)?),
-            DeValue::Table(table) => options(table, &named, is_group, layer)?,
-            _ => {
-                let message = "this must be a level, or a table with `level` and options";
-                return Err(Problem(value.span(), message.to_string()));
+    // What names more is read first, so that what names less holds.
+    for width in [Width::All, Width::Group, Width::Rule] {
+        for (key, value) in table {
+            let name = key.get_ref().as_ref();
+            let own = match name {
+                "all" => Width::All,
+                _ if Group::ALL.iter().any(|g| g.name() == name) => Width::Group,
+                _ => Width::Rule,
+            };
+            if own != width {
+                continue;
             }
-        };
-        let into = if is_group {
-            &mut layer.levels
-        } else {
-            &mut single
-        };
-        into.extend(
-            level
-                .into_iter()
-                .flat_map(|l| named.iter().map(move |r| (r.name, l))),
-        );
+            let is_named =
+                |r: &&&'static Rule| own == Width::All || r.name == name || r.group.name() == name;
+            let named: Vec<&'static Rule> = rules.iter().filter(is_named).copied().collect();
+            if named.is_empty() && own == Width::Rule {
+                return Err(Problem(key.span(), no_rule(name, rules)));
+            }
+            let level = match value.get_ref() {
+                DeValue::String(_) => Some(level(value)?),
+                DeValue::Table(table) => options(table, &named, own, layer)?,
+                _ => {
+                    let message = "this must be a level, or a table with `level` and options";
+                    return Err(Problem(value.span(), message.to_string()));
+                }
+            };
+            let levels = level.map(|l| named.iter().map(move |r| (r.name, l)));
+            layer.levels.extend(levels.into_iter().flatten());
+        }
     }
-    layer.levels.append(&mut single);
     Ok(())
+}
+
+/// How many rules a key names.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Width {
+    All,
+    Group,
+    Rule,
 }
 
 fn no_rule(name: &str, rules: &[&'static Rule]) -> String {
@@ -169,11 +185,11 @@ fn no_rule(name: &str, rules: &[&'static Rule]) -> String {
     format!("there is no rule or group `{name}`{near}")
 }
 
-/// Reads `{ level = "info", steps = 128 }`.
+/// Reads `{ level = "info", fail = true, steps = 128 }`.
 fn options(
     table: &DeTable,
     named: &[&'static Rule],
-    is_group: bool,
+    width: Width,
     layer: &mut Layer,
 ) -> Result<Option<Option<Severity>>> {
     let mut own = None;
@@ -183,11 +199,25 @@ fn options(
             own = Some(level(value)?);
             continue;
         }
-        let rule = named.first().filter(|_| !is_group);
+        if name == "fail" {
+            let failing = match value.get_ref() {
+                DeValue::Boolean(true) => Failing::Yes,
+                DeValue::Boolean(false) => Failing::No,
+                _ => {
+                    let message = "this must be `true` or `false`";
+                    return Err(Problem(value.span(), message.to_string()));
+                }
+            };
+            layer
+                .failing
+                .extend(named.iter().map(|r| (r.name, failing)));
+            continue;
+        }
+        let rule = named.first().filter(|_| width == Width::Rule);
         let known: Vec<&str> =
             rule.map_or(Vec::new(), |r| r.options.iter().map(|o| o.name).collect());
         let (Some(rule), true) = (rule, known.contains(&name)) else {
-            let keys: Vec<&str> = known.into_iter().chain(["level"]).collect();
+            let keys: Vec<&str> = known.into_iter().chain(["level", "fail"]).collect();
             return Err(Problem(key.span(), unknown_key(name, &keys)));
         };
         layer
@@ -200,7 +230,7 @@ fn options(
 fn level(value: &Value) -> Result<Option<Severity>> {
     if value.get_ref().as_str() == Some("error") {
         let message = "no rule has the level `error`: an error means that the browser refuses the shader; \
-            `--deny-warnings` makes warnings fail";
+            `{ level = \"warning\", fail = true }` makes the run fail on it";
         return Err(Problem(value.span(), message.to_string()));
     }
     Ok(match word(value, &LEVELS)? {
@@ -418,7 +448,7 @@ mod tests {
             "rules.step-budget.loop = -1",
             1,
             19,
-            &unknown_key("loop", &["main", "shadow", "sum", "level"]),
+            &unknown_key("loop", &["main", "shadow", "sum", "level", "fail"]),
         );
         wrong("include = \"a\"", 1, 11, "this must be a list: `[...]`");
         assert!(parse("a = ", RULES).is_err());

@@ -1,6 +1,6 @@
 //! The JSON schema of the configuration, for editors.
 
-use super::read::{DIALECTS, LEVELS, PRESETS, TARGETS};
+use super::read::{DESKTOPS, DIALECTS, LEVELS, PRESETS, TARGETS};
 use crate::lint::{Group, Page, Rule};
 use serde_json::{Map, Value, json};
 
@@ -18,6 +18,7 @@ pub fn schema(rules: &[&'static Rule]) -> String {
     let layer = json!({
         "target": {"description": "What draws the shaders in the end", "enum": TARGETS},
         "dialect": {"description": "What the shaders are written for", "enum": DIALECTS},
+        "desktop": {"description": "What is said of shaders for OpenGL, Vulkan and other hosts than WebGL", "enum": DESKTOPS},
         "host": {
             "description": "What the host declares for the shaders",
             "oneOf": [
@@ -69,16 +70,22 @@ pub fn schema(rules: &[&'static Rule]) -> String {
 
 fn names(rules: &[&'static Rule]) -> Map<String, Value> {
     let level = json!({"enum": LEVELS});
-    let group = |g: &Group| {
-        let about = format!("All rules of the group {}", g.name());
+    let fail = json!({"description": "Whether its findings fail the run", "type": "boolean"});
+    let table = |mut properties: Map<String, Value>| {
+        properties.insert("level".to_string(), level.clone());
+        properties.insert("fail".to_string(), fail.clone());
+        json!({"type": "object", "properties": properties, "additionalProperties": false})
+    };
+    let many = |name: &str, about: String| {
+        let either = [level.clone(), table(Map::new())];
         (
-            g.name().to_string(),
-            json!({"description": about, "enum": LEVELS}),
+            name.to_string(),
+            json!({"description": about, "oneOf": either}),
         )
     };
+    let group = |g: &Group| many(g.name(), format!("All rules of the group {}", g.name()));
     let rule = |r: &&'static Rule| {
         let mut properties = Map::new();
-        properties.insert("level".to_string(), level.clone());
         for option in r.options {
             let about = format!(
                 "{} (default {}, on a GPU {})",
@@ -87,15 +94,12 @@ fn names(rules: &[&'static Rule]) -> Map<String, Value> {
             let value = json!({"description": about, "type": "number"});
             properties.insert(option.name.to_string(), value);
         }
-        let table =
-            json!({"type": "object", "properties": properties, "additionalProperties": false});
         let summary = Page::new(r.page).summary;
-        let value = json!({"description": summary, "oneOf": [level.clone(), table]});
+        let value = json!({"description": summary, "oneOf": [level.clone(), table(properties)]});
         (r.name.to_string(), value)
     };
-    Group::ALL
-        .iter()
-        .map(group)
+    std::iter::once(many("all", "All rules".to_string()))
+        .chain(Group::ALL.iter().map(group))
         .chain(rules.iter().map(rule))
         .collect()
 }

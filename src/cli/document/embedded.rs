@@ -1,7 +1,7 @@
 //! Shaders inside pages, scripts and texts.
 
 use super::part::{Extent, Part, with_host};
-use super::{DialectChoice, Options, Read};
+use super::{DialectChoice, Options, Read, foreign};
 use crate::diagnostic::{Applicability, Diagnostic, error};
 use crate::semantic::snippet::{Item, items};
 use crate::semantic::{Dialect, Kind, Pass, Stage, guess, shadertoy_header, three_header};
@@ -27,13 +27,16 @@ pub(super) fn parts(
     // A text speaks of many programs.
     let host = match language {
         Language::Markdown => Host::default(),
-        Language::Html | Language::Script => Host::of(text),
+        Language::Html | Language::Script | Language::Component => Host::of(text),
     };
     let is_raw = text.contains("RawShaderMaterial");
     let all = std::mem::take(&mut read.embedded);
     let mut known = Known::default();
     for embedded in &all {
         known.enter(embedded.chapter);
+        if foreign::inside(read, file, embedded, options)? {
+            continue;
+        }
         let part = part(read, file, embedded, host, !is_raw, &mut known, options)?;
         read.parts.push(part);
     }

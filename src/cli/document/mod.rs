@@ -1,18 +1,26 @@
 //! From the text of one input to its findings. Nothing here touches the outside.
 
 mod embedded;
+mod export;
+mod foreign;
 pub mod include;
 mod part;
+pub mod partner;
 
 use super::input::{Content, Encoding};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::lint::{Allow, Allows, Fixed, Look, Settings, fix};
+use crate::lint::{Allow, Allows, Fixed, Judged, Look, Settings, count_fixes, fix};
 use crate::port::{Project, ProjectError, compose};
 use crate::rules::RULES;
-use crate::text::embed::{Embedded, Language, extract};
+use crate::text::embed::{Embedded, extract};
+use crate::text::kind::{Claim, Decision, FileKind, Tongue, decide};
 use crate::text::{FileId, Role, Sources, Span};
+use export::Written;
+pub use foreign::Desktop;
 use include::Includes;
+pub use part::{Extent, Shader};
 use part::{Part, check_part, shader_part};
+use partner::{NOBODY, Partners};
 use std::sync::Arc;
 
 /// What the user says a shader is written for.
@@ -60,6 +68,12 @@ pub struct Options<'a> {
     pub host: &'a HostNames,
     /// Where `#include` finds its files.
     pub includes: &'a Includes,
+    /// Where the other stage is found.
+    pub partners: &'a Partners,
+    /// What is said of shaders for OpenGL, Vulkan and others.
+    pub desktop: Desktop,
+    /// What the user says of the file.
+    pub claim: Claim,
 }
 
 /// The findings in one input.
@@ -70,46 +84,56 @@ pub struct Findings {
     pub diagnostics: Vec<Diagnostic>,
     /// The file of the input itself; `None` for an export, whose passes are files of their own.
     pub file: Option<FileId>,
+    /// What was read as shaders.
+    pub shaders: Vec<Shader>,
+    /// Findings of the rules that are not kept, since there are too many.
+    pub left_out: usize,
     /// The shaders inside the file, where it is a page, a script or a text.
     embedded: Vec<Embedded>,
+    /// Whether the file holds shaders and is none itself.
+    holds_others: bool,
+    /// Where the code of the passes is written, where it is an export.
+    export: Option<Written>,
+    /// What was judged, where there are errors.
+    judged: Option<Judged>,
 }
 
 impl Findings {
+    /// Whether other files are read with this one.
+    pub fn includes(&self) -> bool {
+        let users = self.sources.files().iter().filter(|f| f.role == Role::User);
+        self.file.is_some() && users.count() > 1
+    }
+
     /// Whether a finding's fix can be written into the file.
     pub fn can_apply(&self, diagnostic: &Diagnostic) -> bool {
+        if let (Some(export), Some(fix)) = (&self.export, &diagnostic.fix) {
+            return export.holds(&self.sources, fix);
+        }
         let file = self.file.and_then(|id| self.sources.file(id));
         let (Some(file), Some(fix)) = (file, &diagnostic.fix) else {
             return false;
         };
-        let is_page = Language::of_extension(extension(&file.path)).is_some();
         fix.edits.iter().all(|edit| {
             let mut inner = edit.clone();
             inner.span.start = edit.span.start.wrapping_sub(file.base);
             inner.span.end = edit.span.end.wrapping_sub(file.base);
             let is_inside = file.span().contains(edit.span);
-            is_inside && (!is_page || self.embedded.iter().any(|e| e.admits(&file.text, &inner)))
+            is_inside
+                && (!self.holds_others
+                    || self.embedded.iter().any(|e| e.admits(&file.text, &inner)))
         })
     }
 }
 
 /// Why an input cannot be judged.
 pub enum DocumentError {
-    /// It is JSON, but no ShaderToy export.
-    NotAnExport,
+    /// It is nothing that is read.
+    Skipped(Decision),
     /// It should be a ShaderToy export, but something is wrong with it.
     Export(ProjectError),
     /// It is too large to be addressed.
     TooLarge,
-}
-
-/// The ending of a file's name.
-fn extension(name: &str) -> &str {
-    name.rsplit('.').next().unwrap_or("")
-}
-
-/// Whether a file of this name is a ShaderToy export, by its ending.
-pub fn is_export(name: &str) -> bool {
-    matches!(extension(name), "json" | "shadertoy")
 }
 
 /// Finds what is to be said of the text of one input that stands alone.
@@ -124,6 +148,9 @@ pub fn check(
         settings,
         host: &HostNames::default(),
         includes: &Includes::none(),
+        partners: &NOBODY,
+        desktop: Desktop::default(),
+        claim: Claim::None,
     };
     check_with(name, content, &options)
 }
@@ -134,32 +161,44 @@ pub fn check_with(
     content: Content,
     options: &Options,
 ) -> Result<Findings, DocumentError> {
-    if let Some(diagnostic) = unreadable(&content, name) {
+    let decision = decide(name, &content.text, options.claim);
+    let is_shader = matches!(decision.kind, FileKind::Shader | FileKind::Foreign(_));
+    if let Some(diagnostic) = unreadable(&content).filter(|_| is_shader) {
         let mut sources = Sources::new();
         let file = sources.add(name, None, Role::User, content.text);
         return Ok(Findings {
             sources,
             diagnostics: vec![diagnostic],
             file: Some(file.ok_or(DocumentError::TooLarge)?),
+            shaders: Vec::new(),
+            left_out: 0,
             embedded: Vec::new(),
+            holds_others: false,
+            export: None,
+            judged: None,
         });
     }
     let Content { text, encoding } = content;
-    let mut read = read(name, text, options)?;
+    let kind = decision.kind;
+    let mut read = read(name, text, options, decision)?;
+    let partner = partner::load(&mut read, name, options);
     let mut diagnostics = Vec::new();
     let mut allows = Allows::default();
+    let mut judged: Option<Judged> = None;
+    let mut shaders: Vec<Shader> = Vec::new();
     for part in &read.parts {
-        check_part(
-            &read.sources,
-            part,
-            options.settings,
-            &mut allows,
-            &mut diagnostics,
-        );
+        let settings = options.settings;
+        let (shader, seen) =
+            check_part(&read.sources, part, settings, &mut allows, &mut diagnostics);
+        shaders.push(shader);
+        if let Some(seen) = seen {
+            judged.get_or_insert_default().join(seen);
+        }
     }
+    partner::check(&read, partner.as_ref(), options.settings, &mut diagnostics);
     allows.report(RULES, options.settings, &mut diagnostics);
     diagnostics.append(&mut read.problems);
-    if let (Encoding::Damaged(at), false) = (encoding, is_export(name)) {
+    if let (Encoding::Damaged(at), true) = (encoding, kind != FileKind::Export) {
         report_damage(&read, at, &mut diagnostics);
     }
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
@@ -168,8 +207,16 @@ pub fn check_with(
         sources: read.sources,
         diagnostics: Vec::new(),
         file: read.file,
+        left_out: shaders.iter().map(|s| s.left_out).sum(),
+        shaders,
         embedded: read.embedded,
+        holds_others: matches!(kind, FileKind::Holds(_)),
+        export: read.export,
+        judged,
     };
+    if options.desktop == Desktop::Port && kind == FileKind::Foreign(Tongue::Desktop) {
+        foreign::ask_first(&mut diagnostics);
+    }
     if !findings.embedded.is_empty() {
         for diagnostic in &mut diagnostics {
             if diagnostic.fix.is_some() && !findings.can_apply(diagnostic) {
@@ -189,43 +236,68 @@ struct Read {
     embedded: Vec<Embedded>,
     /// What is wrong before any shader is read.
     problems: Vec<Diagnostic>,
+    export: Option<Written>,
 }
 
-fn read(name: &str, text: String, options: &Options) -> Result<Read, DocumentError> {
+fn read(
+    name: &str,
+    text: String,
+    options: &Options,
+    decision: Decision,
+) -> Result<Read, DocumentError> {
     let mut read = Read {
         sources: Sources::new(),
         parts: Vec::new(),
         file: None,
         embedded: Vec::new(),
         problems: Vec::new(),
+        export: None,
     };
-    if is_export(name) {
-        let project = Project::from_json(&text).map_err(|e| match e {
-            ProjectError::NotAnExport => DocumentError::NotAnExport,
-            e => DocumentError::Export(e),
-        })?;
-        let composed = compose(&project, name).ok_or(DocumentError::TooLarge)?;
-        read.sources = composed.sources;
-        read.parts = composed.units.into_iter().map(Part::of_pass).collect();
-        return Ok(read);
+    match decision.kind {
+        FileKind::Other => return Err(DocumentError::Skipped(decision)),
+        FileKind::Foreign(_) if options.desktop == Desktop::Skip => {
+            return Err(DocumentError::Skipped(decision));
+        }
+        FileKind::Export => {
+            let project = Project::from_json(&text).map_err(|e| no_project(e, &text))?;
+            let composed = compose(&project, name).ok_or(DocumentError::TooLarge)?;
+            read.export = Some(Written::of(&text, &project, &composed));
+            read.sources = composed.sources;
+            read.parts = composed.units.into_iter().map(Part::of_pass).collect();
+            return Ok(read);
+        }
+        FileKind::Shader | FileKind::Foreign(_) | FileKind::Holds(_) => {}
     }
     let text: Arc<str> = text.into();
     let file = read.sources.add(name, None, Role::User, text.clone());
     let file = file.ok_or(DocumentError::TooLarge)?;
     read.file = Some(file);
-    match Language::of_extension(extension(name)) {
-        Some(language) => {
+    match decision.kind {
+        FileKind::Holds(language) => {
             read.embedded = extract(language, &text);
             embedded::parts(&mut read, language, file, &text, options)
         }
-        None => shader_part(&mut read, name, file, &text, options),
+        FileKind::Foreign(tongue) if !foreign::is_ported(tongue, options) => {
+            foreign::whole(&mut read, file, &text, tongue, &decision)
+        }
+        _ => shader_part(&mut read, name, file, &text, options),
     }
     .ok_or(DocumentError::TooLarge)?;
     Ok(read)
 }
 
-/// What is wrong with a file that holds no text to be judged.
-fn unreadable(content: &Content, name: &str) -> Option<Diagnostic> {
+/// What becomes of JSON that is no project: any that does not speak of passes is passed over.
+fn no_project(error: ProjectError, text: &str) -> DocumentError {
+    let is_meant = text.contains("\"renderpass\"");
+    match error {
+        ProjectError::NotAnExport => DocumentError::Skipped(Decision::no_export()),
+        ProjectError::Json { .. } if !is_meant => DocumentError::Skipped(Decision::no_export()),
+        error => DocumentError::Export(error),
+    }
+}
+
+/// What is wrong with a shader file that holds no text to be judged.
+fn unreadable(content: &Content) -> Option<Diagnostic> {
     let error = |rule, message| Some(Diagnostic::error(rule, Span::at(0), message));
     match content.encoding {
         Encoding::Utf16 => error(
@@ -233,14 +305,9 @@ fn unreadable(content: &Content, name: &str) -> Option<Diagnostic> {
             "the file is UTF-16; save it as UTF-8",
         ),
         Encoding::Binary => error(error::INVALID_ENCODING, "the file is no text"),
-        _ if holds_others(name) || !content.text.trim().is_empty() => None,
+        _ if !content.text.trim().is_empty() => None,
         _ => error(error::MISSING_MAIN, "the file is empty"),
     }
-}
-
-/// Whether files of this name are no shaders themselves, but may hold some.
-fn holds_others(name: &str) -> bool {
-    is_export(name) || Language::of_extension(extension(name)).is_some()
 }
 
 /// Reports bytes that are no UTF-8, at this offset of the file, where nothing else is said of
@@ -275,16 +342,85 @@ pub fn fix_text(
         settings,
         host: &HostNames::default(),
         includes: &Includes::none(),
+        partners: &NOBODY,
+        desktop: Desktop::default(),
+        claim: Claim::None,
     };
     fix_with(name, text, &options, allow)
 }
 
 /// Mends what can be mended in the text of one input, judging it anew after each round.
 pub fn fix_with(name: &str, text: &str, options: &Options, allow: Allow) -> Fixed {
-    fix(text, allow, |text| {
-        let findings = check_with(name, Content::utf8(text), options).ok()?;
-        let span = findings.sources.file(findings.file?)?.span();
-        let diagnostics = findings.diagnostics;
-        Some(Look { span, diagnostics })
-    })
+    fix(text, allow, |text| look(name, text, options))
+}
+
+fn look(name: &str, text: &str, options: &Options) -> Option<Look> {
+    let mut findings = check_with(name, Content::utf8(text), options).ok()?;
+    // What was not asked for is seen, and not mended.
+    let others = findings.diagnostics.iter_mut();
+    others
+        .filter(|d| !options.settings.reports(d.rule))
+        .for_each(|d| d.fix = None);
+    findings.look(text)
+}
+
+impl Findings {
+    /// The findings as those of the text of the input, for the fix engine.
+    fn look(&self, text: &str) -> Option<Look> {
+        if let Some(export) = &self.export {
+            let place = |d: &Diagnostic| export.finding(&self.sources, d.clone());
+            return Some(Look {
+                span: Span::new(0, text.len() as u32),
+                diagnostics: self.diagnostics.iter().map(place).collect(),
+                judged: self.judged.as_ref().map(|j| Judged {
+                    done: export.spans(&self.sources, &j.done),
+                    left: export.spans(&self.sources, &j.left),
+                }),
+            });
+        }
+        Some(Look {
+            span: self.sources.file(self.file?)?.span(),
+            diagnostics: self.diagnostics.clone(),
+            judged: self.judged.clone(),
+        })
+    }
+}
+
+/// How many findings can be fixed.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Offer {
+    /// By the fixes that keep the picture.
+    pub safe: usize,
+    /// By all fixes.
+    pub all: usize,
+}
+
+impl Offer {
+    /// Those that findings hold as they stand.
+    pub fn of(findings: &Findings) -> Offer {
+        let of = |allow: Allow| {
+            let mendable = findings.diagnostics.iter().filter(|d| {
+                let fix = d.fix.as_ref();
+                fix.is_some_and(|f| allow.permits(f)) && findings.can_apply(d)
+            });
+            mendable.count()
+        };
+        Offer {
+            safe: of(Allow::Safe),
+            all: of(Allow::Unsafe),
+        }
+    }
+}
+
+/// Counts the findings in the text of an input that `--fix` and `--unsafe-fixes` mend, those
+/// included that come to light on the way: by mending it.
+pub fn offer(name: &str, text: &str, options: &Options, findings: &Findings) -> Offer {
+    let apparent = Offer::of(findings);
+    match findings.look(text).filter(|_| apparent.all > 0) {
+        Some(seen) => {
+            let (safe, all) = count_fixes(text, seen, |text| look(name, text, options));
+            Offer { safe, all }
+        }
+        None => Offer::default(),
+    }
 }

@@ -3,15 +3,16 @@
 use super::include::spread;
 use super::{DialectChoice, HostUniform, Options, Read};
 use crate::diagnostic::{Diagnostic, Severity, error};
-use crate::lint::{Allows, Settings, lint_within};
+use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
 use crate::semantic::snippet::is_certain;
 use crate::semantic::{
     Analysis, Dialect, Kind, Pass, Stage, Unit, analyze, guess, shadertoy_header, three_header,
 };
-use crate::syntax::{Lexer, RawKind};
+use crate::syntax::{Lexer, RawKind, Version};
 use crate::text::embed::Host;
+use crate::text::kind::ending;
 use crate::text::{FileId, Role, Sources, Span};
 
 /// How much of a shader is at hand.
@@ -55,14 +56,16 @@ impl Part {
     }
 }
 
-/// Finds what is to be said of a shader.
+/// Finds what is to be said of a shader, and says what was looked at; of one with errors also what
+/// was judged at all.
 pub fn check_part(
     sources: &Sources,
     part: &Part,
     settings: &Settings,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
-) {
+) -> (Shader, Option<Judged>) {
+    let known = diagnostics.len();
     let mut analysis = analyze(&Unit {
         sources,
         files: &part.files,
@@ -70,20 +73,75 @@ pub fn check_part(
         dialect: part.dialect,
         infer_channels: part.infer_channels,
     });
-    let is_error = |d: &Diagnostic| d.severity == Severity::Error;
-    let has_errors = analysis.diagnostics.iter().any(is_error);
+    let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
+    let count = |found: &[Diagnostic]| found.iter().filter(is_error).count();
+    let errors = count(&analysis.diagnostics);
     if part.extent != Extent::Whole {
         keep_certain(sources, part.extent, &mut analysis);
     }
-    if !has_errors && part.extent != Extent::Excerpt {
+    // What is uncertain shows that the shader is not all here.
+    let is_known = errors == count(&analysis.diagnostics);
+    let mut left_out = 0;
+    let unrun = if is_known && part.extent != Extent::Excerpt {
         let mut found = Vec::new();
-        lint_within(&analysis.program, part.host, RULES, settings, &mut found);
-        allows.apply(&analysis.program, RULES, &mut found);
+        let (program, errors) = (&analysis.program, &analysis.diagnostics);
+        let unrun = lint_within(program, part.host, errors, RULES, settings, &mut found);
+        if unrun != Unrun::Everywhere {
+            allows.apply(&analysis.program, RULES, &mut found);
+        }
+        if let Unrun::Functions { broken, .. } = &unrun {
+            allows.excuse(broken);
+        }
         found.sort_by_key(|d| (d.span.start, d.span.end));
+        left_out = found.len().saturating_sub(MAX_FINDINGS);
         found.truncate(MAX_FINDINGS);
         diagnostics.append(&mut found);
-    }
+        unrun
+    } else {
+        Unrun::Everywhere
+    };
     diagnostics.extend(analysis.diagnostics);
+    let own = diagnostics.get_mut(known..).unwrap_or(&mut []);
+    if own.iter().any(|d| d.fix.is_some()) {
+        let mut comments = analysis.program.tokens.comments.clone();
+        comments.sort();
+        for diagnostic in own {
+            keep_comments(sources, &comments, diagnostic);
+        }
+    }
+    let judged = (errors > 0).then(|| Judged::of(&analysis.program));
+    let shader = Shader {
+        file: part.files.last().copied(),
+        stage: part.stage,
+        dialect: part.dialect,
+        version: analysis.program.version,
+        extent: part.extent,
+        unrun,
+        has_errors: errors > 0,
+        left_out,
+    };
+    (shader, judged)
+}
+
+/// What was read as one shader, and how far rules looked at it.
+#[derive(Clone, Debug)]
+pub struct Shader {
+    /// Its last file.
+    pub file: Option<FileId>,
+    /// The stage.
+    pub stage: Stage,
+    /// Who runs it.
+    pub dialect: Dialect,
+    /// The version of the language.
+    pub version: Version,
+    /// How much of it is at hand.
+    pub extent: Extent,
+    /// Where no rule looked.
+    pub unrun: Unrun,
+    /// Whether the browser would refuse it as it stands.
+    pub has_errors: bool,
+    /// Findings of the rules that are not kept, since there are too many.
+    pub left_out: usize,
 }
 
 /// Most findings of the rules in one shader; whoever mends these sees the next.
@@ -121,7 +179,8 @@ pub(super) fn shader_part(
     options: &Options,
 ) -> Option<()> {
     let told = guess(text);
-    let extension = super::extension(name);
+    let extension = ending(name);
+    let extension = extension.as_str();
     let is_stage_file = matches!(extension, "frag" | "vert" | "fs" | "vs" | "fsh" | "vsh");
     let kind = match options.dialect {
         DialectChoice::Shadertoy => match told.kind {

@@ -3,7 +3,7 @@
 use super::super::config::{Exclusion, Given, Source};
 use super::super::document::DialectChoice;
 use crate::report::Format;
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{ArgAction, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
@@ -12,96 +12,140 @@ use std::path::PathBuf;
 /// shader; everything else is a warning or an info.
 #[derive(Parser, Debug)]
 #[command(name = "shaderlint", version, about, max_term_width = 100)]
-#[command(subcommand_negates_reqs = true, args_conflicts_with_subcommands = true)]
-#[command(
-    disable_help_subcommand = true,
-    subcommand_help_heading = "Instead of PATH"
-)]
-#[command(override_usage = "shaderlint [OPTIONS] <PATH>...\n       shaderlint <COMMAND>")]
+#[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
+#[command(subcommand_help_heading = "Instead of PATH")]
+#[command(override_usage = "shaderlint [OPTIONS] [PATH]...\n       shaderlint <COMMAND>")]
+#[command(after_help = EXIT_CODES)]
 pub struct Args {
     /// Something else than checking
     #[command(subcommand)]
     pub command: Option<Command>,
-    /// Files and folders to check; `-` is standard input
-    #[arg(value_name = "PATH", required_unless_present = "explain")]
+    /// Files and folders to check; `-` is standard input, no path the current folder
+    #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// How to print the findings
+
+    /// Run these rules or groups too; `all` is every rule
     #[arg(
         long,
-        value_enum,
-        default_value_t,
-        value_name = "FORMAT",
-        hide_possible_values = true
+        value_name = "RULE",
+        value_delimiter = ',',
+        help_heading = "Rules"
     )]
+    pub select: Vec<String>,
+    /// Do not run these; of --select and --ignore the more specific holds
     #[arg(
-        help = "How to print the findings: human, short, json, jsonl, sarif, github, gitlab, junit, checkstyle"
+        long,
+        value_name = "RULE",
+        value_delimiter = ',',
+        help_heading = "Rules"
     )]
-    pub format: FormatChoice,
-    /// What the shaders are written for
+    pub ignore: Vec<String>,
+    /// Report nothing but these rules, groups or compile errors
+    #[arg(
+        long,
+        value_name = "RULE",
+        value_delimiter = ',',
+        help_heading = "Rules"
+    )]
+    #[arg(conflicts_with_all = ["select", "ignore"])]
+    pub only: Vec<String>,
+    /// What the shaders are written for: auto, shadertoy, webgl2, webgl1
     #[arg(
         long,
         value_enum,
         default_value_t,
         value_name = "DIALECT",
-        hide_possible_values = true
+        help_heading = "Rules"
     )]
-    #[arg(help = "What the shaders are written for: auto, shadertoy, webgl2, webgl1")]
+    #[arg(hide_possible_values = true)]
     pub dialect: DialectChoice,
-    /// Name that stands for standard input in messages, and tells by its ending what it is
-    #[arg(long, value_name = "NAME")]
-    pub stdin_filename: Option<String>,
-    /// Run these rules or groups too; `all` is every rule
-    #[arg(long, value_name = "RULE", value_delimiter = ',')]
-    pub select: Vec<String>,
-    /// Do not run these rules or groups
-    #[arg(long, value_name = "RULE", value_delimiter = ',')]
-    pub ignore: Vec<String>,
-    /// Write the fixes that keep the picture into the files
-    #[arg(long)]
-    pub fix: bool,
-    /// Write the other fixes too
-    #[arg(long)]
-    pub unsafe_fixes: bool,
-    /// Print what the fixes would change, and write nothing
-    #[arg(long)]
-    pub diff: bool,
-    /// Exit with 1 on warnings too
-    #[arg(long)]
-    pub deny_warnings: bool,
-    /// Leave out the findings that this file names
-    #[arg(long, value_name = "FILE")]
-    pub baseline: Option<PathBuf>,
-    /// Write the findings into this file, for --baseline
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["baseline", "fix", "unsafe_fixes", "diff", "watch"])]
-    pub write_baseline: Option<PathBuf>,
-    /// Print how often each rule finds something, not the findings
-    #[arg(long, conflicts_with = "diff")]
-    pub statistics: bool,
-    /// Check again whenever a file changes
-    #[arg(long)]
-    pub watch: bool,
     /// The configuration, in place of the nearest shaderlint.toml above each file
-    #[arg(long, value_name = "PATH", conflicts_with = "no_config")]
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with = "no_config",
+        help_heading = "Rules"
+    )]
     pub config: Option<PathBuf>,
     /// Take no configuration
-    #[arg(long)]
+    #[arg(long, help_heading = "Rules")]
     pub no_config: bool,
     /// Leave out what the configuration excludes even where it is named, as hooks name files
-    #[arg(long)]
+    #[arg(long, help_heading = "Rules")]
     pub force_exclude: bool,
-    /// Print the page of a rule or a compile error
-    #[arg(long, value_name = "NAME", conflicts_with = "paths")]
-    pub explain: Option<String>,
+    /// Name of standard input in messages; its ending tells what it is
+    #[arg(long, value_name = "NAME", help_heading = "Rules")]
+    pub stdin_filename: Option<String>,
+
+    /// Write the fixes that keep the picture into the files
+    #[arg(long, help_heading = "Fixes")]
+    pub fix: bool,
+    /// Write the other fixes too
+    #[arg(long, help_heading = "Fixes")]
+    pub unsafe_fixes: bool,
+    /// Print what the fixes would change, and write nothing
+    #[arg(long, help_heading = "Fixes")]
+    pub diff: bool,
+
+    /// human, short, agent, json, jsonl, sarif, github, gitlab, junit, checkstyle
+    #[arg(
+        long,
+        value_enum,
+        default_value_t,
+        value_name = "FORMAT",
+        help_heading = "Output"
+    )]
+    #[arg(hide_possible_values = true)]
+    pub format: FormatChoice,
+    /// Say of each file what it was read as, and what was skipped
+    #[arg(short, long, conflicts_with = "quiet", help_heading = "Output")]
+    pub verbose: bool,
+    /// Print findings only, no summary; twice: print nothing
+    #[arg(short, long, action = ArgAction::Count, help_heading = "Output")]
+    pub quiet: u8,
+    /// Print how often each rule finds something, not the findings
+    #[arg(long, conflicts_with = "diff", help_heading = "Output")]
+    pub statistics: bool,
+    /// Check again whenever a file changes
+    #[arg(long, help_heading = "Output")]
+    pub watch: bool,
     /// When to print in colour: auto, always, never
     #[arg(
         long,
         value_enum,
         default_value_t,
         value_name = "WHEN",
-        hide_possible_values = true
+        help_heading = "Output"
     )]
+    #[arg(hide_possible_values = true)]
     pub color: ColorChoice,
+
+    /// Exit with 1 on warnings too
+    #[arg(long, conflicts_with = "max_warnings", help_heading = "Exit code")]
+    pub deny_warnings: bool,
+    /// Exit with 1 on more than N warnings
+    #[arg(long, value_name = "N", help_heading = "Exit code")]
+    pub max_warnings: Option<usize>,
+    /// Exit with 0 whatever is found
+    #[arg(long, help_heading = "Exit code")]
+    pub exit_zero: bool,
+    /// Leave out the findings that this file names, and say which of them are gone
+    #[arg(long, value_name = "FILE", help_heading = "Exit code")]
+    pub baseline: Option<PathBuf>,
+    /// Write the findings into this file, for --baseline
+    #[arg(long, value_name = "FILE", help_heading = "Exit code")]
+    #[arg(conflicts_with_all = ["baseline", "fix", "unsafe_fixes", "diff", "watch"])]
+    pub write_baseline: Option<PathBuf>,
+
+    /// Print the page of a rule or a compile error
+    #[arg(long, value_name = "NAME", conflicts_with = "paths", hide = true)]
+    pub explain: Option<String>,
 }
+
+/// What the help ends with.
+const EXIT_CODES: &str = "\
+Exit codes: 0 nothing at or above the threshold (errors, and rules with `fail = true`), 1 findings,
+2 wrong use or unreadable input";
 
 /// What can be done besides checking.
 #[derive(Subcommand, Debug)]
@@ -111,8 +155,15 @@ pub enum Command {
         /// Its name
         name: String,
     },
-    /// List all rules
-    Rules,
+    /// List all rules; as JSON with compile errors and all that is known of each
+    Rules {
+        /// How to print them: human, json
+        #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+        #[arg(hide_possible_values = true)]
+        format: ListFormat,
+    },
+    /// Make a shader small while what is reported of it stays
+    Reduce(super::reduce::Args),
     /// Print the completions for a shell
     Completions {
         /// The shell
@@ -124,6 +175,16 @@ pub enum Command {
     Schema,
 }
 
+/// The values of `--format` for lists.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
+pub enum ListFormat {
+    /// A table
+    #[default]
+    Human,
+    /// One JSON object
+    Json,
+}
+
 /// The values of `--format`.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
 pub enum FormatChoice {
@@ -132,6 +193,8 @@ pub enum FormatChoice {
     Human,
     /// One line a finding
     Short,
+    /// One line a finding, with all that belongs to it
+    Agent,
     /// One JSON object
     Json,
     /// One JSON object a line
@@ -146,6 +209,19 @@ pub enum FormatChoice {
     Junit,
     /// Checkstyle XML
     Checkstyle,
+}
+
+/// How much is said.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Talk {
+    /// `-qq`: only the exit code.
+    Nothing,
+    /// `-q`: findings.
+    Findings,
+    /// Findings and a summary.
+    Normal,
+    /// `-v`: what was read, too.
+    Verbose,
 }
 
 /// The values of `--color`.
@@ -184,6 +260,7 @@ impl Args {
             _ if self.statistics => Format::Statistics,
             FormatChoice::Human => Format::Human,
             FormatChoice::Short => Format::Short,
+            FormatChoice::Agent => Format::Agent,
             FormatChoice::Json => Format::Json,
             FormatChoice::Jsonl => Format::Jsonl,
             FormatChoice::Sarif => Format::Sarif,
@@ -194,12 +271,31 @@ impl Args {
         }
     }
 
+    /// How much is said.
+    pub fn talk(&self) -> Talk {
+        match (self.verbose, self.quiet) {
+            (true, _) => Talk::Verbose,
+            (false, 0) => Talk::Normal,
+            (false, 1) => Talk::Findings,
+            (false, _) => Talk::Nothing,
+        }
+    }
+
+    /// The paths to check.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        match self.paths.as_slice() {
+            [] => vec![PathBuf::from(".")],
+            paths => paths.to_vec(),
+        }
+    }
+
     /// What goes before every configuration.
     pub fn given(&self) -> Given {
         Given {
             dialect: self.dialect,
             select: self.select.clone(),
             ignore: self.ignore.clone(),
+            only: self.only.clone(),
             source: match &self.config {
                 Some(file) => Source::File(file.clone()),
                 None if self.no_config => Source::Nowhere,

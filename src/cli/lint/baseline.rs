@@ -6,14 +6,14 @@ use super::super::config::{Configs, absolute};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::super::{CLEAN, FAILED};
-use super::args::Args;
+use super::args::{Args, Talk};
 use super::complain;
-use super::examine::{Outcome, examine_all};
+use super::examine::{Outcome, Work, examine_all};
 use crate::diagnostic::Diagnostic;
 use crate::report::fingerprints;
 use crate::text::Sources;
 use serde_json::{Value, json};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashSet};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -22,7 +22,15 @@ use std::path::{Path, PathBuf};
 pub struct Baseline {
     folder: PathBuf,
     /// By file.
-    known: HashMap<String, HashSet<String>>,
+    known: BTreeMap<String, Vec<Known>>,
+    /// What was there before and is no more, by file and rule: how often.
+    stale: BTreeMap<(String, String), usize>,
+}
+
+/// One finding that was there before.
+struct Known {
+    rule: String,
+    fingerprint: String,
 }
 
 impl Baseline {
@@ -34,25 +42,78 @@ impl Baseline {
         let files = value.get("files").and_then(Value::as_object);
         let files =
             files.ok_or_else(|| wrong("this is no baseline; --write-baseline writes one"))?;
-        let prints = |entries: &Value| -> HashSet<String> {
-            let entries = entries.as_array().into_iter().flatten();
-            let prints = entries.filter_map(|e| e.get("fingerprint")?.as_str());
-            prints.map(str::to_string).collect()
+        let known = |entry: &Value| {
+            let text = |key: &str| Some(entry.get(key)?.as_str()?.to_string());
+            Some(Known {
+                rule: text("rule").unwrap_or_default(),
+                fingerprint: text("fingerprint")?,
+            })
         };
-        let known = files.iter().map(|(file, e)| (file.clone(), prints(e)));
-        Ok(Baseline {
+        let all = |entries: &Value| -> Vec<Known> {
+            let entries = entries.as_array().into_iter().flatten();
+            entries.filter_map(known).collect()
+        };
+        let files = files.iter().map(|(file, e)| (file.clone(), all(e)));
+        let mut baseline = Baseline {
             folder: folder_of(path),
-            known: known.collect(),
-        })
+            known: files.collect(),
+            stale: BTreeMap::new(),
+        };
+        baseline.forget_files();
+        Ok(baseline)
+    }
+
+    /// Forgets the files that are gone.
+    fn forget_files(&mut self) {
+        let folder = self.folder.clone();
+        let known = std::mem::take(&mut self.known);
+        let (here, gone) = known
+            .into_iter()
+            .partition(|(f, _)| folder.join(f).is_file());
+        self.known = here;
+        let gone: BTreeMap<String, Vec<Known>> = gone;
+        for (file, all) in gone {
+            all.into_iter().for_each(|k| self.note_stale(&file, k.rule));
+        }
+    }
+
+    fn note_stale(&mut self, file: &str, rule: String) {
+        *self.stale.entry((file.to_string(), rule)).or_default() += 1;
     }
 
     /// Takes away the findings of one file that it knows.
-    pub fn filter(&self, file: &str, sources: &Sources, found: &mut Vec<Diagnostic>) {
-        let Some(known) = self.known.get(&named(&self.folder, file)) else {
+    pub fn filter(&mut self, file: &str, sources: &Sources, found: &mut Vec<Diagnostic>) {
+        let name = named(&self.folder, file);
+        let Some(known) = self.known.remove(&name) else {
             return;
         };
-        let mut prints = fingerprints(sources, found).into_iter();
-        found.retain(|_| prints.next().is_none_or(|p| !known.contains(&p)));
+        let prints = fingerprints(sources, found);
+        let old: HashSet<&str> = known.iter().map(|k| k.fingerprint.as_str()).collect();
+        let mut of_found = prints.iter();
+        found.retain(|_| of_found.next().is_none_or(|p| !old.contains(p.as_str())));
+        let now: HashSet<&str> = prints.iter().map(String::as_str).collect();
+        for gone in known
+            .iter()
+            .filter(|k| !now.contains(k.fingerprint.as_str()))
+        {
+            self.note_stale(&name, gone.rule.clone());
+        }
+    }
+
+    /// Lines that say which of its findings are gone.
+    pub fn stale(&self) -> Vec<String> {
+        let line = |((file, rule), count): (&(String, String), &usize)| {
+            let times = match count {
+                1 => String::new(),
+                n => format!(" ({n} times)"),
+            };
+            format!("{file}: `{rule}` of the baseline is gone{times}")
+        };
+        let mut lines: Vec<String> = self.stale.iter().map(line).collect();
+        if !lines.is_empty() {
+            lines.push("--write-baseline takes out of the baseline what is gone".to_string());
+        }
+        lines
     }
 }
 
@@ -70,43 +131,75 @@ fn named(folder: &Path, file: &str) -> String {
     path.to_string_lossy().replace('\\', "/")
 }
 
-/// Writes the findings of all inputs into the file that the arguments name.
+/// Writes the findings of all inputs into the file that the arguments name. Of a baseline that is
+/// there already, what is known of other files stays, as long as those exist.
 pub fn write(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<u8> {
     let Some(path) = &args.write_baseline else {
         return Ok(FAILED);
+    };
+    let tell = |message: &str| {
+        if args.talk() > Talk::Nothing {
+            complain(message);
+        }
+    };
+    let mut old = match path.exists() {
+        true => Some(Baseline::load(path)?),
+        false => None,
     };
     let mut files: BTreeMap<String, Vec<Value>> = BTreeMap::new();
     let folder = folder_of(path);
     let mut all_well = true;
     let mut count = 0;
-    examine_all(inputs, configs, None, &mut |input, outcome| {
+    examine_all(inputs, configs, Work::default(), &mut |input, outcome| {
         match outcome {
-            Outcome::Checked(findings, _) => {
-                let prints = fingerprints(&findings.sources, &findings.diagnostics);
-                let entries = findings.diagnostics.iter().zip(prints);
-                let entries = entries.map(|(d, p)| json!({"rule": d.rule, "fingerprint": p}));
+            Outcome::Checked(mut findings, ..) => {
+                let found = &mut findings.diagnostics;
+                if let Ok(judge) = configs.judge(Path::new(&input.name)) {
+                    found.retain(|d| judge.settings.reports(d.rule));
+                }
+                let prints = fingerprints(&findings.sources, found);
+                let entries = found.iter().zip(prints);
+                let entries = entries.map(|(d, p)| entry(d.rule, &p));
                 let entries: Vec<Value> = entries.collect();
                 count += entries.len();
                 if !entries.is_empty() {
                     files.insert(named(&folder, &input.name), entries);
                 }
+                if let Some(old) = &mut old {
+                    old.filter(&input.name, &findings.sources, found);
+                }
             }
-            Outcome::Skipped => {}
+            Outcome::Skipped(..) => {}
             Outcome::Failed(message) => {
-                complain(&format!("{}: {message}", input.name));
+                tell(&format!("{}: {message}", input.name));
                 all_well = false;
             }
             Outcome::Misconfigured(message) => {
-                complain(&message);
+                tell(&message);
                 all_well = false;
             }
         }
         Ok(())
     })?;
+    let old = old.as_ref();
+    for (file, known) in old.iter().flat_map(|o| &o.known) {
+        let kept = known.iter().map(|k| entry(&k.rule, &k.fingerprint));
+        files.insert(file.clone(), kept.collect());
+    }
     let mut text = serde_json::to_string_pretty(&json!({"schema": 1, "files": files}))?;
     text.push('\n');
     write_file(path, text.as_bytes(), Overwrite::Allowed)?;
-    let noun = if count == 1 { "finding" } else { "findings" };
-    complain(&format!("{count} {noun} written to {}", path.display()));
+    if args.talk() >= Talk::Normal {
+        for ((file, rule), _) in old.iter().flat_map(|o| &o.stale) {
+            tell(&format!("{file}: `{rule}` is gone"));
+        }
+        let noun = if count == 1 { "finding" } else { "findings" };
+        tell(&format!("{count} {noun} written to {}", path.display()));
+    }
     Ok(if all_well { CLEAN } else { FAILED })
+}
+
+/// A finding as it stands in the file.
+fn entry(rule: &str, fingerprint: &str) -> Value {
+    json!({"rule": rule, "fingerprint": fingerprint})
 }

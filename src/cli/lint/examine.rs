@@ -2,8 +2,9 @@
 
 use super::super::STACK;
 use super::super::config::Configs;
-use super::super::document::{DocumentError, Findings, check_with};
-use super::super::input::{Content, InputFile, read};
+use super::super::document::partner::Partners;
+use super::super::document::{DocumentError, Findings, Offer, Options, check_with, offer};
+use super::super::input::{Content, Encoding, InputFile, read};
 use super::mend::{Mend, Mended};
 use std::collections::BTreeMap;
 use std::io;
@@ -14,23 +15,34 @@ use std::sync::{Arc, mpsc};
 
 /// What became of one input.
 pub enum Outcome {
-    /// What is found, after what was mended.
-    Checked(Findings, Option<Mended>),
-    /// A JSON file in a folder that is no export.
-    Skipped,
+    /// What is found after what was mended, and what can be mended.
+    Checked(Box<Findings>, Option<Mended>, Offer),
+    /// It is nothing that is read, for this reason; standard input is handed on as it is.
+    Skipped(String, Option<Mended>),
     /// It cannot be judged, for this reason.
     Failed(String),
     /// Its configuration is wrong, in this way.
     Misconfigured(Arc<str>),
 }
 
+/// What is done with each input besides checking it.
+#[derive(Clone, Copy, Default)]
+pub struct Work {
+    /// How it is mended.
+    pub mend: Option<Mend>,
+    /// Whether it is found out how many findings can be fixed.
+    pub counts_fixes: bool,
+}
+
 /// Checks all inputs and hands on what became of them, in order.
 pub fn examine_all(
     inputs: &[InputFile],
     configs: &Configs,
-    mend: Option<Mend>,
+    work: Work,
     print: &mut impl FnMut(&InputFile, Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
+    let partners = Partners::beside(inputs.iter().map(|i| i.name.as_str()));
+    let partners = &partners;
     let threads = match inputs.len() {
         0 | 1 => 1,
         count => std::thread::available_parallelism()
@@ -39,7 +51,7 @@ pub fn examine_all(
     };
     if threads <= 1 {
         for input in inputs {
-            print(input, examine(input, configs, mend))?;
+            print(input, examine(input, configs, partners, work))?;
         }
         return Ok(());
     }
@@ -54,7 +66,7 @@ pub fn examine_all(
                     let Some(input) = inputs.get(index) else {
                         return;
                     };
-                    let outcome = examine(input, configs, mend);
+                    let outcome = examine(input, configs, partners, work);
                     if sender.send((index, outcome)).is_err() {
                         return;
                     }
@@ -79,7 +91,7 @@ pub fn examine_all(
     })
 }
 
-fn examine(input: &InputFile, configs: &Configs, mend: Option<Mend>) -> Outcome {
+fn examine(input: &InputFile, configs: &Configs, partners: &Partners, work: Work) -> Outcome {
     let judge = match configs.judge(Path::new(&input.name)) {
         Ok(judge) => judge,
         Err(message) => return Outcome::Misconfigured(message),
@@ -88,31 +100,40 @@ fn examine(input: &InputFile, configs: &Configs, mend: Option<Mend>) -> Outcome 
         Ok(content) => content,
         Err(message) => return Outcome::Failed(message),
     };
+    let options = || Options {
+        partners,
+        claim: input.claim,
+        ..judge.options()
+    };
     // A fault of this program costs one file its answer, never the others theirs.
     let judged = catch_unwind(AssertUnwindSafe(|| {
-        let Some(mend) = mend else {
-            return (check_with(&input.name, content, &judge.options()), None);
+        let (text, mended) = match work.mend {
+            Some(mend) => mend.apply(input, &content, &options()),
+            None => (None, None),
         };
-        let (text, mended) = mend.apply(input, &content, &judge.options());
         let content = match text {
             Some(text) => Content::utf8(&text),
             None => content,
         };
-        (check_with(&input.name, content, &judge.options()), mended)
+        let is_written = content.encoding == Encoding::Utf8;
+        let text = (work.counts_fixes && is_written).then(|| content.text.clone());
+        let findings = check_with(&input.name, content, &options());
+        let offer = match (&findings, text) {
+            (Ok(findings), Some(text)) => offer(&input.name, &text, &options(), findings),
+            _ => Offer::default(),
+        };
+        (findings.map(|f| (f, offer)), mended)
     }));
     let Ok((judged, mended)) = judged else {
         return Outcome::Failed("shaderlint itself failed on this file; please report it".into());
     };
     match judged {
-        Ok(findings) => Outcome::Checked(findings, mended),
-        Err(DocumentError::NotAnExport) if !input.is_explicit => Outcome::Skipped,
-        Err(DocumentError::NotAnExport) => {
-            Outcome::Failed("this is no ShaderToy export: it has no `renderpass`".to_string())
-        }
+        Ok((findings, offer)) => Outcome::Checked(Box::new(findings), mended, offer),
+        Err(DocumentError::Skipped(decision)) => Outcome::Skipped(decision.to_string(), mended),
         Err(DocumentError::Export(error)) if input.is_explicit => {
             Outcome::Failed(error.to_string())
         }
-        Err(DocumentError::Export(_)) => Outcome::Skipped,
+        Err(DocumentError::Export(error)) => Outcome::Skipped(error.to_string(), mended),
         Err(DocumentError::TooLarge) => Outcome::Failed("the file is too large".to_string()),
     }
 }

@@ -1,13 +1,14 @@
-//! `explain`, `rules`, `completions`, `man`, `schema`.
+//! `explain`, `rules`, `completions`, `man`, `schema`; `reduce` has a file of its own.
 
 use super::super::config::schema;
 use super::super::{CLEAN, FAILED};
-use super::args::{Args, Command};
+use super::args::{Args, Command, ListFormat};
 use super::complain;
-use crate::diagnostic::{ERRORS, error_page};
+use crate::diagnostic::{ERRORS, Severity, error_page};
 use crate::lint::Page;
 use crate::rules::RULES;
 use clap::CommandFactory;
+use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Runs a command and gives the exit code.
@@ -16,7 +17,14 @@ pub fn run(command: &Command) -> io::Result<u8> {
     let mut text = Vec::new();
     match command {
         Command::Explain { name } => return explain(name),
-        Command::Rules => text.extend_from_slice(rules().as_bytes()),
+        Command::Reduce(args) => return super::reduce::run(args),
+        Command::Rules { format } => match format {
+            ListFormat::Human => text.extend_from_slice(rules().as_bytes()),
+            ListFormat::Json => {
+                serde_json::to_writer_pretty(&mut text, &list())?;
+                text.push(b'\n');
+            }
+        },
         Command::Completions { shell } => {
             clap_complete::generate(*shell, &mut Args::command(), "shaderlint", &mut text);
         }
@@ -70,4 +78,37 @@ fn rules() -> String {
         ));
     }
     text
+}
+
+/// All rules and compile errors, with all that is known of each.
+fn list() -> Value {
+    let rules = RULES.iter().map(|rule| {
+        let options = rule.options.iter().map(
+            |o| json!({"name": o.name, "about": o.about, "default": o.default, "on_gpu": o.on_gpu}),
+        );
+        json!({
+            "name": rule.name,
+            "kind": "rule",
+            "group": rule.group.name(),
+            "severity": rule.severity.name(),
+            "default": rule.default,
+            "summary": Page::new(rule.page).summary,
+            "options": options.collect::<Vec<_>>(),
+            "page": format!("rules/{}.md", rule.name.replace('-', "_"))
+        })
+    });
+    let errors = ERRORS.iter().map(|name| {
+        json!({
+            "name": name,
+            "kind": "error",
+            "group": null,
+            "severity": Severity::Error.name(),
+            "default": true,
+            "summary": error_page(name).map(|p| Page::new(p).summary),
+            "options": [],
+            "page": format!("rules/errors/{name}.md")
+        })
+    });
+    let all: Vec<Value> = rules.chain(errors).collect();
+    json!({"schema": 1, "rules": all})
 }

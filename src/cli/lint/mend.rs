@@ -1,6 +1,6 @@
 //! `--fix`, `--unsafe-fixes` and `--diff`.
 
-use super::super::document::{Options, check_with, fix_with, is_export};
+use super::super::document::{Options, fix_with};
 use super::super::input::{Content, Encoding, InputFile};
 use super::super::output::{diff, replace};
 use super::args::Args;
@@ -27,8 +27,6 @@ pub enum Mended {
     Text(String),
     /// They were not written, for this reason.
     Refused(String),
-    /// There are some, but files of this kind are not written.
-    Left(String),
 }
 
 impl Mend {
@@ -50,6 +48,11 @@ impl Mend {
         self.into == Into::Diff || inputs.iter().any(|i| i.path.is_none())
     }
 
+    /// Whether files are written.
+    pub fn writes(self) -> bool {
+        self.into == Into::Files
+    }
+
     /// Mends one input. Gives its text as it is now, where that is another.
     pub fn apply(
         self,
@@ -64,10 +67,6 @@ impl Mend {
         };
         if content.encoding != Encoding::Utf8 {
             return (None, unchanged());
-        }
-        if is_export(&input.name) {
-            let left = || left(count(input, content, options, self.allow));
-            return (None, unchanged().or_else(left));
         }
         let fixed = fix_with(&input.name, &content.text, options, self.allow);
         if fixed.applied.is_empty() || fixed.text == content.text {
@@ -92,23 +91,4 @@ impl Mend {
             }
         }
     }
-}
-
-/// How many findings in an export have a fix.
-fn count(input: &InputFile, content: &Content, options: &Options, allow: Allow) -> usize {
-    let findings = check_with(&input.name, content.clone(), options);
-    let fixes = findings.iter().flat_map(|f| &f.diagnostics);
-    let fixes = fixes.filter_map(|d| d.fix.as_ref());
-    fixes.filter(|f| allow.permits(f)).count()
-}
-
-fn left(count: usize) -> Option<Mended> {
-    let what = match count {
-        0 => return None,
-        1 => "1 fix is",
-        _ => &format!("{count} fixes are"),
-    };
-    Some(Mended::Left(format!(
-        "{what} not written, since an export holds code in escapes; save the pass as a file of its own"
-    )))
 }

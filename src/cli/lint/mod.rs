@@ -5,19 +5,26 @@ mod baseline;
 mod examine;
 mod explain;
 mod mend;
+mod reduce;
+mod verbose;
 mod watch;
 
 pub use args::Args;
 
 use super::config::Configs;
-use super::input::{Collected, InputFile, collect};
+use super::document::{Extent, Findings, Offer, Shader};
+use super::input::{InputFile, collect};
 use super::{CLEAN, FAILED, FINDINGS};
-use crate::report::{Format, Reporter, Summary};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::lint::Unrun;
+use crate::report::{Format, Reporter, Scope, Summary};
 use crate::rules::RULES;
+use args::Talk;
 use baseline::Baseline;
-use examine::{Outcome, examine_all};
+use examine::{Outcome, Work, examine_all};
 use mend::{Mend, Mended};
 use std::io::{self, BufWriter, Write};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Runs the linter and gives the exit code.
@@ -41,28 +48,41 @@ pub fn run(args: &Args) -> u8 {
 
 /// Checks the paths once.
 fn check(args: &Args) -> io::Result<u8> {
+    let talk = args.talk();
+    let tell = |message: &str| {
+        if talk > Talk::Nothing {
+            complain(message);
+        }
+    };
     let configs = Configs::new(args.given(), RULES);
     if let Some(message) = configs.problem() {
-        complain(&message);
+        tell(&message);
         return Ok(FAILED);
     }
-    let Collected { inputs, problems } =
-        collect(&args.paths, args.stdin_filename.as_deref(), &configs);
-    problems.iter().for_each(|p| complain(p));
-    let failed = !problems.is_empty();
-    if inputs.is_empty() && !failed {
+    let collected = collect(&args.paths(), args.stdin_filename.as_deref(), &configs);
+    collected.problems.iter().for_each(|p| tell(p));
+    let failed = !collected.problems.is_empty();
+    let inputs = &collected.inputs;
+    if inputs.is_empty() && !failed && talk >= Talk::Normal {
         complain("warning: there is no shader in the folders given");
     }
     if args.write_baseline.is_some() {
-        return baseline::write(args, &inputs, &configs);
+        return baseline::write(args, inputs, &configs);
     }
-    let (summary, read_all) = judge(args, &inputs, &configs)?;
-    Ok(if failed || !read_all {
-        FAILED
-    } else if summary.errors > 0 || (args.deny_warnings && summary.warnings > 0) {
-        FINDINGS
-    } else {
-        CLEAN
+    let (summary, read_all) = judge(args, inputs, &configs)?;
+    if talk == Talk::Verbose {
+        verbose::passed_over(&collected.passed_over);
+    }
+    let max_warnings = match args.max_warnings {
+        None if args.deny_warnings => 0,
+        None => usize::MAX,
+        Some(max) => max,
+    };
+    let is_too_much = summary.errors > 0 || summary.failing > 0 || summary.warnings > max_warnings;
+    Ok(match () {
+        () if failed || !read_all => FAILED,
+        () if is_too_much && !args.exit_zero => FINDINGS,
+        () => CLEAN,
     })
 }
 
@@ -82,54 +102,217 @@ fn judge(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<(Su
     } else {
         args.format()
     };
-    let out: Box<dyn Write> = if prints_text {
-        Box::new(io::stderr())
-    } else {
-        Box::new(io::stdout().lock())
+    let mut printer = Printer {
+        reporter: reporter(args, format, prints_text),
+        talk: args.talk(),
+        configs,
+        baseline,
+        told: Vec::new(),
+        all_well: true,
+    };
+    let mut work = Work {
+        mend,
+        counts_fixes: format.sums_up() && printer.talk >= Talk::Normal,
+    };
+    // All is mended before anything is said: files include each other.
+    if let Some(mend) = mend.filter(|m| m.writes() && !prints_text) {
+        let (fixed, refused) = mend_all(inputs, configs, mend)?;
+        printer.reporter.add_fixed(fixed);
+        for message in refused {
+            printer.tell(&message)?;
+            printer.all_well = false;
+        }
+        work.mend = None;
+    }
+    examine_all(inputs, configs, work, &mut |input, outcome| {
+        printer.outcome(input, outcome)
+    })?;
+    if printer.talk >= Talk::Normal
+        && let Some(baseline) = &printer.baseline
+    {
+        baseline.stale().iter().for_each(|s| complain(s));
+    }
+    let summary = printer.reporter.finish()?;
+    Ok((summary, printer.all_well))
+}
+
+/// What the findings go to. Where text of fixes takes standard output, they go beside it.
+fn reporter(args: &Args, format: Format, prints_text: bool) -> Reporter<BufWriter<Box<dyn Write>>> {
+    let out: Box<dyn Write> = match args.talk() {
+        Talk::Nothing => Box::new(io::sink()),
+        _ if prints_text => Box::new(io::stderr()),
+        _ => Box::new(io::stdout().lock()),
     };
     let here = std::env::current_dir().unwrap_or_default();
     let here = here.to_string_lossy().replace('\\', "/");
     let out = BufWriter::with_capacity(1 << 16, out);
-    let mut reporter = Reporter::new(format, out, args.color.is_on())
+    let reporter = Reporter::new(format, out, args.color.is_on())
         .with_pages(explain::page)
-        .inside(&here)
-        .offering_fixes();
-    let mut all_well = true;
-    let mut told: Vec<Arc<str>> = Vec::new();
-    let mut print = |input: &InputFile, outcome: Outcome| -> io::Result<()> {
-        let (mut findings, mended) = match outcome {
-            Outcome::Checked(findings, mended) => (findings, mended),
-            Outcome::Skipped => return Ok(()),
+        .inside(&here);
+    match args.talk() {
+        Talk::Nothing | Talk::Findings => reporter.without_summary(),
+        Talk::Normal | Talk::Verbose => reporter.summing_up(),
+    }
+}
+
+/// Prints what became of inputs.
+struct Printer<'a> {
+    reporter: Reporter<BufWriter<Box<dyn Write>>>,
+    talk: Talk,
+    configs: &'a Configs,
+    baseline: Option<Baseline>,
+    /// Mistakes in configurations that were told.
+    told: Vec<Arc<str>>,
+    /// Whether all could be read and written.
+    all_well: bool,
+}
+
+impl Printer<'_> {
+    fn outcome(&mut self, input: &InputFile, outcome: Outcome) -> io::Result<()> {
+        let (findings, mended, offer) = match outcome {
+            Outcome::Checked(findings, mended, offer) => (findings, mended, offer),
+            Outcome::Skipped(reason, mended) => {
+                let is_told = input.is_explicit && self.talk >= Talk::Normal;
+                if is_told || self.talk == Talk::Verbose {
+                    self.tell(&format!("{}: skipped: {reason}", input.name))?;
+                }
+                // Standard input goes through as it is.
+                return mended.map_or(Ok(()), |m| self.mended(input, m));
+            }
             Outcome::Failed(message) => {
-                complain(&format!("{}: {message}", input.name));
-                all_well = false;
-                return Ok(());
+                self.all_well = false;
+                return self.tell(&format!("{}: {message}", input.name));
             }
             Outcome::Misconfigured(message) => {
-                if !told.contains(&message) {
-                    complain(&message);
-                    told.push(message);
+                self.all_well = false;
+                if self.told.contains(&message) {
+                    return Ok(());
                 }
-                all_well = false;
+                self.tell(&message)?;
+                self.told.push(message);
                 return Ok(());
             }
         };
+        if self.talk == Talk::Verbose {
+            self.tell(&verbose::read(input, &findings, self.configs))?;
+        }
+        if let Some(mended) = mended {
+            self.mended(input, mended)?;
+        }
+        self.findings(input, *findings, offer)
+    }
+
+    /// Says something beside the findings.
+    fn tell(&mut self, message: &str) -> io::Result<()> {
+        self.reporter.flush()?;
+        if self.talk > Talk::Nothing {
+            complain(message);
+        }
+        Ok(())
+    }
+
+    fn mended(&mut self, input: &InputFile, mended: Mended) -> io::Result<()> {
         match mended {
-            None => {}
-            Some(Mended::Left(message)) => complain(&format!("{}: {message}", input.name)),
-            Some(Mended::Written(count)) => reporter.add_fixed(count),
-            Some(Mended::Text(text)) => io::stdout().lock().write_all(text.as_bytes())?,
-            Some(Mended::Refused(message)) => {
-                complain(&format!("{}: {message}", input.name));
-                all_well = false;
+            Mended::Written(count) => {
+                self.reporter.add_fixed(count);
+                Ok(())
+            }
+            Mended::Text(text) => io::stdout().lock().write_all(text.as_bytes()),
+            Mended::Refused(message) => {
+                self.all_well = false;
+                self.tell(&format!("{}: {message}", input.name))
             }
         }
-        if let Some(baseline) = &baseline {
-            baseline.filter(&input.name, &findings.sources, &mut findings.diagnostics);
+    }
+
+    fn findings(
+        &mut self,
+        input: &InputFile,
+        mut findings: Findings,
+        mut offer: Offer,
+    ) -> io::Result<()> {
+        let judge = self.configs.judge(Path::new(&input.name)).ok();
+        let settings = judge.as_ref().map(|j| &j.settings);
+        let found = &mut findings.diagnostics;
+        let mut scope = findings_scope(&findings.shaders);
+        scope.left_out = findings.left_out;
+        if let Some(settings) = settings {
+            let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
+            let before = found.iter().filter(is_error).count();
+            found.retain(|d| settings.reports(d.rule));
+            scope.hidden = before - found.iter().filter(is_error).count();
         }
-        reporter.file(&input.name, &findings.sources, &findings.diagnostics)
+        if let Some(baseline) = &mut self.baseline {
+            let before = found.len();
+            baseline.filter(&input.name, &findings.sources, found);
+            scope.known = before - found.len();
+        }
+        if scope.known > 0 {
+            // What is left out is not offered to be fixed.
+            offer = Offer::of(&findings);
+        }
+        let found = &findings.diagnostics;
+        self.reporter.add_offer(offer.safe, offer.all);
+        if let Some(settings) = settings {
+            let failing = found.iter().filter(|d| settings.fails(d.rule));
+            scope.failing = failing.map(|d| d.rule).collect();
+        }
+        self.reporter
+            .input(&input.name, &findings.sources, found, &scope)
+    }
+}
+
+/// What was looked at, as the report counts it.
+fn findings_scope(shaders: &[Shader]) -> Scope {
+    let mut scope = Scope {
+        shaders: shaders.len(),
+        ..Scope::default()
     };
-    examine_all(inputs, configs, mend, &mut print)?;
-    let summary = reporter.finish()?;
-    Ok((summary, all_well))
+    for shader in shaders {
+        match &shader.unrun {
+            Unrun::Functions { names, .. } => scope.unrun_functions.extend(names.iter().cloned()),
+            Unrun::Everywhere if shader.has_errors && shader.extent == Extent::Whole => {
+                scope.unrun_shaders += 1;
+            }
+            Unrun::Everywhere | Unrun::Nowhere => {}
+        }
+    }
+    scope
+}
+
+/// Mends all inputs that are files. Gives how many findings are fixed, and what could not be written.
+fn mend_all(
+    inputs: &[InputFile],
+    configs: &Configs,
+    mend: Mend,
+) -> io::Result<(usize, Vec<String>)> {
+    /// A file that is mended may let more be mended in those that include it.
+    const ROUNDS: usize = 3;
+    let mut fixed = 0;
+    let mut refused = Vec::new();
+    for round in 0..ROUNDS {
+        let before = fixed;
+        let work = Work {
+            mend: Some(mend),
+            ..Work::default()
+        };
+        let mut includes = false;
+        examine_all(inputs, configs, work, &mut |input, outcome| {
+            if let Outcome::Checked(findings, mended, _) = outcome {
+                includes |= findings.includes();
+                match mended {
+                    Some(Mended::Written(count)) => fixed += count,
+                    Some(Mended::Refused(message)) if round == 0 => {
+                        refused.push(format!("{}: {message}", input.name));
+                    }
+                    _ => {}
+                }
+            }
+            Ok(())
+        })?;
+        if fixed == before || !includes {
+            break;
+        }
+    }
+    Ok((fixed, refused))
 }

@@ -54,7 +54,7 @@ type Stamp = BTreeMap<PathBuf, (u64, Option<SystemTime>)>;
 
 fn take_stamp(args: &Args) -> Stamp {
     let configs = Configs::new(args.given(), RULES);
-    let inputs = collect(&args.paths, args.stdin_filename.as_deref(), &configs).inputs;
+    let inputs = collect(&args.paths(), args.stdin_filename.as_deref(), &configs).inputs;
     let files = inputs.iter().filter_map(|i| i.path.clone());
     let config_of = |i: &InputFile| configs.file_of(Path::new(&i.name));
     let here = PathBuf::from(FILE);

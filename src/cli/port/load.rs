@@ -8,6 +8,7 @@ use crate::port::{
     kind_of_file,
 };
 use crate::semantic::Pass;
+use crate::text::kind::Claim;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use std::fs;
@@ -130,6 +131,7 @@ fn read_text(path: &Path) -> Result<String, String> {
         name: name.clone(),
         path: (!is_stdin).then(|| path.to_path_buf()),
         is_explicit: true,
+        claim: Claim::None,
     };
     let Content { text, encoding } = read(&input).map_err(|e| format!("{name}: {e}"))?;
     match encoding {

@@ -138,6 +138,7 @@ fn look(project: &Project, owners: &[usize], path: &str, whole: &str) -> Option<
     Some(Look {
         diagnostics: errors(&composed),
         span,
+        judged: None,
     })
 }
 

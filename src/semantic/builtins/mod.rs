@@ -4,7 +4,7 @@ use super::constant::Value;
 use super::fold::{Fold, fold_of};
 use super::types::{Sampler, Scalar, Type};
 use crate::syntax::ast::*;
-use crate::syntax::{Names, Version, parse, preprocess};
+use crate::syntax::{Language, Names, Parse, Version, parse, preprocess};
 use crate::text::{Role, Sources};
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
@@ -199,8 +199,12 @@ fn load(version: Version, stage: Stage) -> Builtins {
     for text in texts(version, stage) {
         files.extend(sources.add("", None, Role::Prelude, text));
     }
-    let read = preprocess(&sources, &files, true);
-    let (tree, _) = parse(&sources, &read.tokens, &read.names, Version::Es300, true);
+    let mut read = preprocess(&sources, &files, true);
+    let language = Language {
+        version: Version::Es300,
+        is_fragment: true,
+    };
+    let Parse { tree, .. } = parse(&sources, &mut read.tokens, &read.names, language);
     let mut loader = Loader {
         tree: &tree,
         names: &read.names,
@@ -276,7 +280,7 @@ impl Loader<'_> {
                 out: 0,
                 constant: 0,
                 returns: self.resolve(function.ty, variant),
-                fold: fold_of(&name),
+                fold: None,
             };
             for (i, (slot, param)) in overload.params.iter_mut().zip(params).enumerate() {
                 *slot = self.resolve(param.ty, variant);
@@ -288,6 +292,8 @@ impl Loader<'_> {
                     }
                 }
             }
+            let first = overload.params().first().copied();
+            overload.fold = fold_of(&name, first.unwrap_or(Type::VOID));
             // `min(genType, float)` and `min(genType, genType)` are one for scalars.
             if let Some((_, overloads)) = self.found.get_mut(at)
                 && !overloads.iter().any(|o| o.params() == overload.params())
@@ -475,9 +481,13 @@ mod tests {
                             .unwrap(),
                         sources.add("", None, Role::User, text).unwrap(),
                     ];
-                    let read = preprocess(&sources, &files, true);
-                    let (_, errors) =
-                        parse(&sources, &read.tokens, &read.names, Version::Es300, true);
+                    let mut read = preprocess(&sources, &files, true);
+                    let language = Language {
+                        version: Version::Es300,
+                        is_fragment: true,
+                    };
+                    let parse = parse(&sources, &mut read.tokens, &read.names, language);
+                    let errors = parse.diagnostics;
                     assert!(
                         read.diagnostics.is_empty() && errors.is_empty(),
                         "{errors:?}"

@@ -1,5 +1,6 @@
 //! Assignments, initializers, and what can be assigned to (GLSL ES 3.00 sections 5.8 and 4.3).
 
+use super::super::builtins::BuiltinKind;
 use super::binary::Misfit;
 use super::qualifier::{Qualified, Wanted};
 use super::*;
@@ -15,6 +16,9 @@ impl Checker<'_> {
         let (l, r) = (self.info(left), self.info(right));
         if l.ty.is_error() {
             self.mark_written(left);
+            if op.is_none() {
+                self.declare_where_set(left, r.ty);
+            }
             return ExprInfo::ERROR;
         }
         let symbol = op.map_or("=".to_string(), |op| format!("{}=", op.symbol()));
@@ -118,12 +122,11 @@ impl Checker<'_> {
                 format!("the value of the constant `{name}` is not constant"),
             );
             let d = self.explain_not_constant(d, init);
-            let d = if self.at_global_scope() {
-                d
-            } else {
-                d.help("take `const` away")
+            let fix = match self.at_global_scope() {
+                true => None,
+                false => self.take_const_away(Some(declarator.ident.token)),
             };
-            return self.report(d);
+            return self.report(d.fix(fix));
         }
         if self.at_global_scope() && !self.is_global_initializer(init) {
             let d = self
@@ -155,16 +158,25 @@ impl Checker<'_> {
                     info.is_const || (!self.is_300() && self.is_legacy_initializer(id))
                 }
                 (Resolution::Function(_), _) => false,
+                (Resolution::Builtin(overload), _) => !self.is_lookup(overload),
                 (_, ExprKind::Assign(..) | ExprKind::Postfix(..)) => false,
                 (_, ExprKind::Unary(op, _)) => !op.assigns(),
                 _ => true,
             })
     }
 
+    /// Whether a built-in function reads a texture.
+    fn is_lookup(&self, overload: u32) -> bool {
+        let function = self.builtins.overloads.get(overload as usize);
+        let function = function.and_then(|o| self.builtins.functions.get(o.function as usize));
+        function.is_some_and(|f| f.kind == BuiltinKind::Texture)
+    }
+
+    /// Another global or a uniform of the shader's own; `gl_DepthRange` is none.
     fn is_legacy_initializer(&self, id: VariableId) -> bool {
-        self.variables
-            .get(id.0 as usize)
-            .is_some_and(|v| matches!(v.storage, Storage::Global | Storage::Uniform))
+        self.variables.get(id.0 as usize).is_some_and(|v| {
+            matches!(v.storage, Storage::Global | Storage::Uniform) && v.token.is_some()
+        })
     }
 
     /// Says which part of an expression is not constant.
@@ -211,10 +223,16 @@ impl Checker<'_> {
     /// Notes that something is written to an expression.
     pub(super) fn mark_written(&mut self, id: ExprId) {
         let mut at = id;
-        while let ExprKind::Paren(inner) | ExprKind::Member(inner, _) | ExprKind::Index(inner, _) =
-            self.tree.expr(at).kind
-        {
-            at = inner;
+        loop {
+            match self.tree.expr(at).kind {
+                ExprKind::Paren(inner) | ExprKind::Member(inner, _) | ExprKind::Index(inner, _) => {
+                    at = inner
+                }
+                _ => match self.kept_operand(at) {
+                    Some(kept) => at = kept,
+                    None => break,
+                },
+            }
         }
         if let Some(id) = self.variable_of(at)
             && let Some(variable) = self.variables.get_mut(id.0 as usize)
@@ -226,24 +244,35 @@ impl Checker<'_> {
     /// Whether something can be assigned to `id`; reports at `extent` where not.
     pub(super) fn check_assignable(&mut self, id: ExprId, extent: Extent, symbol: &str) -> bool {
         let mut at = id;
+        // The browser does not look at the components of which an index takes one.
+        let mut is_indexed = false;
         loop {
             match self.tree.expr(at).kind {
-                ExprKind::Paren(inner) | ExprKind::Index(inner, _) => at = inner,
+                ExprKind::Paren(inner) => at = inner,
+                ExprKind::Index(inner, _) => {
+                    is_indexed = true;
+                    at = inner;
+                }
                 ExprKind::Member(inner, name) => {
                     let text = self.text(name);
                     let repeats = |c| text.chars().filter(|&other| other == c).count() > 1;
-                    if self.ty(inner).is_vector() && text.chars().any(repeats) {
+                    if !is_indexed && self.ty(inner).is_vector() && text.chars().any(repeats) {
                         let d = self.error_at(
                             error::NOT_ASSIGNABLE,
                             self.tree.expr(at).extent.last,
                             format!("`{text}` names a component twice and cannot be assigned to"),
                         );
-                        self.report(d);
+                        let token = self.tree.expr(at).extent.last;
+                        let rows = self.ty(inner).components() as u8;
+                        self.report(d.fix(self.mend_swizzle(text, rows, token)));
                         return false;
                     }
                     at = inner;
                 }
-                _ => break,
+                _ => match self.kept_operand(at) {
+                    Some(kept) => at = kept,
+                    None => break,
+                },
             }
         }
         let Some(variable) = self.variable_of(at) else {
@@ -252,7 +281,10 @@ impl Checker<'_> {
                 .note(format!(
                     "`{symbol}` wants a variable, or a part of one, on its left (section 5.8)"
                 ));
-            self.report(d);
+            let fix = self
+                .swap_sides(id)
+                .or_else(|| self.compare_instead(self.whole));
+            self.report(d.fix(fix));
             return false;
         };
         self.check_writable(variable, id, extent)
@@ -272,12 +304,16 @@ impl Checker<'_> {
             ..
         } = *variable;
         let name = self.text(name);
+        let holds_sampler = self.inside(ty).sampler;
         let why = match storage {
             _ if is_const => "is a constant",
             Storage::Uniform => "is a uniform, set from outside",
             Storage::Input => "is an input of the shader",
             Storage::Param(Direction::ConstIn) => "is a `const` parameter",
             _ if ty.is_sampler() => "is a sampler",
+            _ if holds_sampler => {
+                "holds a sampler, and browsers let no part of such a struct change"
+            }
             _ => {
                 self.check_webgl1_write(id, extent);
                 return true;
@@ -289,13 +325,13 @@ impl Checker<'_> {
             format!("`{name}` cannot be assigned to: it {why}"),
         );
         let d = self.with_declaration(d, token, "declared here");
-        let d = match storage {
-            Storage::Input | Storage::Uniform if !is_const => {
-                d.help("copy it into a variable of its own first")
-            }
-            _ => d,
+        let fix = match storage {
+            _ if is_const => self.take_const_away(token),
+            Storage::Input | Storage::Uniform => self.copy_first(id),
+            Storage::Param(_) => self.take_const_away(token),
+            _ => None,
         };
-        self.report(d);
+        self.report(d.fix(fix));
         false
     }
 }

@@ -2,6 +2,7 @@
 
 use super::super::constant::Value;
 use super::*;
+use std::cmp::Ordering;
 
 /// Why two operands do not fit an operator.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -165,7 +166,7 @@ impl Checker<'_> {
             }
             let inside = self.inside(l.element());
             let old = !self.is_300();
-            if (old && inside.array) || (inside.sampler && (old || assigns)) {
+            if (old && inside.array) || inside.sampler {
                 return Err(Misfit::StructInside);
             }
         }
@@ -295,8 +296,9 @@ fn fold_float(op: BinaryOp, l: f32, r: f32) -> Value {
         B::Sub => l - r,
         B::Less => return Value::Bool(l < r),
         B::Greater => return Value::Bool(l > r),
-        B::LessEqual => return Value::Bool(l <= r),
-        B::GreaterEqual => return Value::Bool(l >= r),
+        // Not the same where one is no number.
+        B::LessEqual => return Value::Bool(!matches!(l.partial_cmp(&r), Some(Ordering::Greater))),
+        B::GreaterEqual => return Value::Bool(!matches!(l.partial_cmp(&r), Some(Ordering::Less))),
         _ => l,
     })
 }
@@ -306,7 +308,7 @@ fn fold_uint(op: BinaryOp, l: u32, r: u32) -> Value {
     Value::Uint(match op {
         B::Mul => l.wrapping_mul(r),
         B::Div => l.checked_div(r).unwrap_or(u32::MAX),
-        B::Rem => l.checked_rem(r).unwrap_or(0),
+        B::Rem => l.checked_rem(r).unwrap_or(u32::MAX),
         B::Add => l.wrapping_add(r),
         B::Sub => l.wrapping_sub(r),
         B::BitAnd => l & r,
@@ -324,9 +326,9 @@ fn fold_int(op: BinaryOp, l: i32, r: i32) -> Value {
     use BinaryOp as B;
     Value::Int(match op {
         B::Mul => l.wrapping_mul(r),
-        B::Div if r == 0 => i32::MAX,
-        B::Div => l.wrapping_div(r),
-        B::Rem if r == 0 || l < 0 || r < 0 => 0,
+        B::Div => l.checked_div(r).unwrap_or(i32::MAX),
+        B::Rem if r == 0 => i32::MAX,
+        B::Rem if l < 0 || r < 0 => 0,
         B::Rem => l.wrapping_rem(r),
         B::Add => l.wrapping_add(r),
         B::Sub => l.wrapping_sub(r),

@@ -3,6 +3,8 @@
 use super::super::builtins::{BuiltinKind, Overload};
 use super::super::constant::Value;
 use super::*;
+use crate::diagnostic::Fix;
+use crate::text::Edit;
 
 /// Least and greatest offset of a texture lookup.
 const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
@@ -26,7 +28,7 @@ impl Checker<'_> {
             }
             Some(Binding::Error) => return ExprInfo::ERROR,
             Some(Binding::Variable(variable)) => {
-                self.call_of_variable(id, name, variable);
+                self.call_of_variable(id, name, variable, args);
                 return ExprInfo::ERROR;
             }
             Some(Binding::Function) => {
@@ -42,6 +44,7 @@ impl Checker<'_> {
                 self.no_user_overload(id, name, args);
                 self.result_of_any(name)
             }
+            None if self.is_foreign(name, id) => self.foreign_call(id, name, args),
             None => {
                 self.undeclared_function(name, self.tree.expr(id).extent.first);
                 self.result_of_legacy(name)
@@ -60,7 +63,7 @@ impl Checker<'_> {
         *slot.get_or_insert_with(|| self.builtins.function(text).map(|(i, _)| i))
     }
 
-    fn call_of_variable(&mut self, id: ExprId, name: Name, variable: VariableId) {
+    fn call_of_variable(&mut self, id: ExprId, name: Name, variable: VariableId, args: List) {
         let token = self.tree.expr(id).extent.first;
         let text = self.text(name);
         let d = self.error_at(
@@ -77,9 +80,21 @@ impl Checker<'_> {
             true => d
                 .note("the variable hides the function of the same name")
                 .help("rename the variable"),
-            false => d,
+            false => d.fix(self.product_of_call(token, variable, args)),
         };
         self.report(d);
+    }
+
+    /// `a (b + c)`, where a `*` was left out.
+    fn product_of_call(&self, token: TokenId, variable: VariableId, args: List) -> Option<Fix> {
+        let &[arg] = self.tree.args(args) else {
+            return None;
+        };
+        let ty = self.variables.get(variable.0 as usize)?.ty;
+        self.binary_type(BinaryOp::Mul, ty, self.ty(arg), false)
+            .ok()?;
+        let edit = Edit::insert(self.token_span(token).end, " * ");
+        Some(Fix::suggestion("multiply with `*`", vec![edit]))
     }
 
     /// A call of the shader's own function, if one has these parameters.

@@ -2,6 +2,8 @@
 
 use super::super::constant::Value;
 use super::*;
+use crate::diagnostic::Fix;
+use crate::text::Edit;
 
 impl Checker<'_> {
     /// `vec3(...)`, `float[2](...)`: a type of the language, or an array.
@@ -91,12 +93,16 @@ impl Checker<'_> {
                 id,
                 format!("`{name}()` has no arguments"),
             );
-            let d = match ty.numeric() {
-                Some((Scalar::Float, ..)) => d.help(format!("write `{name}(0.0)`")),
-                Some((Scalar::Int, ..)) => d.help(format!("write `{name}(0)`")),
-                _ => d,
-            };
-            self.report(d);
+            let zero = self.zero_of(ty).map(|zero| match ty.is_scalar() {
+                true => format!("{name}({zero})"),
+                false => zero,
+            });
+            let is_direct = self.is_direct(self.tree.expr(id).extent);
+            let fix = zero.filter(|_| is_direct).map(|zero| {
+                let edits = vec![Edit::replace(self.expr_span(id), zero.clone())];
+                Fix::suggestion(format!("write `{zero}`"), edits)
+            });
+            self.report(d.fix(fix));
             return false;
         }
         for &arg in args {
@@ -105,13 +111,14 @@ impl Checker<'_> {
                 self.void_value(arg);
                 return false;
             }
-            if of.is_sampler() && !matches!(ty.base, Base::Struct(_)) {
-                let d = self.error_expr(
-                    error::SAMPLER_RESTRICTION,
-                    arg,
-                    "a sampler cannot be converted",
-                );
-                self.report(d);
+            if self.inside(of).sampler {
+                let message = if of.is_sampler() {
+                    "a sampler cannot be an argument of a constructor"
+                } else {
+                    "a struct that holds a sampler cannot be an argument of a constructor"
+                };
+                let d = self.error_expr(error::SAMPLER_RESTRICTION, arg, message);
+                self.report(d.note("samplers cannot be copied (section 4.1.7)"));
                 return false;
             }
         }
@@ -239,17 +246,46 @@ impl Checker<'_> {
                     plural(wanted)
                 ),
             );
+            let fix = self.drop_from(args, arg);
             d.label(self.expr_span(arg), "nothing is left for this")
+                .fix(fix)
         } else {
             let d = self.error_expr(
                 error::CONSTRUCTOR_ARGUMENTS,
                 id,
                 format!("`{name}` needs {wanted} components, but only {given} are given"),
             );
-            self.label_arguments(d, args)
+            let fix = self.add_components(ty, args, given);
+            self.label_arguments(d, args).fix(fix)
         };
         self.report(d);
         false
+    }
+
+    /// Takes the arguments from `arg` on away.
+    fn drop_from(&self, args: &[ExprId], arg: ExprId) -> Option<Fix> {
+        let at = args.iter().position(|&a| a == arg)?;
+        let (&before, &last) = (args.get(at.checked_sub(1)?)?, args.last()?);
+        let span = Span::new(self.expr_span(before).end, self.expr_span(last).end);
+        let text = self
+            .sources
+            .text(self.expr_span(arg).to(self.expr_span(last)));
+        let title = match text.len() < 40 && !text.contains('\n') {
+            true => format!("take `{text}` away"),
+            false => "take what is too much away".to_string(),
+        };
+        Some(Fix::suggestion(title, vec![Edit::delete(span)]))
+    }
+
+    /// Adds the components that a vector lacks.
+    fn add_components(&self, ty: Type, args: &[ExprId], given: u32) -> Option<Fix> {
+        let (scalar, 1, size) = ty.numeric()? else {
+            return None;
+        };
+        let added = Checker::added_components(scalar, given as u8, size);
+        let end = self.expr_span(*args.last()?).end;
+        let title = format!("add `{}`", added.trim_start_matches(", "));
+        Some(Fix::suggestion(title, vec![Edit::insert(end, added)]))
     }
 
     fn label_arguments(&self, mut d: Diagnostic, args: &[ExprId]) -> Diagnostic {

@@ -35,8 +35,14 @@ impl<'a> Checker<'a> {
 
     fn variables(&mut self, qualifiers: List, ty: TypeId, declarators: List) {
         let tree = self.tree;
-        let qualified = self.qualifiers(qualifiers);
-        let base = self.type_spec(ty);
+        let mut qualified = self.qualifiers(qualifiers);
+        let base = match self.inferred_type(qualifiers, ty, declarators) {
+            Some((base, storage)) => {
+                qualified.storage = storage;
+                base
+            }
+            None => self.type_spec(ty),
+        };
         let extent = tree.ty(ty).extent;
         self.check_type_of_variables(&qualified, base, extent);
         if declarators.len == 0 {
@@ -63,7 +69,12 @@ impl<'a> Checker<'a> {
     }
 
     /// What can be said of the type before the names come.
-    fn check_type_of_variables(&mut self, qualified: &Qualified, base: Type, extent: Extent) {
+    pub(super) fn check_type_of_variables(
+        &mut self,
+        qualified: &Qualified,
+        base: Type,
+        extent: Extent,
+    ) {
         self.check_precision(base, qualified.precision, extent);
         self.check_invariant(qualified, extent);
         self.check_interpolation(qualified, extent);
@@ -264,14 +275,21 @@ impl<'a> Checker<'a> {
                         Constant::NONE
                     }
                 }
-                // The name may be meant in the way of the value: say no more about it.
-                false => ty = Type::ERROR,
+                false => ty = self.settled_type(index, spec, declarator, ty),
             }
             is_const &= info.is_const;
         }
         let storage = self.storage_of(qualified.storage);
-        self.check_size(ty, storage, declarator);
+        self.check_size(ty, storage, Some(declarator.ident), declarator.extent);
+        let before = self.scopes.get_here(declarator.ident.name);
         let id = self.declare_variable(declarator.ident, ty, storage, is_const, constant);
+        if let (None, Some(Binding::Variable(first))) = (id, before) {
+            let is_meant = self.means_second(index, first, ty);
+            self.mend_redefinition(declarator.ident, first, ty, spec, is_meant);
+            if is_meant {
+                self.bind_variable(declarator.ident, ty, storage, is_const, constant);
+            }
+        }
         if let (Some(id), Some(slot)) = (id, self.declared.get_mut(index)) {
             *slot = Some(id);
         }
@@ -347,12 +365,20 @@ impl<'a> Checker<'a> {
         }
         self.check_not_reserved(ident);
         if self.is_redefinition(ident) {
-            // Other uses of the name may mean either: say no more about it.
-            if !self.at_global_scope() {
-                self.scopes.declare(ident.name, Binding::Error);
-            }
             return None;
         }
+        Some(self.bind_variable(ident, ty, storage, is_const, constant))
+    }
+
+    /// Gives a name the meaning of a new variable.
+    pub(super) fn bind_variable(
+        &mut self,
+        ident: Ident,
+        ty: Type,
+        storage: Storage,
+        is_const: bool,
+        constant: Constant,
+    ) -> VariableId {
         let hides = match self.scopes.get(ident.name) {
             Some(Binding::Variable(outer)) => Some(outer),
             _ => None,
@@ -371,7 +397,7 @@ impl<'a> Checker<'a> {
             read: false,
         });
         self.scopes.declare(ident.name, Binding::Variable(id));
-        Some(id)
+        id
     }
 
     /// The type of `iChannel0` to `iChannel3` where it was chosen from outside.
@@ -449,9 +475,15 @@ impl<'a> Checker<'a> {
                 array: 0,
             },
             Some(Binding::Error) => Type::ERROR,
-            _ => {
-                self.unknown_type(name, token);
-                Type::ERROR
+            found => {
+                let foreign = match found {
+                    None => self.foreign_type(name, token),
+                    _ => None,
+                };
+                foreign.unwrap_or_else(|| {
+                    self.unknown_type(name, token);
+                    Type::ERROR
+                })
             }
         }
     }

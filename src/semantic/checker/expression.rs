@@ -3,6 +3,7 @@
 use super::super::constant::Value;
 use super::*;
 use crate::diagnostic::Fix;
+use crate::syntax::{Meaning, foreign};
 use crate::text::Edit;
 
 impl Checker<'_> {
@@ -176,12 +177,23 @@ impl Checker<'_> {
             id,
             format!("`{symbol}` has no meaning for `{name}`"),
         );
+        let sign = self.token(self.tree.expr(id).extent.first);
+        let is_direct = self.is_direct(self.tree.expr(id).extent);
+        let negated = |before: &str, behind: &str| {
+            let end = self.expr_span(operand).end;
+            let edits = vec![Edit::replace(sign.span, before), Edit::insert(end, behind)];
+            Some(edits).filter(|_| is_direct)
+        };
         let d = match (symbol, ty.scalar_kind()) {
             ("!", Some(Scalar::Bool)) => {
-                let text = self.expr_text(operand);
-                d.help(format!("each component is negated by `not({text})`"))
+                let edits = negated("not(", ")");
+                d.fix(edits.map(|e| Fix::suggestion("negate each component with `not(...)`", e)))
             }
-            ("!", Some(_)) => d.help("`!` wants a `bool`: compare with 0 instead"),
+            ("!", Some(_)) if ty.is_scalar() => {
+                let zero = self.zero_of(ty).unwrap_or_default();
+                let edits = negated("(", &format!(" == {zero})"));
+                d.fix(edits.map(|e| Fix::suggestion(format!("compare with `{zero}`"), e)))
+            }
             ("~", _) => d.note("`~` works on `int` and `uint`"),
             _ => d,
         };
@@ -265,6 +277,7 @@ impl Checker<'_> {
                 .note("WebGL2 does not have it (WebGL 2.0 section 5.26)")
                 .help("write two statements");
             self.report(d);
+            return ExprInfo::ERROR;
         }
         let constant = if self.is_300() {
             Constant::NONE
@@ -313,25 +326,120 @@ impl Checker<'_> {
             };
         };
         let d = self.error_expr(error::NOT_A_FUNCTION, id, message);
-        let d = match info.ty.is_vector() {
-            true => d.help("a vector's length is `length(v)`; its number of components is fixed"),
+        let d = match info.ty.is_vector() && text == "length" {
+            true => d.note("the number of a vector's components is fixed"),
             false => d,
         };
-        self.report(d);
+        let fix = self.method_as_call(id, object, name, args);
+        let fix = fix.or_else(|| {
+            let is_swizzle = info.ty.is_vector() && components(text).is_some();
+            let behind = self.expr_span(object).end + 1 + text.len() as u32;
+            let is_direct = self.is_direct(self.tree.expr(id).extent) && args.len == 1;
+            let edits = vec![Edit::insert(behind, " * ")];
+            (is_swizzle && is_direct).then(|| Fix::suggestion("multiply with `*`", edits))
+        });
+        self.report(d.fix(fix));
         ExprInfo::ERROR
     }
 
-    /// Whether computing an expression writes or calls anything.
-    fn has_side_effects(&self, id: ExprId) -> bool {
-        match self.tree.expr(id).kind {
-            ExprKind::Name(_) => false,
-            ExprKind::Paren(inner) | ExprKind::Member(inner, _) => self.has_side_effects(inner),
-            ExprKind::Index(object, index) => {
-                self.has_side_effects(object) || !self.info(index).is_const
-            }
-            ExprKind::Construct(..) => !self.info(id).is_const,
-            _ => true,
+    /// `v.f(a)` becomes `f(v, a)`, where there is such a function.
+    fn method_as_call(&self, id: ExprId, object: ExprId, name: Name, args: List) -> Option<Fix> {
+        let text = self.text(name);
+        let function = match foreign(text, self.version).map(|f| f.meaning) {
+            Some(Meaning::Function(function)) => function,
+            _ if self.builtins.function(text).is_some() => text,
+            _ if self.by_name.contains_key(&name) => text,
+            _ => return None,
+        };
+        let span = self.expr_span(object);
+        let end = match self.tree.args(args).first() {
+            Some(&first) => Span::new(span.end, self.expr_span(first).start),
+            None => Span::new(span.end, self.expr_span(id).end),
+        };
+        let edits = vec![
+            Edit::insert(span.start, format!("{function}(")),
+            Edit::replace(end, if args.len > 0 { ", " } else { ")" }),
+        ];
+        self.is_direct(self.tree.expr(id).extent).then(|| {
+            Fix::suggestion(
+                format!("write `{function}({}...`", self.expr_text(object)),
+                edits,
+            )
+        })
+    }
+
+    /// `v.xyz` of a vector with two components and `v.xyzw` of one with three: the components that
+    /// it lacks are added.
+    fn lack_of_components(&self, id: ExprId, object: ExprId, text: &str, rows: u8) -> Option<Fix> {
+        let size = text.len() as u8;
+        let is_whole = ["xyzw", "rgba", "stpq"]
+            .iter()
+            .any(|set| set.starts_with(text));
+        let is_written = self.token(self.tree.expr(id).extent.last + 1).kind == TokenKind::Equal;
+        let scalar = self.ty(object).scalar_kind()?;
+        let is_wanted = self.wanted_size(id).is_none_or(|wanted| wanted == size);
+        let is_direct = self.is_direct(self.tree.expr(id).extent);
+        if !is_whole || size < rows + 1 || size < 2 || is_written || !is_wanted || !is_direct {
+            return None;
         }
+        let name = self.name_of(Type::vector(scalar, size));
+        let added = Checker::added_components(scalar, rows, size);
+        let written = format!("{name}({}{added})", self.expr_text(object));
+        let edits = vec![Edit::replace(self.expr_span(id), written.clone())];
+        Some(Fix::suggestion(format!("write `{written}`"), edits))
+    }
+
+    /// Whether computing an expression writes anything, or calls a function of the shader.
+    fn has_side_effects(&self, id: ExprId) -> bool {
+        let extent = self.tree.expr(id).extent;
+        // What stands in it comes right before it.
+        let end = id.0 as usize + 1;
+        let infos = self.exprs.get(..end).unwrap_or(&[]);
+        let exprs = self.tree.exprs.get(..end).unwrap_or(&[]);
+        let before = infos.iter().zip(exprs).rev();
+        before
+            .take_while(|(_, e)| e.extent.first >= extent.first)
+            .filter(|(_, e)| e.extent.last <= extent.last)
+            .any(|(info, expr)| match (info.resolution, expr.kind) {
+                (Resolution::Function(_), _) => true,
+                (Resolution::Builtin(id), _) => {
+                    self.builtins.overload(id).is_some_and(|(o, _)| o.out != 0)
+                }
+                (_, ExprKind::Assign(..) | ExprKind::Postfix(..)) => true,
+                (_, ExprKind::Unary(op, _)) => op.assigns(),
+                _ => false,
+            })
+    }
+
+    /// What the browser puts in the place of an operator, so that it can be written to: what stands
+    /// behind `,` where nothing before it does anything, and the branch that a constant chooses. Of
+    /// variables it does so with local ones alone.
+    pub(super) fn kept_operand(&self, id: ExprId) -> Option<ExprId> {
+        let kept = match self.tree.expr(id).kind {
+            ExprKind::Comma(left, right) if !self.has_side_effects(left) => right,
+            ExprKind::Ternary(condition, yes, no) => {
+                let info = self.info(condition);
+                match self.pool.scalar(info.constant).filter(|_| info.is_const)? {
+                    chosen if chosen.as_bool() => yes,
+                    _ => no,
+                }
+            }
+            _ => return None,
+        };
+        let variable = self.variable_of(kept);
+        let storage = variable.and_then(|v| self.variables.get(v.0 as usize));
+        storage
+            .is_none_or(|v| v.storage == Storage::Local)
+            .then_some(kept)
+    }
+
+    /// The variable that an expression is, for the browser.
+    pub(super) fn variable_behind(&self, id: ExprId) -> Option<VariableId> {
+        let mut at = self.tree.unparen(id);
+        while let Some(kept) = self.kept_operand(at) {
+            at = self.tree.unparen(kept);
+        }
+        self.variable_of(at)
     }
 
     fn member(&mut self, id: ExprId, object: ExprId, name: Name) -> ExprInfo {
@@ -396,6 +504,19 @@ impl Checker<'_> {
         let Some(record) = self.structs.get(index as usize) else {
             return ExprInfo::ERROR;
         };
+        let is_comma = matches!(
+            self.tree.expr(self.tree.unparen(object)).kind,
+            ExprKind::Comma(..)
+        );
+        if is_comma && self.inside(info.ty).sampler {
+            let message = "no member can be taken of a struct that holds samplers behind `,`";
+            let d = self
+                .error_expr(error::UNSUPPORTED_OPERATION, id, message)
+                .note("the browser does not compile it")
+                .help("take the member of the variable itself");
+            self.report(d);
+            return ExprInfo::ERROR;
+        }
         let mut offset = 0;
         for field in &record.fields {
             let size = self.scalars_in(field.ty);
@@ -409,37 +530,7 @@ impl Checker<'_> {
             }
             offset += size;
         }
-        let token = self.tree.expr(id).extent.last;
-        let text = self.text(name);
-        let of = self.name_of(self.ty(object));
-        let fields: Vec<&str> = record.fields.iter().map(|f| self.text(f.name)).collect();
-        let near = fields
-            .iter()
-            .map(|f| (strsim::damerau_levenshtein(f, text), *f))
-            .filter(|(distance, _)| *distance <= 2)
-            .min();
-        let opened = record.token;
-        let list = fields
-            .iter()
-            .map(|f| format!("`{f}`"))
-            .collect::<Vec<_>>()
-            .join(", ");
-        let d = self.error_at(
-            error::NO_SUCH_FIELD,
-            token,
-            format!("`{of}` has no member `{text}`"),
-        );
-        let d = self.with_declaration(d, Some(opened), "declared here");
-        let d = match near {
-            Some((_, near)) => {
-                let edit = Edit::replace(self.token_span(token), near);
-                d.fix(Fix::suggestion(
-                    format!("did you mean `{near}`?"),
-                    vec![edit],
-                ))
-            }
-            None => d.note(format!("it has {list}")),
-        };
+        let d = self.no_such_field(id, object, record, name);
         self.report(d);
         ExprInfo::ERROR
     }
@@ -498,8 +589,14 @@ impl Checker<'_> {
                 }
                 _ => d,
             };
-            self.report(d);
-            return ExprInfo::ERROR;
+            let fix = self.lack_of_components(id, object, text, rows);
+            let fix = fix.or_else(|| self.mend_swizzle(text, rows, token));
+            self.report(d.fix(fix));
+            let ty = Type::vector(scalar, components.len() as u8);
+            return ExprInfo {
+                ty,
+                ..ExprInfo::ERROR
+            };
         }
         let constant = if info.constant.is_known() {
             let values = self.pool.values(info.constant);
@@ -599,7 +696,8 @@ impl Checker<'_> {
         self.report(d.fix(fix));
     }
 
-    /// A constant index must lie in the array, vector or matrix (section 5.7).
+    /// A constant index must lie in the array, vector or matrix (section 5.7). Behind a comma, whose
+    /// result is no constant, the browser looks for negative ones alone.
     fn check_index_range(&mut self, id: ExprId, object: ExprId, index: ExprId, size: u32) {
         let mut last = index;
         while let ExprKind::Comma(_, right) = self.tree.expr(self.tree.unparen(last)).kind {
@@ -613,7 +711,8 @@ impl Checker<'_> {
             Value::Uint(v) if v > i32::MAX as u32 => v as i64,
             v => v.as_int() as i64,
         };
-        if (0..size as i64).contains(&value) || size == Type::UNSIZED {
+        let is_judged = value < 0 || self.info(index).is_const;
+        if (0..size as i64).contains(&value) || size == Type::UNSIZED || !is_judged {
             return;
         }
         let of = self.name_of(self.ty(object));
@@ -644,13 +743,21 @@ impl Checker<'_> {
 
     /// Some arrays take constant indices only.
     fn check_index_kind(&mut self, id: ExprId, object: ExprId, base: ExprInfo, at: ExprInfo) {
+        // Of a comma the browser keeps what stands behind it, where nothing before it does anything.
+        let mut behind = self.tree.unparen(object);
+        while let ExprKind::Comma(left, right) = self.tree.expr(behind).kind
+            && !self.has_side_effects(left)
+        {
+            behind = self.tree.unparen(right);
+        }
         let storage = self
-            .variable_of(object)
+            .variable_of(behind)
             .and_then(|v| self.variables.get(v.0 as usize));
         let is_output = storage.is_some_and(|v| v.storage == Storage::Output);
         let is_builtin = storage.is_some_and(|v| v.token.is_none());
         if !self.is_300() {
-            return self.check_webgl1_index(id, object, is_builtin && is_output);
+            let is_frag_data = is_builtin && is_output && base.ty.is_array();
+            return self.check_webgl1_index(id, object, is_frag_data);
         }
         if at.is_const && at.constant.is_known() {
             return;
@@ -658,9 +765,10 @@ impl Checker<'_> {
         let what = match base.ty.base {
             Base::Sampler(_) if base.ty.is_array() => "an array of samplers",
             Base::Block(_) => "an array of blocks",
-            _ if is_output && base.ty.is_array() && self.stage == Stage::Fragment => {
+            _ if is_output && self.stage == Stage::Fragment && base.ty.is_array() => {
                 "an array of fragment outputs"
             }
+            _ if is_output && self.stage == Stage::Fragment => "a fragment output",
             _ => return,
         };
         let d = self

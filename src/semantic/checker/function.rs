@@ -22,13 +22,14 @@ impl Checker<'_> {
             self.report(d);
         }
         let before = self.function_named(id);
+        let returns = self.return_type(decl);
         self.scopes.push();
         self.precisions.push();
         let params = self.parameters(decl, false);
         self.precisions.pop();
         self.scopes.pop();
         let Some(params) = params else { return };
-        if let Some(function) = self.declare_function(id, decl, params)
+        if let Some(function) = self.declare_function(id, decl, params, returns)
             && before == Some(function)
             && !self.is_300()
         {
@@ -65,6 +66,8 @@ impl Checker<'_> {
         let Some(decl) = tree.function(id) else {
             return;
         };
+        // A struct that is declared here is known to the rest of the shader.
+        let returns = self.return_type(decl);
         self.scopes.push();
         self.precisions.push();
         // The parameters belong to the function, whose number is not known before its types are.
@@ -83,7 +86,7 @@ impl Checker<'_> {
                     );
                     self.report(d);
                 }
-                self.declare_function(id, decl, params)
+                self.declare_function(id, decl, params, returns)
             }
             None => None,
         };
@@ -169,6 +172,9 @@ impl Checker<'_> {
             let ty = self.parameter_type(param, base, direction);
             known &= !ty.is_error();
             params.push(Parameter { ty, direction });
+            if declare {
+                self.check_size(ty, Storage::Param(direction), param.ident, param.extent);
+            }
             let Some(ident) = param.ident else { continue };
             if !declare {
                 self.check_not_reserved(ident);
@@ -189,7 +195,7 @@ impl Checker<'_> {
 
     /// Calls of a function whose parameters could not be read are not judged.
     fn scopes_declare_unknown_function(&mut self, ident: Ident) {
-        self.unknown_functions.push(ident.name);
+        self.unknown_functions.insert(ident.name);
     }
 
     /// `(void)`; true where that is right.
@@ -237,14 +243,14 @@ impl Checker<'_> {
         id: FunctionId,
         decl: &FunctionDecl,
         params: Vec<Parameter>,
+        returns: Type,
     ) -> Option<FunctionRef> {
-        let returns = self.return_type(decl);
         let name = decl.ident.name;
         if !self.check_not_reserved(decl.ident) {
             return None;
         }
         if !self.check_builtin_name(decl.ident, &params) {
-            self.unknown_functions.push(name);
+            self.unknown_functions.insert(name);
             return None;
         }
         self.check_hidden(decl.ident);
@@ -343,8 +349,9 @@ impl Checker<'_> {
         if self.is_prelude(ident.token) {
             return true;
         }
-        let already = self.reported_names.contains(&ident.name);
-        self.reported_names.push(ident.name);
+        if !self.reported_names.insert(ident.name) {
+            return false;
+        }
         let to = self.free_function_name(text);
         let edits = self.rename_all(ident.name, &to);
         let d = self
@@ -358,9 +365,7 @@ impl Checker<'_> {
                 edits,
             ))
         };
-        if !already {
-            self.report(d);
-        }
+        self.report(d);
         false
     }
 

@@ -4,11 +4,11 @@ use super::*;
 
 /// Deepest tree that the browser takes.
 const MAX_DEPTH: u32 = 256;
-/// Largest variable, in bytes.
+/// A variable must be smaller, in bytes.
 const MAX_PRIVATE: u64 = 64 * 1024;
 /// All variables together, in bytes.
 const MAX_TOTAL: u64 = 16 * 1024 * 1024;
-/// Largest uniform or block, in bytes.
+/// A uniform or block must be smaller, in bytes.
 const MAX_SIZE: u64 = 2 * 1024 * 1024 * 1024;
 
 impl Checker<'_> {
@@ -36,7 +36,13 @@ impl Checker<'_> {
     }
 
     /// Asks that a variable, and all together, are not too large.
-    pub(super) fn check_size(&mut self, ty: Type, storage: Storage, declarator: &Declarator) {
+    pub(super) fn check_size(
+        &mut self,
+        ty: Type,
+        storage: Storage,
+        ident: Option<Ident>,
+        extent: Extent,
+    ) {
         if !self.diagnostics.is_empty() || ty.is_error() {
             return;
         }
@@ -54,13 +60,13 @@ impl Checker<'_> {
             self.private_size = self.private_size.saturating_add(size);
         }
         let limit = if is_private { MAX_PRIVATE } else { MAX_SIZE };
-        if size > limit {
-            let name = self.text(declarator.ident.name);
+        if size >= limit {
+            let name = ident.map_or("this".to_string(), |i| format!("`{}`", self.text(i.name)));
             let d = self
                 .error(
                     error::BROWSER_LIMIT,
-                    declarator.extent,
-                    format!("`{name}` takes {size} bytes, and the browser allows {limit}"),
+                    extent,
+                    format!("{name} takes {size} bytes; the browser allows less than {limit}"),
                 )
                 .help("keep large tables in a texture");
             self.report(d);

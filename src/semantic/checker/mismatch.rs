@@ -28,14 +28,35 @@ impl Checker<'_> {
                 self.bool_misfit(id, op, left, right)
             }
             Misfit::Scalars => {
+                if op == BinaryOp::Rem && self.float_remainder(id, left, right) {
+                    return;
+                }
                 let prefer_int = op.compares() || op == BinaryOp::Rem;
                 return self.mixed(id, op.symbol(), left, right, prefer_int);
             }
             Misfit::Shape => self.shape_misfit(id, op.symbol(), left, right),
             _ => self.other_misfit(id, op.symbol(), left, right, misfit),
         };
-        let d = self.advise_operator(d, op, left, right, misfit);
+        let d = self.advise_operator(d, id, op, left, right, misfit);
         self.report(d);
+    }
+
+    /// `%` with an operand that is a float for good: only `mod` can be meant.
+    fn float_remainder(&mut self, id: ExprId, left: ExprId, right: ExprId) -> bool {
+        let lasts = |id| {
+            self.ty(id).scalar_kind() == Some(Scalar::Float) && self.whole_literal(id).is_none()
+        };
+        if !lasts(left) && !lasts(right) {
+            return false;
+        }
+        let (l, r) = (self.name_of(self.ty(left)), self.name_of(self.ty(right)));
+        let message = format!("`%` works on integers, not on `{l}` and `{r}`");
+        let d = self.error_expr(error::INT_FLOAT_MIX, id, message);
+        let d = self
+            .both(d, left, right)
+            .fix(self.as_call(id, "mod", left, right));
+        self.report(d);
+        true
     }
 
     fn both(&self, d: Diagnostic, left: ExprId, right: ExprId) -> Diagnostic {
@@ -46,11 +67,66 @@ impl Checker<'_> {
 
     fn bool_misfit(&self, id: ExprId, op: BinaryOp, left: ExprId, right: ExprId) -> Diagnostic {
         let (l, r) = (self.name_of(self.ty(left)), self.name_of(self.ty(right)));
+        let is_bool = |id| self.ty(id).scalar_kind() == Some(Scalar::Bool);
+        if let Some(d) = self.chained_comparison(id, op, left, right) {
+            return d;
+        }
         let message = format!("`{l}` and `{r}` do not go together in `{}`", op.symbol());
         let d = self
             .error_expr(error::TYPE_MISMATCH, id, message)
             .note(NO_CONVERSION);
-        self.both(d, left, right)
+        let other = |id| self.ty(id).scalar_kind().filter(|s| *s != Scalar::Bool);
+        let fix = match (is_bool(left), is_bool(right)) {
+            _ if op.is_logical() => self.compare_with_zero(&[left, right]),
+            (true, false) => other(right).and_then(|s| self.convert(left, s)),
+            (false, true) => other(left).and_then(|s| self.convert(right, s)),
+            _ => None,
+        };
+        self.both(d, left, right).fix(fix)
+    }
+
+    /// `a < b < c`, which other languages read as `a < b && b < c`.
+    fn chained_comparison(
+        &self,
+        id: ExprId,
+        op: BinaryOp,
+        left: ExprId,
+        right: ExprId,
+    ) -> Option<Diagnostic> {
+        let ExprKind::Binary(first, _, middle) = self.tree.expr(left).kind else {
+            return None;
+        };
+        if !first.compares() || !op.compares() || self.ty(right) == Type::BOOL {
+            return None;
+        }
+        let text = self.expr_text(middle);
+        let edit = Edit::insert(self.expr_span(left).end, format!(" && {text}"));
+        let d = self
+            .error_expr(error::TYPE_MISMATCH, id, "comparisons cannot be chained")
+            .note(format!(
+                "`{}` gives a `bool`, which is then compared with `{}`",
+                self.expr_text(left),
+                self.expr_text(right)
+            ));
+        let is_plain = self.is_direct(self.tree.expr(id).extent);
+        Some(d.fix(is_plain.then(|| Fix::safe("compare twice, joined by `&&`", vec![edit]))))
+    }
+
+    /// Compares the numbers among some expressions with 0.
+    fn compare_with_zero(&self, all: &[ExprId]) -> Option<Fix> {
+        let mut edits = Vec::new();
+        for &id in all.iter().filter(|&&id| self.ty(id) != Type::BOOL) {
+            let ty = self.ty(id);
+            let zero = self.zero_of(ty).filter(|_| ty.is_scalar())?;
+            edits.extend(match self.binds_tightly(id) {
+                true => vec![Edit::insert(self.expr_span(id).end, format!(" != {zero}"))],
+                false => self.wrap(id, "(", &format!(") != {zero}")),
+            });
+        }
+        let is_direct = all
+            .iter()
+            .all(|&id| self.is_direct(self.tree.expr(id).extent));
+        is_direct.then(|| Fix::suggestion("compare with 0", edits))
     }
 
     /// `int`, `uint` and `float` mixed: points at what should change, most often a literal.
@@ -131,13 +207,18 @@ impl Checker<'_> {
         );
         let d = self.both(d, left, right);
         if l.is_matrix() || r.is_matrix() {
-            return d.note("the left has as many columns as the right has rows (section 5.9)");
+            let fix = match self.tree.expr(id).kind {
+                ExprKind::Binary(BinaryOp::Mul, ..) => self.match_matrix(id, left, right),
+                _ => None,
+            };
+            return d
+                .note("the left has as many columns as the right has rows (section 5.9)")
+                .fix(fix);
         }
         let d = d.note("vectors of different sizes cannot be combined (section 5.9)");
-        let fix = if symbol.len() == 1 {
-            self.match_sizes(id, left, right)
-        } else {
-            None
+        let fix = match self.tree.expr(id).kind {
+            ExprKind::Assign(..) => self.become_type(right, l),
+            _ => self.match_sizes(id, left, right),
         };
         d.fix(fix)
     }
@@ -214,20 +295,21 @@ impl Checker<'_> {
     fn advise_operator(
         &self,
         d: Diagnostic,
+        id: ExprId,
         op: BinaryOp,
         left: ExprId,
         right: ExprId,
         misfit: Misfit,
     ) -> Diagnostic {
         use BinaryOp as B;
-        let (l, r) = (self.expr_text(left), self.expr_text(right));
-        match (op, misfit) {
-            (B::Rem, Misfit::NeedsInteger) => {
-                d.help(format!("for `float` there is `mod({l}, {r})`"))
-            }
-            (B::BitXor, Misfit::NeedsInteger) => d.help(format!("a power is `pow({l}, {r})`")),
-            (B::BitAnd | B::BitOr, Misfit::NeedsInteger) if self.ty(left) == Type::BOOL => {
-                d.help(format!("for `bool` there is `{}`", op.symbol().repeat(2)))
+        let as_call = |name| self.as_call(id, name, left, right);
+        let fix = match (op, misfit) {
+            (B::Rem, Misfit::NeedsInteger) => as_call("mod"),
+            (B::BitXor, Misfit::NeedsInteger) => self.as_power(id, left, right),
+            (B::BitAnd | B::BitOr, Misfit::NeedsInteger | Misfit::Scalars)
+                if self.ty(left) == Type::BOOL && self.ty(right) == Type::BOOL =>
+            {
+                self.double_operator(op, left, right)
             }
             (_, Misfit::NeedsScalar) => {
                 let function = match op {
@@ -236,14 +318,97 @@ impl Checker<'_> {
                     B::LessEqual => "lessThanEqual",
                     _ => "greaterThanEqual",
                 };
-                d.help(format!("compare each component with `{function}({l}, {r})`, then `all(...)` or `any(...)`"))
+                as_call(function).map(|mut fix| {
+                    for edit in &mut fix.edits {
+                        edit.text = format!("all({})", edit.text);
+                    }
+                    fix.title = format!("{}, true where all are", fix.title);
+                    fix
+                })
             }
-            (B::And | B::Or | B::Xor, Misfit::NeedsBool)
-                if self.ty(left).scalar_kind() != Some(Scalar::Bool) =>
-            {
-                d.help("compare with 0: `x != 0`")
-            }
-            _ => d,
+            (B::And | B::Or | B::Xor, Misfit::NeedsBool) => self.compare_with_zero(&[left, right]),
+            _ => return d,
+        };
+        d.fix(fix)
+    }
+
+    /// `l & r` of truth values becomes `l && r`.
+    fn double_operator(&self, op: BinaryOp, left: ExprId, right: ExprId) -> Option<Fix> {
+        let token = self.token(self.tree.expr(left).extent.last + 1);
+        let symbol = op.symbol().repeat(2);
+        let is_direct = token.is_direct() && token.span.end <= self.expr_span(right).start;
+        let edits = vec![Edit::replace(token.span, symbol.clone())];
+        is_direct.then(|| Fix::suggestion(format!("write `{symbol}`"), edits))
+    }
+
+    /// `l op r` becomes `name(l, r)`, in floats and with a number made a vector beside one.
+    fn as_call(&self, id: ExprId, name: &str, left: ExprId, right: ExprId) -> Option<Fix> {
+        let all = Extent {
+            first: self.tree.expr(left).extent.first,
+            last: self.tree.expr(right).extent.last,
+        };
+        let (l, r) = (self.ty(left), self.ty(right));
+        let (_, 1, lr) = l.numeric()? else {
+            return None;
+        };
+        let (_, 1, rr) = r.numeric()? else {
+            return None;
+        };
+        let is_float =
+            l.scalar_kind() == Some(Scalar::Float) || r.scalar_kind() == Some(Scalar::Float);
+        let scalar = match is_float {
+            true => Scalar::Float,
+            false => l.scalar_kind()?,
+        };
+        let rows = lr.max(rr);
+        if !self.is_direct(all) || (lr != rr && lr != 1 && rr != 1) {
+            return None;
+        }
+        let ty = Type::vector(scalar, rows);
+        let ty = if rows == 1 { Type::scalar(scalar) } else { ty };
+        let keeps = name == "mod" && rr == 1;
+        let right_type = if keeps { Type::scalar(scalar) } else { ty };
+        let text = format!(
+            "{name}({}, {})",
+            self.text_as(left, ty),
+            self.text_as(right, right_type)
+        );
+        let text = match self.tree.expr(id).kind {
+            ExprKind::Assign(..) => format!("{} = {text}", self.expr_text(left)),
+            _ => text,
+        };
+        let edit = Edit::replace(self.span(all), text.clone());
+        Some(Fix::suggestion(format!("write `{text}`"), vec![edit]))
+    }
+
+    /// `l ^ r`, which is a power in other languages. It binds loosely here, and tightly there.
+    fn as_power(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Fix> {
+        let (mut base, mut exponent) = (left, right);
+        while let ExprKind::Binary(_, _, last) = self.tree.expr(base).kind {
+            base = last;
+        }
+        while let ExprKind::Unary(UnaryOp::Minus, inner) = self.tree.expr(base).kind {
+            base = inner;
+        }
+        while let ExprKind::Binary(_, first, _) = self.tree.expr(exponent).kind {
+            exponent = first;
+        }
+        self.as_call(id, "pow", base, exponent)
+    }
+
+    /// The text of an expression, as a value of a type.
+    fn text_as(&self, id: ExprId, ty: Type) -> String {
+        let text = self.expr_text(id);
+        let literal = self.literal_token(id).zip(ty.scalar_kind());
+        let literal = literal.and_then(|(token, to)| {
+            let converted = self.converted_literal(id, &token, to)?;
+            Some(text.replace(self.sources.text(token.span), &converted))
+        });
+        match literal {
+            Some(literal) if ty.is_scalar() => literal,
+            Some(literal) => format!("{}({literal})", self.name_of(ty)),
+            None if self.ty(id) == ty => text.to_string(),
+            None => format!("{}({text})", self.name_of(ty)),
         }
     }
 
@@ -324,14 +489,7 @@ impl Checker<'_> {
         let found = self.ty(value);
         let (wn, fname) = (self.name_of(wanted), self.name_of(found));
         let message = format!("`{fname}` cannot become `{wn}` by itself");
-        let scalar = wanted.element().scalar_kind();
-        let fix = match (rule, scalar) {
-            (error::INT_FLOAT_MIX, Some(scalar)) if !wanted.is_array() => {
-                self.convert(value, scalar)
-            }
-            (error::VECTOR_SIZE, _) => self.resize(value, wanted),
-            _ => None,
-        };
+        let fix = self.become_type(value, wanted);
         let at_value = rule == error::INT_FLOAT_MIX && self.literal_token(value).is_some();
         let d = if at_value {
             self.error_expr(rule, value, message)
@@ -340,6 +498,65 @@ impl Checker<'_> {
             self.error(rule, extent, message)
         };
         d.note(NO_CONVERSION).fix(fix)
+    }
+
+    /// Makes a number, vector or matrix one of another type.
+    pub(super) fn become_type(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+        let (ws, wc, wr) = wanted.numeric()?;
+        let (fs, fc, fr) = self.ty(value).numeric()?;
+        if (wc, wr) == (fc, fr) {
+            return self.convert(value, ws);
+        }
+        if let Some(fix) = self.component_list(value, wanted) {
+            return Some(fix);
+        }
+        if ws == fs && wc == 1 && fc == 1 {
+            return self.resize(value, wanted);
+        }
+        let fills = (fc, fr) == (1, 1);
+        let is_direct = self.is_direct(self.tree.expr(value).extent);
+        if !is_direct || !(fills || (fc > 1 && wc > 1)) {
+            return None;
+        }
+        let name = self.name_of(wanted);
+        let title = format!("make a `{name}` of it");
+        Some(Fix::suggestion(
+            title,
+            self.wrap(value, &format!("{name}("), ")"),
+        ))
+    }
+
+    /// `(1.0, 2.0, 3.0)` in the place of a vector.
+    fn component_list(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+        let ExprKind::Paren(inner) = self.tree.expr(value).kind else {
+            return None;
+        };
+        let (mut at, mut components) = (inner, 0);
+        loop {
+            let (next, last) = match self.tree.expr(at).kind {
+                ExprKind::Comma(left, right) => (Some(left), right),
+                _ => (None, at),
+            };
+            components += self.ty(last).components();
+            match next {
+                Some(next) => at = next,
+                None => break,
+            }
+        }
+        let is_list = at != inner && components == wanted.components() && wanted.is_vector();
+        let name = self.name_of(wanted);
+        let edit = Edit::insert(self.expr_span(value).start, name.clone());
+        (is_list && self.is_direct(self.tree.expr(value).extent))
+            .then(|| Fix::safe(format!("write `{name}(...)`"), vec![edit]))
+    }
+
+    /// Edits that put text around an expression.
+    pub(super) fn wrap(&self, id: ExprId, before: &str, behind: &str) -> Vec<Edit> {
+        let span = self.expr_span(id);
+        vec![
+            Edit::insert(span.start, before),
+            Edit::insert(span.end, behind),
+        ]
     }
 
     /// Whether an expression needs no parentheses before a `.`.
@@ -380,7 +597,12 @@ impl Checker<'_> {
                 format!("the two values of `? :` differ: `{yn}` and `{nn}`"),
             )
             .note(NO_CONVERSION);
-        let d = self.both(d, yes, no);
+        let fix = match (y.is_vector() && n.is_vector(), y.components() == 1) {
+            (true, _) => self.match_sizes(id, yes, no),
+            (false, true) => self.become_type(yes, n),
+            (false, false) => self.become_type(no, y),
+        };
+        let d = self.both(d, yes, no).fix(fix);
         self.report(d);
     }
 
@@ -409,7 +631,8 @@ impl Checker<'_> {
             ExprKind::Assign(None, ..)
         );
         let d = if is_assignment {
-            d.help("`=` assigns; `==` compares")
+            d.note("`=` assigns; `==` compares")
+                .fix(self.compare_instead(id))
         } else if !zero.is_empty() && self.is_direct(self.tree.expr(id).extent) {
             let span = self.expr_span(id);
             let atom = self.is_atom(id);
@@ -422,11 +645,26 @@ impl Checker<'_> {
             }
             d.fix(Fix::safe(format!("compare with `{zero}`"), edits))
         } else if ty.scalar_kind() == Some(Scalar::Bool) {
-            d.help("join the components with `any(...)` or `all(...)`")
+            let fix = Fix::suggestion("true where all are: `all(...)`", self.wrap(id, "all(", ")"));
+            d.note("`any(...)` is true where one is").fix(fix)
+        } else if let Some(zero) = self.zero_of(ty).filter(|_| ty.is_vector()) {
+            let edits = self.wrap(id, "any(notEqual(", &format!(", {zero}))"));
+            d.fix(Fix::suggestion("true where one is not 0", edits))
         } else {
             d
         };
         self.report(d);
+    }
+
+    /// `=` where `==` must be meant.
+    pub(super) fn compare_instead(&self, id: ExprId) -> Option<Fix> {
+        let ExprKind::Assign(None, left, _) = self.tree.expr(self.tree.unparen(id)).kind else {
+            return None;
+        };
+        let token = self.token(self.tree.expr(left).extent.last + 1);
+        let edits = vec![Edit::replace(token.span, "==")];
+        (token.kind == TokenKind::Equal && token.is_direct())
+            .then(|| Fix::suggestion("write `==`", edits))
     }
 
     /// The token of a literal number, through parentheses and signs.

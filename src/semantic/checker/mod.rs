@@ -3,19 +3,23 @@
 //! Expressions are checked in the order in which the tree stores them, children before parents,
 //! without recursion. A mistake gives a type that fits everywhere, so that it is reported once.
 
+mod arguments;
 mod assign;
 mod binary;
 mod call;
 mod construct;
 mod declare;
+mod doubt;
 mod expression;
 mod finish;
+mod foreign;
 mod function;
 mod layout;
 mod limits;
 mod mismatch;
 mod names;
 mod overload;
+mod place;
 mod qualifier;
 mod record;
 mod resize;
@@ -32,12 +36,16 @@ use crate::diagnostic::{Diagnostic, error};
 use crate::syntax::ast::*;
 use crate::syntax::{Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
 use crate::text::{Role, Sources, Span};
+use doubt::{Doubts, settle};
 use finish::LoopCheck;
 use qualifier::Precisions;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::cell::Cell;
 
 /// Most errors that are looked for in one shader.
 const MAX_ERRORS: usize = 200;
+/// Most names, tokens and pairs of letters that are looked at for advice, over all errors of a shader.
+const MAX_ADVICE: usize = 6_000_000;
 
 /// A parsed shader, on its way to the checker.
 pub struct Parsed<'a> {
@@ -72,56 +80,71 @@ pub fn check<'a>(
         version,
         has_errors,
     } = parsed;
-    let mut checker = Checker {
-        sources,
-        tokens: &tokens,
-        names: &names,
-        tree: &tree,
-        version,
-        stage,
-        dialect,
-        channels,
-        builtins: Builtins::of(version, stage),
-        syntax_errors: has_errors,
-        scopes: Scopes::default(),
-        precisions: Precisions::new(stage),
-        exprs: Vec::with_capacity(tree.exprs.len()),
-        variables: Vec::new(),
-        functions: Vec::new(),
-        structs: Vec::new(),
-        calls: Vec::new(),
-        declared: vec![None; tree.declarator_lists.len()],
-        declared_params: vec![None; tree.param_lists.len()],
-        pool: Pool::default(),
-        by_signature: FxHashMap::default(),
-        by_name: FxHashMap::default(),
-        builtin_names: Vec::new(),
-        builtin_variables: FxHashMap::default(),
-        current: None,
-        whole: ExprId(0),
-        wanted: None,
-        level: 0,
-        flow: Vec::new(),
-        undeclared: FxHashMap::default(),
-        reported_names: Vec::new(),
-        missing_precision: Vec::new(),
-        deep_reported: None,
-        outputs: Vec::new(),
-        loops: Vec::new(),
-        private_size: 0,
-        frag_color: None,
-        frag_data: None,
-        unknown_functions: Vec::new(),
-        always_true: Vec::new(),
-        returned: Type::VOID,
-        returns_value: false,
-        diagnostics: Vec::new(),
+    let run = |doubts: Doubts| {
+        let mut checker = Checker {
+            sources,
+            tokens: &tokens,
+            names: &names,
+            tree: &tree,
+            version,
+            stage,
+            dialect,
+            channels,
+            builtins: Builtins::of(version, stage),
+            syntax_errors: has_errors,
+            scopes: Scopes::default(),
+            precisions: Precisions::new(stage),
+            exprs: Vec::with_capacity(tree.exprs.len()),
+            variables: Vec::new(),
+            functions: Vec::new(),
+            structs: Vec::new(),
+            calls: Vec::new(),
+            declared: vec![None; tree.declarator_lists.len()],
+            declared_params: vec![None; tree.param_lists.len()],
+            pool: Pool::default(),
+            by_signature: FxHashMap::default(),
+            by_name: FxHashMap::default(),
+            builtin_names: Vec::new(),
+            builtin_variables: FxHashMap::default(),
+            current: None,
+            whole: ExprId(0),
+            wanted: None,
+            level: 0,
+            flow: Vec::new(),
+            undeclared: FxHashMap::default(),
+            reported_names: FxHashSet::default(),
+            advice: Cell::new(MAX_ADVICE),
+            missing_precision: Vec::new(),
+            deep_reported: None,
+            outputs: Vec::new(),
+            loops: Vec::new(),
+            private_size: 0,
+            frag_color: None,
+            frag_data: None,
+            unknown_functions: FxHashSet::default(),
+            always_true: FxHashSet::default(),
+            returned: Type::VOID,
+            returns_value: false,
+            diagnostics: Vec::new(),
+            doubts,
+        };
+        for &name in &tree.lost {
+            checker.scopes.declare(name, Binding::Error);
+        }
+        checker.items();
+        checker.finish();
+        checker
     };
-    for &name in &tree.lost {
-        checker.scopes.declare(name, Binding::Error);
+    let mut checker = run(Doubts::default());
+    if !checker.doubts.met.is_empty() {
+        let met = std::mem::take(&mut checker.doubts.met);
+        let doubts = settle(checker.diagnostics.len(), &met, tree.exprs.len(), |d| {
+            run(d.clone()).diagnostics.len()
+        });
+        if !doubts.retyped.is_empty() {
+            checker = run(doubts);
+        }
     }
-    checker.items();
-    checker.finish();
     let mut diagnostics = std::mem::take(&mut checker.diagnostics);
     diagnostics.truncate(MAX_ERRORS);
     let Checker {
@@ -211,7 +234,9 @@ struct Checker<'a> {
     flow: Vec<Flow>,
     /// Undeclared names: the diagnostic that speaks of them, and how often they were used since.
     undeclared: FxHashMap<Name, (usize, u32)>,
-    reported_names: Vec<Name>,
+    reported_names: FxHashSet<Name>,
+    /// What may still be spent on looking through all names or tokens for advice on an error.
+    advice: Cell<usize>,
     /// Types whose missing precision was reported.
     missing_precision: Vec<Base>,
     /// The function in which too deep a tree was reported.
@@ -222,13 +247,14 @@ struct Checker<'a> {
     frag_color: Option<TokenId>,
     frag_data: Option<TokenId>,
     /// Functions that could not be declared; calls of them are not judged.
-    unknown_functions: Vec<Name>,
+    unknown_functions: FxHashSet<Name>,
     /// Variables that start as true.
-    always_true: Vec<VariableId>,
+    always_true: FxHashSet<VariableId>,
     /// What the function at hand returns, and whether a `return` with a value was seen in it.
     returned: Type,
     returns_value: bool,
     diagnostics: Vec<Diagnostic>,
+    doubts: Doubts,
 }
 
 impl<'a> Checker<'a> {
@@ -248,6 +274,13 @@ impl<'a> Checker<'a> {
     /// Whether so much is wrong that looking on is of no use.
     fn gave_up(&self) -> bool {
         self.diagnostics.len() >= MAX_ERRORS
+    }
+
+    /// Whether so many names or tokens may still be looked through for advice on an error.
+    fn affords(&self, looks: usize) -> bool {
+        let left = self.advice.get().checked_sub(looks);
+        self.advice.set(left.unwrap_or(0));
+        left.is_some()
     }
 
     fn is_300(&self) -> bool {
@@ -278,12 +311,12 @@ impl<'a> Checker<'a> {
     }
 
     fn token_span(&self, id: TokenId) -> Span {
-        self.token(id).span
+        self.span(Extent::token(id))
     }
 
+    /// Where code stands: in a macro's definition, if its body supplied all of it.
     fn span(&self, extent: Extent) -> Span {
-        self.token_span(extent.first)
-            .to(self.token_span(extent.last))
+        self.tokens.place(self.sources, extent.first, extent.last)
     }
 
     fn expr_span(&self, id: ExprId) -> Span {
@@ -417,8 +450,7 @@ impl<'a> Checker<'a> {
         if self.is_prelude(ident.token) {
             return true;
         }
-        if !self.reported_names.contains(&ident.name) {
-            self.reported_names.push(ident.name);
+        if self.reported_names.insert(ident.name) {
             let message = format!("the name `{text}` is reserved");
             let d = self
                 .error_at(error::RESERVED_IDENTIFIER, ident.token, message)

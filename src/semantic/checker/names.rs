@@ -3,6 +3,7 @@
 use super::super::builtins::{BuiltinStorage, BuiltinVariable};
 use super::*;
 use crate::diagnostic::Fix;
+use crate::syntax::{TypeWord, WordClass, classify, type_in_another_case};
 use crate::text::Edit;
 
 /// Functions of GLSL ES 1.00 and its extensions, and what took their place.
@@ -14,21 +15,6 @@ pub(super) const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
     ("texture2DProjLodEXT", "textureProjLod"), ("textureCubeLodEXT", "textureLod"),
     ("texture2DGradEXT", "textureGrad"), ("texture2DProjGradEXT", "textureProjGrad"),
     ("textureCubeGradEXT", "textureGrad"), ("shadow2D", "texture"),
-];
-
-/// What other shading languages call things.
-#[rustfmt::skip]
-const FOREIGN: &[(&str, &str)] = &[
-    ("lerp", "mix"), ("frac", "fract"), ("saturate", "clamp(x, 0.0, 1.0)"), ("rsqrt", "inversesqrt"),
-    ("atan2", "atan"), ("fmod", "mod"), ("ddx", "dFdx"), ("ddy", "dFdy"), ("mul", "*"),
-    ("tex2D", "texture"), ("tex2Dlod", "textureLod"), ("clip", "discard"), ("float2", "vec2"),
-    ("float3", "vec3"), ("float4", "vec4"), ("float2x2", "mat2"), ("float3x3", "mat3"),
-    ("float4x4", "mat4"), ("int2", "ivec2"), ("int3", "ivec3"), ("int4", "ivec4"), ("fabs", "abs"),
-    ("fmin", "min"), ("fmax", "max"), ("powf", "pow"), ("sqrtf", "sqrt"), ("sinf", "sin"),
-    ("cosf", "cos"), ("M_PI", "3.14159265"), ("var", "a type"), ("let", "a type"), ("auto", "a type"),
-    ("NULL", "0"), ("nullptr", "0"), ("fma", "a * b + c"), ("mad", "a * b + c"),
-    ("vec2f", "vec2"), ("vec3f", "vec3"), ("vec4f", "vec4"), ("f32", "float"), ("i32", "int"),
-    ("u32", "uint"),
 ];
 
 /// Names that shaders give their output.
@@ -185,7 +171,7 @@ impl Checker<'_> {
     }
 
     /// Whether a name was reported before; counts the use.
-    fn was_reported(&mut self, name: Name) -> bool {
+    pub(super) fn was_reported(&mut self, name: Name) -> bool {
         match self.undeclared.get_mut(&name) {
             Some((_, uses)) => {
                 *uses += 1;
@@ -195,7 +181,7 @@ impl Checker<'_> {
         }
     }
 
-    fn report_undeclared(&mut self, name: Name, diagnostic: Diagnostic) {
+    pub(super) fn report_undeclared(&mut self, name: Name, diagnostic: Diagnostic) {
         self.undeclared.insert(name, (self.diagnostics.len(), 0));
         self.report(diagnostic);
     }
@@ -205,7 +191,8 @@ impl Checker<'_> {
             return;
         }
         let text = self.text(name);
-        let d = match self.legacy_variable(name, token) {
+        let known = self.legacy_variable(name, token);
+        let d = match known.or_else(|| self.foreign_value(name, token)) {
             Some(d) => d,
             None => {
                 let d = self.error_at(
@@ -354,7 +341,7 @@ impl Checker<'_> {
     }
 
     /// A name like `base` that the shader does not use.
-    fn free_name(&self, base: &str) -> String {
+    pub(super) fn free_name(&self, base: &str) -> String {
         let mut name = base.to_string();
         let mut number = 2;
         while self.names.get(&name).is_some() {
@@ -368,6 +355,9 @@ impl Checker<'_> {
     pub(super) fn rename_all(&self, name: Name, to: &str) -> Vec<Edit> {
         let mut edits = Vec::new();
         let mut behind_dot = false;
+        if !self.affords(self.tokens.tokens.len()) {
+            return edits;
+        }
         for token in &self.tokens.tokens {
             let is_use =
                 token.kind == TokenKind::Identifier && token.value == name.0 && !behind_dot;
@@ -422,8 +412,17 @@ impl Checker<'_> {
                 "it is declared below, in line {line}; GLSL wants that before the first use"
             ));
         }
-        if let Some((_, meant)) = FOREIGN.iter().find(|(n, _)| *n == text) {
-            return d.help(format!("GLSL has `{meant}` for it"));
+        if let Some(variable) = self.left_scope(name, token).filter(|_| !is_call) {
+            let declared = self.token_span(variable);
+            let d = d
+                .label(declared, "declared here")
+                .note("the block in which it is declared has ended");
+            return d.fix(self.declare_before_loop(variable, name));
+        }
+        if let Some(later) = self.declared_below(name, token).filter(|_| !is_call) {
+            return d
+                .label(self.token_span(later), "declared here")
+                .note("GLSL wants the declaration before the first use");
         }
         match self.nearest_name(text, is_call) {
             Some(near) => {
@@ -436,6 +435,53 @@ impl Checker<'_> {
             }
             None => d,
         }
+    }
+
+    /// Where a variable of this name is declared in the function at hand, in a block that has ended.
+    fn left_scope(&self, name: Name, token: TokenId) -> Option<TokenId> {
+        let mut found = self.variables.iter().rev();
+        let is_it = |v: &&Variable| v.name == name && v.function == self.current;
+        let declared = found
+            .find(is_it)
+            .filter(|_| self.current.is_some())?
+            .token?;
+        (declared < token).then_some(declared)
+    }
+
+    /// Where a name is declared in the function at hand behind a token.
+    fn declared_below(&self, name: Name, token: TokenId) -> Option<TokenId> {
+        let function = self.functions.get(self.current?.0 as usize)?;
+        let extent = self.tree.function(function.definition?)?.extent;
+        let mut all = self.tree.declarator_lists.iter().map(|d| d.ident);
+        let is_it = |i: &Ident| i.name == name && i.token > token && i.token <= extent.last;
+        all.find(is_it).map(|i| i.token)
+    }
+
+    /// Declares the variable of a `for` before the loop.
+    fn declare_before_loop(&self, variable: TokenId, name: Name) -> Option<Fix> {
+        use TokenKind as T;
+        let [ty, open, head, before] =
+            [1, 2, 3, 4].map(|n| Some(self.token(variable.checked_sub(n)?)));
+        let (ty, open, head, before) = (ty?, open?, head?, before?);
+        let is_loop = (ty.kind, open.kind, head.kind) == (T::Type, T::LeftParen, T::For)
+            && matches!(before.kind, T::Semicolon | T::LeftBrace | T::RightBrace);
+        let extent = Extent {
+            first: variable - 3,
+            last: variable,
+        };
+        if !is_loop || !self.is_direct(extent) {
+            return None;
+        }
+        let (word, text) = (self.sources.text(ty.span), self.text(name));
+        let line = format!("{word} {text};");
+        let edits = vec![
+            Edit::insert(head.span.start, format!("{line} ")),
+            Edit::delete(Span::new(ty.span.start, self.token_span(variable).start)),
+        ];
+        Some(Fix::suggestion(
+            format!("declare it before the loop: `{line}`"),
+            edits,
+        ))
     }
 
     /// Where a name is declared at global scope behind a token.
@@ -458,14 +504,17 @@ impl Checker<'_> {
         })
     }
 
-    /// The name in scope that looks most like `text`.
-    fn nearest_name(&self, text: &str, is_call: bool) -> Option<String> {
+    /// The name in scope that looks most like `text`; best of all one in another case.
+    pub(super) fn nearest_name(&self, text: &str, is_call: bool) -> Option<String> {
         let limit = match text.len() {
-            0..=2 => return None,
+            0..=2 => 0,
             3..=5 => 1,
             6..=9 => 2,
             _ => 3,
         };
+        if !self.affords(self.names.len()) {
+            return None;
+        }
         let fits = |binding| match binding {
             Binding::Function => is_call,
             Binding::Variable(_) => !is_call,
@@ -483,13 +532,57 @@ impl Checker<'_> {
             .iter()
             .filter(|_| is_call)
             .map(|f| f.name.as_str());
+        let types = TypeWord::ALL.into_iter().filter(|_| is_call);
         scope
             .chain(builtins)
+            .chain(types.map(|t| -> &str { t.name() }))
             .filter(|n| n.len().abs_diff(text.len()) <= limit && !n.starts_with("st_"))
-            .map(|n| (strsim::damerau_levenshtein(n, text), n))
-            .filter(|(distance, _)| (1..=limit).contains(distance))
+            .take_while(|n| self.affords(n.len() * text.len()))
+            .filter_map(|n| match n.eq_ignore_ascii_case(text) {
+                true => Some((0, n)),
+                false if limit == 0 => None,
+                false => Some((strsim::damerau_levenshtein(n, text), n)),
+            })
+            .filter(|(distance, n)| *distance <= limit && *n != text)
             .min()
             .map(|(_, n)| n.to_string())
+    }
+
+    /// A member that a struct has not.
+    pub(super) fn no_such_field(
+        &self,
+        id: ExprId,
+        object: ExprId,
+        record: &Struct,
+        name: Name,
+    ) -> Diagnostic {
+        const MAX_LISTED: usize = 12;
+        let token = self.tree.expr(id).extent.last;
+        let text = self.text(name);
+        let of = self.name_of(self.ty(object));
+        let message = format!("`{of}` has no member `{text}`");
+        let d = self.error_at(error::NO_SUCH_FIELD, token, message);
+        let d = self.with_declaration(d, Some(record.token), "declared here");
+        let fields = || record.fields.iter().map(|f| self.text(f.name));
+        let near = fields()
+            .filter(|f| f.len().abs_diff(text.len()) <= 2)
+            .take_while(|f| self.affords(f.len() * text.len()))
+            .map(|f| (strsim::damerau_levenshtein(f, text), f))
+            .filter(|(distance, _)| *distance <= 2)
+            .min();
+        if let Some((_, near)) = near {
+            let edit = Edit::replace(self.token_span(token), near);
+            return d.fix(Fix::suggestion(
+                format!("did you mean `{near}`?"),
+                vec![edit],
+            ));
+        }
+        let listed = fields().take(MAX_LISTED).map(|f| format!("`{f}`"));
+        let list = listed.collect::<Vec<_>>().join(", ");
+        d.note(match record.fields.len().saturating_sub(MAX_LISTED) {
+            0 => format!("it has {list}"),
+            more => format!("it has {list} and {more} more"),
+        })
     }
 
     /// A name used as a type that is none.
@@ -504,62 +597,34 @@ impl Checker<'_> {
             _ => format!("there is no type `{text}`"),
         };
         let d = self.error_at(error::UNKNOWN_TYPE, token, message);
-        let d = if let Some((_, meant)) = FOREIGN.iter().find(|(n, _)| *n == text) {
-            d.help(format!("GLSL has `{meant}` for it"))
-        } else {
-            self.advise_type(d, text, token)
-        };
+        let d = self.advise_type(d, name, token);
         self.report_undeclared(name, d);
     }
 
-    fn advise_type(&self, d: Diagnostic, text: &str, token: TokenId) -> Diagnostic {
-        const TYPES: [&str; 22] = [
-            "void",
-            "bool",
-            "int",
-            "uint",
-            "float",
-            "vec2",
-            "vec3",
-            "vec4",
-            "ivec2",
-            "ivec3",
-            "ivec4",
-            "uvec2",
-            "uvec3",
-            "uvec4",
-            "bvec2",
-            "bvec3",
-            "bvec4",
-            "mat2",
-            "mat3",
-            "mat4",
-            "sampler2D",
-            "samplerCube",
-        ];
-        let structs = self
-            .structs
-            .iter()
-            .filter_map(|s| s.name)
-            .map(|n| self.text(n));
-        let near = TYPES
+    /// The type that an unknown one is probably meant to be.
+    fn advise_type(&self, d: Diagnostic, name: Name, token: TokenId) -> Diagnostic {
+        let text = self.text(name);
+        if let Some(word) = type_in_another_case(text, self.version) {
+            return self.rename_fix(d, name, word.name());
+        }
+        let lower = text.to_ascii_lowercase();
+        let structs = self.structs.iter().filter_map(|s| s.name);
+        let near = TypeWord::ALL
             .into_iter()
-            .chain(structs)
-            .map(|t| {
-                (
-                    strsim::damerau_levenshtein(t, &text.to_ascii_lowercase()),
-                    t,
-                )
-            })
+            .map(|t| -> &str { t.name() })
+            .filter(|t| matches!(classify(t, self.version), WordClass::Type(_)))
+            .chain(["void"])
+            .chain(structs.map(|n| self.text(n)))
+            .filter(|t| t.len().abs_diff(lower.len()) <= 1)
+            .take_while(|t| self.affords(t.len() * lower.len()))
+            .map(|t| (strsim::damerau_levenshtein(t, &lower), t))
             .filter(|(distance, _)| *distance <= 1)
             .min();
         match near {
             Some((_, near)) => {
                 let edit = Edit::replace(self.token_span(token), near);
-                d.fix(Fix::suggestion(
-                    format!("did you mean `{near}`?"),
-                    vec![edit],
-                ))
+                let title = format!("did you mean `{near}`?");
+                d.fix(Fix::suggestion(title, vec![edit]))
             }
             None => d,
         }

@@ -8,12 +8,16 @@ use crate::diagnostic::Fix;
 const MAX_LISTED: usize = 5;
 
 /// A form of a function that a call might mean.
-struct Candidate {
-    params: Vec<Type>,
+pub(super) struct Candidate {
+    pub params: Vec<Type>,
+    /// The parameters' names, where they have any.
+    pub names: Vec<String>,
+    /// Which parameters are written to.
+    pub writes: Vec<bool>,
     /// As it is written.
     shown: String,
     /// Where the user declares it.
-    token: Option<TokenId>,
+    pub token: Option<TokenId>,
 }
 
 /// How far an argument is from a parameter; 0 where it fits.
@@ -63,12 +67,20 @@ impl Checker<'_> {
             self.text(function.name),
             list.join(", ")
         );
-        let token = self
-            .tree
-            .function(function.declaration)
-            .map(|f| f.ident.token);
+        let declaration = self.tree.function(function.declaration);
+        let names = declaration.map_or(&[][..], |f| self.tree.params(f.params));
+        let names = names
+            .iter()
+            .map(|p| p.ident.map_or("", |i| self.text(i.name)).to_string());
+        let token = declaration.map(|f| f.ident.token);
         Candidate {
             params,
+            names: names.collect(),
+            writes: function
+                .params
+                .iter()
+                .map(|p| p.direction.writes())
+                .collect(),
             shown,
             token,
         }
@@ -98,6 +110,10 @@ impl Checker<'_> {
                 );
                 Candidate {
                     params: o.params().to_vec(),
+                    names: Vec::new(),
+                    writes: (0..o.params().len())
+                        .map(|i| o.out & (1 << i) != 0)
+                        .collect(),
                     shown,
                     token: None,
                 }
@@ -123,7 +139,7 @@ impl Checker<'_> {
         let d = if same_count.is_empty() {
             self.wrong_count(id, name, list, candidates)
         } else {
-            self.wrong_types(id, name, list, &same_count)
+            self.wrong_types(id, name, list, &same_count, candidates)
         };
         self.report(d);
     }
@@ -150,6 +166,10 @@ impl Checker<'_> {
         };
         let message = format!("`{text}` takes {wanted}, not {}", args.len());
         let d = self.error_expr(error::ARGUMENT_MISMATCH, id, message);
+        let d = match self.drop_arguments(args, candidates) {
+            Some(fix) => d.fix(fix),
+            None => self.missing_arguments(d, name, args, candidates),
+        };
         self.list_candidates(d, candidates.iter())
     }
 
@@ -177,6 +197,7 @@ impl Checker<'_> {
         name: Name,
         args: &[ExprId],
         candidates: &[&Candidate],
+        all: &[Candidate],
     ) -> Diagnostic {
         let cost = |c: &Candidate| -> u32 {
             c.params
@@ -186,7 +207,8 @@ impl Checker<'_> {
                 .sum()
         };
         let mut ranked: Vec<(u32, &Candidate)> = candidates.iter().map(|c| (cost(c), *c)).collect();
-        ranked.sort_by_key(|(cost, _)| *cost);
+        let size = |c: &Candidate| c.params.iter().map(|p| p.components()).sum::<u32>();
+        ranked.sort_by_key(|(cost, c)| (*cost, std::cmp::Reverse(size(c))));
         let Some(&(best_cost, best)) = ranked.first() else {
             return self.error_expr(error::ARGUMENT_MISMATCH, id, "no function fits");
         };
@@ -205,6 +227,18 @@ impl Checker<'_> {
             self.wrong_argument(name, index, arg, wanted)
         } else {
             self.no_form(id, name, args)
+        };
+        let fix = self.swap_arguments(args, candidates);
+        let fix = fix.or_else(|| self.fewer_arguments(args, all, d.fix.is_none()));
+        let d = match (fix, &d.fix) {
+            (Some(fix), _) => d.fix(fix),
+            (None, None) => {
+                let mended = ranked
+                    .iter()
+                    .find_map(|(_, c)| self.mend_arguments(args, c));
+                d.fix(mended)
+            }
+            _ => d,
         };
         self.list_candidates(
             d,
@@ -275,12 +309,8 @@ impl Checker<'_> {
             self.name_of(wanted),
             self.name_of(found)
         );
-        let fix = if rule == error::VECTOR_SIZE {
-            self.resize(arg, wanted)
-        } else {
-            None
-        };
-        self.error_expr(rule, arg, message).fix(fix)
+        self.error_expr(rule, arg, message)
+            .fix(self.become_type(arg, wanted))
     }
 
     fn no_form(&self, id: ExprId, name: Name, args: &[ExprId]) -> Diagnostic {

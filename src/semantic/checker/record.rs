@@ -262,8 +262,9 @@ impl Checker<'_> {
             self.scopes.declare(ident.name, Binding::Block(index));
         }
         match instance {
-            Some(declarator) => self.block_instance(&declarator, index),
+            Some(declarator) => self.block_instance(&declarator, index, decl.name, header),
             None => {
+                self.check_size(Type::block(index), Storage::Uniform, decl.name, header);
                 for field in fields {
                     let ident = Ident {
                         name: field.name,
@@ -275,11 +276,14 @@ impl Checker<'_> {
         }
     }
 
-    fn block_instance(&mut self, declarator: &Declarator, index: u32) {
-        let base = Type {
-            base: Base::Block(index),
-            array: 0,
-        };
+    fn block_instance(
+        &mut self,
+        declarator: &Declarator,
+        index: u32,
+        block: Option<Ident>,
+        header: Extent,
+    ) {
+        let base = Type::block(index);
         let mut ty = self.with_arrays(base, declarator.arrays, Wanted::Uniform);
         if ty.array == Type::UNSIZED {
             let d = self.error(
@@ -290,6 +294,7 @@ impl Checker<'_> {
             self.report(d);
             ty.array = 1;
         }
+        self.check_size(ty, Storage::Uniform, block, header);
         self.declare_variable(
             declarator.ident,
             ty,
@@ -338,6 +343,18 @@ impl Checker<'_> {
     pub(super) fn requalify(&mut self, qualifiers: List, ident: Ident) {
         let qualified = self.qualifiers(qualifiers);
         let text = self.text(ident.name);
+        // `uniform S;` for a struct declares nothing, as `S;` does.
+        if let Some(Binding::Struct(id)) = self.scopes.get(ident.name)
+            && !qualified.invariant
+        {
+            let ty = Type {
+                base: Base::Struct(id),
+                array: 0,
+            };
+            let extent = Extent::token(ident.token);
+            self.check_type_of_variables(&qualified, ty, extent);
+            return self.check_variable_layout(&qualified, extent);
+        }
         if !qualified.invariant {
             // `uniform Foo;`: a declaration without a type or without a name.
             let message = format!("`{text}` stands where a type or a name is missing");

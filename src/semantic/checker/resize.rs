@@ -46,13 +46,67 @@ impl Checker<'_> {
         if !self.is_direct(self.tree.expr(value).extent) {
             return None;
         }
-        let span = self.expr_span(value);
         let name = self.name_of(wanted);
-        let edits = vec![
-            Edit::insert(span.start, format!("{name}(")),
-            Edit::insert(span.end, ")"),
-        ];
+        let scalar = wanted.scalar_kind()?;
+        if size == 4 && scalar == Scalar::Float && self.literal_token(value).is_none() {
+            let edits = self.wrap(value, "vec4(vec3(", "), 1.0)");
+            let text = self.expr_text(value);
+            return Some(Fix::suggestion(
+                format!("write `vec4(vec3({text}), 1.0)`"),
+                edits,
+            ));
+        }
+        let edits = self.wrap(value, &format!("{name}("), ")");
         Some(Fix::suggestion(format!("fill a `{name}` with it"), edits))
+    }
+
+    /// Makes the vector in a product with a matrix as long as the matrix asks for, and the product
+    /// as long as its place does.
+    pub(super) fn match_matrix(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Fix> {
+        let ((_, lc, lr), (_, rc, rr)) = (self.ty(left).numeric()?, self.ty(right).numeric()?);
+        let (vector, size) = match (lc > 1, rc > 1) {
+            (true, false) => (right, lc),
+            (false, true) => (left, rr),
+            (true, true) if lc == lr && rc == rr => {
+                let (small, large) = if lc < rc {
+                    (left, right)
+                } else {
+                    (right, left)
+                };
+                return self.become_type(small, self.ty(large));
+            }
+            _ => return None,
+        };
+        let mut fix = self.resize(vector, Type::vector(Scalar::Float, size))?;
+        let (_, _, have) = self.ty(vector).numeric()?;
+        let is_wanted = self.wanted_size(id) == Some(have) && have < size;
+        if let Some(letters) = "xyzw".get(..have as usize).filter(|_| is_wanted) {
+            let [open, close] = self
+                .wrap(id, "(", &format!(").{letters}"))
+                .try_into()
+                .ok()?;
+            fix.edits.insert(0, open);
+            match fix.edits.last_mut() {
+                Some(last) if last.span == close.span => last.text += &close.text,
+                _ => fix.edits.push(close),
+            }
+            fix.title = format!("{}, and `.{letters}` of the product", fix.title);
+        }
+        Some(fix)
+    }
+
+    /// The components that make a vector of `have` one of `size`: the fourth is alpha or w, where 1
+    /// means opaque and a point; the others are 0.
+    pub(super) fn added_components(scalar: Scalar, have: u8, size: u8) -> String {
+        let (zero, one) = match scalar {
+            Scalar::Float => ("0.0", "1.0"),
+            Scalar::Bool => ("false", "true"),
+            Scalar::Int => ("0", "1"),
+            Scalar::Uint => ("0u", "1u"),
+        };
+        (have..size)
+            .map(|i| format!(", {}", if i == 3 { one } else { zero }))
+            .collect()
     }
 
     /// Declares a variable with the type of its initializer, where that is computed and so says
@@ -89,7 +143,7 @@ impl Checker<'_> {
     }
 
     /// The size of the vector that `id` has to be, as far as the statement around it tells.
-    fn wanted_size(&self, id: ExprId) -> Option<u8> {
+    pub(super) fn wanted_size(&self, id: ExprId) -> Option<u8> {
         let target = self.tree.expr(id).extent;
         let holds = |e: ExprId| self.tree.expr(e).extent.contains(target);
         let mut wanted = self.wanted;
@@ -183,7 +237,7 @@ impl Checker<'_> {
         Some(Fix::suggestion(title, edits))
     }
 
-    /// Makes a vector larger: a swizzle takes more, everything else is filled up with zeros.
+    /// Makes a vector larger: a swizzle takes more, everything else is filled up.
     fn fill(&self, id: ExprId, size: u8) -> Option<Fix> {
         let ty = Type::vector(self.ty(id).scalar_kind()?, size);
         let have = self.vector_size(id)?;
@@ -193,21 +247,12 @@ impl Checker<'_> {
         if let Some(fix) = self.lengthen(self.core(id), size) {
             return Some(fix);
         }
-        let zero = match ty.scalar_kind()? {
-            Scalar::Float => "0.0",
-            Scalar::Bool => "false",
-            Scalar::Int => "0",
-            Scalar::Uint => "0u",
-        };
-        let zeros = format!(", {zero}").repeat((size - have) as usize);
+        let zeros = Checker::added_components(ty.scalar_kind()?, have, size);
         let span = self.expr_span(id);
         let name = self.name_of(ty);
         let text = self.sources.text(span);
         let title = format!("make it a `{name}`: `{name}({text}{zeros})`");
-        let edits = vec![
-            Edit::insert(span.start, format!("{name}(")),
-            Edit::insert(span.end, format!("{zeros})")),
-        ];
+        let edits = self.wrap(id, &format!("{name}("), &format!("{zeros})"));
         Some(Fix::suggestion(title, edits))
     }
 
@@ -221,5 +266,39 @@ impl Checker<'_> {
         let text = self.expr_text(id).strip_suffix(swizzle)?;
         let title = format!("write `{text}{longer}`");
         Some(Fix::suggestion(title, vec![edit]))
+    }
+
+    /// Letters that the vector has in the place of those that it has not, or that stand twice where
+    /// each may stand once: the one that belongs to the place, else one that is free.
+    pub(super) fn mend_swizzle(&self, text: &str, rows: u8, token: TokenId) -> Option<Fix> {
+        let sets = ["xyzw", "rgba", "stpq"];
+        let letters = sets
+            .iter()
+            .find(|set| text.chars().all(|c| set.contains(c)))?;
+        let has = letters.get(..rows as usize)?;
+        let mut out: Vec<Option<char>> = Vec::new();
+        for c in text.chars() {
+            let is_free = has.contains(c) && !out.contains(&Some(c));
+            let repeats = text.chars().all(|c| has.contains(c));
+            out.push(Some(c).filter(|&c| if repeats { is_free } else { has.contains(c) }));
+        }
+        for at in 0..out.len() {
+            if out.get(at).is_some_and(Option::is_some) {
+                continue;
+            }
+            let own = match out.len() {
+                1 => has.chars().last(),
+                _ => has.chars().nth(at),
+            };
+            let own = own.filter(|&c| !out.contains(&Some(c)));
+            let free = own.or_else(|| has.chars().find(|&c| !out.contains(&Some(c))));
+            let letter = free.or(has.chars().last());
+            if let Some(slot) = out.get_mut(at) {
+                *slot = letter;
+            }
+        }
+        let mended: String = out.into_iter().flatten().collect();
+        let edits = vec![Edit::replace(self.token_span(token), mended.clone())];
+        Some(Fix::suggestion(format!("write `.{mended}`"), edits))
     }
 }

@@ -3,6 +3,8 @@
 use super::super::constant::Value;
 use super::finish::LoopCheck;
 use super::*;
+use crate::diagnostic::Fix;
+use crate::text::Edit;
 
 /// How deep the checker follows statements; the parser stops before.
 const MAX_DEPTH: u32 = 400;
@@ -85,15 +87,19 @@ impl Checker<'_> {
         if self.level > MAX_DEPTH * 2 {
             return;
         }
+        // What the browser may drop is looked at when it is known whether it does.
         let is_label = matches!(stmt.kind, StmtKind::Case(_) | StmtKind::Default);
-        if !is_label {
+        if !is_label && !self.may_be_dropped(id) {
             self.check_label_before(stmt.extent);
         }
         match stmt.kind {
             StmtKind::Error => self.syntax_errors = true,
             StmtKind::Empty => {}
             StmtKind::Expr(expr) if self.declares_nothing(expr) => {}
-            StmtKind::Expr(expr) => self.root(expr, self.level),
+            StmtKind::Expr(expr) => {
+                self.root(expr, self.level);
+                self.check_no_block(expr);
+            }
             StmtKind::Decl(decl) => self.declaration(decl),
             StmtKind::Block(list) => {
                 self.open_scope();
@@ -105,7 +111,12 @@ impl Checker<'_> {
                 self.close_flow();
                 self.close_scope();
             }
-            StmtKind::If { .. } => self.if_statement(id),
+            StmtKind::If { .. } => {
+                self.if_statement(id);
+                if !self.is_dropped(id) {
+                    self.check_label_before(stmt.extent);
+                }
+            }
             StmtKind::Switch { selector, body } => self.switch(selector, body),
             StmtKind::Case(value) => self.case(value, stmt.extent),
             StmtKind::Default => self.label(None, stmt.extent.first),
@@ -159,6 +170,20 @@ impl Checker<'_> {
             self.exprs.push(ExprInfo::ERROR);
         }
         true
+    }
+
+    /// The instance of a block, or an element of an array of them, is no statement.
+    fn check_no_block(&mut self, expr: ExprId) {
+        if matches!(self.ty(expr).base, Base::Block(_)) {
+            let d = self
+                .error_expr(
+                    error::INTERFACE_BLOCK,
+                    expr,
+                    "a block cannot stand alone as a statement",
+                )
+                .help("name one of its members: `block.member`");
+            self.report(d);
+        }
     }
 
     /// An expression that is a node of its own at `level` of the browser's tree.
@@ -324,7 +349,7 @@ impl Checker<'_> {
             Some(Value::Bool(true)) if info.is_const => self.infinite_loop(keyword, None),
             Some(_) if info.is_const => {}
             _ => {
-                if let Some(variable) = self.variable_of(expr)
+                if let Some(variable) = self.variable_behind(expr)
                     && self.always_true.contains(&variable)
                     && self
                         .variables
@@ -357,7 +382,7 @@ impl Checker<'_> {
     /// Remembers a `bool` that starts as true.
     pub(super) fn track_always_true(&mut self, id: VariableId, init: ExprInfo, ty: Type) {
         if ty == Type::BOOL && self.pool.scalar(init.constant) == Some(Value::Bool(true)) {
-            self.always_true.push(id);
+            self.always_true.insert(id);
         }
     }
 
@@ -387,7 +412,13 @@ impl Checker<'_> {
                     extent,
                     format!("this `return` gives nothing, but the function is `{name}`"),
                 );
-                self.report(d);
+                let zero = self.zero_of(wanted);
+                let place = self.token_span(extent.first);
+                let fix = zero.filter(|_| self.is_direct(extent)).map(|zero| {
+                    let edit = Edit::insert(place.end, format!(" {zero}"));
+                    Fix::suggestion(format!("return `{zero}`"), vec![edit])
+                });
+                self.report(d.fix(fix));
                 self.returns_value = true;
             }
             return;
@@ -420,7 +451,26 @@ impl Checker<'_> {
             format!("a `void` function cannot return a value (this is `{name}`)"),
         );
         let d = self.label_return_type(d);
-        self.report(d);
+        let span = Span::new(self.token_span(extent.first).end, self.expr_span(value).end);
+        let edits = match self.ty(value).is_void() {
+            true => {
+                let start = self.token_span(extent.first).start;
+                let (call, end) = (self.expr_text(value), self.expr_span(value).end);
+                vec![Edit::replace(
+                    Span::new(start, end),
+                    format!("{call}; return"),
+                )]
+            }
+            false => vec![Edit::delete(span)],
+        };
+        let title = match self.ty(value).is_void() {
+            true => "call it, then return",
+            false => "return nothing",
+        };
+        let fix = self
+            .is_direct(extent)
+            .then(|| Fix::suggestion(title, edits));
+        self.report(d.fix(fix));
     }
 
     fn return_misfit(&mut self, value: ExprId, wanted: Type, extent: Extent) {
@@ -453,7 +503,6 @@ impl Checker<'_> {
     }
 
     fn switch(&mut self, selector: ExprId, body: List) {
-        let tree = self.tree;
         self.root(selector, self.level + 1);
         let ty = self.ty(selector);
         let is_integer = matches!(ty, Type::INT | Type::UINT);
@@ -478,20 +527,71 @@ impl Checker<'_> {
         self.level += 2;
         self.statements(body);
         self.level -= 2;
-        if let Some(&last) = tree.block(body).last()
-            && matches!(tree.stmt(last).kind, StmtKind::Case(_) | StmtKind::Default)
-        {
-            let d = self
-                .error(
-                    error::INVALID_SWITCH,
-                    tree.stmt(last).extent,
-                    "the last label of a `switch` has no statement",
-                )
-                .help("put `break;` behind it");
-            self.report(d);
-        }
+        self.check_last_label(body);
         self.close_flow();
         self.close_scope();
+    }
+
+    /// Behind the last label of a `switch` must stand a statement that the browser keeps.
+    fn check_last_label(&mut self, body: List) {
+        let tree = self.tree;
+        let mut dropped = None;
+        for &last in tree.block(body).iter().rev() {
+            match tree.stmt(last).kind {
+                StmtKind::Case(_) | StmtKind::Default => {
+                    let extent = tree.stmt(last).extent;
+                    let message = "the last label of a `switch` has no statement";
+                    let d = self.error(error::INVALID_SWITCH, extent, message);
+                    let d = match dropped {
+                        Some(dropped) => {
+                            d.label(self.span(dropped), "the browser drops this before it looks")
+                        }
+                        None => d,
+                    };
+                    return self.report(d.help("put `break;` behind it"));
+                }
+                _ if self.is_dropped(last) => dropped = Some(tree.stmt(last).extent),
+                _ => return,
+            }
+        }
+    }
+
+    /// Whether a statement is of a kind that [`Checker::is_dropped`] may speak of.
+    fn may_be_dropped(&self, id: StmtId) -> bool {
+        match self.tree.stmt(id).kind {
+            StmtKind::If { .. } => true,
+            StmtKind::Decl(decl) => {
+                let kind = self.tree.decl(decl).map(|d| d.kind);
+                matches!(kind, Some(DeclKind::Precision { .. }))
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether nothing of a statement is left in the browser's tree: `precision`, and an `if` whose
+    /// constant condition chooses a branch that is not there, or is dropped itself.
+    fn is_dropped(&self, id: StmtId) -> bool {
+        let mut at = id;
+        loop {
+            let StmtKind::If {
+                condition,
+                then,
+                otherwise,
+            } = self.tree.stmt(at).kind
+            else {
+                return self.may_be_dropped(at);
+            };
+            let info = self.info(condition);
+            let known = self.pool.scalar(info.constant).filter(|_| info.is_const);
+            match known.map(|v| v.as_bool()) {
+                Some(true) => at = then,
+                Some(false) => match otherwise {
+                    Some(otherwise) => at = otherwise,
+                    None => return true,
+                },
+                None => return false,
+            }
+        }
     }
 
     fn case(&mut self, value: ExprId, extent: Extent) {

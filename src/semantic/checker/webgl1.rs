@@ -91,7 +91,7 @@ impl Checker<'_> {
                 "the condition of a WebGL1 loop must compare its index with a constant",
             );
         };
-        if !op.compares() || self.variable_of(left) != Some(index) {
+        if !op.compares() || self.variable_behind(left) != Some(index) {
             return self.restricted(
                 at,
                 "the condition of a WebGL1 loop must compare its index with a constant",
@@ -130,7 +130,7 @@ impl Checker<'_> {
             _ => return self.restricted(at, message),
         };
         let is_const = by.is_none_or(|e| self.info(e).is_const || self.ty(e).is_error());
-        if self.variable_of(operand) != Some(index) || !is_const {
+        if self.variable_behind(operand) != Some(index) || !is_const {
             self.restricted(at, message);
         }
     }

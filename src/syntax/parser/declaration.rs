@@ -1,27 +1,56 @@
 //! Declarations, types and functions (GLSL ES 3.00 sections 4 and 6.1).
 
+use super::attempt::Scope;
 use super::{Parsed, Parser, Reported, append};
 use crate::diagnostic::{Diagnostic, Fix, error};
 use crate::syntax::ast::*;
 use crate::syntax::names::{Name, TypeWord};
 use crate::syntax::token::TokenKind;
 use crate::text::{Edit, Span};
+use rustc_hash::FxHashSet;
+
+/// Longest rest of a list of parameters that is looked at to its end, in tokens.
+const MAX_PARAMS: usize = 60;
 
 impl Parser<'_> {
     /// Everything up to the end.
     pub(super) fn translation_unit(&mut self) {
         while !self.is(TokenKind::End) {
-            let first = self.id();
-            let mark = self.tree.exprs.len();
-            match self.item() {
-                Ok(Some(item)) => self.tree.items.push(item),
-                Ok(None) => {}
-                Err(Reported) => {
-                    self.depth = 0;
-                    self.tree.exprs.truncate(mark);
-                    self.skip_item(first);
-                    self.lose_names(first);
-                }
+            self.item_or_error();
+        }
+    }
+
+    /// What stands at global scope; where it cannot be read, the place behind it.
+    pub(super) fn item_or_error(&mut self) {
+        let start = self.checkpoint();
+        loop {
+            let item = self.item_as_it_is();
+            let reported = self.diagnostics.get(start.diagnostics).cloned();
+            let from = self.first_to_read(start, &[self.item_before]);
+            if !self.mend(from.at, Scope::Global, reported) {
+                self.tree.items.extend(item);
+                self.item_before = Some(start);
+                return;
+            }
+            self.go_back(from);
+            if from.at != start.at {
+                self.item_before = None;
+                return;
+            }
+        }
+    }
+
+    fn item_as_it_is(&mut self) -> Option<Item> {
+        let first = self.id();
+        let mark = self.tree.exprs.len();
+        match self.item() {
+            Ok(item) => item,
+            Err(Reported) => {
+                self.depth = 0;
+                self.tree.exprs.truncate(mark);
+                self.skip_item(first);
+                self.lose_names(first);
+                None
             }
         }
     }
@@ -206,6 +235,9 @@ impl Parser<'_> {
         self.eat(TokenKind::RightBrace);
         if !is_whole {
             return Ok(None);
+        }
+        if let (Some(structs), Some(name)) = (&mut self.structs, name) {
+            structs.insert(name.name);
         }
         let fields = append(&mut self.tree.field_lists, fields);
         let extent = self.extent_from(first);
@@ -531,6 +563,10 @@ impl Parser<'_> {
             self.peek(),
             TokenKind::Comma | TokenKind::RightParen | TokenKind::LeftBracket
         );
+        if unnamed && self.lacks_type(ty) {
+            self.at = self.tree.ty(ty).extent.first as usize;
+            return Err(self.unexpected("the parameter's type"));
+        }
         let ident = if unnamed {
             None
         } else {
@@ -551,6 +587,33 @@ impl Parser<'_> {
             ident,
             arrays,
             extent,
+        })
+    }
+
+    /// Whether what was read as the type of a parameter without a name is its name: nothing declares
+    /// such a type.
+    fn lacks_type(&self, ty: TypeId) -> bool {
+        let TypeBase::Name(name) = self.tree.ty(ty).base else {
+            return false;
+        };
+        let is_apart = matches!(self.peek(), TokenKind::Comma | TokenKind::RightParen);
+        let is_known = |structs: &FxHashSet<Name>| structs.contains(&name);
+        is_apart && !self.structs.as_ref().is_none_or(is_known) && self.is_in_head()
+    }
+
+    /// Whether the parameters at hand end before a `{`.
+    fn is_in_head(&self) -> bool {
+        let ends = |&at: &usize| {
+            use TokenKind as T;
+            matches!(
+                self.token(at).kind,
+                T::RightParen | T::Semicolon | T::LeftBrace | T::RightBrace
+            )
+        };
+        let end = (self.at..self.at + MAX_PARAMS).find(ends);
+        end.is_some_and(|at| {
+            self.token(at).kind == TokenKind::RightParen
+                && self.token(at + 1).kind == TokenKind::LeftBrace
         })
     }
 

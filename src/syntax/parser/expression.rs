@@ -215,10 +215,13 @@ impl Parser<'_> {
         let ty = self.type_spec()?;
         let close = self.advance();
         let cast = self.span(Extent { first, last: close });
-        let name = self
-            .sources
-            .text(self.span(self.tree.ty(ty).extent))
-            .to_string();
+        let name = match self.tree.ty(ty).base {
+            TypeBase::Word(word) if self.tree.ty(ty).arrays.len == 0 => word.name().to_string(),
+            _ => self
+                .sources
+                .text(self.span(self.tree.ty(ty).extent))
+                .to_string(),
+        };
         self.enter()?;
         let operand = self.operand()?;
         self.leave();

@@ -4,18 +4,26 @@
 //! error is reported for it, and reading goes on behind it. Names need no table: `Id Id` is a
 //! declaration, whatever the first one means (so `mat mat;` works).
 
+mod attempt;
+mod balance;
+mod correction;
 mod declaration;
 mod expression;
 mod recovery;
 mod reserved;
 mod statement;
 
+pub use correction::{Choice, Correction};
+
 use super::ast::*;
 use super::names::{Name, Names, Version};
 use super::preprocessor::{Tokens, macro_uses};
 use super::token::{Token, TokenKind};
+use super::translation::{Translated, translate};
 use crate::diagnostic::{Diagnostic, error};
 use crate::text::{Sources, Span};
+use correction::{Repairs, change_tokens, is_structural};
+use rustc_hash::FxHashSet;
 
 /// Deepest nesting of statements and of expressions, parentheses not counted. The browser takes
 /// trees of a depth up to 256.
@@ -25,45 +33,110 @@ const MAX_PARENS: usize = 9_980;
 /// Most errors that are looked for in one shader.
 const MAX_ERRORS: usize = 200;
 
+/// Tokens that the trials of one shader may read, beside some times its own.
+const TRIAL_TOKENS: usize = 40_000;
+/// Most that they may read.
+const MAX_TRIAL_TOKENS: usize = 70_000;
+
+/// Most places that cannot be read in a shader in which slips are looked for; one lost brace makes
+/// many.
+const MAX_BROKEN: usize = 80;
+
+/// A shader as the parser understood it.
+pub struct Parse {
+    /// What was read.
+    pub tree: Tree,
+    /// What is wrong with the syntax.
+    pub diagnostics: Vec<Diagnostic>,
+    /// What was corrected so that it can be read; the first correction of each choice was made.
+    pub choices: Vec<Choice>,
+    /// The tokens before any correction, where there was one.
+    pub original: Vec<Token>,
+    /// What was put into GLSL before.
+    pub translated: Translated,
+}
+
+/// How a shader is written.
+#[derive(Clone, Copy)]
+pub struct Language {
+    /// The version that it states.
+    pub version: Version,
+    /// The stage, which the advice on `varying` needs.
+    pub is_fragment: bool,
+}
+
 /// Parses what the preprocessor left of a shader.
 ///
-/// `is_fragment` tells the stage, which the advice on `varying` needs. Returns the tree and what is
-/// wrong with the syntax.
-pub fn parse(
+/// Where that cannot be read, the forms of other languages are put into GLSL; where it still
+/// cannot, the slips are looked for that explain it. `tokens` are what was probably meant.
+pub fn parse(sources: &Sources, tokens: &mut Tokens, names: &Names, language: Language) -> Parse {
+    let mut parse = parse_corrected(sources, tokens, names, language, &[]);
+    if parse.diagnostics.iter().any(is_unreadable)
+        && let Some(found) = translate(sources, &tokens.tokens, language.version)
+    {
+        tokens.tokens = found.tokens;
+        parse = parse_corrected(sources, tokens, names, language, &[]);
+        parse.translated = found.translated;
+        parse.tree.lost.extend(&parse.translated.lost);
+    }
+    let is_broken = |d: &Diagnostic| is_structural(d.rule) || d.rule == error::LOCAL_FUNCTION;
+    let broken = parse.diagnostics.iter().filter(|d| is_broken(d)).count();
+    if broken == 0 || broken > MAX_BROKEN {
+        return parse;
+    }
+    let translated = parse.translated;
+    let original = std::mem::take(&mut tokens.tokens);
+    let mut parser = Parser::new(sources, tokens, names, language, original.clone());
+    parser.repairs.budget = MAX_TRIAL_TOKENS.min(TRIAL_TOKENS + 4 * parser.tokens.len());
+    parser.balance();
+    parser.translation_unit();
+    let (mut parse, list) = parser.finish();
+    tokens.tokens = list;
+    let corrected = parse.choices.iter().filter_map(|choice| choice.first());
+    let corrected: Vec<_> = corrected.map(|c| c.diagnostic.clone()).collect();
+    parse.diagnostics.extend(corrected);
+    parse.original = original;
+    parse.tree.lost.extend(&translated.lost);
+    parse.translated = translated;
+    parse
+}
+
+/// Whether an error may come of a form that GLSL has not.
+fn is_unreadable(diagnostic: &Diagnostic) -> bool {
+    [
+        error::SYNTAX_ERROR,
+        error::UNCLOSED_DELIMITER,
+        error::MISSING_SEMICOLON,
+        error::RESERVED_WORD,
+        error::FOREIGN_SYNTAX,
+        error::LOCAL_FUNCTION,
+    ]
+    .contains(&diagnostic.rule)
+}
+
+/// Parses with corrections that [`parse`] proposed, and makes no others. `tokens` become what is
+/// meant under them.
+pub fn parse_corrected(
     sources: &Sources,
-    tokens: &Tokens,
+    tokens: &mut Tokens,
     names: &Names,
-    version: Version,
-    is_fragment: bool,
-) -> (Tree, Vec<Diagnostic>) {
-    let end = Token {
-        kind: TokenKind::End,
-        value: 0,
-        span: Span::default(),
-        spelled: 0,
-        expansion: Token::DIRECT,
-    };
-    let mut parser = Parser {
-        sources,
-        all: tokens,
-        tokens: &tokens.tokens,
-        end: tokens.tokens.last().copied().unwrap_or(end),
-        names,
-        version,
-        is_fragment,
-        at: 0,
-        depth: 0,
-        function_open: 0,
-        behind_error: None,
-        missing_brace_at: None,
-        tree: Tree::default(),
-        open_args: Vec::new(),
-        reserved: Vec::new(),
-        diagnostics: Vec::new(),
-    };
+    language: Language,
+    corrections: &[&Correction],
+) -> Parse {
+    let mut list = std::mem::take(&mut tokens.tokens);
+    let mut sorted = corrections.to_vec();
+    sorted.sort_by_key(|c| c.at);
+    for correction in sorted.iter().rev() {
+        change_tokens(&mut list, correction.at, correction.change);
+    }
+    let mut parser = Parser::new(sources, tokens, names, language, list);
     parser.reserve();
     parser.translation_unit();
-    (parser.tree, parser.diagnostics)
+    let (mut parse, list) = parser.finish();
+    tokens.tokens = list;
+    let corrected = sorted.iter().map(|c| c.diagnostic.clone());
+    parse.diagnostics.extend(corrected);
+    parse
 }
 
 /// The code at hand cannot be read; the error has been reported.
@@ -75,7 +148,7 @@ type Parsed<T> = Result<T, Reported>;
 struct Parser<'a> {
     sources: &'a Sources,
     all: &'a Tokens,
-    tokens: &'a [Token],
+    tokens: Vec<Token>,
     end: Token,
     names: &'a Names,
     version: Version,
@@ -89,6 +162,13 @@ struct Parser<'a> {
     behind_error: Option<usize>,
     /// Where a missing `}` was reported.
     missing_brace_at: Option<usize>,
+    /// The first token that did not fit, since the statement at hand started.
+    fault: Option<usize>,
+    repairs: Repairs,
+    /// Where the last item before the one at hand started.
+    item_before: Option<Checkpoint>,
+    /// The structs that were declared so far; nothing where not all is read.
+    structs: Option<FxHashSet<Name>>,
     tree: Tree,
     /// The arguments of all calls that are being read, the innermost call's last.
     open_args: Vec<ExprId>,
@@ -97,7 +177,100 @@ struct Parser<'a> {
     diagnostics: Vec<Diagnostic>,
 }
 
+/// What a parser goes back to where it reads a statement again.
+#[derive(Clone, Copy)]
+struct Checkpoint {
+    at: usize,
+    depth: u32,
+    exprs: usize,
+    open_args: usize,
+    lost: usize,
+    reserved: usize,
+    diagnostics: usize,
+    items: usize,
+    behind_error: Option<usize>,
+    missing_brace_at: Option<usize>,
+}
+
 impl<'a> Parser<'a> {
+    fn new(
+        sources: &'a Sources,
+        all: &'a Tokens,
+        names: &'a Names,
+        language: Language,
+        tokens: Vec<Token>,
+    ) -> Parser<'a> {
+        let end = Token {
+            kind: TokenKind::End,
+            value: 0,
+            span: Span::default(),
+            spelled: 0,
+            expansion: Token::DIRECT,
+        };
+        Parser {
+            sources,
+            all,
+            end: tokens.last().copied().unwrap_or(end),
+            tokens,
+            names,
+            version: language.version,
+            is_fragment: language.is_fragment,
+            at: 0,
+            depth: 0,
+            function_open: 0,
+            behind_error: None,
+            missing_brace_at: None,
+            fault: None,
+            repairs: Repairs::default(),
+            item_before: None,
+            structs: Some(FxHashSet::default()),
+            tree: Tree::default(),
+            open_args: Vec::new(),
+            reserved: Vec::new(),
+            diagnostics: Vec::new(),
+        }
+    }
+
+    fn finish(self) -> (Parse, Vec<Token>) {
+        let parse = Parse {
+            tree: self.tree,
+            diagnostics: self.diagnostics,
+            choices: self.repairs.choices,
+            original: Vec::new(),
+            translated: Translated::default(),
+        };
+        (parse, self.tokens)
+    }
+
+    fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            at: self.at,
+            depth: self.depth,
+            exprs: self.tree.exprs.len(),
+            open_args: self.open_args.len(),
+            lost: self.tree.lost.len(),
+            reserved: self.reserved.len(),
+            diagnostics: self.diagnostics.len(),
+            items: self.tree.items.len(),
+            behind_error: self.behind_error,
+            missing_brace_at: self.missing_brace_at,
+        }
+    }
+
+    fn go_back(&mut self, to: Checkpoint) {
+        self.at = to.at;
+        self.depth = to.depth;
+        self.tree.exprs.truncate(to.exprs);
+        self.open_args.truncate(to.open_args);
+        self.tree.lost.truncate(to.lost);
+        self.reserved.truncate(to.reserved);
+        self.diagnostics.truncate(to.diagnostics);
+        self.tree.items.truncate(to.items);
+        self.behind_error = to.behind_error;
+        self.missing_brace_at = to.missing_brace_at;
+        self.fault = None;
+    }
+
     fn reserve(&mut self) {
         self.tree.exprs.reserve(self.tokens.len());
         self.tree.stmts.reserve(self.tokens.len() / 8);
@@ -201,6 +374,9 @@ impl<'a> Parser<'a> {
 
     /// Reports an error at `token`, with the macros that the token came through.
     fn report_at(&mut self, mut diagnostic: Diagnostic, token: &Token) {
+        if is_structural(diagnostic.rule) && self.fault.is_none() {
+            self.fault = Some(self.at);
+        }
         if self.has_many_errors() {
             return;
         }

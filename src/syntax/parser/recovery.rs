@@ -18,7 +18,7 @@ impl Parser<'_> {
         self.starts_line(self.at)
     }
 
-    fn starts_line(&self, at: usize) -> bool {
+    pub(super) fn starts_line(&self, at: usize) -> bool {
         let Some(before) = at.checked_sub(1) else {
             return true;
         };
@@ -360,7 +360,7 @@ impl Parser<'_> {
     }
 
     /// Number of blanks before the line that holds a token, as far as they matter.
-    fn indent(&self, at: usize) -> usize {
+    pub(super) fn indent(&self, at: usize) -> usize {
         let start = self.token(at).span.start;
         let Some(file) = self.sources.file_at(start) else {
             return 0;

@@ -1,9 +1,16 @@
 //! Statements (GLSL ES 3.00 section 6).
 
-use super::{Parsed, Parser, Reported, append};
+use super::attempt::Scope;
+use super::{Checkpoint, Parsed, Parser, Reported, append};
 use crate::diagnostic::error;
 use crate::syntax::ast::*;
 use crate::syntax::token::TokenKind;
+
+/// Most tokens that are read again before a statement that does not fit.
+const MAX_BEFORE: usize = 300;
+
+/// Number of statements that are read again.
+struct TakenBack(usize);
 
 impl Parser<'_> {
     /// `{ ... }`
@@ -19,6 +26,7 @@ impl Parser<'_> {
         self.expect(TokenKind::LeftBrace, "`{`")?;
         self.enter()?;
         let mut body = Vec::new();
+        let mut before: [Option<Checkpoint>; 2] = [None; 2];
         loop {
             match self.peek() {
                 TokenKind::RightBrace => {
@@ -36,7 +44,19 @@ impl Parser<'_> {
                     }
                     body.push(self.nested_function());
                 }
-                _ => body.push(self.statement_or_error()),
+                _ => {
+                    let start = self.checkpoint();
+                    match self.statement_behind(&before, Scope::Block) {
+                        Ok(statement) => {
+                            body.push(statement);
+                            before = [before[1], Some(start)];
+                        }
+                        Err(TakenBack(count)) => {
+                            body.truncate(body.len().saturating_sub(count));
+                            before = [None; 2];
+                        }
+                    }
+                }
             }
         }
         self.leave();
@@ -44,7 +64,60 @@ impl Parser<'_> {
     }
 
     /// A statement; where it cannot be read, an `Error` and the place behind it.
-    fn statement_or_error(&mut self) -> StmtId {
+    pub(super) fn statement_or_error(&mut self) -> StmtId {
+        let first = self.id();
+        match self.statement_behind(&[], Scope::Body) {
+            Ok(statement) => statement,
+            Err(_) => self.push_stmt(StmtKind::Error, first),
+        }
+    }
+
+    /// A statement that stands behind others. Where one of those had to be corrected, reading goes
+    /// on there again.
+    fn statement_behind(
+        &mut self,
+        before: &[Option<Checkpoint>],
+        scope: Scope,
+    ) -> Result<StmtId, TakenBack> {
+        let outer = self.fault.take();
+        let start = self.checkpoint();
+        loop {
+            let statement = self.statement_as_it_is();
+            if self.fault.is_none() {
+                self.fault = outer;
+                return Ok(statement);
+            }
+            let reported = self.diagnostics.get(start.diagnostics).cloned();
+            let from = self.first_to_read(start, before);
+            if !self.mend(from.at, scope, reported) {
+                self.fault = outer.or(self.fault);
+                return Ok(statement);
+            }
+            self.go_back(from);
+            if from.at != start.at {
+                self.fault = outer;
+                let is_again = |b: &&Option<Checkpoint>| b.is_some_and(|b| b.at >= from.at);
+                return Err(TakenBack(before.iter().filter(is_again).count()));
+            }
+        }
+    }
+
+    /// Where a trial starts: where nothing of the statement at `start` fits, the fault may lie in
+    /// those before it.
+    pub(super) fn first_to_read(
+        &self,
+        start: Checkpoint,
+        before: &[Option<Checkpoint>],
+    ) -> Checkpoint {
+        let is_near = |b: &&Checkpoint| start.at - b.at.min(start.at) <= MAX_BEFORE;
+        let earlier = before.iter().flatten().find(is_near);
+        match earlier {
+            Some(earlier) if self.fault == Some(start.at) => *earlier,
+            _ => start,
+        }
+    }
+
+    fn statement_as_it_is(&mut self) -> StmtId {
         let first = self.id();
         let mark = self.tree.exprs.len();
         let depth = self.depth;

@@ -1,5 +1,6 @@
 //! Directives: the lines that start with `#` (GLSL ES 3.00 section 3.4).
 
+use super::amend::meant;
 use super::condition::{Problem, evaluate, evaluate_prefix};
 use super::macros::{Macro, MacroId, Piece};
 use super::{ExtensionUse, Preprocessor, bad, error_at};
@@ -7,6 +8,7 @@ use crate::diagnostic::{Fix, error};
 use crate::syntax::names::{Name, Version};
 use crate::syntax::token::{RawKind, Token, TokenKind};
 use crate::text::{Edit, Role, Span};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Extensions that a WebGL2 context knows without being asked, measured in Chromium.
 pub(super) const KNOWN_EXTENSIONS: [&str; 2] = [
@@ -92,6 +94,7 @@ impl Preprocessor<'_> {
             }
         };
         let last = line.last().map_or(hash.end, |p: &Piece| p.token.span.end);
+        self.line_end = end;
         self.dispatch(Span::new(hash.start, last), &line, end);
         self.seen_directive = true;
     }
@@ -136,48 +139,40 @@ impl Preprocessor<'_> {
         let text: String = text.chars().take(40).collect();
         let message = format!("there is no directive `#{text}`");
         let mut d = error_at(error::BAD_DIRECTIVE, span, message);
-        const KNOWN: [&str; 13] = [
-            "define",
-            "undef",
-            "if",
-            "ifdef",
-            "ifndef",
-            "else",
-            "elif",
-            "endif",
-            "error",
-            "pragma",
-            "extension",
-            "version",
-            "line",
-        ];
         if text == "include" || text == "import" {
             d = d.note("GLSL ES cannot include files: put the text in before it is compiled");
-        } else if let Some(near) = KNOWN
-            .iter()
-            .find(|k| strsim::damerau_levenshtein(k, &text) <= 2)
-        {
-            d = d.help(format!("did you mean `#{near}`?"));
+        } else if let Some(near) = meant(&text) {
+            let edit = Edit::replace(first.token.span, near);
+            d = d.fix(Fix::safe(format!("write `#{near}`"), vec![edit]));
         }
         self.report(d);
     }
 
     pub(super) fn expected(&mut self, span: Span, rest: &[Piece], what: &str) {
+        self.expected_or(span, rest, what, None);
+    }
+
+    /// Reports what is missing, with what to write.
+    pub(super) fn expected_or(&mut self, span: Span, rest: &[Piece], what: &str, fix: Option<Fix>) {
         let at = rest.first().map_or(span.after(), |p| p.token.span);
-        self.report(error_at(
-            error::BAD_DIRECTIVE,
-            at,
-            format!("expected {what}"),
-        ));
+        let message = format!("expected {what}");
+        self.report(error_at(error::BAD_DIRECTIVE, at, message).fix(fix));
     }
 
     /// Reports what stands behind the end of a directive.
     pub(super) fn expect_end(&mut self, rest: &[Piece], directive: &str) {
+        self.expect_end_or(rest, directive, None);
+    }
+
+    /// Reports what stands behind the end of a directive, with what to write.
+    pub(super) fn expect_end_or(&mut self, rest: &[Piece], directive: &str, fix: Option<Fix>) {
         if let Some(first) = rest.first() {
             let last = rest.last().unwrap_or(first);
             let span = first.token.span.to(last.token.span);
             let message = format!("nothing may stand behind `#{directive}`");
-            let fix = Fix::safe("make it a comment", vec![Edit::insert(span.start, "// ")]);
+            let fix = fix.unwrap_or_else(|| {
+                Fix::safe("make it a comment", vec![Edit::insert(span.start, "// ")])
+            });
             self.report(error_at(error::BAD_DIRECTIVE, span, message).fix(fix));
         }
     }
@@ -212,12 +207,14 @@ impl Preprocessor<'_> {
             }
         }
         definition.body = body.to_vec();
+        let params = definition.params.iter().flatten().zip(0..);
+        let numbers: FxHashMap<u32, u32> = params.map(|(name, i)| (name.0, i)).collect();
         for (i, piece) in definition.body.iter_mut().enumerate() {
             piece.space &= i > 0;
-            if let (TokenKind::Identifier, Some(params)) = (piece.token.kind, &definition.params)
-                && let Some(index) = params.iter().position(|p| p.0 == piece.token.value)
+            if piece.token.kind == TokenKind::Identifier
+                && let Some(&index) = numbers.get(&piece.token.value)
             {
-                piece.token.expansion = index as u32;
+                piece.token.expansion = index;
             }
         }
         self.define_checked(definition);
@@ -241,10 +238,16 @@ impl Preprocessor<'_> {
         )
         .mark("second definition")
         .label(previous.name_span, "first definition")
-        .help(format!(
-            "put `#undef {name}` before it, or take another name"
-        ));
+        .fix(self.undefine_before(name, definition.name_span));
         self.report(d);
+    }
+
+    fn undefine_before(&self, name: &str, second: Span) -> Fix {
+        let before = (second.start - self.base) as usize;
+        let before = self.text.get(..before).unwrap_or("");
+        let line = before.rfind(['\n', '\r']).map_or(0, |at| at + 1);
+        let edit = Edit::insert(self.base + line as u32, format!("#undef {name}\n"));
+        Fix::suggestion(format!("put `#undef {name}` before it"), vec![edit])
     }
 
     fn check_macro_name(&mut self, name: Name, span: Span) -> bool {
@@ -274,6 +277,8 @@ impl Preprocessor<'_> {
         mut rest: &'p [Piece],
     ) -> Option<(Vec<Name>, &'p [Piece])> {
         let mut params = Vec::new();
+        let mut seen = FxHashSet::default();
+        let all = rest;
         if let [close, more @ ..] = rest
             && close.token.kind == TokenKind::RightParen
         {
@@ -288,19 +293,29 @@ impl Preprocessor<'_> {
                 }
             };
             let name = Name(first.token.value);
-            if params.contains(&name) {
+            if !seen.insert(name) {
                 let message = format!("parameter `{}` stands twice", self.names.text(name));
                 self.report(error_at(error::BAD_DIRECTIVE, first.token.span, message));
                 return None;
             }
             params.push(name);
             match more.split_first() {
+                // A comma may stand before the `)`.
+                Some((p, [close, behind @ ..]))
+                    if p.token.kind == TokenKind::Comma
+                        && close.token.kind == TokenKind::RightParen =>
+                {
+                    return Some((params, behind));
+                }
                 Some((p, behind)) if p.token.kind == TokenKind::Comma => rest = behind,
                 Some((p, behind)) if p.token.kind == TokenKind::RightParen => {
                     return Some((params, behind));
                 }
                 _ => {
-                    self.expected(span, more, "`,` or `)`");
+                    let close = || Edit::insert(first.token.span.end, ")");
+                    let close = || Fix::suggestion("put `)` here", vec![close()]);
+                    let fix = self.without_types(all).unwrap_or_else(close);
+                    self.expected_or(span, more, "`,` or `)`", Some(fix));
                     return None;
                 }
             }
@@ -354,9 +369,13 @@ impl Preprocessor<'_> {
             Some((&"STDGL", more)) => (true, more),
             _ => (false, words.as_slice()),
         };
+        // What does not look like a pragma of the language is none, and nobody's business.
+        let value = rest
+            .get(2)
+            .filter(|p| p.token.kind == TokenKind::Identifier);
         let message = match words {
-            [] => return,
             ["invariant", "(", "all", ")"] if is_standard => {
+                self.out.invariant_all = true;
                 if !(self.is_fragment && self.version == Version::Es300) {
                     return;
                 }
@@ -364,11 +383,11 @@ impl Preprocessor<'_> {
             }
             _ if is_standard => return,
             ["optimize" | "debug", "(", "on" | "off", ")"] => return,
-            ["optimize" | "debug", "(", _, ")"] | ["optimize" | "debug"] => {
+            ["optimize" | "debug", "(", _, ")"] if value.is_some() => {
                 "this pragma takes `on` or `off`"
             }
-            [_] | [_, "(", _, ")"] => return,
-            [_, ..] => return,
+            ["optimize" | "debug"] => "this pragma takes `on` or `off`",
+            _ => return,
         };
         self.report(error_at(error::BAD_DIRECTIVE, span, message));
     }
@@ -429,6 +448,15 @@ impl Preprocessor<'_> {
 
     fn line(&mut self, span: Span, rest: &[Piece]) {
         let pieces = self.expand_all(rest.to_vec());
+        let is_large = |p: &&Piece| {
+            let is_int = matches!(p.token.kind, TokenKind::Int | TokenKind::Uint);
+            is_int && p.token.value > i32::MAX as u32
+        };
+        if let Some(large) = pieces.iter().find(is_large) {
+            let message = "a number behind `#line` is larger than 2147483647";
+            let d = error_at(error::INVALID_NUMBER, large.token.span, message);
+            return self.report_token(d, &large.token);
+        }
         if pieces
             .iter()
             .any(|p| p.token.kind == TokenKind::Bad && p.token.value != bad::NUMBER)
@@ -453,6 +481,7 @@ impl Preprocessor<'_> {
                     .file_at(span.start)
                     .map_or(0, |f| f.position(span.start).line);
                 self.line_shift = line as i64 - here as i64 - 1;
+                self.check_line_count(span, line);
             }
             Err(Problem::Empty) => {
                 self.report(error_at(
@@ -461,7 +490,31 @@ impl Preprocessor<'_> {
                     "`#line` needs a line number",
                 ));
             }
-            Err(problem) => self.report_condition(span, problem),
+            Err(problem) => self.report_condition(span, &[], problem),
+        }
+    }
+
+    /// The count of lines may not pass the largest `int` before `#line` sets it anew.
+    fn check_line_count(&mut self, span: Span, line: i32) {
+        let left = (i32::MAX - line.max(0)) as usize;
+        let rest = self
+            .text
+            .get((span.end - self.base) as usize..)
+            .unwrap_or("");
+        if left >= rest.len() {
+            return;
+        }
+        let sets_it = |l: &str| {
+            let directive = l.trim_start().strip_prefix('#').map(str::trim_start);
+            directive.is_some_and(|d| d.starts_with("line"))
+        };
+        let rest = rest.replace("\r\n", "\n").replace('\r', "\n");
+        let mut behind = rest.split('\n').skip(1);
+        let before_next = behind.position(sets_it).map(|i| i + 1);
+        let count = before_next.unwrap_or_else(|| rest.matches('\n').count());
+        if count > left {
+            let message = "the lines behind `#line` pass number 2147483647";
+            self.report(error_at(error::INVALID_NUMBER, span, message));
         }
     }
 }

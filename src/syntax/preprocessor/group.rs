@@ -3,10 +3,10 @@
 use super::condition::{Problem, evaluate};
 use super::macros::{Expander, Piece};
 use super::{Group, Input, Preprocessor, error_at};
-use crate::diagnostic::error;
+use crate::diagnostic::{Fix, error};
 use crate::syntax::names::Name;
 use crate::syntax::token::{Token, TokenKind};
-use crate::text::Span;
+use crate::text::{Edit, Span};
 
 /// Deepest nesting of `#if`.
 const MAX_GROUPS: usize = 100_000;
@@ -43,11 +43,17 @@ impl Preprocessor<'_> {
             .split_first()
             .filter(|(p, _)| p.token.kind == TokenKind::Identifier)
         else {
-            self.expected(span, rest, &format!("a name behind `#{directive}`"));
+            let always = format!("#if {}", (directive == "ifdef") as u8);
+            let fix = rest.is_empty().then(|| {
+                let title = format!("give it a condition, such as `{always}`");
+                Fix::suggestion(title, vec![Edit::replace(span, always)])
+            });
+            self.expected_or(span, rest, &format!("a name behind `#{directive}`"), fix);
             return false;
         };
         let defined = self.ask_defined(Name(first.token.value));
-        self.expect_end(rest, directive);
+        let fix = self.as_condition(span, directive, first, rest);
+        self.expect_end_or(rest, directive, fix);
         defined
     }
 
@@ -95,7 +101,12 @@ impl Preprocessor<'_> {
         group.else_at = Some(span);
         group.skip = group.taken;
         group.taken = true;
-        self.expect_end(rest, "else");
+        let goes_on = rest.first().filter(|p| self.raw_text(p.token.span) == "if");
+        let fix = goes_on.map(|p| {
+            let word = Span::new(span.start, p.token.span.end);
+            Fix::safe("write `#elif`", vec![Edit::replace(word, "#elif")])
+        });
+        self.expect_end_or(rest, "else", fix);
     }
 
     pub(super) fn endif(&mut self, span: Span, rest: &[Piece]) {
@@ -108,13 +119,15 @@ impl Preprocessor<'_> {
 
     pub(super) fn without_if(&mut self, word: &str, span: Span) {
         let message = format!("`#{word}` has no `#if`");
-        self.report(error_at(error::UNBALANCED_CONDITIONAL, span, message));
+        let d = error_at(error::UNBALANCED_CONDITIONAL, span, message);
+        self.report(d.fix(Fix::suggestion("take it out", vec![Edit::delete(span)])));
     }
 
     pub(super) fn behind_else(&mut self, word: &str, span: Span, at: Span) {
         let message = format!("`#{word}` stands behind `#else`");
         let d = error_at(error::UNBALANCED_CONDITIONAL, span, message);
-        self.report(d.label(at, "the `#else` is here"));
+        let fix = Fix::suggestion("take it out", vec![Edit::delete(span)]);
+        self.report(d.label(at, "the `#else` is here").fix(fix));
     }
 
     /// Value of the condition of `#if` or `#elif`; false where it has none, which is reported.
@@ -126,7 +139,7 @@ impl Preprocessor<'_> {
         match evaluate(&pieces) {
             Ok(value) => value != 0,
             Err(problem) => {
-                self.report_condition(span, problem);
+                self.report_condition(span, rest, problem);
                 false
             }
         }
@@ -134,7 +147,7 @@ impl Preprocessor<'_> {
 
     pub(super) fn expand_all(&mut self, pieces: Vec<Piece>) -> Vec<Piece> {
         let mut expander = Expander::default();
-        let mut input = Input::Pieces(pieces, 0);
+        let mut input = Input::of(pieces);
         let mut out = Vec::new();
         loop {
             let piece = expander.next(self, &mut input);
@@ -185,7 +198,7 @@ impl Preprocessor<'_> {
         Some(out)
     }
 
-    pub(super) fn report_condition(&mut self, directive: Span, problem: Problem) {
+    pub(super) fn report_condition(&mut self, directive: Span, rest: &[Piece], problem: Problem) {
         let (span, message, note) = match problem {
             Problem::Empty => (directive, "this has no condition".to_string(), None),
             Problem::Undefined(span) => {
@@ -218,6 +231,14 @@ impl Preprocessor<'_> {
         };
         let mut d = error_at(error::PREPROCESSOR_EXPRESSION, span, message);
         d.notes.extend(note.map(String::from));
+        d.fix = match problem {
+            Problem::Unexpected(at) => self.mend_condition(rest, at),
+            Problem::Undefined(at) => self.foreign_operator(rest, at),
+            Problem::Empty if self.sources.text(directive).ends_with("elif") => Some(
+                Fix::suggestion("write `#else`", vec![Edit::replace(directive, "#else")]),
+            ),
+            _ => None,
+        };
         if let Problem::Undefined(span) = problem {
             let name = self.sources.text(span);
             d = d.help(format!(

@@ -4,11 +4,13 @@
 //! stack of replacement lists, a macro disabled while its own list is being read, arguments
 //! expanded alone before they are put in.
 
-use super::{Input, Preprocessor, bad, error_at};
+use super::{Input, List, MAX_GATHERED, Preprocessor, bad, error_at};
 use crate::diagnostic::error;
 use crate::syntax::names::Name;
 use crate::syntax::token::{Token, TokenKind};
 use crate::text::{Sources, Span};
+use std::ops::Range;
+use std::rc::Rc;
 
 /// Longest replacement lists that may be open at once, in tokens; ANGLE's number.
 const MAX_OPEN_TOKENS: usize = 10_000;
@@ -331,8 +333,35 @@ impl Expander {
         id: MacroId,
         name: Piece,
     ) -> Option<(Vec<Vec<Piece>>, Token)> {
+        let (list, mut args, close) = self.gather(pp, input, id, name)?;
+        self.check_count(pp, id, &name.token, close.span, &mut args)?;
+        let mut total = 0;
+        let mut expanded = Vec::with_capacity(args.len());
+        for arg in args {
+            expanded.push(self.expand_argument(pp, &list, arg, &mut total)?);
+        }
+        Some((expanded, close))
+    }
+
+    /// Reads `( a, b )`: the list that holds the arguments, where they stand in it, and the closing
+    /// parenthesis.
+    fn gather(
+        &mut self,
+        pp: &mut Preprocessor,
+        input: &mut Input,
+        id: MacroId,
+        name: Piece,
+    ) -> Option<(Rc<List>, Vec<Range<usize>>, Token)> {
         self.take(pp, input); // the left parenthesis that was seen before
-        let mut args: Vec<Vec<Piece>> = vec![Vec::new()];
+        if self.is_idle()
+            && let Input::Pieces(list, range) = input
+            && let Some(found) = written_arguments(list, range)
+        {
+            return Some(found);
+        }
+        let mut pieces: Vec<Piece> = Vec::new();
+        let mut args: Vec<Range<usize>> = Vec::new();
+        let mut from = 0;
         let mut open = 1;
         let close = loop {
             let piece = self.take(pp, input);
@@ -350,33 +379,36 @@ impl Expander {
                     }
                 }
                 TokenKind::Comma if open == 1 => {
-                    args.push(Vec::new());
+                    args.push(from..pieces.len());
+                    from = pieces.len();
                     continue;
                 }
                 _ => {}
             }
-            if let Some(arg) = args.last_mut() {
-                arg.push(piece);
-            }
+            pieces.push(piece);
         };
-        self.check_count(pp, id, name.token.span.to(close.span), &mut args)?;
-        let mut total = 0;
-        for arg in &mut args {
-            *arg = self.expand_argument(pp, std::mem::take(arg), &mut total)?;
+        args.push(from..pieces.len());
+        if self.depth > 0 {
+            pp.gathered += pieces.len();
+            if pp.gathered > MAX_GATHERED {
+                pp.too_much_expansion(name.token.span);
+                return None;
+            }
         }
-        Some((args, close))
+        Some((Rc::new(List::new(pieces)), args, close))
     }
 
     fn check_count(
         &self,
         pp: &mut Preprocessor,
         id: MacroId,
-        call: Span,
-        args: &mut Vec<Vec<Piece>>,
+        called: &Token,
+        close: Span,
+        args: &mut Vec<Range<usize>>,
     ) -> Option<()> {
         let definition = pp.macros.get(id.0 as usize)?;
         let wanted = definition.params.as_ref().map_or(0, Vec::len);
-        if wanted == 0 && args.len() == 1 && args.first().is_some_and(Vec::is_empty) {
+        if wanted == 0 && args.len() == 1 && args.first().is_some_and(Range::is_empty) {
             args.clear();
         }
         if args.len() == wanted {
@@ -390,26 +422,33 @@ impl Expander {
             args.len()
         );
         let defined = definition.name_span;
+        // A call in another macro's body stands there.
+        let call = match called.is_direct() {
+            true => called.span.to(close),
+            false => Span::new(called.spelled, called.spelled + name.len() as u32),
+        };
         let mut d = error_at(error::MACRO_ARGUMENTS, call, message);
         if !defined.is_empty() {
             d = d.label(defined, "defined here");
         }
-        pp.report(d);
+        pp.report_token(d, called);
         None
     }
 
     fn expand_argument(
         &self,
         pp: &mut Preprocessor,
-        pieces: Vec<Piece>,
+        list: &Rc<List>,
+        arg: Range<usize>,
         total: &mut usize,
     ) -> Option<Vec<Piece>> {
         let is_plain = |p: &Piece| {
             p.token.kind != TokenKind::Identifier || pp.macro_named(Name(p.token.value)).is_none()
         };
+        let pieces = list.pieces.get(arg.clone()).unwrap_or(&[]);
         if pieces.iter().all(is_plain) {
             *total += pieces.len();
-            return Some(pieces);
+            return Some(pieces.to_vec());
         }
         let seen = pieces.first().map_or(Span::default(), |p| p.token.span);
         if self.depth + 1 >= MAX_ARGUMENT_DEPTH {
@@ -420,7 +459,7 @@ impl Expander {
             depth: self.depth + 1,
             ..Expander::default()
         };
-        let mut input = Input::Pieces(pieces, 0);
+        let mut input = Input::Pieces(list.clone(), arg);
         let mut out = Vec::new();
         loop {
             let piece = inner.next(pp, &mut input);
@@ -435,4 +474,29 @@ impl Expander {
             }
         }
     }
+}
+
+/// The arguments of a call that stands in a list, whose left parenthesis has just been read, and
+/// the closing one; the range goes on behind it. `None` where the list ends before.
+fn written_arguments(
+    list: &Rc<List>,
+    range: &mut Range<usize>,
+) -> Option<(Rc<List>, Vec<Range<usize>>, Token)> {
+    let end = list.closing(range.start.checked_sub(1)?, range)?;
+    let mut args = Vec::new();
+    let (mut from, mut at) = (range.start, range.start);
+    while at < end {
+        match list.pieces.get(at).map(|p| p.token.kind) {
+            Some(TokenKind::LeftParen) => at = list.closing(at, range)?,
+            Some(TokenKind::Comma) => {
+                args.push(from..at);
+                from = at + 1;
+            }
+            _ => {}
+        }
+        at += 1;
+    }
+    args.push(from..end);
+    range.start = end + 1;
+    Some((list.clone(), args, list.pieces.get(end)?.token))
 }

@@ -4,12 +4,16 @@
 //! sees. Every token knows where it was spelled and through which macro call it came. What the
 //! preprocessor takes away (comments, skipped groups, definitions) is kept beside.
 
+mod amend;
 mod condition;
 mod directive;
 mod group;
+mod input;
 mod macros;
+mod place;
 mod version;
 
+pub use amend::DIRECTIVES;
 pub use macros::{Expansion, Macro, MacroId, Piece};
 
 use super::lexer::{Lexer, unsplice};
@@ -17,10 +21,14 @@ use super::names::{Name, Names, Version, WordClass};
 use super::token::{RawKind, RawToken, Token, TokenKind};
 use crate::diagnostic::{Diagnostic, Fix, MacroUse, error};
 use crate::text::{Edit, FileId, Role, Sources, Span};
+use input::{Input, List};
 use macros::Expander;
 
 /// Most tokens that all macro calls of one shader may expand to.
 const MAX_EXPANDED: usize = 1_000_000;
+/// Most tokens that may be gathered again for calls inside arguments; calls that stand there in so
+/// many words are read where they stand, and count nothing.
+const MAX_GATHERED: usize = 10_000_000;
 /// Longest word that the browser takes, in bytes.
 const MAX_WORD: usize = 1_024;
 
@@ -41,6 +49,8 @@ pub struct Tokens {
     pub extensions: Vec<ExtensionUse>,
     /// The `#version` directive.
     pub version_span: Option<Span>,
+    /// Whether `#pragma STDGL invariant(all)` makes every output invariant.
+    pub invariant_all: bool,
     /// The NUL that ends the shader before its text ends; for the browser nothing stands behind it.
     pub cut: Option<Span>,
 }
@@ -87,33 +97,6 @@ pub fn preprocess(sources: &Sources, files: &[FileId], is_fragment: bool) -> Pre
     }
 }
 
-/// Where tokens come from.
-enum Input {
-    /// The files.
-    Files,
-    /// A list, up to an index.
-    Pieces(Vec<Piece>, usize),
-}
-
-impl Input {
-    fn next(&mut self, pp: &mut Preprocessor) -> Piece {
-        match self {
-            Input::Files => pp.next_piece(),
-            Input::Pieces(pieces, at) => match pieces.get(*at) {
-                Some(&piece) => {
-                    *at += 1;
-                    piece
-                }
-                None => Piece {
-                    token: end_token(0),
-                    space: false,
-                    frozen: false,
-                },
-            },
-        }
-    }
-}
-
 /// What is wrong with a `Bad` token; its `value`.
 mod bad {
     pub const NUMBER: u32 = 0;
@@ -153,9 +136,13 @@ struct Preprocessor<'a> {
     /// Start of the skipped text, while some is skipped.
     skipped_from: Option<u32>,
     at_line_start: bool,
+    /// Where the line of the directive at hand ends.
+    line_end: u32,
     seen_directive: bool,
     seen_code: bool,
     expanded: usize,
+    /// Tokens that were gathered for calls in the arguments of calls.
+    gathered: usize,
     gave_up: bool,
     /// A `#` was just seen.
     pasting: bool,
@@ -198,9 +185,11 @@ impl<'a> Preprocessor<'a> {
             groups: Vec::new(),
             skipped_from: None,
             at_line_start: true,
+            line_end: 0,
             seen_directive: false,
             seen_code: false,
             expanded: 0,
+            gathered: 0,
             gave_up: false,
             pasting: false,
             line_shift: 0,
@@ -699,7 +688,12 @@ fn bad_number(token: &Token, text: &str) -> Diagnostic {
             ));
     }
     if lower.ends_with('l') && is_int {
-        return d.note("GLSL has no long integers, hence no suffix `l`");
+        return d
+            .note("GLSL has no long integers, hence no suffix `l`")
+            .fix(rewritten(token, digits.to_string()));
+    }
+    if let Some(number) = foreign_number(&lower) {
+        return d.note(number.1).fix(rewritten(token, number.0));
     }
     if lower.starts_with('0') && lower.bytes().all(|b| b.is_ascii_digit()) {
         let fixed = lower.trim_start_matches('0').to_string();
@@ -713,6 +707,39 @@ fn bad_number(token: &Token, text: &str) -> Diagnostic {
     d
 }
 
+fn rewritten(token: &Token, number: String) -> Fix {
+    let edit = Edit::replace(token.span, number.clone());
+    Fix::safe(format!("write `{number}`"), vec![edit])
+}
+
+/// A number as other languages write it, in the way of GLSL, and what GLSL has not.
+fn foreign_number(lower: &str) -> Option<(String, &'static str)> {
+    if let Some(bits) = lower.strip_prefix("0b") {
+        let value = u32::from_str_radix(&bits.replace('_', ""), 2).ok()?;
+        return Some((format!("0x{value:X}"), "GLSL has no binary numbers"));
+    }
+    let plain = lower.replace(['_', '\''], "");
+    let digits = plain.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let suffix = plain.get(digits.len()..)?;
+    let is_float = digits.contains('.') && digits.parse::<f32>().is_ok();
+    let is_int = digits.parse::<u32>().is_ok() && (digits == "0" || !digits.starts_with('0'));
+    Some(match suffix {
+        "" | "f" if is_float && plain != lower => (plain, "digits stand together in GLSL"),
+        "" | "u" if is_int && plain != lower => (plain, "digits stand together in GLSL"),
+        "h" | "d" | "lf" | "l" | "m" | "f16" | "f32" | "f64" if is_float => {
+            (digits.to_string(), "every number with a point is a `float`")
+        }
+        "h" | "d" | "lf" | "m" | "f16" | "f32" | "f64" if is_int => {
+            (format!("{digits}.0"), "a `float` is written with a point")
+        }
+        "i" | "s" | "i32" | "i64" | "ll" if is_int => {
+            (digits.to_string(), "GLSL has no such suffix")
+        }
+        "ul" | "ull" | "u32" | "u64" if is_int => (format!("{digits}u"), "the suffix is `u` alone"),
+        _ => return None,
+    })
+}
+
 fn is_invisible(c: char) -> bool {
     matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}' | '\u{feff}' | '\u{ad}')
 }
@@ -723,11 +750,11 @@ fn bad_character(token: &Token, c: char) -> Diagnostic {
     } else {
         format!("`{c}`")
     };
-    let d = error_at(
-        error::INVALID_CHARACTER,
-        token.span,
-        format!("{shown} is no part of GLSL"),
-    );
+    let message = match c {
+        '"' | '\'' if token.span.len() > 1 => "GLSL has no strings".to_string(),
+        _ => format!("{shown} is no part of GLSL"),
+    };
+    let d = error_at(error::INVALID_CHARACTER, token.span, message);
     let plain = match c {
         '\u{2018}' | '\u{2019}' | '\u{201c}' | '\u{201d}' | '"' | '\'' => {
             return d.note("GLSL has no strings and no quotes outside comments");

@@ -16,7 +16,7 @@ impl Preprocessor<'_> {
         self.out.version_span = Some(span);
         let number = rest
             .first()
-            .filter(|p| p.token.kind == TokenKind::Int)
+            .filter(|p| matches!(p.token.kind, TokenKind::Int | TokenKind::Uint))
             .map(|p| p.token.value);
         let Some(number) = number else {
             return self.expected(span, rest, "a version: `#version 300 es`");
@@ -42,18 +42,20 @@ impl Preprocessor<'_> {
                 );
                 self.report(d.fix(fix));
             }
-            (100 | 300, _) => {
-                self.set_version(if number == 100 {
-                    Version::Es100
-                } else {
-                    Version::Es300
-                });
-                let surplus = if number == 100 {
-                    behind
-                } else {
-                    behind.get(1..).unwrap_or(behind)
-                };
-                self.expect_end(surplus, "version");
+            (100, _) => {
+                self.set_version(Version::Es100);
+                self.expect_end(behind, "version");
+            }
+            (300, ["es", ..]) => {
+                self.set_version(Version::Es300);
+                self.expect_end(behind.get(1..).unwrap_or(&[]), "version");
+            }
+            (300, [word, ..]) => {
+                self.set_version(Version::Es300);
+                let message = format!("`{word}` stands in the place of `es`");
+                let edits = vec![Edit::replace(span, "#version 300 es")];
+                let fix = Fix::safe("write `#version 300 es`", edits);
+                self.report(error_at(error::UNSUPPORTED_VERSION, span, message).fix(fix));
             }
             _ => {
                 self.set_version(Version::Es300);
@@ -93,7 +95,25 @@ impl Preprocessor<'_> {
             .text
             .get(..(span.start - self.base) as usize)
             .unwrap_or("");
-        if before.contains(['\n', '\r']) {
+        let own = self
+            .text
+            .get((span.start - self.base) as usize..(self.line_end - self.base) as usize)
+            .unwrap_or("");
+        let is_first = !before.contains(['\n', '\r']);
+        if is_first && own.contains(['\n', '\r']) {
+            let d = error_at(
+                error::VERSION_PLACEMENT,
+                span,
+                "`#version 300 es` must end with the first line",
+            );
+            let whole = Span::new(span.start, self.line_end);
+            let fix = Fix::safe(
+                "write it on one line",
+                vec![Edit::replace(whole, "#version 300 es")],
+            );
+            return self.report(d.fix(fix));
+        }
+        if !is_first {
             let what = if before.trim().is_empty() {
                 "a blank line"
             } else {

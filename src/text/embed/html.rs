@@ -1,6 +1,7 @@
 //! Shaders in the script elements of a page.
 
 use super::{Embedded, Language, Wrapping, extract_into, is_shader};
+use std::ops::Range;
 
 /// Finds them.
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
@@ -15,7 +16,9 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
         let kind = attribute(element.head, "type").unwrap_or("");
         if is_script(kind) {
             extract_into(Language::Script, content, base + element.start, found);
-        } else if kind.contains("shader") || kind.contains("glsl") || is_shader(content) {
+        } else if !is_escaped(content)
+            && (kind.contains("shader") || kind.contains("glsl") || is_shader(content))
+        {
             let id = attribute(element.head, "id").unwrap_or("");
             let mut shader = Embedded {
                 start: base + element.start,
@@ -35,18 +38,41 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     }
 }
 
+/// Where the contents of the elements stand that a browser runs as scripts.
+pub fn scripts(text: &str) -> Vec<Range<usize>> {
+    let lower = text.to_ascii_lowercase();
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(element) = next_script(&lower, at) {
+        at = element.end;
+        if is_script(attribute(element.head, "type").unwrap_or("")) {
+            found.push(element.start..element.end);
+        }
+    }
+    found
+}
+
+/// The `id` of the element that a shader is the content of.
+pub fn id_of<'a>(text: &'a str, shader: &Embedded) -> Option<&'a str> {
+    if shader.wrapping != Wrapping::Element {
+        return None;
+    }
+    let before = text.get(..shader.start)?.trim_end().strip_suffix('>')?;
+    attribute(before.get(before.rfind('<')?..)?, "id")
+}
+
 /// A script element, in lower case.
-struct Element<'a> {
+pub(super) struct Element<'a> {
     /// Its attributes.
     head: &'a str,
     /// Where its content starts.
-    start: usize,
+    pub start: usize,
     /// Where its content ends.
-    end: usize,
+    pub end: usize,
 }
 
 /// The first script element behind an offset.
-fn next_script(lower: &str, mut at: usize) -> Option<Element<'_>> {
+pub(super) fn next_script(lower: &str, mut at: usize) -> Option<Element<'_>> {
     loop {
         let open = at + lower.get(at..)?.find('<')?;
         let rest = lower.get(open..)?;
@@ -101,6 +127,11 @@ fn attribute<'a>(head: &'a str, name: &str) -> Option<&'a str> {
         Some(quote @ ('"' | '\'')) => named.get(1..)?.split(quote).next(),
         _ => named.split_ascii_whitespace().next(),
     }
+}
+
+/// Whether brackets are written as in the text of a page, which no compiler reads.
+fn is_escaped(content: &str) -> bool {
+    content.contains("&lt;") || content.contains("&gt;")
 }
 
 /// Whether a browser runs elements of this type.

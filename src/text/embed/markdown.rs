@@ -1,6 +1,7 @@
 //! Shaders in the fences of a Markdown text.
 
-use super::{Embedded, Language, Wrapping, extract_into, is_shader};
+use super::{Embedded, Language, Wrapping, extract_into};
+use crate::text::kind::Evidence;
 
 /// Finds them.
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
@@ -69,7 +70,7 @@ fn take(text: &str, fence: &Fence, end: usize, base: usize, found: &mut Vec<Embe
     }
     let is_glsl = match label {
         "glsl" | "frag" | "vert" | "fragment" | "vertex" | "webgl" | "shadertoy" => true,
-        "" | "c" | "cpp" | "c++" | "shader" | "text" => is_clearly_glsl(content),
+        "" | "c" | "cpp" | "c++" | "shader" | "text" => Evidence::of(content).is_glsl(),
         _ => false,
     };
     if !is_glsl || content.trim().is_empty() {
@@ -111,40 +112,6 @@ fn mask(content: &str) -> String {
         code.push_str(&rest.replace("...", "   ").replace('\u{2026}', "   "));
     }
     code
-}
-
-/// Whether a text without a name for its language is GLSL beyond doubt.
-fn is_clearly_glsl(content: &str) -> bool {
-    const OTHERS: [&str; 9] = [
-        "std::",
-        "float4",
-        "printf",
-        "int main",
-        "fn ",
-        "let ",
-        "=>",
-        "function ",
-        "import ",
-    ];
-    const WORDS: [&str; 14] = [
-        "vec2",
-        "vec3",
-        "vec4",
-        "mat2",
-        "mat3",
-        "mat4",
-        "sampler2D",
-        "uniform ",
-        "gl_Frag",
-        "fragColor",
-        "fragCoord",
-        "iResolution",
-        "iTime",
-        "smoothstep",
-    ];
-    let has = |word: &&&str| content.contains(**word);
-    OTHERS.iter().find(has).is_none()
-        && (is_shader(content) || WORDS.iter().filter(has).count() >= 2)
 }
 
 #[cfg(test)]

@@ -5,12 +5,18 @@
 //! the file that holds it. Escapes of strings are read (`\n` is a line break), `${...}` becomes a
 //! name that nothing declares.
 
+mod component;
 mod html;
 mod markdown;
 mod script;
+mod together;
 mod token;
 
+pub use together::{Asked, asked, together};
+
 use super::Edit;
+use super::kind::is_shader;
+use std::fmt;
 
 /// The languages that GLSL is found in.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -19,17 +25,31 @@ pub enum Language {
     Html,
     /// JavaScript and TypeScript: literals.
     Script,
+    /// Vue, Svelte and Astro: script elements, and literals in the text around them.
+    Component,
     /// Markdown: fences.
     Markdown,
+}
+
+impl fmt::Display for Language {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Language::Html => "HTML",
+            Language::Script => "a script",
+            Language::Component => "a component",
+            Language::Markdown => "Markdown",
+        })
+    }
 }
 
 impl Language {
     /// The language of files with this ending.
     pub fn of_extension(extension: &str) -> Option<Language> {
         Some(match extension {
-            "html" | "htm" => Language::Html,
-            "js" | "mjs" | "cjs" | "ts" | "jsx" | "tsx" => Language::Script,
-            "md" | "markdown" => Language::Markdown,
+            "html" | "htm" | "xhtml" => Language::Html,
+            "js" | "mjs" | "cjs" | "jsx" | "ts" | "mts" | "cts" | "tsx" => Language::Script,
+            "vue" | "svelte" | "astro" => Language::Component,
+            "md" | "markdown" | "mdx" => Language::Markdown,
             _ => return None,
         })
     }
@@ -145,24 +165,9 @@ fn extract_into(language: Language, text: &str, base: usize, found: &mut Vec<Emb
     match language {
         Language::Html => html::extract(text, base, found),
         Language::Script => script::extract(text, base, found),
+        Language::Component => component::extract(text, base, found),
         Language::Markdown => markdown::extract(text, base, found),
     }
-}
-
-/// Whether a text is a shader beyond doubt: it starts with `#version` or has a `main`.
-fn is_shader(code: &str) -> bool {
-    code.trim_start().starts_with("#version") || has_main(code)
-}
-
-fn has_main(code: &str) -> bool {
-    code.match_indices("void").any(|(at, word)| {
-        let behind = code.get(at + word.len()..).unwrap_or("");
-        let name = behind.trim_start();
-        let rest = name
-            .strip_prefix("mainImage")
-            .or_else(|| name.strip_prefix("main"));
-        name.len() < behind.len() && rest.is_some_and(|r| r.trim_start().starts_with('('))
-    })
 }
 
 #[cfg(test)]

@@ -281,6 +281,13 @@ impl<'x, 'p> Evaluator<'x, 'p> {
         if writes.len() > 1 && !self.is_steady(place) {
             range = range.loose();
         }
+        if self.ranges.hidden_places.get(place.0 as usize) == Some(&true) {
+            // Whether it is rounded, the writes that are known tell best.
+            range = Range {
+                exact: range.exact,
+                ..unknown
+            };
+        }
         self.ranges
             .places_known
             .borrow_mut()
@@ -392,7 +399,13 @@ impl<'x, 'p> Evaluator<'x, 'p> {
                 self.ranges.results.borrow_mut().insert(key, None);
                 let returns = self.ranges.places.returns(callee).iter();
                 let all = returns.map(|&e| self.part(e, component, depth + 1));
-                let range = all.reduce(Range::join).unwrap_or(Range::ANY);
+                let mut range = all.reduce(Range::join).unwrap_or(Range::ANY);
+                if self.ranges.hidden_functions.get(callee.0 as usize) == Some(&true) {
+                    range = Range {
+                        exact: range.exact,
+                        ..Range::ANY
+                    };
+                }
                 self.ranges.results.borrow_mut().insert(key, Some(range));
                 range
             }

@@ -43,6 +43,10 @@ pub struct Ranges {
     places_known: RefCell<FxHashMap<(u32, u8), Option<Range>>>,
     /// By function and component of its result; `None` while the answer is being made.
     results: RefCell<FxHashMap<(u32, u8), Option<Range>>>,
+    /// By place: whether code that is not understood may write to it.
+    hidden_places: Vec<bool>,
+    /// By function: whether nobody knows what it returns, and what it is given.
+    hidden_functions: Vec<bool>,
 }
 
 impl Ranges {
@@ -56,7 +60,18 @@ impl Ranges {
             origins: RefCell::default(),
             places_known: RefCell::default(),
             results: RefCell::default(),
+            hidden_places: Vec::new(),
+            hidden_functions: Vec::new(),
         }
+    }
+
+    /// Forgets what is known of globals, of parameters of functions and of what functions return,
+    /// where code that is not understood may name them.
+    pub fn forget(&mut self, program: &Program, is_named: impl Fn(&str) -> bool) {
+        self.hidden_places = self.places.hidden(program, &is_named);
+        let functions = program.functions.iter();
+        let is_hidden = functions.map(|f| is_named(program.names.text(f.name)));
+        self.hidden_functions = is_hidden.collect();
     }
 }
 

@@ -5,7 +5,7 @@
 //! whatever their order.
 
 use crate::semantic::{
-    Base, Direction, FunctionRef, Program, Resolution, Storage, Type, VariableId,
+    Base, Direction, FunctionRef, Program, Resolution, Storage, Type, Variable, VariableId,
 };
 use crate::syntax::ast::*;
 
@@ -155,6 +155,23 @@ impl Places {
             }
         }
         places
+    }
+
+    /// Which places code that is not understood may write to; it calls functions, and uses globals,
+    /// of the names given.
+    pub fn hidden(&self, program: &Program, is_named: impl Fn(&str) -> bool) -> Vec<bool> {
+        let is_named = |name| is_named(program.names.text(name));
+        let is_hidden = |variable: &Variable| match variable.function {
+            Some(f) => {
+                let is_param = matches!(variable.storage, Storage::Param(_));
+                is_param && program.function(f).is_some_and(|f| is_named(f.name))
+            }
+            None => is_named(variable.name),
+        };
+        // Members of structs come behind the variables, and may be named in any way.
+        let hidden = program.variables.iter().map(is_hidden);
+        let hidden = hidden.chain(std::iter::repeat(true));
+        hidden.take(self.writes.len()).collect()
     }
 
     /// All writes to a place.

@@ -2,6 +2,8 @@
 //!
 //! The limits are those of a debug build on a busy machine; a release build on a quiet one answers in a second.
 
+mod repetitions;
+
 use shaderlint::cli::STACK;
 use shaderlint::cli::document::{DialectChoice, check};
 use shaderlint::cli::input::Content;

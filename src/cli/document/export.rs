@@ -1,0 +1,86 @@
+//! Fixes of the passes of an export, as edits of the JSON text that holds them.
+
+use crate::diagnostic::{Diagnostic, Fix};
+use crate::port::{Composed, Project};
+use crate::text::json::{JsonString, strings_in};
+use crate::text::{Edit, FileId, Sources, Span};
+
+/// Where the code of the passes is written.
+#[derive(Default)]
+pub struct Written {
+    /// By the text that holds the code of a pass.
+    codes: Vec<(FileId, JsonString)>,
+}
+
+impl Written {
+    /// Looks for the code of the passes in the text of an export. What is not found there just as it
+    /// was read is not written.
+    pub fn of(text: &str, project: &Project, composed: &Composed) -> Written {
+        let found = strings_in(text, "renderpass", "code").unwrap_or_default();
+        let ids = (0..composed.sources.files().len()).map(|i| FileId(i as u32));
+        let code = |id: FileId| {
+            let pass = composed.owner(id)?;
+            let mut own = found.iter().filter(|(index, _)| *index == pass);
+            let (_, string) = own.next().filter(|_| own.next().is_none())?;
+            let is_same = *string.value == *project.passes.get(pass)?.code;
+            is_same.then(|| (id, string.clone()))
+        };
+        Written {
+            codes: ids.filter_map(code).collect(),
+        }
+    }
+
+    fn span(&self, sources: &Sources, span: Span) -> Option<(&JsonString, Span)> {
+        let id = sources.file_id_at(span.start)?;
+        let file = sources.file(id).filter(|f| f.span().contains(span))?;
+        let (_, string) = self.codes.iter().find(|(own, _)| *own == id)?;
+        let from = (span.start - file.base) as usize;
+        let place = string.place(from, from + span.len() as usize)?;
+        Some((string, Span::new(place.start, place.end)))
+    }
+
+    /// A finding as one of the JSON text: its place, and its fix.
+    pub fn finding(&self, sources: &Sources, diagnostic: Diagnostic) -> Diagnostic {
+        let place = self.span(sources, diagnostic.span);
+        let span = place.map_or(Span::at(0), |(_, span)| span);
+        let fix = diagnostic.fix.as_ref().and_then(|fix| {
+            let edits = fix.edits.iter().map(|e| self.edit(sources, e));
+            Some(Fix {
+                edits: edits.collect::<Option<Vec<_>>>()?,
+                ..fix.clone()
+            })
+        });
+        Diagnostic {
+            span,
+            fix,
+            ..diagnostic
+        }
+    }
+
+    /// Whether a fix can be written.
+    pub fn holds(&self, sources: &Sources, fix: &Fix) -> bool {
+        fix.edits
+            .iter()
+            .all(|e| self.span(sources, e.span).is_some())
+    }
+
+    /// Stretches of passes as stretches of the JSON text.
+    pub fn spans(&self, sources: &Sources, spans: &[Span]) -> Vec<Span> {
+        let place = |span: &Span| Some(self.span(sources, *span)?.1);
+        spans.iter().filter_map(place).collect()
+    }
+
+    fn edit(&self, sources: &Sources, edit: &Edit) -> Option<Edit> {
+        let (string, span) = self.span(sources, edit.span)?;
+        let first = string
+            .value
+            .find('\n')
+            .and_then(|at| string.value.get(..at));
+        let text = if first.is_some_and(|line| line.ends_with('\r')) {
+            edit.text.replace("\r\n", "\n").replace('\n', "\r\n")
+        } else {
+            edit.text.clone()
+        };
+        Some(Edit::replace(span, string.escape(&text)))
+    }
+}

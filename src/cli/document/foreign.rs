@@ -1,0 +1,93 @@
+//! Shaders in languages that WebGL does not compile: GLSL for OpenGL and Vulkan, HLSL, Metal, WGSL.
+//! One thing is said of each, and nothing is mended unasked.
+
+use super::{Options, Read};
+use crate::diagnostic::{Applicability, Diagnostic, Origin, Severity, error};
+use crate::text::embed::Embedded;
+use crate::text::kind::{Decision, Evidence, Tongue, reason};
+use crate::text::{FileId, Span};
+
+/// What is said of such shaders.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Desktop {
+    /// That WebGL does not compile them.
+    #[default]
+    Report,
+    /// Nothing.
+    Skip,
+    /// Those in GLSL are checked as what they are to become, GLSL ES 3.00.
+    Port,
+}
+
+/// Whether a shader is checked as what it is to become.
+pub fn is_ported(tongue: Tongue, options: &Options) -> bool {
+    tongue == Tongue::Desktop && options.desktop == Desktop::Port
+}
+
+/// Says what is to be said of a file.
+pub(super) fn whole(
+    read: &mut Read,
+    file: FileId,
+    text: &str,
+    tongue: Tongue,
+    decision: &Decision,
+) -> Option<()> {
+    let base = read.sources.file(file)?.base;
+    let evidence = Evidence::of(text);
+    let told = tell(&evidence, text, base, tongue, &decision.to_string());
+    read.problems.push(told);
+    Some(())
+}
+
+/// Says what is to be said of a shader inside a file, if it is such a one. Gives whether it is, so
+/// that nothing else is said.
+pub(super) fn inside(
+    read: &mut Read,
+    file: FileId,
+    embedded: &Embedded,
+    options: &Options,
+) -> Option<bool> {
+    let code = embedded.code.as_str();
+    let evidence = Evidence::of(code);
+    let Some(tongue) = evidence.foreign().filter(|t| !is_ported(*t, options)) else {
+        return Some(false);
+    };
+    if options.desktop != Desktop::Skip {
+        let base = read.sources.file(file)?.base + embedded.start as u32;
+        let why = reason(&evidence, tongue);
+        let told = tell(&evidence, code, base, tongue, &why);
+        read.problems.push(told);
+    }
+    Some(true)
+}
+
+fn tell(evidence: &Evidence, text: &str, base: u32, tongue: Tongue, why: &str) -> Diagnostic {
+    let rule = error::UNSUPPORTED_VERSION;
+    if let Some(version) = evidence.version.filter(|v| v.is_desktop()) {
+        let start = version.at;
+        let line = text.get(start..).unwrap_or("");
+        let line = line.split(['\n', '\r']).next().unwrap_or("");
+        let line = line.split("//").next().unwrap_or("");
+        let line = line.split("/*").next().unwrap_or("").trim_end();
+        let start = base + start as u32;
+        let span = Span::new(start, start + line.len() as u32);
+        let message = format!("WebGL2 has no GLSL version {}", version.number);
+        return Diagnostic::error(rule, span, message)
+            .note("this is GLSL for OpenGL or Vulkan; nothing else is said of it")
+            .help("`desktop = \"port\"` in shaderlint.toml checks it as GLSL ES 3.00, `desktop = \"skip\"` passes it over");
+    }
+    let sign = evidence.first_sign(tongue).unwrap_or(0..0);
+    let span = Span::new(base + sign.start as u32, base + sign.end as u32);
+    let message = format!("this shader is {tongue}, which WebGL does not compile");
+    Diagnostic::new(rule, Origin::Compiler, Severity::Info, span, message)
+        .note(format!("{why}; nothing else is said of it"))
+        .help("`desktop = \"skip\"` in shaderlint.toml passes it over")
+}
+
+/// Makes all fixes such that a person decides: a shader that is brought to WebGL2 is lost for where
+/// it comes from.
+pub fn ask_first(diagnostics: &mut [Diagnostic]) {
+    for fix in diagnostics.iter_mut().filter_map(|d| d.fix.as_mut()) {
+        fix.applicability = Applicability::Unsafe;
+    }
+}

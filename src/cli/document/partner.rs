@@ -1,0 +1,361 @@
+//! Vertex and fragment shaders that belong together: which they are, and what keeps them from being
+//! linked.
+
+use super::part::{Extent, Part, shader_part};
+use super::{Options, Read};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
+use crate::lint::Settings;
+use crate::rules::RULES;
+use crate::semantic::link::link;
+use crate::semantic::{Analysis, Dialect, Function, Program, Stage, Storage, Unit, analyze};
+use crate::text::embed::{Asked, Embedded, Language, asked, together};
+use crate::text::kind::ending;
+use crate::text::{Role, Sources, Span};
+use std::collections::{BTreeSet, HashMap};
+use std::fs;
+use std::path::Path;
+
+/// Largest file that is read beside another, in bytes.
+const MAX_FILE: u64 = 4 * 1024 * 1024;
+
+/// How often, on the average, the text of a page is linked: shaders may belong to several programs.
+const MAX_SHARED: usize = 16;
+/// Most uniforms of a page that are told to be unknown.
+const MAX_LACKING: usize = 100;
+
+/// The words in names of files that tell the stage, and those of the other stage.
+const WORDS: [(&str, &str); 8] = [
+    ("vert", "frag"),
+    ("vertex", "fragment"),
+    ("vs", "fs"),
+    ("vsh", "fsh"),
+    ("Vert", "Frag"),
+    ("Vertex", "Fragment"),
+    ("VS", "FS"),
+    ("VERT", "FRAG"),
+];
+
+/// Where the other stage of a shader file is looked for.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Partners {
+    /// Whether files are looked for at all.
+    is_on: bool,
+    /// The files that are checked in the same run: what is wrong between two of them is told of the
+    /// fragment shader only.
+    checked: BTreeSet<String>,
+}
+
+/// Nothing is looked for.
+pub static NOBODY: Partners = Partners {
+    is_on: false,
+    checked: BTreeSet::new(),
+};
+
+impl Partners {
+    /// Files are looked for beside the file at hand. `checked` are those that are checked, too.
+    pub fn beside<'a>(checked: impl Iterator<Item = &'a str>) -> Partners {
+        Partners {
+            is_on: true,
+            checked: checked.map(str::to_string).collect(),
+        }
+    }
+
+    /// The file with the other stage: its name and text.
+    fn find(&self, name: &str) -> Option<(String, String)> {
+        if !self.is_on {
+            return None;
+        }
+        let (other, stage) = counterpart(name)?;
+        if stage == Stage::Vertex && self.checked.contains(&other) {
+            return None;
+        }
+        let data = fs::metadata(Path::new(&other)).ok()?;
+        if !data.is_file() || data.len() > MAX_FILE {
+            return None;
+        }
+        let text = fs::read_to_string(&other).ok()?;
+        Some((other, text))
+    }
+}
+
+/// The name that the other stage's file has, and the stage of this one.
+fn counterpart(name: &str) -> Option<(String, Stage)> {
+    let (folder, file) = match name.rfind('/') {
+        Some(slash) => name.split_at(slash + 1),
+        None => ("", name),
+    };
+    let (stem, ending) = match file.strip_suffix(".glsl") {
+        Some(stem) => (stem, ".glsl"),
+        None => (file, ""),
+    };
+    // Without `.glsl` the word is the ending itself.
+    let is_apart = |c: char, word: &str| match ending {
+        "" => c == '.',
+        _ => {
+            let is_capital = word.starts_with(|w: char| w.is_ascii_uppercase());
+            !c.is_ascii_alphanumeric() || (is_capital && !c.is_ascii_uppercase())
+        }
+    };
+    let pairs = WORDS.iter().flat_map(|(v, f)| {
+        let vertex = (*v, *f, Stage::Vertex);
+        [vertex, (*f, *v, Stage::Fragment)]
+    });
+    for (own, other, stage) in pairs {
+        if let Some(rest) = stem.strip_suffix(own) {
+            let before = rest.chars().next_back();
+            if before.map_or(!ending.is_empty(), |c| is_apart(c, own)) {
+                return Some((format!("{folder}{rest}{other}{ending}"), stage));
+            }
+        }
+    }
+    None
+}
+
+/// Reads the other stage of a shader file, if there is one.
+pub(super) fn load(read: &mut Read, name: &str, options: &Options) -> Option<Part> {
+    let [part] = read.parts.as_slice() else {
+        return None;
+    };
+    if part.extent != Extent::Whole || part.dialect.is_shadertoy() || !read.embedded.is_empty() {
+        return None;
+    }
+    let stage = part.stage;
+    let (name, text) = options.partners.find(name)?;
+    let problems = read.problems.len();
+    let file = read
+        .sources
+        .add(name.as_str(), None, Role::User, text.as_str())?;
+    let made = shader_part(read, &name, file, &text, options);
+    let other = (read.parts.len() > 1).then(|| read.parts.pop()).flatten();
+    // What is wrong with that file is told of that file.
+    let is_well = read.problems.len() == problems;
+    read.problems.truncate(problems);
+    made?;
+    other.filter(|o| is_well && o.stage != stage && o.extent == Extent::Whole)
+}
+
+/// Finds what keeps the shaders of an input from being linked, each with its partner.
+pub(super) fn check(
+    read: &Read,
+    partner: Option<&Part>,
+    settings: &Settings,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    if let (Some(other), [own]) = (partner, read.parts.as_slice()) {
+        if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
+            link_parts(&read.sources, own, other, |_, _| {}, diagnostics);
+        }
+        return;
+    }
+    let file = read.file.and_then(|id| read.sources.file(id));
+    let Some(file) = file.filter(|_| read.embedded.len() > 1) else {
+        return;
+    };
+    let Some(language) = Language::of_extension(&ending(&file.path)) else {
+        return;
+    };
+    let parts = programs(read, file.base);
+    // Texts show pieces of many programs.
+    let only = match language {
+        Language::Markdown => return,
+        _ if parts.iter().all(Option::is_some) => pair(&parts, &mut (0..parts.len())),
+        _ => None,
+    };
+    let mut pairs: Vec<(usize, usize)> = match only {
+        Some(only) => vec![only],
+        None => {
+            let groups = together(language, &file.text, &read.embedded);
+            let pairs = groups.iter().map(|g| pair(&parts, &mut g.iter().copied()));
+            pairs.flatten().collect()
+        }
+    };
+    pairs.sort_unstable();
+    pairs.dedup();
+    let length = |i: usize| read.embedded.get(i).map_or(0, |e| e.code.len());
+    let mut budget = MAX_SHARED * file.text.len();
+    for (vertex, fragment) in pairs {
+        let cost = length(vertex) + length(fragment);
+        if cost > budget {
+            return;
+        }
+        budget -= cost;
+        let of = |i: usize| parts.get(i).copied().flatten();
+        let (Some(vertex), Some(fragment)) = (of(vertex), of(fragment)) else {
+            continue;
+        };
+        let mut missing = Vec::new();
+        let more = |vertex: &Program, fragment: &Program| {
+            if only.is_some() {
+                missing = lacking(vertex, fragment, asked(language, &file.text));
+            }
+        };
+        link_parts(&read.sources, vertex, fragment, more, diagnostics);
+        let missing = missing.into_iter();
+        diagnostics.extend(missing.filter_map(|m| report_lacking(m, file.base, settings)));
+    }
+}
+
+/// By shader of a page: the part that it was made to, where it may be one of a program.
+fn programs(read: &Read, base: u32) -> Vec<Option<&Part>> {
+    let by_start = read.parts.iter().flat_map(|part| {
+        let codes = part.files.iter().filter_map(|id| read.sources.code(*id));
+        codes.map(move |code| (code.base, part))
+    });
+    let by_start: HashMap<u32, &Part> = by_start.collect();
+    let of = |embedded: &Embedded| {
+        let part = *by_start.get(&(base + embedded.start as u32))?;
+        let is_program = part.extent != Extent::Excerpt && !part.dialect.is_shadertoy();
+        is_program.then_some(part)
+    };
+    read.embedded.iter().map(of).collect()
+}
+
+/// The vertex and the fragment shader among some, where there is one of each.
+fn pair(
+    parts: &[Option<&Part>],
+    members: &mut dyn Iterator<Item = usize>,
+) -> Option<(usize, usize)> {
+    let (mut vertex, mut fragment) = (None, None);
+    for index in members {
+        let slot = match parts.get(index).copied().flatten()?.stage {
+            Stage::Vertex => &mut vertex,
+            Stage::Fragment => &mut fragment,
+        };
+        if slot.replace(index).is_some() {
+            return None;
+        }
+    }
+    Some((vertex?, fragment?))
+}
+
+/// Links two shaders of which one is a vertex shader and one a fragment shader. `more` looks at them
+/// where they are whole and without errors.
+fn link_parts(
+    sources: &Sources,
+    one: &Part,
+    other: &Part,
+    more: impl FnOnce(&Program, &Program),
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let (vertex, fragment) = match one.stage {
+        Stage::Vertex => (one, other),
+        Stage::Fragment => (other, one),
+    };
+    let (Some(of_vertex), Some(of_fragment)) = (whole(sources, vertex), whole(sources, fragment))
+    else {
+        return;
+    };
+    let has_versions = |p: &Part| {
+        let first = p.files.first().and_then(|id| sources.code(*id));
+        !p.host.is_three && first.is_some_and(|c| c.role == Role::User)
+    };
+    let versions = (of_vertex.version, of_fragment.version);
+    if versions.0 != versions.1 && !(has_versions(vertex) && has_versions(fragment)) {
+        return;
+    }
+    diagnostics.extend(link(&of_vertex, &of_fragment));
+    more(&of_vertex, &of_fragment);
+}
+
+/// A shader that is all at hand and without errors.
+fn whole<'a>(sources: &'a Sources, part: &'a Part) -> Option<Program<'a>> {
+    let Dialect::WebGl { .. } = part.dialect else {
+        return None;
+    };
+    let Analysis {
+        program,
+        diagnostics,
+    } = analyze(&Unit {
+        sources,
+        files: &part.files,
+        stage: part.stage,
+        dialect: part.dialect,
+        infer_channels: false,
+    });
+    let has_errors = diagnostics.iter().any(|d| d.severity == Severity::Error);
+    let is_main = |f: &Function| f.definition.is_some() && program.names.text(f.name) == "main";
+    let has_main = program.functions.iter().any(is_main);
+    (has_main && !has_errors).then_some(program)
+}
+
+/// A uniform that a page asks for and its shaders lack.
+struct Lacking {
+    asked: Asked,
+    near: Option<String>,
+}
+
+fn lacking(vertex: &Program, fragment: &Program, asked: Vec<Asked>) -> Vec<Lacking> {
+    let mut uniforms: BTreeSet<&str> = BTreeSet::new();
+    for program in [vertex, fragment] {
+        // Text that is left out may declare more.
+        if !program.tokens.inactive.is_empty() {
+            return Vec::new();
+        }
+        let all = program.variables.iter();
+        let declared = all.filter(|v| v.storage == Storage::Uniform);
+        uniforms.extend(declared.map(|v| program.names.text(v.name)));
+        let records = program.structs.iter().filter_map(|s| s.name);
+        uniforms.extend(records.map(|n| program.names.text(n)));
+    }
+    let is_lacking = |a: &Asked| !uniforms.contains(a.name.as_str());
+    let near = |name: &str| {
+        let limit = if name.len() < 6 { 1 } else { 2 };
+        let distances = uniforms.iter().map(|u| {
+            let (a, b) = (u.to_ascii_lowercase(), name.to_ascii_lowercase());
+            (strsim::damerau_levenshtein(&a, &b), *u)
+        });
+        let near = distances.filter(|(d, _)| *d <= limit).min();
+        near.map(|(_, u)| u.to_string())
+    };
+    let lacking = asked.into_iter().filter(is_lacking).take(MAX_LACKING);
+    lacking
+        .map(|asked| Lacking {
+            near: near(&asked.name),
+            asked,
+        })
+        .collect()
+}
+
+fn report_lacking(lacking: Lacking, base: u32, settings: &Settings) -> Option<Diagnostic> {
+    let rule = RULES.iter().find(|r| r.name == "unknown-uniform")?;
+    let severity = settings.level(rule)?;
+    let Lacking { asked, near } = lacking;
+    let (start, end) = (asked.range.start as u32, asked.range.end as u32);
+    let span = Span::new(base + start, base + end);
+    let message = format!(
+        "no shader of this file declares the uniform `{}`",
+        asked.name
+    );
+    let d = Diagnostic::new(rule.name, Origin::Rule, severity, span, message)
+        .note("the program has no place for it: what is set there goes nowhere");
+    Some(match near {
+        Some(near) => d.help(format!("did you mean `{near}`?")),
+        None => d,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(name: &str, expected: &str) {
+        let other = counterpart(name).map(|(other, _)| other);
+        assert_eq!(other.as_deref().unwrap_or(""), expected, "{name}");
+    }
+
+    #[test]
+    fn files_of_one_name_belong_together() {
+        check("a/b.vert", "a/b.frag");
+        check("b.fs", "b.vs");
+        check("b.vert.glsl", "b.frag.glsl");
+        check("water_fragment.glsl", "water_vertex.glsl");
+        check("waterFrag.glsl", "waterVert.glsl");
+        check("shaders/vertex.glsl", "shaders/fragment.glsl");
+        check("convert.glsl", "");
+        check("avert", "");
+        check("vert", "");
+        check("defrag.glsl", "");
+        check("a.glsl", "");
+    }
+}

@@ -1,0 +1,95 @@
+//! `-v`: what each file was read as, with which configuration, and what was passed over.
+
+use super::super::config::Configs;
+use super::super::document::{Extent, Findings, Shader};
+use super::super::input::{InputFile, PassedOver};
+use super::complain;
+use crate::lint::Unrun;
+use crate::semantic::{Dialect, Pass, Stage};
+use crate::syntax::Version;
+use std::path::Path;
+
+/// What one file was read as.
+pub fn read(input: &InputFile, findings: &Findings, configs: &Configs) -> String {
+    let here = std::env::current_dir().unwrap_or_default();
+    let config = match configs.file_of(Path::new(&input.name)) {
+        Some(file) => format!("{}", file.strip_prefix(&here).unwrap_or(&file).display()),
+        None => "no configuration".to_string(),
+    };
+    let shaders = match findings.shaders.as_slice() {
+        [] => "no shader".to_string(),
+        all => {
+            let told = all.iter().map(|s| told(s, findings));
+            let mut lines: Vec<(String, usize)> = Vec::new();
+            // A page or a text may hold many of a kind.
+            for line in told {
+                match lines.iter_mut().find(|(l, _)| *l == line) {
+                    Some((_, count)) => *count += 1,
+                    None => lines.push((line, 1)),
+                }
+            }
+            let lines = lines.into_iter().map(|(line, count)| match count {
+                1 => line,
+                n => format!("{n} times {line}"),
+            });
+            lines.collect::<Vec<_>>().join("; ")
+        }
+    };
+    format!("{}: read as {shaders}; {config}", input.name)
+}
+
+/// What one shader was read as, and where rules did not look.
+fn told(shader: &Shader, findings: &Findings) -> String {
+    let file = shader.file.and_then(|id| findings.sources.file(id));
+    let stage = match shader.stage {
+        Stage::Vertex => "vertex shader",
+        Stage::Fragment => "fragment shader",
+    };
+    let version = match shader.version {
+        Version::Es100 => "GLSL ES 1.00",
+        Version::Es300 => "GLSL ES 3.00",
+    };
+    let kind = match shader.dialect {
+        Dialect::ShaderToy(pass) => match pass {
+            Pass::Image => "ShaderToy image",
+            Pass::Buffer => "ShaderToy buffer",
+            Pass::Cubemap => "ShaderToy cube map",
+            Pass::Sound => "ShaderToy sound",
+            Pass::Common => "ShaderToy common code",
+        }
+        .to_string(),
+        Dialect::WebGl { whole: true } => format!("{stage}, {version}"),
+        Dialect::WebGl { whole: false } => format!("{stage}, {version} without its `#version`"),
+    };
+    let part = file.and_then(|f| f.part.as_deref());
+    let part = part.map_or(String::new(), |p| format!(" ({p})"));
+    let unrun = match (shader.extent, &shader.unrun) {
+        (_, Unrun::Nowhere) => String::new(),
+        (_, Unrun::Functions { names, .. }) => format!(
+            ", rules not run in `{}` for their errors",
+            names.join("`, `")
+        ),
+        (Extent::Excerpt, Unrun::Everywhere) => ", an excerpt: rules not run".to_string(),
+        (Extent::Open, Unrun::Everywhere) => {
+            ", parts of which are elsewhere: rules not run".to_string()
+        }
+        (Extent::Whole, Unrun::Everywhere) => ", rules not run for its errors".to_string(),
+    };
+    format!("{kind}{part}{unrun}")
+}
+
+/// What folders hold that was not looked at.
+pub fn passed_over(passed: &PassedOver) {
+    for path in &passed.excluded {
+        complain(&format!("{path}: skipped: the configuration leaves it out"));
+    }
+    if passed.others > 0 {
+        let noun = if passed.others == 1 { "file" } else { "files" };
+        let endings: Vec<&str> = passed.endings.iter().map(String::as_str).collect();
+        complain(&format!(
+            "{} {noun} skipped for the ending of the name ({}), besides what .gitignore names",
+            passed.others,
+            endings.join(", ")
+        ));
+    }
+}

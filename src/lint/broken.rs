@@ -1,0 +1,265 @@
+//! What of a shader was not understood. Rules have nothing to say of it, and take everything that it
+//! names for used, written to and called.
+
+use super::words::each_word;
+use crate::diagnostic::{Diagnostic, Severity, error};
+use crate::semantic::flow::CallGraph;
+use crate::semantic::{Function, FunctionRef, Program, Type};
+use crate::syntax::ast::{ExprKind, Item, StmtKind};
+use crate::syntax::{Macro, Name, TokenKind};
+use crate::text::Span;
+use rustc_hash::FxHashSet;
+
+/// Longest piece of code that a finding may stand on beside errors, in bytes: who calls what is
+/// looked up word by word.
+const MAX_FINDING: u32 = 256;
+
+/// The functions and declarations with errors, and what depends on them.
+#[derive(Default, Debug)]
+pub struct Broken<'p> {
+    /// What stands at global scope, in the order of the text, and whether it has errors.
+    items: Vec<(Span, bool)>,
+    /// The words in what has errors.
+    words: FxHashSet<&'p str>,
+    /// The functions that have errors, or call one that has some, by name.
+    suspects: FxHashSet<Name>,
+    /// By function: whether it has errors.
+    functions: Vec<bool>,
+    /// Whether there is an error that stands in no function and no declaration.
+    whole: bool,
+}
+
+impl<'p> Broken<'p> {
+    /// What the errors leave; nothing is broken where there is none.
+    pub fn of(program: &Program<'p>, found: &[Diagnostic]) -> Broken<'p> {
+        let mut broken = Broken::default();
+        let errors = || found.iter().filter(|d| d.severity == Severity::Error);
+        if errors().next().is_none() {
+            return broken;
+        }
+        broken.items = items(program);
+        errors().for_each(|d| broken.mark_error(program, d));
+        if broken.whole {
+            return broken;
+        }
+        broken.mark_unknown(program);
+        broken.mark_dependents(program);
+        broken.read_words(program);
+        broken.judge_functions(program);
+        broken
+    }
+
+    /// Whether anything is broken.
+    pub fn any(&self) -> bool {
+        self.whole || self.items.iter().any(|(_, is_broken)| *is_broken)
+    }
+
+    /// Whether nothing can be said of the shader as a whole.
+    pub fn whole(&self) -> bool {
+        self.whole
+    }
+
+    /// Whether a function has errors.
+    pub fn function(&self, function: FunctionRef) -> bool {
+        let known = self.functions.get(function.0 as usize);
+        known.copied().unwrap_or(false)
+    }
+
+    /// Whether a word stands in what has errors.
+    pub fn has(&self, word: &str) -> bool {
+        self.words.contains(word)
+    }
+
+    /// The words in what has errors.
+    pub fn words(&self) -> impl Iterator<Item = &'p str> {
+        self.words.iter().copied()
+    }
+
+    /// Where something is broken, in the order of the text.
+    pub fn spans(&self) -> impl Iterator<Item = Span> {
+        let broken = self.items.iter().filter(|(_, is_broken)| *is_broken);
+        broken.map(|(span, _)| *span)
+    }
+
+    /// Whether a finding has nothing to do with what is broken.
+    pub fn admits(&self, program: &Program, finding: &Diagnostic) -> bool {
+        let labels = finding.labels.iter().map(|l| l.span);
+        let fixes = finding.fix.iter().flat_map(|f| &f.edits);
+        let mut places = labels.chain(fixes.map(|e| e.span)).chain([finding.span]);
+        if places.any(|span| self.touches(span)) || finding.span.len() > MAX_FINDING {
+            return false;
+        }
+        let mut is_clear = true;
+        each_word(program.sources.text(finding.span), |word| {
+            let name = program.names.get(word);
+            is_clear &= !name.is_some_and(|n| self.suspects.contains(&n));
+        });
+        is_clear
+    }
+
+    /// Whether a place lies in what has errors.
+    fn touches(&self, span: Span) -> bool {
+        let from = self.items.partition_point(|(s, _)| s.end < span.start);
+        let inside = self.items.iter().skip(from);
+        let mut inside = inside.take_while(|(s, _)| s.start <= span.end);
+        inside.any(|(_, is_broken)| *is_broken)
+    }
+
+    /// Marks what stands at an address. Says whether anything does.
+    fn mark(&mut self, address: u32) -> bool {
+        let behind = self.items.partition_point(|(s, _)| s.start <= address);
+        let item = behind.checked_sub(1).and_then(|i| self.items.get_mut(i));
+        match item.filter(|(span, _)| address <= span.end) {
+            Some((_, is_broken)) => {
+                *is_broken = true;
+                true
+            }
+            None => false,
+        }
+    }
+
+    fn mark_error(&mut self, program: &Program, error: &Diagnostic) {
+        // A brace that is missing or too many moves what stands where; a conditional without its
+        // end, too.
+        let moves = [
+            error::UNBALANCED_CONDITIONAL,
+            error::UNTERMINATED_COMMENT,
+            error::MACRO_BUDGET,
+        ];
+        let names_brace = error.message.contains("`{`") || error.message.contains("`}`");
+        self.whole |= names_brace || moves.contains(&error.rule);
+        let calls = error.macros.iter().map(|m| m.call);
+        let labels = error.labels.iter().map(|l| l.span);
+        let others: Vec<Span> = calls.chain(labels).collect();
+        for other in others {
+            self.mark(other.start);
+        }
+        let is_placed = self.mark(error.span.start) || self.mark_macro(program, error.span);
+        self.whole |= !is_placed;
+    }
+
+    /// Marks all that uses the macro in whose definition a place lies. Says whether it lies in one.
+    fn mark_macro(&mut self, program: &Program, place: Span) -> bool {
+        let tokens = &program.tokens;
+        let extent = |m: &Macro| {
+            let last = m.body.last().map_or(m.name_span, |p| p.token.span);
+            m.name_span.to(last)
+        };
+        let holding = tokens.macros.iter().filter(|m| !m.predefined).map(extent);
+        let Some(holding) = holding
+            .into_iter()
+            .find(|s| s.start <= place.start && place.start <= s.end)
+        else {
+            return false;
+        };
+        let from_it = tokens.tokens.iter().filter(|t| !t.is_direct());
+        let from_it = from_it.filter(|t| holding.start <= t.spelled && t.spelled <= holding.end);
+        from_it.for_each(|t| {
+            self.mark(t.span.start);
+        });
+        true
+    }
+
+    /// Marks what holds an expression or statement without a meaning, reported or not.
+    fn mark_unknown(&mut self, program: &Program) {
+        let tree = &program.tree;
+        let exprs = tree.exprs.iter().zip(&program.exprs);
+        let exprs = exprs.filter(|(e, info)| e.kind == ExprKind::Error || info.ty == Type::ERROR);
+        let stmts = tree.stmts.iter().filter(|s| s.kind == StmtKind::Error);
+        let variables = program.variables.iter().filter(|v| v.ty == Type::ERROR);
+        let tokens = exprs
+            .map(|(e, _)| e.extent.first)
+            .chain(stmts.map(|s| s.extent.first))
+            .chain(variables.filter_map(|v| v.token));
+        for token in tokens {
+            if let Some(token) = program.token(token) {
+                self.mark(token.span.start);
+            }
+        }
+    }
+
+    /// Marks what names something whose declaration has errors, or was lost.
+    fn mark_dependents(&mut self, program: &Program) {
+        let tree = &program.tree;
+        let mut lost: FxHashSet<Name> = tree.lost.iter().copied().collect();
+        let globals = program.variables.iter().filter(|v| v.function.is_none());
+        let globals = globals.filter_map(|v| Some((v.name, v.token?)));
+        let structs = tree.structs.iter().filter_map(|s| s.name);
+        let structs = structs.map(|ident| (ident.name, ident.token));
+        for (name, token) in globals.chain(structs) {
+            let at = program.token(token).map(|t| t.span);
+            if at.is_some_and(|span| self.touches(span)) {
+                lost.insert(name);
+            }
+        }
+        if lost.is_empty() {
+            return;
+        }
+        for token in &program.tokens.tokens {
+            if token.kind == TokenKind::Identifier && lost.contains(&Name(token.value)) {
+                self.mark(token.span.start);
+            }
+        }
+    }
+
+    fn read_words(&mut self, program: &Program<'p>) {
+        let lost = program.tree.lost.iter().map(|n| program.names.text(*n));
+        let broken = self.items.iter().filter(|(_, is_broken)| *is_broken);
+        let mut words = FxHashSet::default();
+        for (span, _) in broken {
+            each_word(program.sources.text(*span), |word| {
+                words.insert(word);
+            });
+        }
+        // What a macro writes into it is named there as well.
+        for token in program.tokens.tokens.iter().filter(|t| !t.is_direct()) {
+            if token.kind == TokenKind::Identifier && self.touches(token.span) {
+                words.insert(program.sources.text(Span::new(
+                    token.spelled,
+                    token.spelled + program.names.text(Name(token.value)).len() as u32,
+                )));
+            }
+        }
+        for name in lost {
+            self.suspects.extend(program.names.get(name));
+        }
+        self.words = words;
+    }
+
+    fn judge_functions(&mut self, program: &Program) {
+        let is_broken = |f: &Function| {
+            let decl = f.definition.or(Some(f.declaration));
+            let decl = decl.and_then(|d| program.tree.function(d));
+            decl.is_some_and(|d| self.touches(program.span(d.extent)))
+        };
+        self.functions = program.functions.iter().map(is_broken).collect();
+        let calls = CallGraph::of(program);
+        let mut suspect = self.functions.clone();
+        let all = (0..suspect.len() as u32).map(FunctionRef);
+        let mut todo: Vec<FunctionRef> = all.filter(|f| self.function(*f)).collect();
+        while let Some(next) = todo.pop() {
+            for caller in calls.calls_of(next).filter_map(|c| c.caller) {
+                if let Some(is_suspect @ false) = suspect.get_mut(caller.0 as usize) {
+                    *is_suspect = true;
+                    todo.push(caller);
+                }
+            }
+        }
+        let named = program.functions.iter().zip(&suspect);
+        let named = named.filter(|(_, is_suspect)| **is_suspect);
+        self.suspects.extend(named.map(|(f, _)| f.name));
+    }
+}
+
+/// What stands at global scope.
+fn items(program: &Program) -> Vec<(Span, bool)> {
+    let tree = &program.tree;
+    let extent = |item: &Item| match *item {
+        Item::Function(f) => tree.function(f).map(|f| f.extent),
+        Item::Decl(d) => tree.decl(d).map(|d| d.extent),
+    };
+    let extents = tree.items.iter().filter_map(extent);
+    let mut items: Vec<(Span, bool)> = extents.map(|e| (program.span(e), false)).collect();
+    items.sort_by_key(|(span, _)| span.start);
+    items
+}

@@ -1,0 +1,54 @@
+//! What the checker has looked at in a shader with errors, and what it has passed over: behind one
+//! mistake others may hide.
+
+use crate::semantic::Program;
+use crate::syntax::ast::{DeclKind, StmtKind};
+use crate::text::Span;
+
+/// Stretches of a text that were judged, and such that were not.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Judged {
+    /// Expressions of a known type, and declared names.
+    pub done: Vec<Span>,
+    /// What could not be read, and expressions of no known type.
+    pub left: Vec<Span>,
+}
+
+impl Judged {
+    /// Reads it off a checked shader.
+    pub fn of(program: &Program) -> Judged {
+        let mut judged = Judged::default();
+        let tree = &program.tree;
+        for (expr, info) in tree.exprs.iter().zip(&program.exprs) {
+            let span = program.span(expr.extent);
+            let into = if info.ty.is_error() {
+                &mut judged.left
+            } else {
+                &mut judged.done
+            };
+            into.push(span);
+        }
+        let unread = tree.stmts.iter().filter(|s| s.kind == StmtKind::Error);
+        judged.left.extend(unread.map(|s| program.span(s.extent)));
+        let unread = tree.decls.iter().filter(|d| d.kind == DeclKind::Error);
+        judged.left.extend(unread.map(|d| program.span(d.extent)));
+        let names = tree.declarator_lists.iter().zip(&program.declared);
+        let names = names.filter(|(_, variable)| variable.is_some());
+        let names = names.filter_map(|(d, _)| program.token(d.ident.token));
+        judged.done.extend(names.map(|t| t.span));
+        judged
+    }
+
+    /// Adds what is known of another shader of the same text.
+    pub fn join(&mut self, other: Judged) {
+        self.done.extend(other.done);
+        self.left.extend(other.left);
+    }
+
+    /// Whether a mistake at this place would have been seen.
+    pub fn has_seen(&self, span: Span) -> bool {
+        let meets = |other: &Span| other.start <= span.end && span.start <= other.end;
+        let holds = |other: &Span| other.start < span.end && span.start < other.end;
+        !self.left.iter().any(holds) && self.done.iter().any(meets)
+    }
+}

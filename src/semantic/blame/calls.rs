@@ -1,0 +1,202 @@
+//! The macro calls of a shader, and which errors belong to them.
+
+use super::Candidate;
+use crate::diagnostic::{Diagnostic, Label, error};
+use crate::semantic::program::Program;
+use crate::syntax::{MacroId, Token};
+use crate::text::Span;
+
+/// Most calls that a finding points at.
+const MAX_LABELS: usize = 3;
+/// How many lines behind a call an error may stand that the call's macro is asked about.
+const LINES_BEHIND: u32 = 3;
+
+/// Most calls before an error that are asked about.
+const MAX_NEAR: usize = 100;
+
+/// The calls of all macros, each as it stands in the user's text.
+pub(super) struct Calls {
+    /// In the order of the text.
+    all: Vec<(Span, MacroId)>,
+}
+
+impl Calls {
+    pub fn of(program: &Program) -> Calls {
+        let expansions = &program.tokens.expansions;
+        let mut outer: Vec<Span> = Vec::with_capacity(expansions.len());
+        let mut all = Vec::with_capacity(expansions.len());
+        for expansion in expansions {
+            let parent = match expansion.parent {
+                Token::DIRECT => None,
+                at => outer.get(at as usize).copied(),
+            };
+            let call = parent.unwrap_or(expansion.call);
+            outer.push(call);
+            all.push((call, expansion.definition));
+        }
+        all.sort_unstable_by_key(|(call, id)| (call.start, call.end, *id));
+        all.dedup();
+        Calls { all }
+    }
+
+    /// The macros that are called on the line of a place or on one of those before it, nearest last.
+    pub fn near(&self, program: &Program, place: u32) -> &[(Span, MacroId)] {
+        let Some(file) = program.sources.file_at(place) else {
+            return &[];
+        };
+        let line = file.lines().line(place - file.base);
+        let from = file.lines().start(line.saturating_sub(LINES_BEHIND));
+        let from = file.base + from.unwrap_or(0);
+        let first = self.all.partition_point(|(call, _)| call.start < from);
+        let last = self.all.partition_point(|(call, _)| call.start <= place);
+        self.all.get(first..last).unwrap_or(&[])
+    }
+
+    /// Whether an error may come from a call of the macro that is named at `of`.
+    pub fn touches(&self, program: &Program, of: Span, d: &Diagnostic) -> bool {
+        d.macros.iter().any(|m| m.definition == of)
+            || self
+                .near(program, d.span.start)
+                .iter()
+                .rev()
+                .take(MAX_NEAR)
+                .any(|(_, id)| {
+                    let definition = program.tokens.macros.get(id.0 as usize);
+                    definition.is_some_and(|m| m.name_span == of)
+                })
+    }
+
+    /// What is said of a repair that made these errors go away: its calls are pointed at.
+    pub fn tell(&self, candidate: Candidate, gone: &[&Diagnostic]) -> Diagnostic {
+        let mut d = candidate.diagnostic;
+        let Some(of) = candidate.of else {
+            return d;
+        };
+        if !d.macros.is_empty() {
+            return d;
+        }
+        let mut places: Vec<Span> = Vec::new();
+        for e in gone {
+            let through = e.macros.iter().any(|m| m.definition == of);
+            let call = match e.macros.last().filter(|_| through) {
+                Some(outermost) => Some(outermost.call),
+                None => {
+                    let last = self.all.partition_point(|(c, _)| c.start <= e.span.start);
+                    last.checked_sub(1)
+                        .and_then(|i| self.all.get(i))
+                        .map(|(c, _)| *c)
+                }
+            };
+            places.extend(call.filter(|c| c.start != d.span.start));
+        }
+        places.sort_unstable();
+        places.dedup();
+        let more = places.len().saturating_sub(MAX_LABELS);
+        for call in places.into_iter().take(MAX_LABELS) {
+            d = d.label(call, "used here");
+        }
+        if more > 0 {
+            d = d.note(format!("{more} more uses of it fail"));
+        }
+        d
+    }
+}
+
+/// Whether a place lies in the definition of a macro.
+pub(super) fn is_in_definition(program: &Program, span: Span) -> bool {
+    program.tokens.macros.iter().any(|m| {
+        let end = m.body.last().map_or(m.name_span.end, |p| p.token.span.end);
+        !m.predefined && m.name_span.start <= span.start && span.start <= end
+    })
+}
+
+/// Errors of one place in a macro's body are one mistake. Where all calls of the macro make it, the
+/// definition is at fault; where some do not, the calls that do are.
+pub(in crate::semantic) fn gather(program: &Program, errors: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let in_body = |d: &Diagnostic| {
+        let outermost = d.macros.last()?.call;
+        (!outermost.contains(d.span) && is_in_definition(program, d.span)).then_some(outermost)
+    };
+    if !errors.iter().any(|d| in_body(d).is_some()) {
+        return errors;
+    }
+    let calls = Calls::of(program);
+    let mut out: Vec<Diagnostic> = Vec::new();
+    let mut heads: Vec<(usize, Vec<Span>)> = Vec::new();
+    for d in errors {
+        let Some(call) = in_body(&d) else {
+            out.push(d);
+            continue;
+        };
+        let known = heads.iter_mut().find(|(at, _)| {
+            out.get(*at)
+                .is_some_and(|o| o.rule == d.rule && o.span == d.span)
+        });
+        match known {
+            Some((_, places)) => places.push(call),
+            None => {
+                heads.push((out.len(), vec![call]));
+                out.push(d);
+            }
+        }
+    }
+    for (at, mut places) in heads {
+        places.sort_unstable();
+        places.dedup();
+        let Some(d) = out.get_mut(at) else { continue };
+        let used = calls.count(program, d.macros.first().map_or(d.span, |m| m.definition));
+        point(d, &places, used);
+    }
+    out
+}
+
+impl Calls {
+    /// How many places in the text call the macro that is named at `of`.
+    fn count(&self, program: &Program, of: Span) -> usize {
+        let is_it = |id: &MacroId| {
+            let definition = program.tokens.macros.get(id.0 as usize);
+            definition.is_some_and(|m| m.name_span == of)
+        };
+        self.all.iter().filter(|(_, id)| is_it(id)).count()
+    }
+}
+
+/// Points at the definition or at the calls, of which `used` are made in all.
+fn point(d: &mut Diagnostic, places: &[Span], used: usize) {
+    let Some(&first) = places.first() else { return };
+    // What is told once for all uses of a name.
+    let once = d.rule == error::UNDECLARED_NAME;
+    if places.len() < used && !once {
+        let body = std::mem::replace(&mut d.span, first);
+        d.labels.insert(
+            0,
+            Label {
+                span: body,
+                message: std::mem::take(&mut d.label),
+            },
+        );
+        if let Some(l) = d.labels.first_mut().filter(|l| l.message.is_empty()) {
+            l.message = "in the macro's definition".to_string();
+        }
+        d.fix = None;
+        for &place in places.iter().skip(1).take(MAX_LABELS - 1) {
+            d.labels.push(Label {
+                span: place,
+                message: "and here".to_string(),
+            });
+        }
+        return;
+    }
+    for &place in places.iter().take(MAX_LABELS) {
+        d.labels.push(Label {
+            span: place,
+            message: "used here".to_string(),
+        });
+    }
+    if places.len() > MAX_LABELS {
+        d.notes.push(format!(
+            "{} more uses of it fail",
+            places.len() - MAX_LABELS
+        ));
+    }
+}

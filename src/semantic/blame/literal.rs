@@ -1,0 +1,144 @@
+//! Definitions whose numbers have the wrong type, that lack their value, or that misspell a
+//! parameter.
+
+use super::definition::Definition;
+use super::{Candidate, Case};
+use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::syntax::TokenKind;
+use crate::text::Edit;
+
+/// Most numbers of one definition that are looked at.
+const MAX_NUMBERS: usize = 8;
+
+/// What well-known names stand for.
+const KNOWN_VALUES: &[(&str, &str)] = &[
+    ("pi", "3.14159265359"),
+    ("tau", "6.28318530718"),
+    ("twopi", "6.28318530718"),
+    ("pi2", "6.28318530718"),
+    ("halfpi", "1.57079632679"),
+    ("epsilon", "0.0001"),
+    ("eps", "0.0001"),
+];
+
+impl Case<'_> {
+    /// Numbers that every call needs to be of the other kind.
+    pub(super) fn literals(&self, d: &Definition, all: &mut Vec<Candidate>) {
+        let mut ints = Vec::new();
+        for piece in d.of.body.iter().take(200) {
+            let span = piece.token.span;
+            let text = self.text(span);
+            let (other, is, needs) = match piece.token.kind {
+                TokenKind::Int if text.bytes().all(|b| b.is_ascii_digit()) => {
+                    (format!("{text}.0"), "`int`", "`float`")
+                }
+                TokenKind::Float => match whole(text) {
+                    Some(digits) => (digits.to_string(), "`float`", "`int`"),
+                    None => continue,
+                },
+                _ => continue,
+            };
+            let edit = Edit::replace(span, other.clone());
+            if is == "`int`" {
+                ints.push(edit.clone());
+            }
+            let message = format!("`{text}` in macro `{}` is of type {is}", d.name);
+            let found = Diagnostic::error(error::INT_FLOAT_MIX, span, message)
+                .mark(format!("its uses need {needs}"))
+                .note("GLSL ES converts nothing by itself (section 4.1.10)");
+            all.push(d.candidate(found, Fix::safe(format!("write `{other}`"), vec![edit])));
+            if ints.len() >= MAX_NUMBERS {
+                break;
+            }
+        }
+        let Some(first) = ints.first().filter(|_| ints.len() > 1) else {
+            return;
+        };
+        let message = format!("the numbers in macro `{}` are of type `int`", d.name);
+        let found = Diagnostic::error(error::INT_FLOAT_MIX, first.span, message)
+            .mark("its uses need `float`")
+            .note("GLSL ES converts nothing by itself (section 4.1.10)");
+        all.push(d.candidate(found, Fix::safe("write them with `.0`", ints)));
+    }
+
+    /// A word of the body that nothing declares, where a parameter is meant.
+    pub(super) fn misspelt_params(&self, d: &Definition, all: &mut Vec<Candidate>) {
+        let Some(params) = &d.of.params else { return };
+        let is_used = |index: usize| d.of.body.iter().any(|p| p.token.expansion == index as u32);
+        let undeclared = |e: &&Diagnostic| {
+            e.rule == error::UNDECLARED_NAME
+                && e.macros.iter().any(|m| m.definition == d.of.name_span)
+        };
+        for e in self.errors.iter().filter(undeclared).take(4) {
+            let word = self.text(e.span);
+            let stands = |p: &&crate::syntax::Piece| self.text(p.token.span) == word;
+            let edits = |name: &str| -> Vec<Edit> {
+                let places = d.of.body.iter().filter(stands);
+                places.map(|p| Edit::replace(p.token.span, name)).collect()
+            };
+            let mut order: Vec<(usize, usize)> = (0..params.len())
+                .filter_map(|i| {
+                    let name = self.program.names.text(*params.get(i)?);
+                    let distance = strsim::damerau_levenshtein(name, word);
+                    Some((distance + 3 * is_used(i) as usize, i))
+                })
+                .collect();
+            order.sort_unstable();
+            for (_, index) in order.into_iter().take(3) {
+                let Some(param) = params.get(index) else {
+                    continue;
+                };
+                let name = self.program.names.text(*param);
+                let mut found = e.clone();
+                found.notes.clear();
+                found.help.clear();
+                let found = found.note(format!(
+                    "the parameters of macro `{}` have other names",
+                    d.name
+                ));
+                let fix = Fix::suggestion(format!("write `{name}`"), edits(name));
+                all.push(d.candidate(found, fix));
+            }
+        }
+    }
+
+    /// `#define PI`, used where a value is needed.
+    pub(super) fn empty_body(&self, d: &Definition, all: &mut Vec<Candidate>) {
+        if !d.of.body.is_empty() || d.of.params.is_some() {
+            return;
+        }
+        let plain: String = d.name.chars().filter(char::is_ascii_alphanumeric).collect();
+        let plain = plain.to_ascii_lowercase();
+        let known = KNOWN_VALUES.iter().find(|(name, _)| *name == plain);
+        let values = known.into_iter().map(|(_, value)| *value);
+        for value in values.chain([
+            "1.0",
+            "1",
+            "true",
+            "vec2(1.0)",
+            "vec3(1.0)",
+            "vec4(1.0)",
+            "1u",
+            "ivec2(1)",
+        ]) {
+            let end = d.of.name_span.end;
+            let found = d
+                .faulty(d.of.name_span, format!("macro `{}` has no value", d.name))
+                .mark("nothing is put in where it is used");
+            let title = match known {
+                Some((_, known)) if *known == value => format!("define it as `{value}`"),
+                _ => format!("give it a value, such as `{value}`"),
+            };
+            let fix = Fix::suggestion(title, vec![Edit::insert(end, format!(" {value}"))]);
+            all.push(d.candidate(found, fix));
+        }
+    }
+}
+
+/// The digits of a float that is a whole number.
+fn whole(text: &str) -> Option<&str> {
+    let digits = text.trim_end_matches(['f', 'F']);
+    let (digits, rest) = digits.split_once('.')?;
+    let is_whole = !digits.is_empty() && rest.bytes().all(|b| b == b'0');
+    is_whole.then_some(digits)
+}

@@ -1,0 +1,208 @@
+//! Whose fault an error is.
+//!
+//! Where a macro's definition or a directive is wrong, the compiler stumbles later: at each call, or
+//! at the end of the file. So the repairs that such a line suggests by its own shape are tried, one
+//! after the other: the shader is checked again with the repair made, and if errors go away and none
+//! comes, the line is at fault. It is then reported once, and the rest of the shader is judged as
+//! the repaired one.
+
+mod brackets;
+mod call;
+mod calls;
+mod conditional;
+mod definition;
+mod literal;
+#[cfg(test)]
+mod tests;
+mod trial;
+
+pub(super) use calls::gather;
+
+use super::program::Program;
+use super::unit::{Unit, analyze_once};
+use crate::diagnostic::{Diagnostic, error};
+use crate::text::{Edit, Role, Span};
+use calls::Calls;
+use trial::{Budget, Copy};
+
+/// Most repairs of one shader.
+const MAX_REPAIRS: u32 = 12;
+/// Most errors whose surroundings are looked at.
+const MAX_LOOKED_AT: usize = 20;
+
+/// A repair that a line suggests.
+struct Candidate {
+    edits: Vec<Edit>,
+    /// What is said if it is the right one.
+    diagnostic: Diagnostic,
+    /// The macro whose calls stumble, by the name in its definition.
+    of: Option<Span>,
+}
+
+/// A shader with what was found in it.
+struct Case<'a> {
+    unit: &'a Unit<'a>,
+    program: &'a Program<'a>,
+    errors: &'a [Diagnostic],
+    calls: Calls,
+}
+
+/// Finds whose fault the errors of a shader are.
+pub(super) fn attribute(
+    unit: &Unit,
+    program: &Program,
+    errors: Vec<Diagnostic>,
+) -> Vec<Diagnostic> {
+    let mut errors = repair(unit, program, errors, &mut Budget::new(), MAX_REPAIRS);
+    errors.sort_by_key(|d| (d.span.start, d.span.end));
+    errors
+}
+
+/// Makes the best repair and goes on with the repaired shader; gives what is wrong in all.
+fn repair(
+    unit: &Unit,
+    program: &Program,
+    mut errors: Vec<Diagnostic>,
+    budget: &mut Budget,
+    left: u32,
+) -> Vec<Diagnostic> {
+    if errors.is_empty() || left == 0 {
+        return errors;
+    }
+    let case = Case {
+        unit,
+        program,
+        errors: &errors,
+        calls: Calls::of(program),
+    };
+    let Some(chosen) = case.choose(budget) else {
+        drop_unproved(program, &mut errors);
+        return errors;
+    };
+    let Some(copy) = Copy::new(unit, &chosen.edits) else {
+        return errors;
+    };
+    let repaired = copy.unit(unit);
+    let analysis = analyze_once(&repaired);
+    let after = analysis.diagnostics.clone();
+    let gone: Vec<&Diagnostic> = {
+        let after: Vec<Diagnostic> = after.iter().map(|d| copy.back(d.clone())).collect();
+        let is_gone = |d: &&Diagnostic| !after.iter().any(|a| same(a, d));
+        errors.iter().filter(is_gone).collect()
+    };
+    let told = case.calls.tell(chosen, &gone);
+    let rest = repair(&repaired, &analysis.program, after, budget, left - 1);
+    let mut all: Vec<Diagnostic> = rest.into_iter().map(|d| copy.back(d)).collect();
+    all.retain(|d| d.span != told.span);
+    all.push(told);
+    all
+}
+
+/// Whether both speak of the same mistake.
+fn same(a: &Diagnostic, b: &Diagnostic) -> bool {
+    a.rule == b.rule && a.span.start == b.span.start
+}
+
+/// Takes away the fixes of definitions that no trial has proved.
+fn drop_unproved(program: &Program, errors: &mut [Diagnostic]) {
+    for d in errors {
+        let is_foreign = |e: &Edit| calls::is_in_definition(program, e.span);
+        if !d.macros.is_empty()
+            && d.fix
+                .as_ref()
+                .is_some_and(|f| f.edits.iter().any(is_foreign))
+        {
+            d.fix = None;
+        }
+    }
+}
+
+impl Case<'_> {
+    /// The repair after which the least is wrong.
+    fn choose(&self, budget: &mut Budget) -> Option<Candidate> {
+        let mut best: Option<(usize, Candidate)> = None;
+        for candidate in self.candidates() {
+            if !budget.pays(self.unit, self.errors.len()) {
+                break;
+            }
+            let Some(after) = self.attempt(&candidate.edits) else {
+                continue;
+            };
+            if !self.mends(&candidate, &after) {
+                continue;
+            }
+            if after.is_empty() {
+                return Some(candidate);
+            }
+            if best.as_ref().is_none_or(|(count, _)| after.len() < *count) {
+                best = Some((after.len(), candidate));
+            }
+        }
+        best.map(|(_, candidate)| candidate)
+    }
+
+    /// What is wrong when the edits are made, at the places of the text as it is.
+    fn attempt(&self, edits: &[Edit]) -> Option<Vec<Diagnostic>> {
+        let copy = Copy::new(self.unit, edits)?;
+        let unit = copy.unit(self.unit);
+        let found = analyze_once(&unit).diagnostics;
+        Some(found.into_iter().map(|d| copy.back(d)).collect())
+    }
+
+    /// Whether something goes away, and nothing comes that the repair could have done.
+    fn mends(&self, candidate: &Candidate, after: &[Diagnostic]) -> bool {
+        let is_gone = |d: &&Diagnostic| !after.iter().any(|a| same(a, d));
+        if self.errors.iter().filter(is_gone).count() == 0 {
+            return false;
+        }
+        let is_new = |d: &&Diagnostic| !self.errors.iter().any(|e| same(e, d));
+        let mut new = after.iter().filter(is_new).peekable();
+        if new.peek().is_none() {
+            return true;
+        }
+        let blamed = candidate.of;
+        after.len() <= self.errors.len()
+            && new.all(|d| blamed.is_none_or(|of| !self.calls.touches(self.program, of, d)))
+    }
+
+    /// The repairs that the lines near the errors suggest, the likeliest first.
+    fn candidates(&self) -> Vec<Candidate> {
+        let mut all = self.own_fixes();
+        all.extend(self.directives());
+        all.extend(self.conditionals());
+        all.extend(self.broken_calls());
+        all.extend(self.definitions());
+        all.retain(|c| c.edits.iter().all(|e| self.is_user(e.span)));
+        all
+    }
+
+    /// The fixes of errors in directives: behind them the shader is what it was meant to be.
+    fn own_fixes(&self) -> Vec<Candidate> {
+        let in_directive = |d: &&Diagnostic| {
+            IN_DIRECTIVES.contains(&d.rule) || calls::is_in_definition(self.program, d.span)
+        };
+        let found = self.errors.iter().filter(in_directive);
+        let candidate = |d: &Diagnostic| {
+            let fix = d.fix.as_ref()?;
+            let of = d.macros.first().map(|m| m.definition);
+            Some(Candidate {
+                edits: fix.edits.clone(),
+                diagnostic: d.clone(),
+                of,
+            })
+        };
+        found.filter_map(candidate).take(MAX_LOOKED_AT).collect()
+    }
+
+    fn is_user(&self, span: Span) -> bool {
+        let file = self.unit.sources.file_at(span.start);
+        file.is_some_and(|f| f.role == Role::User)
+    }
+}
+
+/// What is said of directives.
+const IN_DIRECTIVES: &[&str] = &[
+    error::BAD_DIRECTIVE,
+    error::PREPROCESSOR_EXPRESSION,
+    error::UNBALANCED_CONDITIONAL,
+];

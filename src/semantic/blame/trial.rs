@@ -1,0 +1,152 @@
+//! Trials: the shader with an edit made, checked again, and what it says brought back to the places
+//! of the text as it is.
+
+use crate::diagnostic::{Diagnostic, Fix};
+use crate::semantic::unit::Unit;
+use crate::text::{Edit, FileId, Sources, Span, apply_edits};
+
+/// Most bytes that all trials of one shader may check.
+const MAX_BYTES: usize = 200_000;
+/// Most trials of one shader.
+const MAX_TRIALS: usize = 40;
+
+/// What may still be spent on trials.
+pub(super) struct Budget {
+    bytes: usize,
+    trials: usize,
+}
+
+impl Budget {
+    pub fn new() -> Budget {
+        Budget {
+            bytes: MAX_BYTES,
+            trials: MAX_TRIALS,
+        }
+    }
+
+    /// Whether one more trial of this unit, in which so many errors were found, can be paid; then it
+    /// is. Where much is wrong a trial takes longer, and proves less.
+    pub fn pays(&mut self, unit: &Unit, errors: usize) -> bool {
+        let codes = unit.files.iter().filter_map(|&id| unit.sources.code(id));
+        let size: usize = codes.map(|c| c.text.len()).sum();
+        let size = size * (1 + errors / 50);
+        if self.trials == 0 || self.bytes < size {
+            return false;
+        }
+        self.trials -= 1;
+        self.bytes -= size;
+        true
+    }
+}
+
+/// One stretch of text that is the same in the copy and in what it was made from.
+struct Stretch {
+    copy: u32,
+    original: u32,
+    len: u32,
+}
+
+/// The files of a shader with edits made.
+pub(super) struct Copy {
+    pub sources: Sources,
+    pub files: Vec<FileId>,
+    /// In the order of the copy's addresses.
+    stretches: Vec<Stretch>,
+}
+
+impl Copy {
+    /// Makes the edits; `None` where they do not fit the text.
+    pub fn new(unit: &Unit, edits: &[Edit]) -> Option<Copy> {
+        let mut copy = Copy {
+            sources: Sources::new(),
+            files: Vec::new(),
+            stretches: Vec::new(),
+        };
+        for &id in unit.files {
+            let code = unit.sources.code(id)?;
+            let end = code.base + code.text.len() as u32;
+            let mut own: Vec<Edit> = edits
+                .iter()
+                .filter(|e| code.base <= e.span.start && e.span.end <= end)
+                .cloned()
+                .collect();
+            own.sort_by_key(|e| e.span);
+            let text = apply_edits(code.text, code.base, &own).ok()?;
+            let file = unit.sources.file_at(code.base)?;
+            let added = copy
+                .sources
+                .add(file.path.clone(), file.part.clone(), file.role, text)?;
+            let base = copy.sources.file(added)?.base;
+            copy.files.push(added);
+            copy.note_stretches(base, code.base, end, &own);
+        }
+        Some(copy)
+    }
+
+    fn note_stretches(&mut self, base: u32, from: u32, end: u32, edits: &[Edit]) {
+        let (mut at, mut original) = (base, from);
+        for edit in edits {
+            let len = edit.span.start - original;
+            self.stretches.push(Stretch {
+                copy: at,
+                original,
+                len,
+            });
+            at += len + edit.text.len() as u32;
+            original = edit.span.end;
+        }
+        self.stretches.push(Stretch {
+            copy: at,
+            original,
+            len: end - original,
+        });
+    }
+
+    /// The shader that the copy is.
+    pub fn unit<'a>(&'a self, unit: &Unit) -> Unit<'a> {
+        Unit {
+            sources: &self.sources,
+            files: &self.files,
+            stage: unit.stage,
+            dialect: unit.dialect,
+            infer_channels: unit.infer_channels,
+        }
+    }
+
+    /// The place in the text as it is; what was put in counts as the place where it was put.
+    fn address(&self, address: u32) -> u32 {
+        let after = self.stretches.partition_point(|s| s.copy <= address);
+        match after.checked_sub(1).and_then(|i| self.stretches.get(i)) {
+            Some(s) => s.original + (address - s.copy).min(s.len),
+            None => address,
+        }
+    }
+
+    fn span(&self, span: Span) -> Span {
+        Span::new(self.address(span.start), self.address(span.end))
+    }
+
+    /// A finding in the copy as one in the text as it is.
+    pub fn back(&self, mut d: Diagnostic) -> Diagnostic {
+        d.span = self.span(d.span);
+        for label in &mut d.labels {
+            label.span = self.span(label.span);
+        }
+        for used in &mut d.macros {
+            used.call = self.span(used.call);
+            if !used.definition.is_empty() {
+                used.definition = self.span(used.definition);
+            }
+        }
+        if let Some(fix) = &mut d.fix {
+            self.fix_back(fix);
+        }
+        d
+    }
+
+    fn fix_back(&self, fix: &mut Fix) {
+        for edit in &mut fix.edits {
+            edit.span = self.span(edit.span);
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! Calls with too few, too many or swapped arguments: the edit that makes them fit.
+
+use super::overload::Candidate;
+use super::*;
+use crate::diagnostic::Fix;
+use crate::text::Edit;
+
+/// What is usually given for a parameter of a built-in function, by its number, where it is left
+/// out.
+#[rustfmt::skip]
+const USUAL: &[(&str, usize, &str)] = &[
+    ("max", 1, "0.0"), ("min", 1, "1.0"), ("pow", 1, "2.0"), ("mod", 1, "1.0"), ("mix", 2, "0.5"),
+    ("clamp", 1, "0.0"), ("clamp", 2, "1.0"), ("smoothstep", 0, "0.0"), ("smoothstep", 1, "1.0"),
+    ("step", 0, "0.5"), ("refract", 2, "0.66"), ("textureLod", 2, "0.0"), ("texelFetch", 2, "0"),
+    ("textureSize", 1, "0"),
+];
+
+/// Most arguments that are tried in another order.
+const MAX_SWAPPED: usize = 4;
+
+impl Checker<'_> {
+    /// Takes away what is too much, where only one choice fits.
+    pub(super) fn drop_arguments(&self, args: &[ExprId], candidates: &[Candidate]) -> Option<Fix> {
+        let mut found = None;
+        for candidate in candidates {
+            let Some(extra) = args.len().checked_sub(candidate.params.len()) else {
+                continue;
+            };
+            for first in (0..=candidate.params.len()).rev().filter(|_| extra > 0) {
+                let kept = args
+                    .iter()
+                    .take(first)
+                    .chain(args.iter().skip(first + extra));
+                if kept
+                    .map(|&a| self.ty(a))
+                    .eq(candidate.params.iter().copied())
+                {
+                    found = Some((first, extra));
+                }
+            }
+        }
+        let (first, extra) = found?;
+        let gone = args.get(first..first + extra)?;
+        let (start, end) = (
+            self.expr_span(*gone.first()?),
+            self.expr_span(*gone.last()?),
+        );
+        let span = match (args.get(first + extra), first.checked_sub(1)) {
+            (Some(&next), _) => Span::new(start.start, self.expr_span(next).start),
+            (None, Some(before)) => Span::new(self.expr_span(*args.get(before)?).end, end.end),
+            (None, None) => start.to(end),
+        };
+        let text = self.sources.text(start.to(end));
+        let title = match text.len() < 40 && !text.contains('\n') {
+            true => format!("take `{text}` away"),
+            false => "take the surplus arguments away".to_string(),
+        };
+        Some(Fix::suggestion(title, vec![Edit::delete(span)]))
+    }
+
+    /// Takes arguments away where another form of the function takes fewer, if that is a `bool` or
+    /// nothing else helps.
+    pub(super) fn fewer_arguments(
+        &self,
+        args: &[ExprId],
+        candidates: &[Candidate],
+        is_last_resort: bool,
+    ) -> Option<Fix> {
+        let has_bool = args.iter().any(|&a| self.ty(a) == Type::BOOL);
+        (is_last_resort || has_bool)
+            .then(|| self.drop_arguments(args, candidates))
+            .flatten()
+    }
+
+    /// The parameters that are left out, and a fix that gives values for them. Where more than one
+    /// place fits, arguments of the parameters' names decide, and then the last place.
+    pub(super) fn missing_arguments(
+        &self,
+        d: Diagnostic,
+        name: Name,
+        args: &[ExprId],
+        candidates: &[Candidate],
+    ) -> Diagnostic {
+        let mut best: Option<(usize, usize, &Candidate, usize)> = None;
+        for candidate in candidates {
+            let Some(missing) = candidate.params.len().checked_sub(args.len()) else {
+                continue;
+            };
+            for first in (0..=args.len()).filter(|_| missing > 0) {
+                let left = candidate.params.iter().enumerate();
+                let mut pairs = left
+                    .filter(|(i, _)| *i < first || *i >= first + missing)
+                    .zip(args);
+                let Some(named) = pairs.try_fold(0, |n, ((i, &ty), &arg)| {
+                    let same = candidate
+                        .names
+                        .get(i)
+                        .is_some_and(|p| *p == self.expr_text(arg));
+                    (self.ty(arg) == ty).then_some(n + same as usize)
+                }) else {
+                    continue;
+                };
+                let is_better = best.is_none_or(|(n, _, c, _)| {
+                    let (have, other) = (candidate.params.len(), c.params.len());
+                    let is_same = std::ptr::eq(candidate, c);
+                    have < other || (have == other && (named > n || (is_same && named == n)))
+                });
+                if is_better {
+                    best = Some((named, first, candidate, missing));
+                }
+            }
+        }
+        let Some((_, first, candidate, missing)) = best else {
+            return d;
+        };
+        let what = |i: usize| match candidate.names.get(i).filter(|n| !n.is_empty()) {
+            Some(param) => {
+                let ty = candidate.params.get(i).copied().unwrap_or(Type::ERROR);
+                format!("`{} {param}`", self.name_of(ty))
+            }
+            None => format!("argument {}", i + 1),
+        };
+        let names: Vec<String> = (first..first + missing).map(what).collect();
+        let d = d.note(format!(
+            "{} {} missing",
+            names.join(" and "),
+            if missing == 1 { "is" } else { "are" }
+        ));
+        let values: Option<Vec<String>> = (first..first + missing)
+            .map(|i| self.value_for(name, candidate, i, args))
+            .collect();
+        let Some(values) = values.map(|v| v.join(", ")) else {
+            return d;
+        };
+        let edit = match (args.get(first), args.last()) {
+            (Some(&next), _) => Edit::insert(self.expr_span(next).start, format!("{values}, ")),
+            (None, Some(&last)) => Edit::insert(self.expr_span(last).end, format!(", {values}")),
+            (None, None) => return d,
+        };
+        d.fix(Fix::suggestion(
+            format!("give `{values}` for it"),
+            vec![edit],
+        ))
+    }
+
+    /// What may be given for a parameter: a variable of its name, what is usual, or 0.
+    fn value_for(
+        &self,
+        name: Name,
+        candidate: &Candidate,
+        index: usize,
+        args: &[ExprId],
+    ) -> Option<String> {
+        let &ty = candidate.params.get(index)?;
+        let writes = candidate.writes.get(index).copied().unwrap_or(false);
+        let fits = |v: &Variable| v.ty == ty && (!writes || self.is_writable(v));
+        let param = candidate.names.get(index).map_or("", |n| n.as_str());
+        let variables = || {
+            self.scopes
+                .visible()
+                .filter_map(|(_, binding)| match binding {
+                    Binding::Variable(id) => {
+                        let found = self.variables.get(id.0 as usize).filter(|v| fits(v));
+                        found.filter(|v| v.storage == Storage::Uniform || !self.is_host_name(v))
+                    }
+                    _ => None,
+                })
+        };
+        if let Some(same) = variables().find(|v| self.text(v.name) == param) {
+            return Some(self.text(same.name).to_string());
+        }
+        let is_given = |v: &&Variable| args.iter().any(|&a| self.expr_text(a) == self.text(v.name));
+        let text = self.text(name);
+        let usual = USUAL.iter().find(|(f, i, _)| *f == text && *i == index);
+        if let (Some((_, _, value)), false) = (usual, writes) {
+            return Some(match ty.is_scalar() {
+                true => value.to_string(),
+                false => format!("{}({value})", self.name_of(ty)),
+            });
+        }
+        match self.zero_of(ty) {
+            Some(zero) if !writes && candidate.token.is_some() => Some(zero),
+            zero => {
+                let others = variables().filter(|v| !is_given(v) && v.token.is_some());
+                let found = others.last().or_else(|| variables().last());
+                found
+                    .map(|v| self.text(v.name).to_string())
+                    .or(zero.filter(|_| !writes))
+            }
+        }
+    }
+
+    /// Whether a variable is of the player's own workings.
+    fn is_host_name(&self, variable: &Variable) -> bool {
+        variable.token.is_some_and(|token| self.is_prelude(token))
+    }
+
+    /// Whether a variable can be given for an `out` parameter.
+    pub(super) fn is_writable(&self, variable: &Variable) -> bool {
+        !variable.is_const
+            && !matches!(
+                variable.storage,
+                Storage::Uniform | Storage::Input | Storage::Param(Direction::ConstIn)
+            )
+    }
+
+    /// Puts arguments that fit in another order into it.
+    pub(super) fn swap_arguments(&self, args: &[ExprId], candidates: &[&Candidate]) -> Option<Fix> {
+        if args.len() > MAX_SWAPPED {
+            return None;
+        }
+        for (i, &a) in args.iter().enumerate() {
+            for (j, &b) in args.iter().enumerate().skip(i + 1) {
+                let mut types: Vec<Type> = args.iter().map(|&a| self.ty(a)).collect();
+                types.swap(i, j);
+                if self.ty(a) == self.ty(b) || !candidates.iter().any(|c| c.params == types) {
+                    continue;
+                }
+                let (a, b) = (self.expr_span(a), self.expr_span(b));
+                let edits = vec![
+                    Edit::replace(a, self.sources.text(b)),
+                    Edit::replace(b, self.sources.text(a)),
+                ];
+                return Some(Fix::suggestion("swap the two arguments", edits));
+            }
+        }
+        None
+    }
+
+    /// Makes every argument that does not fit a form of the function fit it.
+    pub(super) fn mend_arguments(&self, args: &[ExprId], candidate: &Candidate) -> Option<Fix> {
+        let mut edits = Vec::new();
+        let mut titles = Vec::new();
+        for (&arg, &wanted) in args.iter().zip(&candidate.params) {
+            if self.ty(arg) == wanted {
+                continue;
+            }
+            let fix = self.become_type(arg, wanted)?;
+            titles.push(fix.title);
+            edits.extend(fix.edits);
+        }
+        Some(Fix::suggestion(titles.join(" and "), edits))
+    }
+}

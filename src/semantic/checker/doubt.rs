@@ -1,0 +1,109 @@
+//! Declarations whose value does not fit: the uses of the variable tell which of the two is wrong.
+
+use super::*;
+use crate::diagnostic::Fix;
+use crate::text::Edit;
+
+/// Most declarations of a shader that are judged by the uses of their variables.
+const MAX_DOUBTS: usize = 8;
+
+/// Number of expressions that are checked again, all in all.
+const MAX_SIZE: usize = 60_000;
+
+/// What is known of declarations whose value is of another type.
+#[derive(Clone, Default)]
+pub(super) struct Doubts {
+    /// Those that were met, by the number of the declarator.
+    pub met: Vec<usize>,
+    /// Those whose type is taken from the value.
+    pub retyped: Vec<usize>,
+}
+
+/// Chooses, for one declaration after the other, between its type and that of its value: the one
+/// with which fewer errors are found. `count` tells how many there are.
+pub(super) fn settle(
+    first: usize,
+    met: &[usize],
+    size: usize,
+    mut count: impl FnMut(&Doubts) -> usize,
+) -> Doubts {
+    let mut best = first;
+    let most = (MAX_SIZE / size.max(1)).clamp(1, MAX_DOUBTS);
+    let mut doubts = Doubts::default();
+    for &declarator in met.iter().take(most) {
+        doubts.retyped.push(declarator);
+        let errors = count(&doubts);
+        if errors < best {
+            best = errors;
+        } else {
+            doubts.retyped.pop();
+        }
+    }
+    doubts
+}
+
+impl Checker<'_> {
+    /// Whether the uses behind a second declaration mean that one.
+    pub(super) fn means_second(&mut self, index: usize, first: VariableId, ty: Type) -> bool {
+        let is_other = self
+            .variables
+            .get(first.0 as usize)
+            .is_some_and(|v| v.ty != ty);
+        if is_other && !self.at_global_scope() {
+            self.doubts.met.push(index);
+        }
+        self.doubts.retyped.contains(&index)
+    }
+
+    /// The type of a variable whose value does not fit, as the error about it has been reported:
+    /// the declared one, unless its uses ask for that of the value.
+    pub(super) fn settled_type(
+        &mut self,
+        index: usize,
+        spec: Option<Extent>,
+        declarator: &Declarator,
+        ty: Type,
+    ) -> Type {
+        let (Some(spec), Some(init)) = (spec, declarator.init) else {
+            return ty;
+        };
+        let found = self.ty(init);
+        let is_plain = !ty.is_array() && !found.is_array() && declarator.arrays.len == 0;
+        let (Some((wanted, ..)), Some(_), true) = (ty.numeric(), found.numeric(), is_plain) else {
+            return ty;
+        };
+        // `float a = 0;` means a float, whatever comes.
+        if wanted == Scalar::Float && self.literal_token(init).is_some() {
+            return ty;
+        }
+        self.doubts.met.push(index);
+        if !self.doubts.retyped.contains(&index) {
+            return ty;
+        }
+        self.blame_type(spec, declarator, ty, init);
+        found
+    }
+
+    /// Says that the type of a declaration is wrong, in the place of the error about its value.
+    fn blame_type(&mut self, spec: Extent, declarator: &Declarator, ty: Type, init: ExprId) {
+        let found = self.ty(init);
+        let (wn, fname) = (self.name_of(ty), self.name_of(found));
+        let text = self.text(declarator.ident.name);
+        let message =
+            format!("`{text}` is declared `{wn}`, but its value and its uses are `{fname}`");
+        let edit = Edit::replace(self.span(spec), fname.clone());
+        let rule = self
+            .diagnostics
+            .pop()
+            .map_or(error::TYPE_MISMATCH, |d| d.rule);
+        let d = self
+            .error(
+                rule,
+                spec.to(Extent::token(declarator.ident.token)),
+                message,
+            )
+            .label(self.expr_span(init), format!("`{fname}`"))
+            .fix(Fix::safe(format!("declare it as `{fname}`"), vec![edit]));
+        self.report(d);
+    }
+}

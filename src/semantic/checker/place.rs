@@ -1,0 +1,269 @@
+//! What cannot be written to, and names declared twice: the edit that makes it possible.
+
+use super::*;
+use crate::diagnostic::Fix;
+use crate::text::Edit;
+
+impl Checker<'_> {
+    /// Copies what comes from outside into a variable at the start of the function, and uses that.
+    pub(super) fn copy_first(&self, variable: VariableId) -> Option<Fix> {
+        let function = self.functions.get(self.current?.0 as usize)?;
+        let declaration = self.tree.function(function.definition?)?;
+        let body = self.tree.stmt(declaration.body?).extent;
+        let open = self.token(body.first);
+        let Variable { name, ty, .. } = *self.variables.get(variable.0 as usize)?;
+        if ty.is_sampler() || matches!(ty.base, Base::Block(_)) || !open.is_direct() {
+            return None;
+        }
+        let text = self.text(name);
+        let bare = ["gl_", "u_", "v_", "a_", "i", "u", "v", "a"]
+            .iter()
+            .find_map(|prefix| {
+                let rest = text.strip_prefix(prefix)?;
+                let starts = |c: char| {
+                    c.is_ascii_uppercase() || (prefix.ends_with('_') && c.is_ascii_alphabetic())
+                };
+                rest.starts_with(starts).then(|| {
+                    let (first, rest) = rest.split_at_checked(1)?;
+                    Some(first.to_ascii_lowercase() + rest)
+                })?
+            });
+        let copy = self.free_name(&bare.unwrap_or_else(|| format!("{text}Copy")));
+        let line = format!("{} {copy} = {text};", self.name_of(ty));
+        let mut edits = vec![Edit::insert(open.span.end, format!("\n    {line}"))];
+        edits.extend(self.rename_within(name, body, &copy)?);
+        Some(Fix::suggestion(format!("copy it first: `{line}`"), edits))
+    }
+
+    /// Edits that rename every use of a name in a part of the text; none where one stands in a
+    /// macro.
+    fn rename_within(&self, name: Name, part: Extent, to: &str) -> Option<Vec<Edit>> {
+        let tokens = &self.tokens.tokens;
+        let mut edits = Vec::new();
+        let mut before = TokenKind::End;
+        for token in tokens.get(part.first as usize..=part.last as usize)? {
+            let is_use = token.kind == TokenKind::Identifier && token.value == name.0;
+            if is_use && before != TokenKind::Dot {
+                if !token.is_direct() {
+                    return None;
+                }
+                edits.push(Edit::replace(token.span, to));
+            }
+            before = token.kind;
+        }
+        Some(edits)
+    }
+
+    /// Takes `const` away from a declaration whose name stands at `token`.
+    pub(super) fn take_const_away(&self, token: Option<TokenId>) -> Option<Fix> {
+        use TokenKind as T;
+        let mut at = token?;
+        while !matches!(
+            self.token(at).kind,
+            T::Semicolon | T::LeftBrace | T::RightBrace | T::LeftParen
+        ) {
+            let found = self.token(at);
+            if found.kind == T::Const && found.is_direct() {
+                let span = Span::new(found.span.start, self.token(at + 1).span.start);
+                return Some(Fix::suggestion(
+                    "take `const` away there",
+                    vec![Edit::delete(span)],
+                ));
+            }
+            at = at.checked_sub(1)?;
+        }
+        None
+    }
+
+    /// Adds a fix to the error about a name that is declared a second time.
+    pub(super) fn mend_redefinition(
+        &mut self,
+        ident: Ident,
+        first: VariableId,
+        ty: Type,
+        spec: Option<Extent>,
+        is_meant: bool,
+    ) {
+        let span = self.token_span(ident.token);
+        let is_it = |d: &Diagnostic| d.rule == error::REDEFINITION && d.span == span;
+        if self.diagnostics.last().is_some_and(is_it) {
+            let fix = self.second_declaration(ident, first, ty, spec, is_meant);
+            if let Some(d) = self.diagnostics.last_mut() {
+                d.fix = fix;
+            }
+        }
+    }
+
+    /// What to do with a name that is declared a second time: nothing where both say the same, an
+    /// assignment where the types are the same, another name where they are not.
+    fn second_declaration(
+        &self,
+        ident: Ident,
+        first: VariableId,
+        ty: Type,
+        spec: Option<Extent>,
+        is_meant: bool,
+    ) -> Option<Fix> {
+        let first = self.variables.get(first.0 as usize)?;
+        let spec = spec?;
+        let second = self.statement_around(ident.token)?;
+        if let Some(declared) = first.token.and_then(|t| self.statement_around(t)) {
+            let is_same = self.same_tokens(declared, second);
+            if is_same && self.is_direct(second) {
+                let edit = Edit::delete(self.span(second));
+                return Some(Fix::safe("take the second declaration out", vec![edit]));
+            }
+        }
+        let has_value = self.token(ident.token + 1).kind == TokenKind::Equal;
+        let is_local = !self.at_global_scope() && !first.is_const;
+        if first.ty == ty && has_value && is_local && spec.first == second.first {
+            let span = Span::new(
+                self.token_span(spec.first).start,
+                self.token_span(ident.token).start,
+            );
+            return Some(Fix::suggestion(
+                "assign to it instead",
+                vec![Edit::delete(span)],
+            ));
+        }
+        let to = self.free_name(&format!("{}2", self.text(ident.name)));
+        let rest = Extent {
+            first: ident.token,
+            last: match is_meant {
+                true => self.end_of_block(ident.token),
+                false => ident.token,
+            },
+        };
+        let edits = self.rename_within(ident.name, rest, &to)?;
+        Some(Fix::suggestion(
+            format!("call the second one `{to}`"),
+            edits,
+        ))
+    }
+
+    /// The statement that a token stands in, from behind one `;`, `{` or `}` to the next `;`.
+    fn statement_around(&self, token: TokenId) -> Option<Extent> {
+        use TokenKind as T;
+        let ends = |at: TokenId| {
+            matches!(
+                self.token(at).kind,
+                T::Semicolon | T::LeftBrace | T::RightBrace | T::End
+            )
+        };
+        let mut first = token;
+        while first > 0 && !ends(first - 1) {
+            first -= 1;
+        }
+        let mut last = token;
+        while !ends(last) {
+            last += 1;
+        }
+        (self.token(last).kind == T::Semicolon).then_some(Extent { first, last })
+    }
+
+    fn same_tokens(&self, a: Extent, b: Extent) -> bool {
+        let texts = |e: Extent| (e.first..=e.last).map(|t| self.sources.text(self.token_span(t)));
+        a.first != b.first && a.last - a.first == b.last - b.first && texts(a).eq(texts(b))
+    }
+
+    /// The last token of the block around a token; at global scope, of the text.
+    pub(super) fn end_of_block(&self, token: TokenId) -> TokenId {
+        let mut open = 0_u32;
+        let tokens = &self.tokens.tokens;
+        for (i, t) in tokens.iter().enumerate().skip(token as usize) {
+            match t.kind {
+                TokenKind::LeftBrace => open += 1,
+                TokenKind::RightBrace if open == 0 => return i as TokenId,
+                TokenKind::RightBrace => open -= 1,
+                _ => {}
+            }
+        }
+        tokens.len().saturating_sub(1) as TokenId
+    }
+
+    /// Declares an undeclared variable where it is first set, if all its uses stand behind that.
+    pub(super) fn declare_where_set(&mut self, left: ExprId, ty: Type) {
+        let ExprKind::Name(name) = self.tree.expr(left).kind else {
+            return;
+        };
+        let token = self.tree.expr(left).extent.first;
+        let Some(&(index, 0)) = self.undeclared.get(&name) else {
+            return;
+        };
+        if ty.is_error() || ty.is_void() || ty.is_sampler() || !self.is_statement_start(token) {
+            return;
+        }
+        let (uses, inside) = self.uses_behind(name, token);
+        if uses < 2 || !inside {
+            return;
+        }
+        let span = self.token_span(token);
+        let (word, text) = (self.name_of(ty), self.text(name));
+        if let Some(d) = self
+            .diagnostics
+            .get_mut(index)
+            .filter(|d| d.span == span && d.rule == error::UNDECLARED_NAME)
+        {
+            d.fix = Some(Fix::suggestion(
+                format!("declare it here: `{word} {text} = ...`"),
+                vec![Edit::insert(span.start, format!("{word} "))],
+            ));
+        }
+    }
+
+    /// Whether a statement of a block, or a loop's head, starts with a token of the user's text.
+    fn is_statement_start(&self, token: TokenId) -> bool {
+        use TokenKind as T;
+        let before = |n: u32| {
+            token
+                .checked_sub(n)
+                .map_or(T::End, |at| self.token(at).kind)
+        };
+        self.token(token).is_direct()
+            && (matches!(before(1), T::Semicolon | T::LeftBrace | T::RightBrace)
+                || (before(1) == T::LeftParen && before(2) == T::For))
+    }
+
+    /// How often a name is used in the function from a token on, and whether all of that stands
+    /// in the block around the token.
+    fn uses_behind(&self, name: Name, token: TokenId) -> (u32, bool) {
+        let function = self
+            .tree
+            .functions
+            .iter()
+            .find(|f| (f.extent.first..=f.extent.last).contains(&token) && f.body.is_some());
+        let Some(function) = function else {
+            return (0, false);
+        };
+        let end = self.end_of_block(token);
+        let (mut uses, mut inside) = (0, true);
+        for at in token..=function.extent.last {
+            let found = self.token(at);
+            if found.kind == TokenKind::Identifier && found.value == name.0 {
+                uses += 1;
+                inside &= at <= end;
+            }
+        }
+        (uses, inside)
+    }
+
+    /// `1.0 = x` becomes `x = 1.0`.
+    pub(super) fn swap_sides(&self, left: ExprId) -> Option<Fix> {
+        let ExprKind::Assign(None, l, right) = self.tree.expr(self.whole).kind else {
+            return None;
+        };
+        let is_place = self.variable_of(right).is_some_and(|id| {
+            self.variables
+                .get(id.0 as usize)
+                .is_some_and(|v| self.is_writable(v))
+        });
+        let fits = l == left && is_place && self.ty(left) == self.ty(right);
+        let (a, b) = (self.expr_span(left), self.expr_span(right));
+        let edits = vec![
+            Edit::replace(a, self.sources.text(b)),
+            Edit::replace(b, self.sources.text(a)),
+        ];
+        (fits && self.is_direct(self.tree.expr(self.whole).extent))
+            .then(|| Fix::suggestion("swap the two sides", edits))
+    }
+}

@@ -1,0 +1,375 @@
+//! What one stage shows to the other: inputs, outputs, uniforms and blocks, with all that their
+//! declarations say.
+
+use super::live::named;
+use crate::semantic::{Base, Program, Scalar, Stage, Storage, Type, VariableId};
+use crate::syntax::ast::{self, *};
+use crate::syntax::{Name, Version};
+use crate::text::Role;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// A precision, as it is written.
+pub type Precision = &'static str;
+
+/// A variable that the other stage or the page can see.
+#[derive(Clone, Copy, Debug)]
+pub struct Item {
+    /// Its name.
+    pub name: Name,
+    /// The token that declares it.
+    pub token: TokenId,
+    /// Its type.
+    pub ty: Type,
+    /// Its precision, given or by default; `None` for a type that has none.
+    pub precision: Option<Precision>,
+    /// Whether it is `flat`.
+    pub is_flat: bool,
+    /// Whether it is `invariant`.
+    pub is_invariant: bool,
+    /// Its `layout(location = ...)`.
+    pub location: Option<i32>,
+    /// Whether anything in the shader names it.
+    pub is_used: bool,
+    /// Whether code names it that the browser does not drop.
+    pub is_active: bool,
+}
+
+/// A uniform block.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// Its name.
+    pub name: Name,
+    /// The token that names it.
+    pub token: TokenId,
+    /// Its number among the structs of its program.
+    pub record: u32,
+    /// Its instance: the token that names it, and the size of the array, or 0.
+    pub instance: Option<(TokenId, u32)>,
+    /// Whether matrices lie by rows, as its own layout or the default says.
+    pub by_rows: bool,
+    /// By member: whether its matrices lie by rows.
+    pub members_by_rows: Vec<bool>,
+}
+
+/// What a stage shows.
+pub struct Interface<'a> {
+    /// The shader.
+    pub program: &'a Program<'a>,
+    /// What it takes: attributes, or what the vertex shader passes on.
+    pub inputs: Vec<Item>,
+    /// What it gives.
+    pub outputs: Vec<Item>,
+    /// Its uniforms outside of blocks.
+    pub uniforms: Vec<Item>,
+    /// Its blocks.
+    pub blocks: Vec<Block>,
+    /// By the token of a member: its precision.
+    members: FxHashMap<TokenId, Precision>,
+    /// What was declared `invariant`, built-in variables included.
+    invariant: FxHashSet<Name>,
+    /// By variable: whether anything names it, and whether code that is left does.
+    named: Vec<(bool, bool)>,
+}
+
+impl<'a> Interface<'a> {
+    /// Reads the declarations of a shader that has no errors.
+    pub fn of(program: &'a Program<'a>) -> Interface<'a> {
+        let mut reader = Reader::new(program);
+        for item in &program.tree.items {
+            match *item {
+                ast::Item::Function(id) => reader.function(id),
+                ast::Item::Decl(id) => reader.declaration(id),
+            }
+        }
+        let mut found = reader.found;
+        for item in found.inputs.iter_mut().chain(&mut found.outputs) {
+            item.is_invariant |= found.invariant.contains(&item.name);
+        }
+        let makes_all_invariant = program.tokens.invariant_all;
+        for item in &mut found.outputs {
+            item.is_invariant |= makes_all_invariant;
+        }
+        found
+    }
+
+    /// A name as it is written.
+    pub fn text(&self, name: Name) -> &'a str {
+        self.program.names.text(name)
+    }
+
+    /// The precision of a struct's or block's member.
+    pub fn member_precision(&self, token: TokenId) -> Option<Precision> {
+        self.members.get(&token).copied()
+    }
+
+    /// Whether a built-in variable was declared `invariant`.
+    pub fn is_invariant(&self, builtin: &str) -> bool {
+        let name = self.program.names.get(builtin);
+        name.is_some_and(|n| self.invariant.contains(&n))
+            || (self.program.stage == Stage::Vertex && self.program.tokens.invariant_all)
+    }
+
+    /// The first token that names a built-in variable, where code that is left does.
+    pub fn builtin_use(&self, builtin: &str) -> Option<TokenId> {
+        let name = self.program.names.get(builtin)?;
+        let is_it = |v: &crate::semantic::Variable| v.name == name && v.token.is_none();
+        let id = self.program.variables.iter().position(is_it)?;
+        self.named.get(id).filter(|(_, is_active)| *is_active)?;
+        let mut all = self.program.tree.exprs.iter();
+        let first = all.find(|e| matches!(e.kind, ExprKind::Name(n) if n == name))?;
+        Some(first.extent.first)
+    }
+
+    /// Whether a token stands in what the host puts before the shader.
+    pub fn is_hosts(&self, token: TokenId) -> bool {
+        let start = self.program.token(token).map_or(0, |t| t.span.start);
+        let file = self.program.sources.file_at(start);
+        file.is_some_and(|f| f.role == Role::Prelude)
+    }
+}
+
+/// The walk over the declarations.
+struct Reader<'a> {
+    found: Interface<'a>,
+    /// By the token that declares it.
+    variables: FxHashMap<TokenId, VariableId>,
+    /// By the token that names it.
+    records: FxHashMap<TokenId, u32>,
+    float: Option<Precision>,
+    int: Option<Precision>,
+    /// `layout(row_major) uniform;`
+    by_rows: bool,
+}
+
+impl<'a> Reader<'a> {
+    fn new(program: &'a Program<'a>) -> Reader<'a> {
+        let is_vertex = program.stage == Stage::Vertex;
+        let declared = program.variables.iter().zip(0..);
+        let records = program.structs.iter().zip(0..);
+        Reader {
+            found: Interface {
+                program,
+                inputs: Vec::new(),
+                outputs: Vec::new(),
+                uniforms: Vec::new(),
+                blocks: Vec::new(),
+                members: FxHashMap::default(),
+                invariant: FxHashSet::default(),
+                named: named(program),
+            },
+            variables: declared
+                .filter_map(|(v, i)| Some((v.token?, VariableId(i))))
+                .collect(),
+            records: records.map(|(r, i)| (r.token, i)).collect(),
+            float: is_vertex.then_some("highp"),
+            int: Some(if is_vertex { "highp" } else { "mediump" }),
+            by_rows: false,
+        }
+    }
+
+    fn function(&mut self, id: FunctionId) {
+        let tree = &self.found.program.tree;
+        if let Some(function) = tree.function(id) {
+            self.type_spec(function.ty);
+        }
+    }
+
+    fn declaration(&mut self, id: DeclId) {
+        let tree = &self.found.program.tree;
+        let Some(declaration) = tree.decl(id) else {
+            return;
+        };
+        match declaration.kind {
+            DeclKind::Error => {}
+            DeclKind::Prototype(id) => self.function(id),
+            DeclKind::Precision { precision, ty } => self.set_default(precision, ty),
+            DeclKind::Qualifiers { qualifiers, ident } => match ident {
+                Some(ident) => {
+                    self.found.invariant.insert(ident.name);
+                }
+                None => self.by_rows = self.matrices_by_rows(qualifiers, self.by_rows),
+            },
+            DeclKind::Block {
+                qualifiers,
+                members,
+                instance,
+            } => self.block(qualifiers, members, instance),
+            DeclKind::Variables {
+                qualifiers,
+                ty,
+                declarators,
+            } => {
+                self.type_spec(ty);
+                for declarator in tree.declarators(declarators) {
+                    self.variable(qualifiers, declarator.ident);
+                }
+            }
+        }
+    }
+
+    /// Reads the members of a struct that a type defines.
+    fn type_spec(&mut self, ty: TypeId) {
+        if let TypeBase::Struct(id) = self.found.program.tree.ty(ty).base {
+            self.record(id);
+        }
+    }
+
+    /// Reads the precisions of members; gives the struct's number.
+    fn record(&mut self, id: StructId) -> Option<u32> {
+        let program = self.found.program;
+        let tree = &program.tree;
+        let decl = tree.structure(id)?;
+        let token = decl.name.map_or(decl.extent.first, |n| n.token);
+        let index = *self.records.get(&token)?;
+        let fields = &program.structs.get(index as usize)?.fields;
+        let lines = tree.fields(decl.fields).iter();
+        let declared = lines.flat_map(|l| tree.declarators(l.declarators).iter().map(move |_| l));
+        for (line, field) in declared.zip(fields) {
+            if let Some(precision) = self.precision(line.qualifiers, field.ty) {
+                self.found.members.insert(field.token, precision);
+            }
+        }
+        Some(index)
+    }
+
+    fn set_default(&mut self, precision: QualifierKind, ty: TypeId) {
+        let TypeBase::Word(word) = self.found.program.tree.ty(ty).base else {
+            return;
+        };
+        let precision = word_of(precision);
+        match Type::of_word(word).base {
+            Base::Numeric {
+                scalar: Scalar::Float,
+                ..
+            } => self.float = precision,
+            Base::Numeric { .. } => self.int = precision,
+            _ => {}
+        }
+    }
+
+    /// The precision of a variable or member, given or by default.
+    fn precision(&self, qualifiers: List, ty: Type) -> Option<Precision> {
+        let default = match ty.base {
+            Base::Numeric { scalar, .. } => match scalar {
+                Scalar::Bool => return None,
+                Scalar::Float => self.float,
+                Scalar::Int | Scalar::Uint => self.int,
+            },
+            // The browser does not compare those of samplers.
+            _ => return None,
+        };
+        let all = self.found.program.tree.qualifiers(qualifiers).iter();
+        all.rev().find_map(|q| word_of(q.kind)).or(default)
+    }
+
+    fn variable(&mut self, qualifiers: List, ident: Ident) {
+        let program = self.found.program;
+        let Some(id) = self.variables.get(&ident.token) else {
+            return;
+        };
+        let Some(variable) = program.variable(*id) else {
+            return;
+        };
+        let all = program.tree.qualifiers(qualifiers);
+        let has = |kind| all.iter().any(|q| q.kind == kind);
+        let (is_used, is_active) = self
+            .found
+            .named
+            .get(id.0 as usize)
+            .copied()
+            .unwrap_or_default();
+        let item = Item {
+            name: ident.name,
+            token: ident.token,
+            ty: variable.ty,
+            precision: self.precision(qualifiers, variable.ty),
+            is_flat: has(QualifierKind::Flat),
+            is_invariant: has(QualifierKind::Invariant),
+            location: location(program, all),
+            is_used,
+            is_active,
+        };
+        match variable.storage {
+            Storage::Input => self.found.inputs.push(item),
+            Storage::Output => self.found.outputs.push(item),
+            Storage::Uniform => self.found.uniforms.push(item),
+            _ => {}
+        }
+    }
+
+    fn block(&mut self, qualifiers: List, members: StructId, instance: Option<Declarator>) {
+        let program = self.found.program;
+        let tree = &program.tree;
+        let (Some(record), Some(decl)) = (self.record(members), tree.structure(members)) else {
+            return;
+        };
+        let Some(name) = decl.name else { return };
+        let by_rows = self.matrices_by_rows(qualifiers, self.by_rows);
+        let lines = tree.fields(decl.fields).iter();
+        let by_line = lines.flat_map(|line| {
+            let of_line = self.matrices_by_rows(line.qualifiers, by_rows);
+            tree.declarators(line.declarators)
+                .iter()
+                .map(move |_| of_line)
+        });
+        let size = |d: &Declarator| {
+            let id = self.variables.get(&d.ident.token)?;
+            Some(program.variable(*id)?.ty.array)
+        };
+        let block = Block {
+            name: name.name,
+            token: name.token,
+            record,
+            instance: instance.map(|d| (d.ident.token, size(&d).unwrap_or(0))),
+            by_rows,
+            members_by_rows: by_line.collect(),
+        };
+        self.found.blocks.push(block);
+    }
+
+    /// Whether these qualifiers, or else what held before, lay matrices by rows.
+    fn matrices_by_rows(&self, qualifiers: List, before: bool) -> bool {
+        let program = self.found.program;
+        let mut by_rows = before;
+        for qualifier in program.tree.qualifiers(qualifiers) {
+            let QualifierKind::Layout(entries) = qualifier.kind else {
+                continue;
+            };
+            for entry in program.tree.layout(entries) {
+                match program.names.text(entry.ident.name) {
+                    "row_major" => by_rows = true,
+                    "column_major" => by_rows = false,
+                    _ => {}
+                }
+            }
+        }
+        by_rows
+    }
+}
+
+/// The location that qualifiers give.
+fn location(program: &Program, qualifiers: &[Qualifier]) -> Option<i32> {
+    let entries = qualifiers.iter().filter_map(|q| match q.kind {
+        QualifierKind::Layout(entries) => Some(program.tree.layout(entries)),
+        _ => None,
+    });
+    let mut locations = entries.flatten().filter_map(|e| e.value);
+    locations.next_back().map(|v| v.value)
+}
+
+fn word_of(kind: QualifierKind) -> Option<Precision> {
+    match kind {
+        QualifierKind::Lowp => Some("lowp"),
+        QualifierKind::Mediump => Some("mediump"),
+        QualifierKind::Highp => Some("highp"),
+        _ => None,
+    }
+}
+
+/// How a version is called in messages.
+pub const fn version_name(version: Version) -> &'static str {
+    match version {
+        Version::Es100 => "GLSL ES 1.00",
+        Version::Es300 => "GLSL ES 3.00",
+    }
+}

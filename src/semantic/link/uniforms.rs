@@ -1,0 +1,35 @@
+//! Uniforms outside of blocks: of one name in both stages, they are one variable (GLSL ES 3.00
+//! section 4.3.5).
+
+use super::Found;
+use super::compare::{Comparison, Precisions};
+use super::interface::{Interface, Item};
+use super::varyings::declared;
+use crate::diagnostic::error;
+use rustc_hash::FxHashMap;
+
+/// Asks that uniforms of one name are of one type, and where both stages name them, of one precision.
+pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
+    let mut comparison = Comparison::new(vertex, fragment);
+    let of_vertex = vertex.uniforms.iter().map(|u| (vertex.text(u.name), u));
+    let of_vertex: FxHashMap<&str, &Item> = of_vertex.collect();
+    for uniform in &fragment.uniforms {
+        if found.is_full() {
+            return;
+        }
+        let name = fragment.text(uniform.name);
+        let Some(other) = of_vertex.get(name) else {
+            continue;
+        };
+        let precisions = if uniform.is_used && other.is_used {
+            Precisions::Same
+        } else {
+            Precisions::Free
+        };
+        let sides = (declared(other), declared(uniform));
+        if let Some(difference) = comparison.difference(sides.0, sides.1, precisions) {
+            let rule = error::LINK_UNIFORM;
+            found.difference(rule, name, vertex, fragment, &difference);
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! What passes from the vertex to the fragment shader (GLSL ES 3.00 section 4.3.10).
+
+use super::compare::{Comparison, Declared, Precisions};
+use super::interface::{Interface, Item};
+use super::{Found, Place};
+use crate::diagnostic::{Label, error};
+use crate::semantic::Storage;
+use crate::syntax::Version;
+use crate::syntax::ast::TokenId;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Asks that what the fragment shader reads is what the vertex shader gives.
+pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
+    let mut comparison = Comparison::new(vertex, fragment);
+    let given = vertex.outputs.iter().map(|o| (vertex.text(o.name), o));
+    let given: FxHashMap<&str, &Item> = given.collect();
+    let left_out = left_out(vertex);
+    // What the fragment shader declares and never names may be missing.
+    for input in fragment.inputs.iter().filter(|i| i.is_used) {
+        if found.is_full() {
+            return;
+        }
+        let name = fragment.text(input.name);
+        let Some(output) = given.get(name) else {
+            if !left_out.contains(name) {
+                missing(vertex, fragment, input, found);
+            }
+            continue;
+        };
+        let sides = (declared(output), declared(input));
+        match comparison.difference(sides.0, sides.1, Precisions::Free) {
+            Some(difference) => {
+                let rule = error::LINK_VARYING;
+                found.difference(rule, name, vertex, fragment, &difference);
+            }
+            None => qualifiers(vertex, fragment, (output, input), found),
+        }
+    }
+    if vertex.program.version == Version::Es100 {
+        invariant_builtins(vertex, fragment, found);
+    }
+}
+
+/// A variable as it is compared.
+pub fn declared(item: &Item) -> Declared {
+    Declared {
+        token: item.token,
+        ty: item.ty,
+        precision: item.precision,
+    }
+}
+
+/// `flat`, and in GLSL ES 1.00 `invariant`, are said of both or of none.
+fn qualifiers(
+    vertex: &Interface,
+    fragment: &Interface,
+    (output, input): (&Item, &Item),
+    found: &mut Found,
+) {
+    let is_100 = vertex.program.version == Version::Es100;
+    let (word, section) = if output.is_flat != input.is_flat {
+        ("flat", "4.3.9")
+    } else if is_100 && output.is_invariant != input.is_invariant {
+        ("invariant", "4.6.4")
+    } else {
+        return;
+    };
+    let is_said = |i: &Item| match word {
+        "flat" => i.is_flat,
+        _ => i.is_invariant,
+    };
+    let label = |item: &Item, stage: &str| {
+        let said = if is_said(item) { "" } else { "not " };
+        format!("{said}`{word}` in the {stage} shader")
+    };
+    let (with, without) = if is_said(input) {
+        ("fragment", "vertex")
+    } else {
+        ("vertex", "fragment")
+    };
+    let name = fragment.text(input.name);
+    let message =
+        format!("`{name}` is `{word}` in the {with} shader and not in the {without} shader");
+    let first = Place::new(fragment, input.token, label(input, "fragment"));
+    let second = Place::new(vertex, output.token, label(output, "vertex"));
+    if let Some(d) = found.differ(error::LINK_VARYING, message, first, second) {
+        d.notes.push(format!(
+            "both stages say it, or none does (section {section})"
+        ));
+        d.help
+            .push(format!("write `{word}` in the {without} shader, too"));
+    }
+}
+
+/// What nothing in the vertex shader gives.
+fn missing(vertex: &Interface, fragment: &Interface, input: &Item, found: &mut Found) {
+    let name = fragment.text(input.name);
+    let message = format!("the vertex shader has no output `{name}`");
+    let place = Place::new(fragment, input.token, "read in the fragment shader");
+    let Some(d) = found.at(error::LINK_VARYING, message, place) else {
+        return;
+    };
+    d.notes.push(
+        "what a fragment shader reads must be an output of its vertex shader (section 4.3.10)"
+            .to_string(),
+    );
+    let ty = fragment.program.type_name(input.ty);
+    // A host may have made it a macro.
+    let has_varying = fragment.program.names.get("varying").is_some();
+    let word = match (has_varying, input.is_flat) {
+        (true, _) => "varying",
+        (false, true) => "flat out",
+        (false, false) => "out",
+    };
+    let (seen, help) = match (own_variable(vertex, name), nearest(vertex, fragment, name)) {
+        (Some((token, what)), _) => (
+            Some((
+                token,
+                format!("the vertex shader declares {what} of this name"),
+            )),
+            format!("write `{word} {ty} {name};` in the vertex shader"),
+        ),
+        (None, Some(near)) => (
+            Some((near.token, "the vertex shader gives this".to_string())),
+            format!("did you mean `{}`?", vertex.text(near.name)),
+        ),
+        (None, None) => (
+            None,
+            format!("add `{word} {ty} {name};` to the vertex shader, and write to it"),
+        ),
+    };
+    if let Some((token, message)) = seen {
+        let span = Place::new(vertex, token, "").span();
+        d.labels.push(Label { span, message });
+    }
+    d.help.push(help);
+}
+
+/// The vertex shader's own global of a name, that is no output.
+fn own_variable(vertex: &Interface, name: &str) -> Option<(TokenId, &'static str)> {
+    let id = vertex.program.names.get(name)?;
+    let mut all = vertex.program.variables.iter();
+    let variable = all.find(|v| v.name == id && v.function.is_none() && v.token.is_some())?;
+    let token = variable.token.filter(|t| !vertex.is_hosts(*t))?;
+    match variable.storage {
+        Storage::Global => Some((token, "a variable")),
+        Storage::Input => Some((token, "an attribute")),
+        Storage::Uniform => Some((token, "a uniform")),
+        _ => None,
+    }
+}
+
+/// The output that a name probably means: one that nothing else in the fragment shader reads.
+fn nearest<'a>(vertex: &'a Interface, fragment: &Interface, name: &str) -> Option<&'a Item> {
+    let inputs = fragment.inputs.iter().map(|i| fragment.text(i.name));
+    let inputs: FxHashSet<&str> = inputs.collect();
+    let is_free = |o: &&Item| !vertex.is_hosts(o.token) && !inputs.contains(vertex.text(o.name));
+    let limit = match name.len() {
+        0..=2 => 0,
+        3..=5 => 1,
+        _ => 2,
+    };
+    let distance = |o: &Item| {
+        let output = vertex.text(o.name);
+        if output.len().abs_diff(name.len()) > limit {
+            return usize::MAX;
+        }
+        let (output, name) = (output.to_ascii_lowercase(), name.to_ascii_lowercase());
+        strsim::damerau_levenshtein(&output, &name)
+    };
+    let free = vertex.outputs.iter().filter(is_free);
+    let distances = free.map(|o| (distance(o), o)).filter(|(d, _)| *d <= limit);
+    distances.min_by_key(|(d, _)| *d).map(|(_, o)| o)
+}
+
+/// The words of the text that `#if` leaves out: what it declares there, the page may turn on.
+fn left_out<'a>(interface: &Interface<'a>) -> FxHashSet<&'a str> {
+    let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let inactive = interface.program.tokens.inactive.iter();
+    let texts = inactive.map(|span| interface.program.sources.text(*span));
+    let words = texts.flat_map(|text| text.split(move |c| !is_letter(c)));
+    words.filter(|w| !w.is_empty()).collect()
+}
+
+/// `invariant gl_FragCoord` wants `invariant gl_Position`, and `gl_PointCoord` `gl_PointSize`
+/// (GLSL ES 1.00 section 4.6.4).
+fn invariant_builtins(vertex: &Interface, fragment: &Interface, found: &mut Found) {
+    for (input, output) in [
+        ("gl_FragCoord", "gl_Position"),
+        ("gl_PointCoord", "gl_PointSize"),
+    ] {
+        // What no statement names is not there for the linker.
+        let is_given = vertex.is_invariant(output) && vertex.builtin_use(output).is_some();
+        if !fragment.is_invariant(input) || is_given {
+            continue;
+        }
+        let Some(token) = fragment.builtin_use(input) else {
+            continue;
+        };
+        let message =
+            format!("`{input}` is `invariant`, and the vertex shader's `{output}` is not");
+        let place = Place::new(fragment, token, "");
+        if let Some(d) = found.at(error::LINK_VARYING, message, place) {
+            d.help
+                .push(format!("write `invariant {output};` in the vertex shader"));
+        }
+    }
+}

@@ -1,0 +1,595 @@
+//! Corrections inside one statement or declaration: each change of one token before the place
+//! where the grammar fails is tried, and those stay under which the reading gets furthest.
+
+use super::correction::{Certainty, Change, Choice, KEYWORDS, VALUE_TYPES, change_tokens};
+use super::{Parser, Repairs};
+use crate::diagnostic::Diagnostic;
+use crate::syntax::ast::Tree;
+use crate::syntax::names::Name;
+use crate::syntax::token::{Token, TokenKind};
+
+/// Tokens behind what has to fit that a trial reads.
+const LOOKAHEAD: usize = 20;
+/// Longest rest of a statement that has to fit.
+const MAX_REST: usize = 300;
+/// Tokens behind the place that have to fit.
+const MUST_FIT: usize = 8;
+/// Most tokens before the place that changes are tried at.
+const WINDOW: usize = 120;
+/// Longest beginning of a statement that is read again for each trial.
+const MAX_HEAD: usize = 600;
+/// Most corrections of a shader.
+const MAX_CORRECTIONS: usize = 20;
+/// Most corrections of one place that the checker is asked about.
+const MAX_ALTERNATIVES: usize = 16;
+/// How much less plausible than the best a correction may be to be among the alternatives.
+const MARGIN: u32 = 3;
+
+/// Where the code that cannot be read stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Scope {
+    /// Outside functions.
+    Global,
+    /// Between braces.
+    Block,
+    /// The one statement that an `if` or a loop holds.
+    Body,
+}
+
+/// A change, and how implausible it is.
+#[derive(Clone, Copy)]
+struct Candidate {
+    at: usize,
+    change: Change,
+    cost: u32,
+}
+
+impl<'a> Parser<'a> {
+    /// A parser of other tokens, which makes no corrections itself.
+    pub(super) fn trial(&self, tokens: Vec<Token>) -> Parser<'a> {
+        Parser {
+            end: tokens.last().copied().unwrap_or(self.end),
+            tokens,
+            at: 0,
+            depth: 0,
+            function_open: 0,
+            behind_error: None,
+            missing_brace_at: None,
+            fault: None,
+            repairs: Repairs::default(),
+            item_before: None,
+            structs: None,
+            tree: Tree::default(),
+            open_args: Vec::new(),
+            reserved: Vec::new(),
+            diagnostics: Vec::new(),
+            ..*self
+        }
+    }
+
+    /// Whether a place that could not be read since `start` has been corrected, so that reading
+    /// starts there again. `reported` is what was said of it.
+    pub(super) fn mend(
+        &mut self,
+        start: usize,
+        scope: Scope,
+        reported: Option<Diagnostic>,
+    ) -> bool {
+        if self.repairs.budget == 0 {
+            return false;
+        }
+        let Some(fault) = self.fault.take() else {
+            return false;
+        };
+        if self.repairs.choices.len() >= MAX_CORRECTIONS || fault.saturating_sub(start) > MAX_HEAD {
+            return false;
+        }
+        let found = self.plausible(start, fault, scope);
+        let Some(best) = found.first() else {
+            return false;
+        };
+        let certainty = match found.as_slice() {
+            [one] if one.cost == 0 => Certainty::Sure,
+            _ => Certainty::Likely,
+        };
+        let (at, change) = (best.at, best.change);
+        let choice: Choice = found
+            .iter()
+            .map(|c| self.correction(c.at, c.change, reported.as_ref(), certainty))
+            .collect();
+        self.repairs.choices.push(choice);
+        self.apply(at, change);
+        true
+    }
+
+    /// The changes under which the code from `start` on can be read past `fault`.
+    fn plausible(&mut self, start: usize, fault: usize, scope: Scope) -> Vec<Candidate> {
+        let last = self.tokens.len().saturating_sub(1);
+        let goal = self.behind_statement(fault).max(fault + MUST_FIT);
+        let end = last.min(goal + LOOKAHEAD);
+        let goal = goal - start;
+        let code = self.tokens.get(start..end).unwrap_or(&[]).to_vec();
+        let mut found = Vec::new();
+        for candidate in self.candidates(start, fault, scope) {
+            if self.repairs.budget < code.len() {
+                self.repairs.budget = 0;
+                break;
+            }
+            self.repairs.budget -= code.len();
+            let mut tokens = code.clone();
+            change_tokens(&mut tokens, candidate.at - start, candidate.change);
+            tokens.push(Token {
+                kind: TokenKind::End,
+                ..self.end
+            });
+            if self.trial(tokens).reads_past(goal, scope) {
+                found.push(candidate);
+            }
+        }
+        found.sort_by_key(|c| c.cost);
+        let best = found.first().map_or(0, |c| c.cost);
+        found.retain(|c| c.cost <= best + MARGIN);
+        found.truncate(MAX_ALTERNATIVES);
+        found
+    }
+
+    /// The end of the statement, or of the head, that the token at `fault` stands in.
+    fn behind_statement(&self, fault: usize) -> usize {
+        let ends = |&at: &usize| {
+            use TokenKind as T;
+            matches!(
+                self.token(at).kind,
+                T::Semicolon | T::LeftBrace | T::RightBrace
+            )
+        };
+        let found = (fault + 1..fault + MAX_REST).find(ends);
+        found.map_or(fault, |at| at + 1)
+    }
+
+    /// Whether everything up to `goal`, or to the end of the block, can be read.
+    fn reads_past(&mut self, goal: usize, scope: Scope) -> bool {
+        while !self.is(TokenKind::End) && self.at <= goal {
+            let ends = match scope {
+                Scope::Global => false,
+                Scope::Block => self.is(TokenKind::RightBrace),
+                Scope::Body => matches!(self.peek(), TokenKind::RightBrace | TokenKind::Else),
+            };
+            if ends {
+                return self.at > 0;
+            }
+            match scope {
+                Scope::Block | Scope::Body => {
+                    self.statement_or_error();
+                }
+                Scope::Global => self.item_or_error(),
+            }
+            if let Some(fault) = self.fault {
+                return fault > goal || fault + 1 >= self.tokens.len();
+            }
+        }
+        true
+    }
+
+    /// What one slip may have changed between `start` and `fault`.
+    fn candidates(&self, start: usize, fault: usize, scope: Scope) -> Vec<Candidate> {
+        let mut around = Around::of(self, start, fault, scope);
+        for at in (start.max(fault.saturating_sub(WINDOW))..=fault).rev() {
+            if !self.is_user(at) {
+                break;
+            }
+            let (before, next) = (self.token(at.saturating_sub(1)), self.token(at));
+            let is_first = at == start;
+            if next.is_direct() || (!is_first && before.is_direct()) {
+                around.insertions(at);
+            }
+            if next.is_direct() && !next.span.is_empty() && next.kind != TokenKind::End {
+                around.removals(at);
+                around.exchanges(at);
+            }
+        }
+        around.found
+    }
+}
+
+/// Collects the changes that are worth a trial.
+struct Around<'p, 'a> {
+    parser: &'p Parser<'a>,
+    start: usize,
+    fault: usize,
+    /// For every token from `start` on the brackets that are open before it.
+    open: Vec<Vec<TokenKind>>,
+    scope: Scope,
+    found: Vec<Candidate>,
+}
+
+impl<'p, 'a> Around<'p, 'a> {
+    fn of(parser: &'p Parser<'a>, start: usize, fault: usize, scope: Scope) -> Around<'p, 'a> {
+        let mut open = Vec::new();
+        let mut now: Vec<TokenKind> = Vec::new();
+        for at in start..=fault {
+            open.push(now.iter().rev().take(2).copied().collect());
+            match parser.token(at).kind {
+                kind @ (TokenKind::LeftParen | TokenKind::LeftBracket) => now.push(kind),
+                TokenKind::RightParen | TokenKind::RightBracket => {
+                    now.pop();
+                }
+                TokenKind::LeftBrace => now.clear(),
+                _ => {}
+            }
+        }
+        Around {
+            parser,
+            start,
+            fault,
+            open,
+            scope,
+            found: Vec::new(),
+        }
+    }
+
+    fn kind(&self, at: usize) -> TokenKind {
+        self.parser.token(at).kind
+    }
+
+    /// The bracket that is open before a token.
+    fn bracket(&self, at: usize) -> Option<TokenKind> {
+        self.open.get(at - self.start)?.first().copied()
+    }
+
+    fn add(&mut self, at: usize, change: Change, cost: u32) {
+        self.found.push(Candidate { at, change, cost });
+    }
+
+    fn insert(&mut self, at: usize, kind: TokenKind, cost: u32) {
+        self.add(at, Change::Insert(kind, 0), cost);
+    }
+
+    fn insertions(&mut self, at: usize) {
+        use TokenKind as T;
+        let next = self.kind(at);
+        let before = match at > self.start {
+            true => self.kind(at - 1),
+            false => T::End,
+        };
+        let is_last = at == self.fault;
+        let starts_line = self.parser.starts_line(at);
+        let bracket = self.bracket(at);
+        if ends_operand(before) || before == T::RightBrace {
+            match (is_last, starts_line) {
+                (true, true) => self.insert(at, T::Semicolon, 0),
+                (true, false) => self.insert(at, T::Semicolon, 3),
+                (false, true) => self.insert(at, T::Semicolon, 1),
+                (false, false) if before == T::RightBrace => self.insert(at, T::Semicolon, 1),
+                _ => {}
+            }
+        }
+        if ends_operand(before) || before == T::LeftParen {
+            let cost = if is_last { 0 } else { 1 };
+            match bracket {
+                // One more among several means the same wherever it stands.
+                Some(T::LeftParen) if next == T::RightParen && !is_last => {}
+                Some(T::LeftParen) => self.insert(at, T::RightParen, cost),
+                Some(_) => self.insert(at, T::RightBracket, cost),
+                None => {}
+            }
+        }
+        if starts_operand(next) || matches!(next, T::RightParen | T::RightBracket) {
+            self.openings(at, before);
+        }
+        if is_last {
+            self.separators(at, before, next);
+        }
+        self.types(at, before, next);
+    }
+
+    /// `(` and `[` that may be missing.
+    fn openings(&mut self, at: usize, before: TokenKind) {
+        use TokenKind as T;
+        let is_head = matches!(before, T::If | T::For | T::While | T::Switch | T::Layout);
+        let is_callee = matches!(before, T::Identifier | T::Type);
+        let closes = matches!(
+            self.kind(self.fault),
+            T::RightParen | T::RightBracket | T::Comma | T::Semicolon | T::LeftBrace
+        );
+        // `f((` is rarer than one `)` too many.
+        let doubles = is_callee && self.kind(at) == T::LeftParen;
+        if (is_head || is_callee) && !doubles {
+            self.insert(at, T::LeftParen, 0);
+        } else if closes {
+            self.insert(at, T::LeftParen, 3);
+        }
+        if is_callee {
+            self.insert(at, T::LeftBracket, 1);
+        }
+    }
+
+    /// What may be missing between two operands.
+    fn separators(&mut self, at: usize, before: TokenKind, next: TokenKind) {
+        use TokenKind as T;
+        let starts_type = matches!(next, T::Type | T::In | T::Out | T::Inout | T::Const);
+        if !ends_operand(before) && before != T::RightBrace {
+            return;
+        }
+        let in_brackets = self.bracket(at).is_some();
+        if starts_operand(next) || starts_type {
+            self.insert(at, T::Comma, if in_brackets { 1 } else { 4 });
+        }
+        let is_declaration = matches!(self.kind(self.start), T::Type | T::Const);
+        let is_loop = self.kind(self.start) == T::For;
+        if starts_operand(next) && (!in_brackets || is_loop) && self.scope_allows_assignment() {
+            self.insert(at, T::Equal, if is_declaration { 1 } else { 2 });
+        }
+        if starts_operand(next) && ends_operand(before) {
+            self.insert(at, T::Star, 2);
+            self.insert(at, T::Plus, 3);
+            if next == T::Identifier {
+                self.insert(at, T::Dot, 3);
+            }
+        }
+        let has_question = (self.start..at).any(|i| self.kind(i) == T::Question);
+        let is_label = matches!(self.kind(self.start), T::Case | T::Default);
+        if has_question || is_label {
+            self.insert(at, T::Colon, 1);
+        }
+    }
+
+    /// Whether nothing is assigned before the place.
+    fn scope_allows_assignment(&self) -> bool {
+        (self.start..self.fault).all(|i| self.kind(i) != TokenKind::Equal)
+    }
+
+    /// The type that a function lacks.
+    fn types(&mut self, at: usize, before: TokenKind, next: TokenKind) {
+        use TokenKind as T;
+        let names_function = next == T::Identifier && self.kind(at + 1) == T::LeftParen;
+        let names_parameter = next == T::Identifier
+            && self.bracket(at) == Some(T::LeftParen)
+            && matches!(self.kind(at + 1), T::Comma | T::RightParen);
+        if self.scope != Scope::Global || at != self.fault || before == T::Type {
+            return;
+        }
+        match (names_function, names_parameter) {
+            (true, _) => self.insert(at, T::Void, 1),
+            (_, true) => {}
+            _ => return,
+        }
+        for (_, word) in VALUE_TYPES {
+            self.add(at, Change::Insert(T::Type, *word as u32), 2);
+        }
+    }
+
+    fn removals(&mut self, at: usize) {
+        let distance = self.fault - at;
+        let is_bracket = matches!(self.kind(at), TokenKind::LeftParen | TokenKind::RightParen);
+        // Of several it makes no difference which one goes.
+        if is_bracket && distance > 0 && self.kind(at + 1) == self.kind(at) {
+            return;
+        }
+        let ends_before = distance == 1 && self.kind(at) == TokenKind::Semicolon;
+        let cost = match (is_punctuation(self.kind(at)), distance) {
+            _ if ends_before => 1,
+            (true, 0) => 2,
+            (true, _) => 3,
+            (false, 0 | 1) => 5,
+            _ => return,
+        };
+        self.add(at, Change::Delete, cost);
+    }
+
+    fn exchanges(&mut self, at: usize) {
+        use TokenKind as T;
+        let bracket = self.bracket(at);
+        let is_near = self.fault - at <= 2;
+        match self.kind(at) {
+            T::Semicolon if bracket.is_some() => self.add(at, Change::Replace(T::Comma), 0),
+            T::Comma if is_near || self.kind(self.start) == T::For => {
+                self.add(at, Change::Replace(T::Semicolon), 1)
+            }
+            T::Colon if is_near => {
+                self.add(at, Change::Replace(T::Semicolon), 2);
+                self.add(at, Change::Replace(T::Comma), 2);
+            }
+            T::Dot if is_near => self.add(at, Change::Replace(T::Comma), 2),
+            T::RightBracket if bracket != Some(T::LeftBracket) => {
+                self.add(at, Change::Replace(T::RightParen), 1);
+            }
+            T::RightParen if bracket == Some(T::LeftBracket) => {
+                self.add(at, Change::Replace(T::RightBracket), 1);
+            }
+            T::LeftBrace if bracket.is_some() || is_near => {
+                self.add(at, Change::Replace(T::LeftParen), 3);
+            }
+            T::LeftBracket => self.add(at, Change::Replace(T::LeftParen), 2),
+            T::LeftParen => self.add(at, Change::Replace(T::LeftBracket), 2),
+            T::EqualEqual => self.add(at, Change::Replace(T::Equal), 1),
+            T::Identifier if is_near || at == self.start => {
+                if let Some(keyword) = self.keyword_like(at) {
+                    self.add(at, Change::Replace(keyword), 0);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The keyword that a name is a slip of.
+    fn keyword_like(&self, at: usize) -> Option<TokenKind> {
+        let parser = self.parser;
+        let token = parser.token(at);
+        let word = parser.names.text(Name(token.value));
+        let slips = |keyword: &str| match keyword.len().abs_diff(word.len()) {
+            0..=2 => strsim::damerau_levenshtein(keyword, word),
+            _ => usize::MAX,
+        };
+        let likely = KEYWORDS
+            .iter()
+            .map(|&(text, kind)| (slips(text), text.len(), kind));
+        let mut likely = likely.filter(|&(slips, length, _)| slips <= (length - 1) / 3);
+        likely.next().map(|(.., kind)| kind)
+    }
+}
+
+/// Whether an operand may end with such a token.
+fn ends_operand(kind: TokenKind) -> bool {
+    use TokenKind as T;
+    matches!(
+        kind,
+        T::Identifier
+            | T::Reserved
+            | T::Int
+            | T::Uint
+            | T::Float
+            | T::True
+            | T::False
+            | T::RightParen
+            | T::RightBracket
+            | T::Increment
+            | T::Decrement
+            | T::Bad
+    )
+}
+
+/// Whether an operand may start with such a token.
+fn starts_operand(kind: TokenKind) -> bool {
+    use TokenKind as T;
+    matches!(
+        kind,
+        T::Identifier
+            | T::Reserved
+            | T::Type
+            | T::Int
+            | T::Uint
+            | T::Float
+            | T::True
+            | T::False
+            | T::LeftParen
+            | T::Minus
+            | T::Plus
+            | T::Not
+            | T::Tilde
+            | T::Bad
+    )
+}
+
+fn is_punctuation(kind: TokenKind) -> bool {
+    use TokenKind as T;
+    matches!(
+        kind,
+        T::LeftParen
+            | T::RightParen
+            | T::LeftBracket
+            | T::RightBracket
+            | T::Dot
+            | T::Comma
+            | T::Semicolon
+            | T::Colon
+            | T::Question
+    ) || is_operator(kind)
+}
+
+fn is_operator(kind: TokenKind) -> bool {
+    use TokenKind as T;
+    matches!(
+        kind,
+        T::Plus
+            | T::Minus
+            | T::Star
+            | T::Slash
+            | T::Percent
+            | T::Less
+            | T::Greater
+            | T::LessEqual
+            | T::GreaterEqual
+            | T::EqualEqual
+            | T::NotEqual
+            | T::AndAnd
+            | T::OrOr
+            | T::XorXor
+            | T::Not
+            | T::Tilde
+            | T::And
+            | T::Or
+            | T::Xor
+            | T::ShiftLeft
+            | T::ShiftRight
+            | T::Equal
+            | T::PlusEqual
+            | T::MinusEqual
+            | T::StarEqual
+            | T::SlashEqual
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::syntax::{Language, Version, parse, preprocess};
+    use crate::text::{Role, Sources, apply_edits};
+
+    /// What is reported of a text, and the text with the fixes of the corrections made.
+    fn check(text: &str, messages: &[&str], mended: &str) {
+        let mut sources = Sources::new();
+        let prelude = sources.add("", None, Role::Prelude, "#version 300 es\n");
+        let files: Vec<_> = prelude
+            .into_iter()
+            .chain(sources.add("a.frag", None, Role::User, text))
+            .collect();
+        let mut read = preprocess(&sources, &files, true);
+        let language = Language {
+            version: Version::Es300,
+            is_fragment: true,
+        };
+        let found = parse(&sources, &mut read.tokens, &read.names, language).diagnostics;
+        let said: Vec<&str> = found.iter().map(|d| d.message.as_str()).collect();
+        assert_eq!(said, messages, "{text}");
+        let fixes = found.iter().filter_map(|d| d.fix.as_ref());
+        let edits: Vec<_> = fixes.flat_map(|f| f.edits.clone()).collect();
+        let base = sources.files().last().map_or(0, |f| f.base);
+        assert_eq!(apply_edits(text, base, &edits).as_deref(), Ok(mended));
+    }
+
+    #[test]
+    fn one_bracket_is_mended_where_it_belongs() {
+        check(
+            "float f(float x) { return max x, 1.0); }",
+            &["missing `(`"],
+            "float f(float x) { return max( x, 1.0); }",
+        );
+        check(
+            "vec2 f(vec2 x) { return vec2(x.x; 1.0); }",
+            &["expected `,`, found `;`"],
+            "vec2 f(vec2 x) { return vec2(x.x, 1.0); }",
+        );
+    }
+
+    #[test]
+    fn a_stray_semicolon_may_stand_before_what_does_not_fit() {
+        check(
+            "float f(float x); {\n    return x;\n}\n",
+            &["`;` cannot stand here"],
+            "float f(float x) {\n    return x;\n}\n",
+        );
+        check(
+            "void f() {\n    if (a); {\n        b();\n    } else {\n        c();\n    }\n}\n",
+            &["`;` cannot stand here"],
+            "void f() {\n    if (a) {\n        b();\n    } else {\n        c();\n    }\n}\n",
+        );
+    }
+
+    #[test]
+    fn braces_are_mended_by_the_indentation() {
+        check(
+            "void f() {\n    if (a) {\n        b();\n\n    c();\n}\nvoid g() {}\n",
+            &["missing `}`"],
+            "void f() {\n    if (a) {\n        b();\n    }\n    c();\n}\nvoid g() {}\n",
+        );
+        check(
+            "void f() {\n    if (a)\n        b();\n        c();\n    }\n    d();\n}\nvoid g() {}\n",
+            &["missing `{`"],
+            "void f() {\n    if (a) {\n        b();\n        c();\n    }\n    d();\n}\nvoid g() {}\n",
+        );
+        check(
+            "void f() {\n    b();\n    }\n    c();\n}\nvoid g() {}\n",
+            &["this `}` has no `{`"],
+            "void f() {\n    b();\n    \n    c();\n}\nvoid g() {}\n",
+        );
+    }
+}

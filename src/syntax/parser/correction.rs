@@ -1,0 +1,384 @@
+//! Corrections: one token put in, taken out or exchanged, under which the rest reads as it was meant.
+//!
+//! A shader that cannot be read is read a second time. For each place where its grammar fails the
+//! corrections are tried that one slip of the author could call for, and those stay under which
+//! what follows can be read. Where several do, the checker decides: see `semantic::unit`.
+
+use super::Parser;
+use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::syntax::names::TypeWord;
+use crate::syntax::token::{Token, TokenKind};
+use crate::text::{Edit, Role, Span};
+
+/// The types that a missing one may be, the most frequent first.
+pub(super) const VALUE_TYPES: &[(&str, TypeWord)] = &[
+    ("float", TypeWord::Float),
+    ("vec3", TypeWord::Vec3),
+    ("vec2", TypeWord::Vec2),
+    ("vec4", TypeWord::Vec4),
+    ("int", TypeWord::Int),
+    ("bool", TypeWord::Bool),
+    ("mat2", TypeWord::Mat2),
+    ("mat3", TypeWord::Mat3),
+    ("ivec2", TypeWord::Ivec2),
+    ("uint", TypeWord::Uint),
+];
+
+/// Keywords of which a name may be a slip.
+pub(super) const KEYWORDS: &[(&str, TokenKind)] = &[
+    ("return", TokenKind::Return),
+    ("while", TokenKind::While),
+    ("else", TokenKind::Else),
+    ("break", TokenKind::Break),
+    ("continue", TokenKind::Continue),
+    ("discard", TokenKind::Discard),
+    ("switch", TokenKind::Switch),
+    ("case", TokenKind::Case),
+    ("const", TokenKind::Const),
+    ("struct", TokenKind::Struct),
+    ("uniform", TokenKind::Uniform),
+    ("void", TokenKind::Void),
+];
+
+/// A change of the tokens at one place.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Change {
+    /// A token of this kind and value is missing before the token at the place.
+    Insert(TokenKind, u32),
+    /// The token at the place is one too many.
+    Delete,
+    /// The token at the place should be this one.
+    Replace(TokenKind),
+}
+
+/// What was probably meant at a place that cannot be read.
+#[derive(Clone, Debug)]
+pub struct Correction {
+    /// Index of the token among those that the preprocessor left.
+    pub(super) at: usize,
+    pub(super) change: Change,
+    /// What to say of it.
+    pub(super) diagnostic: Diagnostic,
+}
+
+/// The corrections between which the syntax alone cannot decide, the most probable first.
+pub type Choice = Vec<Correction>;
+
+/// What corrections are found and made while reading.
+#[derive(Default)]
+pub(super) struct Repairs {
+    /// Tokens that may still be read in trials; none are made where this is 0.
+    pub budget: usize,
+    /// For every token its index before any correction; empty where there was none.
+    pub origin: Vec<u32>,
+    /// What was corrected.
+    pub choices: Vec<Choice>,
+}
+
+/// Whether an error says that the grammar does not fit, which one token may mend.
+pub(super) fn is_structural(rule: &str) -> bool {
+    [
+        error::SYNTAX_ERROR,
+        error::UNCLOSED_DELIMITER,
+        error::MISSING_SEMICOLON,
+    ]
+    .contains(&rule)
+}
+
+/// Makes a change in a list of tokens.
+pub(super) fn change_tokens(tokens: &mut Vec<Token>, at: usize, change: Change) {
+    match change {
+        Change::Insert(kind, value) => {
+            let before = at.checked_sub(1).and_then(|i| tokens.get(i));
+            let address = before.map_or(0, |t| t.span.end);
+            let token = Token {
+                kind,
+                value,
+                span: Span::at(address),
+                spelled: address,
+                expansion: Token::DIRECT,
+            };
+            tokens.insert(at.min(tokens.len()), token);
+        }
+        Change::Delete if at < tokens.len() => {
+            tokens.remove(at);
+        }
+        Change::Delete => {}
+        Change::Replace(kind) => {
+            if let Some(token) = tokens.get_mut(at) {
+                token.kind = kind;
+            }
+        }
+    }
+}
+
+/// How a token of this kind is written, where it can be put in.
+pub(super) fn symbol(kind: TokenKind, value: u32) -> &'static str {
+    use TokenKind as T;
+    match kind {
+        T::LeftParen => "(",
+        T::RightParen => ")",
+        T::LeftBracket => "[",
+        T::RightBracket => "]",
+        T::LeftBrace => "{",
+        T::RightBrace => "}",
+        T::Semicolon => ";",
+        T::Comma => ",",
+        T::Colon => ":",
+        T::Equal => "=",
+        T::Star => "*",
+        T::Plus => "+",
+        T::Dot => ".",
+        T::Void => "void",
+        T::Type => VALUE_TYPES
+            .iter()
+            .find(|(_, word)| *word as u32 == value)
+            .map_or("float", |(text, _)| text),
+        _ => KEYWORDS
+            .iter()
+            .find(|(_, keyword)| *keyword == kind)
+            .map_or("", |(text, _)| text),
+    }
+}
+
+impl Parser<'_> {
+    /// Index of a token before any correction.
+    pub(super) fn original(&self, at: usize) -> usize {
+        self.repairs.origin.get(at).map_or(at, |&o| o as usize)
+    }
+
+    /// Makes a change in what is read, and keeps the indices of the tokens as they were.
+    pub(super) fn apply(&mut self, at: usize, change: Change) {
+        if self.repairs.origin.is_empty() {
+            self.repairs.origin = (0..self.tokens.len() as u32).collect();
+        }
+        let original = self.original(at) as u32;
+        change_tokens(&mut self.tokens, at, change);
+        match change {
+            Change::Insert(..) => self.repairs.origin.insert(at, original),
+            Change::Delete => {
+                self.repairs.origin.remove(at);
+            }
+            Change::Replace(_) => {}
+        }
+    }
+
+    /// The correction as it is told. `reported` is what was said of the place without it, and
+    /// `is_sure` whether nothing else can have been meant.
+    pub(super) fn correction(
+        &self,
+        at: usize,
+        change: Change,
+        reported: Option<&Diagnostic>,
+        certainty: Certainty,
+    ) -> Correction {
+        let diagnostic = match change {
+            Change::Insert(kind, value) => self.missing(at, kind, value),
+            Change::Delete => self.stray(at, reported),
+            Change::Replace(kind) => self.exchanged(at, kind),
+        };
+        let mut diagnostic = diagnostic;
+        if let Some(fix) = &mut diagnostic.fix
+            && certainty == Certainty::Sure
+        {
+            fix.applicability = crate::diagnostic::Applicability::Safe;
+        }
+        Correction {
+            at: self.original(at),
+            change,
+            diagnostic,
+        }
+    }
+
+    fn missing(&self, at: usize, kind: TokenKind, value: u32) -> Diagnostic {
+        use TokenKind as T;
+        let symbol = symbol(kind, value);
+        if kind == T::Type || kind == T::Void {
+            return self.missing_type(at, symbol);
+        }
+        let place = self.gap_before(at);
+        let (rule, message) = match kind {
+            T::Semicolon => (error::MISSING_SEMICOLON, "missing `;`".to_string()),
+            T::RightParen | T::RightBracket | T::RightBrace => {
+                (error::UNCLOSED_DELIMITER, format!("missing `{symbol}`"))
+            }
+            T::Star | T::Plus => (error::SYNTAX_ERROR, "missing operator".to_string()),
+            _ => (error::SYNTAX_ERROR, format!("missing `{symbol}`")),
+        };
+        let mark = match kind {
+            T::LeftParen if is_word(self.token(at.saturating_sub(1)).kind) => {
+                "expected `(` behind this".to_string()
+            }
+            T::Star | T::Plus => "expected an operator here".to_string(),
+            _ => format!("expected `{symbol}` here"),
+        };
+        let text = match kind {
+            T::Star | T::Plus | T::Equal | T::Colon => format!(" {symbol}"),
+            _ => symbol.to_string(),
+        };
+        let title = match kind {
+            T::Star | T::Plus => {
+                format!("put the operator that was meant here, perhaps `{symbol}`")
+            }
+            _ => format!("put `{symbol}` here"),
+        };
+        let callee = self.token(at.saturating_sub(1));
+        let place_told = match kind == T::LeftParen && is_word(callee.kind) {
+            true => callee.span.to(place),
+            false => place,
+        };
+        let mut d = Diagnostic::error(rule, place_told, message)
+            .mark(mark)
+            .fix(Fix::suggestion(
+                title,
+                vec![Edit::insert(place.start, text)],
+            ));
+        if let Some(open) = self.unclosed_before(at, kind) {
+            let partner = self.text(&self.token(open));
+            d = d.label(
+                self.token(open).span,
+                format!("this `{partner}` is not closed"),
+            );
+        }
+        d
+    }
+
+    fn missing_type(&self, at: usize, word: &str) -> Diagnostic {
+        let token = self.token(at);
+        let name = self.text(&token);
+        let what = match self.token(at + 1).kind {
+            TokenKind::LeftParen => "function",
+            _ => "parameter",
+        };
+        Diagnostic::error(
+            error::SYNTAX_ERROR,
+            token.span,
+            format!("the {what} `{name}` has no type"),
+        )
+        .fix(Fix::suggestion(
+            format!("put its type here, perhaps `{word}`"),
+            vec![Edit::insert(token.span.start, format!("{word} "))],
+        ))
+    }
+
+    fn stray(&self, at: usize, reported: Option<&Diagnostic>) -> Diagnostic {
+        let token = self.token(at);
+        let text = self.text(&token);
+        let partner = match token.kind {
+            TokenKind::RightParen => Some("("),
+            TokenKind::RightBracket => Some("["),
+            TokenKind::RightBrace => Some("{"),
+            TokenKind::LeftParen => Some(")"),
+            TokenKind::LeftBracket => Some("]"),
+            TokenKind::LeftBrace => Some("}"),
+            _ => None,
+        };
+        let message = match (partner, reported) {
+            (Some(partner), _) => format!("this `{text}` has no `{partner}`"),
+            (None, Some(d)) if d.span == token.span => d.message.clone(),
+            _ => format!("`{text}` cannot stand here"),
+        };
+        let rule = match partner {
+            Some(_) => error::UNCLOSED_DELIMITER,
+            None => error::SYNTAX_ERROR,
+        };
+        let edit = Edit::delete(self.with_blanks(at));
+        Diagnostic::error(rule, token.span, message)
+            .fix(Fix::suggestion(format!("take `{text}` out"), vec![edit]))
+    }
+
+    fn exchanged(&self, at: usize, kind: TokenKind) -> Diagnostic {
+        let token = self.token(at);
+        let text = self.text(&token);
+        let symbol = symbol(kind, 0);
+        Diagnostic::error(
+            error::SYNTAX_ERROR,
+            token.span,
+            format!("expected `{symbol}`, found `{text}`"),
+        )
+        .fix(Fix::suggestion(
+            format!("write `{symbol}`"),
+            vec![Edit::replace(token.span, symbol)],
+        ))
+    }
+
+    /// A token with the blanks before it in its line, or, where it starts a line, those behind it.
+    fn with_blanks(&self, at: usize) -> Span {
+        let token = self.token(at).span;
+        let before = Span::new(self.token(at.saturating_sub(1)).span.end, token.start);
+        match self.is_blank(before) && !self.starts_line(at) {
+            true => before.to(token),
+            false => token,
+        }
+    }
+
+    /// Whether a span is nothing but blanks of one line.
+    pub(super) fn is_blank(&self, span: Span) -> bool {
+        let is_blank = |b| matches!(b, b' ' | b'\t');
+        span.start <= span.end
+            && self.sources.file_id_at(span.start) == self.sources.file_id_at(span.end)
+            && self.sources.text(span).bytes().all(is_blank)
+    }
+
+    /// The place between a token and the one before it: the blanks between them, or, where a line
+    /// ends there, the blanks up to its end.
+    fn gap_before(&self, at: usize) -> Span {
+        let before = at.checked_sub(1).filter(|&before| self.is_user(before));
+        let Some(before) = before else {
+            return self.token(at).span.before();
+        };
+        let last = self.token(before).span;
+        let between = Span::new(last.end, self.token(at).span.start);
+        if self.is_blank(between) {
+            return between;
+        }
+        last.after()
+    }
+
+    /// Whether a token stands in the text of the user, not in what its host puts before it.
+    pub(super) fn is_user(&self, at: usize) -> bool {
+        let file = self.sources.file_at(self.token(at).span.start);
+        file.is_none_or(|f| f.role == Role::User)
+    }
+
+    /// The bracket that a missing one would close.
+    fn unclosed_before(&self, at: usize, kind: TokenKind) -> Option<usize> {
+        let open = match kind {
+            TokenKind::RightParen => TokenKind::LeftParen,
+            TokenKind::RightBracket => TokenKind::LeftBracket,
+            _ => return None,
+        };
+        let mut closed = 0_u32;
+        for i in (at.saturating_sub(MAX_LOOK)..at).rev() {
+            let token = self.token(i);
+            if token.kind == kind {
+                closed += 1;
+            } else if token.kind == open {
+                if closed == 0 {
+                    return Some(i);
+                }
+                closed -= 1;
+            }
+        }
+        None
+    }
+}
+
+/// Whether a `(` may belong to a word before it.
+fn is_word(kind: TokenKind) -> bool {
+    use TokenKind as T;
+    matches!(
+        kind,
+        T::Identifier | T::Type | T::If | T::For | T::While | T::Switch | T::Layout
+    )
+}
+
+/// How far a partner is looked for, in tokens.
+const MAX_LOOK: usize = 1_000;
+
+/// Whether something else may have been meant.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Certainty {
+    Sure,
+    Likely,
+}

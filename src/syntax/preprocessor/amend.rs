@@ -1,0 +1,166 @@
+//! What to write in the place of a directive that cannot be read.
+
+use super::Preprocessor;
+use super::macros::Piece;
+use crate::diagnostic::Fix;
+use crate::syntax::names::{Name, WordClass};
+use crate::syntax::token::TokenKind;
+use crate::text::{Edit, Span};
+
+/// The directives of the language.
+pub const DIRECTIVES: [&str; 13] = [
+    "define",
+    "undef",
+    "if",
+    "ifdef",
+    "ifndef",
+    "else",
+    "elif",
+    "endif",
+    "error",
+    "pragma",
+    "extension",
+    "version",
+    "line",
+];
+
+/// What other languages call a directive, or an operator of conditions, and what GLSL has.
+const FOREIGN: [(&str, &str); 10] = [
+    ("elseif", "elif"),
+    ("elsif", "elif"),
+    ("elif", "elif"),
+    ("ifdefined", "ifdef"),
+    ("fi", "endif"),
+    ("end", "endif"),
+    ("const", "define"),
+    ("and", "&&"),
+    ("or", "||"),
+    ("not", "!"),
+];
+
+/// The directive that a word is meant to be.
+pub(super) fn meant(word: &str) -> Option<&'static str> {
+    let lower = word.to_ascii_lowercase();
+    if let Some((_, known)) = FOREIGN.iter().find(|(foreign, _)| *foreign == lower) {
+        return DIRECTIVES.contains(known).then_some(known);
+    }
+    let near = DIRECTIVES
+        .iter()
+        .map(|k| (strsim::damerau_levenshtein(k, &lower), *k));
+    let (distance, near) = near.min()?;
+    (distance <= 2 && distance < near.len()).then_some(near)
+}
+
+impl Preprocessor<'_> {
+    /// `#ifdef A && B` as `#if defined(A) && defined(B)`.
+    pub(super) fn as_condition(
+        &self,
+        span: Span,
+        directive: &str,
+        name: &Piece,
+        rest: &[Piece],
+    ) -> Option<Fix> {
+        let mut out = match directive {
+            "ifdef" => "#if ".to_string(),
+            "ifndef" => "#if !".to_string(),
+            _ => return None,
+        };
+        let ask = |p: &Piece| match self.names.text(Name(p.token.value)) {
+            "defined" => "defined".to_string(),
+            name => format!("defined({name})"),
+        };
+        out.push_str(&ask(name));
+        let first = rest.first()?.token.kind;
+        if !matches!(first, TokenKind::AndAnd | TokenKind::OrOr) {
+            return None;
+        }
+        let mut wants_name = false;
+        for piece in rest {
+            match piece.token.kind {
+                TokenKind::AndAnd if !wants_name => out.push_str(" && "),
+                TokenKind::OrOr if !wants_name => out.push_str(" || "),
+                TokenKind::Not if wants_name => {
+                    out.push('!');
+                    continue;
+                }
+                TokenKind::Identifier if wants_name => out.push_str(&ask(piece)),
+                _ => return None,
+            }
+            wants_name = !wants_name;
+        }
+        let title = format!("write `{out}`");
+        (!wants_name).then(|| Fix::safe(title, vec![Edit::replace(span, out)]))
+    }
+
+    /// What makes a condition whole that cannot go on with the token at `at`.
+    pub(super) fn mend_condition(&self, rest: &[Piece], at: Span) -> Option<Fix> {
+        let index = rest.iter().position(|p| p.token.span == at)?;
+        let piece = rest.get(index)?;
+        let text = self.sources.text(at);
+        let write =
+            |what: &str| Fix::safe(format!("write `{what}`"), vec![Edit::replace(at, what)]);
+        match piece.token.kind {
+            TokenKind::Equal => return Some(write("==")),
+            TokenKind::Float => {
+                let digits = text.split('.').next().filter(|d| !d.is_empty())?;
+                return Some(write(digits));
+            }
+            TokenKind::Semicolon if index + 1 == rest.len() => {
+                return Some(Fix::safe("take it out", vec![Edit::delete(at)]));
+            }
+            TokenKind::Identifier => {
+                let foreign = FOREIGN.iter().find(|(word, _)| *word == text);
+                if let Some((_, symbol)) = foreign {
+                    return Some(write(symbol));
+                }
+            }
+            TokenKind::Int | TokenKind::Not | TokenKind::LeftParen => {}
+            _ => return None,
+        }
+        // A second operand.
+        index
+            .checked_sub(1)
+            .map(|_| Fix::suggestion("put `&&` between them", vec![Edit::insert(at.start, "&& ")]))
+    }
+
+    /// `and`, `or` and `not` in a condition.
+    pub(super) fn foreign_operator(&self, rest: &[Piece], at: Span) -> Option<Fix> {
+        let text = self.sources.text(at);
+        let is_operator = FOREIGN
+            .iter()
+            .any(|(word, symbol)| *word == text && !DIRECTIVES.contains(symbol));
+        if is_operator {
+            self.mend_condition(rest, at)
+        } else {
+            None
+        }
+    }
+
+    /// `#define F(float x, int y)`: C functions' types in a macro's parameters.
+    pub(super) fn without_types(&self, rest: &[Piece]) -> Option<Fix> {
+        let is_type = |p: &Piece| {
+            p.token.kind == TokenKind::Identifier
+                && !matches!(
+                    self.names.class(Name(p.token.value), self.version),
+                    WordClass::Plain
+                )
+        };
+        let end = rest
+            .iter()
+            .position(|p| p.token.kind == TokenKind::RightParen)?;
+        let params = rest.get(..end)?;
+        let mut edits = Vec::new();
+        for pair in params.windows(2) {
+            if let [ty, name] = pair
+                && is_type(ty)
+                && name.token.kind == TokenKind::Identifier
+            {
+                edits.push(Edit::delete(Span::new(
+                    ty.token.span.start,
+                    name.token.span.start,
+                )));
+            }
+        }
+        (!edits.is_empty()).then(|| Fix::safe("take the types out", edits))
+    }
+}

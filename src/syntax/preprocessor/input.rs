@@ -1,0 +1,68 @@
+//! Where the expansion of macros takes its tokens from.
+
+use super::{Piece, Preprocessor, end_token};
+use crate::syntax::token::TokenKind;
+use std::ops::Range;
+use std::rc::Rc;
+
+/// Where tokens come from.
+pub(super) enum Input {
+    /// The files.
+    Files,
+    /// A stretch of a list.
+    Pieces(Rc<List>, Range<usize>),
+}
+
+/// Tokens that are read where they lie, however deep calls stand in one another in them.
+pub(super) struct List {
+    pub pieces: Vec<Piece>,
+    /// For each left parenthesis the index of the one that closes it; for all else 0.
+    closing: Vec<u32>,
+}
+
+impl List {
+    pub fn new(pieces: Vec<Piece>) -> List {
+        let mut closing = vec![0; pieces.len()];
+        let mut open = Vec::new();
+        for (i, piece) in pieces.iter().enumerate() {
+            match piece.token.kind {
+                TokenKind::LeftParen => open.push(i),
+                TokenKind::RightParen => {
+                    if let Some(slot) = open.pop().and_then(|o: usize| closing.get_mut(o)) {
+                        *slot = i as u32;
+                    }
+                }
+                _ => {}
+            }
+        }
+        List { pieces, closing }
+    }
+
+    /// Index of the parenthesis that closes the one at an index, within a range.
+    pub fn closing(&self, open: usize, range: &Range<usize>) -> Option<usize> {
+        let close = *self.closing.get(open)? as usize;
+        (open < close && close < range.end).then_some(close)
+    }
+}
+
+impl Input {
+    /// All of a list.
+    pub fn of(pieces: Vec<Piece>) -> Input {
+        let all = 0..pieces.len();
+        Input::Pieces(Rc::new(List::new(pieces)), all)
+    }
+
+    pub fn next(&mut self, pp: &mut Preprocessor) -> Piece {
+        match self {
+            Input::Files => pp.next_piece(),
+            Input::Pieces(list, range) => match range.next().and_then(|at| list.pieces.get(at)) {
+                Some(&piece) => piece,
+                None => Piece {
+                    token: end_token(0),
+                    space: false,
+                    frozen: false,
+                },
+            },
+        }
+    }
+}

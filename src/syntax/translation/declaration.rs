@@ -1,0 +1,484 @@
+//! Declarations that GLSL has not, or that it writes in another way.
+
+use super::*;
+
+/// Words that start a function.
+const FUNCTIONS: &[&str] = &["def", "function", "fn", "func", "fun", "sub", "proc"];
+/// Words that start a line which takes in other code.
+const IMPORTS: &[&str] = &[
+    "import", "include", "from", "require", "use", "using", "package", "module",
+];
+/// Words that are written before a declaration, and what GLSL has for them.
+const MODIFIERS: &[(&str, TokenKind)] = &[
+    ("constexpr", TokenKind::Const),
+    ("readonly", TokenKind::Const),
+];
+
+impl Translator<'_> {
+    pub(super) fn declaration(&mut self) -> bool {
+        self.alias()
+            || self.import()
+            || self.typedef()
+            || self.type_of_classes()
+            || self.uniform_buffer()
+            || self.function()
+            || self.annotated()
+            || self.reference()
+            || self.modifier()
+            || self.constant()
+            || self.semantic()
+    }
+
+    /// A name that a `typedef` gave to a type.
+    fn alias(&mut self) -> bool {
+        let token = self.token(0);
+        let is_word = token.kind == TokenKind::Identifier;
+        let found = self
+            .aliases
+            .iter()
+            .find(|(name, _)| is_word && *name == token.value);
+        let Some(&(_, word)) = found else {
+            return false;
+        };
+        self.put_type(word, token.span);
+        self.at += 1;
+        true
+    }
+
+    /// `import x`, `using namespace x;`
+    fn import(&mut self) -> bool {
+        use TokenKind as T;
+        let is_word = matches!(self.kind(0), T::Identifier | T::Reserved);
+        let is_one = is_word
+            && self.braces == 0
+            && self.starts_line(0)
+            && self.starts_statement()
+            && IMPORTS.contains(&self.text(0))
+            && matches!(
+                self.kind(1),
+                T::Identifier | T::Reserved | T::Bad | T::LeftParen
+            );
+        if is_one {
+            let mut end = self.end_of_line();
+            if let Some(at) = (1..end).find(|&i| self.kind(i) == T::Semicolon) {
+                end = at + 1;
+            }
+            let fix = self
+                .remove(0, end)
+                .map(|fix| Fix::suggestion(fix.title, fix.edits));
+            let message = format!("GLSL has no `{}`: a shader is one text", self.text(0));
+            self.report(self.span(0, end), message, fix);
+            self.at += end;
+        }
+        is_one
+    }
+
+    /// `typedef vec3 color;`
+    fn typedef(&mut self) -> bool {
+        use TokenKind as T;
+        // As the name of a variable it is a reserved word and nothing else.
+        if self.text(0) != "typedef" || !self.starts_statement() || self.kind(1) == T::Equal {
+            return false;
+        }
+        let ends = |i: &usize| matches!(self.kind(*i), T::Semicolon | T::LeftBrace | T::End);
+        let end = (2..MAX_INSIDE).find(ends);
+        let names =
+            |&end: &usize| (self.kind(end), self.kind(end - 1)) == (T::Semicolon, T::Identifier);
+        let Some(end) = end.filter(names) else {
+            return false;
+        };
+        let span = self.span(0, end + 1);
+        let alias = self
+            .type_at(1)
+            .filter(|&(_, behind)| self.kind(behind) == T::Identifier && behind + 1 == end);
+        let fix = alias.map(|(word, _)| {
+            let line = format!("#define {} {}", self.text(end - 1), word.name());
+            Fix::suggestion(format!("write `{line}`"), vec![Edit::replace(span, line)])
+        });
+        let is_line = self.starts_line(0) && self.starts_line(end + 1);
+        self.report(span, "GLSL has no `typedef`", fix.filter(|_| is_line));
+        let name = self.token(end - 1).value;
+        match alias {
+            Some((word, _)) => self.aliases.push((name, word)),
+            None => self.lost.push(Name(name)),
+        }
+        self.at += end + 1;
+        true
+    }
+
+    /// `enum`, `class`, `namespace` and `template`, with all that they hold.
+    fn type_of_classes(&mut self) -> bool {
+        use TokenKind as T;
+        let word = self.text(0);
+        let is_word = matches!(self.kind(0), T::Reserved | T::Identifier);
+        let is_one = matches!(
+            word,
+            "enum" | "class" | "namespace" | "template" | "interface" | "trait" | "impl"
+        );
+        if !is_word || !is_one || !self.starts_statement() {
+            return false;
+        }
+        let ends = |i: &usize| matches!(self.kind(*i), T::LeftBrace | T::Semicolon | T::End);
+        let Some(open) = (1..MAX_INSIDE)
+            .find(ends)
+            .filter(|&i| self.kind(i) == T::LeftBrace)
+        else {
+            return false;
+        };
+        let Some(mut end) = self.behind(open) else {
+            return false;
+        };
+        end += (self.kind(end) == T::Semicolon) as usize;
+        self.report(self.span(0, open), format!("GLSL has no `{word}`"), None);
+        match word {
+            "enum" => self.note("numbers get names with `const int A = 0, B = 1;`"),
+            "class" => self.note("values are put together in a `struct`, functions stand alone"),
+            "template" => {
+                self.note("a function is written once for each type; they may share the name")
+            }
+            _ => {}
+        }
+        for ahead in 1..end {
+            if self.kind(ahead) == T::Identifier {
+                self.lost.push(Name(self.token(ahead).value));
+            }
+        }
+        self.at += end;
+        true
+    }
+
+    /// `cbuffer Params : register(b0) { ... };`
+    fn uniform_buffer(&mut self) -> bool {
+        use TokenKind as T;
+        let is_word =
+            matches!(self.word(0), "cbuffer" | "tbuffer") && self.kind(1) == T::Identifier;
+        let open = || (2..12).find(|&i| self.kind(i) == T::LeftBrace);
+        let Some(open) = is_word.then(open).flatten() else {
+            return false;
+        };
+        let span = self.token(0).span;
+        let mut edits = vec![Edit::replace(span, "uniform")];
+        if open > 2 {
+            let binding = Span::new(self.token(1).span.end, self.token(open - 1).span.end);
+            edits.push(Edit::delete(binding));
+        }
+        let message = format!(
+            "GLSL has no `{}`: a block of uniforms is written `uniform`",
+            self.text(0)
+        );
+        self.report(span, message, Some(Fix::safe("write `uniform`", edits)));
+        self.put(T::Uniform, 0, span);
+        self.at += 1;
+        self.keep();
+        self.at += open - 2;
+        true
+    }
+
+    /// `fn f(x: f32) -> f32 {`, `def f(x):`, `function f(x) {`, `auto f(float x) -> float {`
+    fn function(&mut self) -> bool {
+        use TokenKind as T;
+        let is_word = FUNCTIONS.contains(&self.word(0)) || self.word(0) == "auto";
+        let is_one = is_word
+            && self.braces == 0
+            && self.starts_statement()
+            && self.kind(1) == T::Identifier
+            && self.kind(2) == T::LeftParen;
+        let Some(close) = is_one.then(|| self.behind(2)).flatten() else {
+            return false;
+        };
+        let is_arrow = self.kind(close) == T::Minus && self.kind(close + 1) == T::Greater;
+        let returns = match is_arrow {
+            true => self.type_at(close + 2),
+            false if self.kind(close) == T::Colon => self.type_at(close + 1),
+            false => self.type_at(close),
+        };
+        let params = self.parameters(3, close - 1);
+        let body = returns.map_or(close, |(_, end)| end);
+        if let (Some(params), T::LeftBrace) = (params, self.kind(body)) {
+            self.rewrite_function(returns.map(|r| r.0), &params, body);
+            return true;
+        }
+        let end = match self.kind(body) {
+            T::LeftBrace => self.behind(body).unwrap_or(body + 1),
+            _ => self.end_of_indented(),
+        };
+        let head = self.span(0, body);
+        self.report(
+            head,
+            format!("a function of GLSL does not start with `{}`", self.text(0)),
+            None,
+        );
+        self.note("it starts with the type that it returns, and each parameter has a type: `float f(vec2 p) { ... }`");
+        self.lost.push(Name(self.token(1).value));
+        self.at += end;
+        true
+    }
+
+    /// Writes the head of a function in the way of GLSL.
+    fn rewrite_function(
+        &mut self,
+        returns: Option<TypeWord>,
+        params: &[(TypeWord, Token)],
+        body: usize,
+    ) {
+        use TokenKind as T;
+        let (head, name) = (self.span(0, body), self.token(1));
+        let list: Vec<String> = params
+            .iter()
+            .map(|(ty, name)| format!("{} {}", ty.name(), self.sources.text(name.span)))
+            .collect();
+        let word = returns.map_or("void", TypeWord::name);
+        let text = format!("{word} {}({})", self.text(1), list.join(", "));
+        let message = format!("a function of GLSL does not start with `{}`", self.text(0));
+        self.report(head, message, Self::write(head, &text));
+        match returns {
+            Some(word) => self.put_type(word, head),
+            None => self.put(T::Void, 0, head),
+        }
+        self.push(name);
+        self.put(T::LeftParen, 0, name.span);
+        for (i, &(ty, param)) in params.iter().enumerate() {
+            if i > 0 {
+                self.put(T::Comma, 0, param.span);
+            }
+            self.put_type(ty, param.span);
+            self.push(param);
+        }
+        self.put(T::RightParen, 0, name.span);
+        self.at += body;
+    }
+
+    /// Parameters whose types are known, however they are written.
+    fn parameters(&self, first: usize, close: usize) -> Option<Vec<(TypeWord, Token)>> {
+        use TokenKind as T;
+        let mut found = Vec::new();
+        let mut at = first;
+        while at < close {
+            let (name, word, end) = match (self.kind(at), self.kind(at + 1)) {
+                (T::Identifier, T::Colon) => {
+                    let (word, end) = self.type_at(at + 2)?;
+                    (self.token(at), word, end)
+                }
+                _ => match self.type_at(at) {
+                    Some((word, end)) => (self.token(end), word, end + 1),
+                    None => {
+                        let (word, end) = self.type_at(at + 1)?;
+                        (self.token(at), word, end)
+                    }
+                },
+            };
+            if name.kind != T::Identifier || !(end == close || self.kind(end) == T::Comma) {
+                return None;
+            }
+            found.push((word, name));
+            at = end + 1;
+        }
+        Some(found)
+    }
+
+    /// Index behind the lines that are indented more than the one that starts here.
+    fn end_of_indented(&self) -> usize {
+        let column = |ahead: usize| {
+            let start = self.token(ahead).span.start;
+            self.sources
+                .file_at(start)
+                .map_or(0, |f| f.position(start).column)
+        };
+        let mut end = self.end_of_line();
+        while self.kind(end) != TokenKind::End
+            && !(self.starts_line(end) && column(end) <= column(0))
+        {
+            end += 1;
+        }
+        end
+    }
+
+    /// `let x: f32 = 1.0`
+    fn annotated(&mut self) -> bool {
+        use TokenKind as T;
+        if !self.starts_declaration() {
+            return false;
+        }
+        let meaning = foreign(self.word(0), self.version).map(|f| f.meaning);
+        let is_let = meaning == Some(Meaning::Inferred);
+        if !(is_let || self.kind(0) == T::Const) {
+            return false;
+        }
+        let name = 1 + (self.word(1) == "mut") as usize;
+        if self.kind(name) != T::Identifier || self.kind(name + 1) != T::Colon {
+            return false;
+        }
+        let Some((word, end)) = self.type_at(name + 2) else {
+            return false;
+        };
+        if !matches!(self.kind(end), T::Equal | T::Semicolon | T::Comma) {
+            return false;
+        }
+        let from = !is_let as usize;
+        let span = self.span(from, end);
+        let text = format!("{} {}", word.name(), self.text(name));
+        self.report(
+            span,
+            "GLSL writes the type before the name",
+            Self::write(span, &text),
+        );
+        if !is_let {
+            self.keep();
+        }
+        let (name, skipped) = (self.token(name - from), end - from);
+        self.put_type(word, span);
+        self.push(name);
+        self.at += skipped;
+        true
+    }
+
+    /// Whether a declaration may start here, at the start of a statement or of a loop's head.
+    fn starts_declaration(&self) -> bool {
+        let behind_head = || match self.out.as_slice() {
+            [.., head, open] => (head.kind, open.kind) == (TokenKind::For, TokenKind::LeftParen),
+            _ => false,
+        };
+        self.starts_statement() || behind_head()
+    }
+
+    /// `const auto& x = ...`: the word alone is what the checker knows.
+    fn reference(&mut self) -> bool {
+        use TokenKind as T;
+        let first = (self.kind(0) == T::Const) as usize;
+        let is_one = self.word(first) == "auto"
+            && self.starts_declaration()
+            && (first == 1 || matches!(self.kind(1), T::And | T::AndAnd | T::Star));
+        if !is_one {
+            return false;
+        }
+        let has_sign = matches!(self.kind(first + 1), T::And | T::AndAnd | T::Star);
+        let end = first + 1 + has_sign as usize;
+        let word = self.token(first);
+        self.put(T::Identifier, word.value, self.span(0, end));
+        self.at += end;
+        self.changed = true;
+        true
+    }
+
+    /// `constexpr float`, `let mut x`: a word that stands before a declaration.
+    fn modifier(&mut self) -> bool {
+        use TokenKind as T;
+        if self.kind(0) != T::Identifier || !self.starts_declaration() {
+            return false;
+        }
+        let names = (self.kind(1), self.kind(2), self.kind(3));
+        let has_type = matches!(
+            names.0,
+            T::Type | T::Const | T::Uniform | T::Void | T::Struct | T::Lowp | T::Mediump | T::Highp
+        ) && names.1 != T::LeftParen;
+        let three = (names.0, names.1) == (T::Identifier, T::Identifier)
+            && matches!(
+                names.2,
+                T::Equal | T::Semicolon | T::Comma | T::LeftBracket | T::LeftParen
+            )
+            && !self.starts_line(1);
+        if !(has_type || three) || self.starts_line(1) {
+            return false;
+        }
+        if three && self.word(1) == "mut" {
+            // The first word alone is what the checker knows.
+            self.put(T::Identifier, self.token(0).value, self.span(0, 2));
+            self.at += 2;
+            self.changed = true;
+            return true;
+        }
+        let (word, span) = (self.text(0), self.token(0).span);
+        let message = format!("GLSL has no `{word}`");
+        match MODIFIERS.iter().find(|(w, _)| *w == word) {
+            Some(&(_, kind)) => {
+                self.report(span, message, Self::write(span, "const"));
+                self.put(kind, 0, span);
+            }
+            None => {
+                let fix = self.remove(0, 1);
+                self.report(span, message, fix);
+            }
+        }
+        self.at += 1;
+        true
+    }
+
+    /// `const x = 1.0`: the type of a literal or of a constructor.
+    fn constant(&mut self) -> bool {
+        use TokenKind as T;
+        let is_one = self.kind(0) == T::Const
+            && self.kind(1) == T::Identifier
+            && self.kind(2) == T::Equal
+            && self.starts_declaration();
+        let value = 3 + matches!(self.kind(3), T::Minus | T::Plus) as usize;
+        let word = match self.kind(value) {
+            T::Float => TypeWord::Float,
+            T::Int => TypeWord::Int,
+            T::Uint => TypeWord::Uint,
+            T::True | T::False | T::Not => TypeWord::Bool,
+            T::Type | T::Identifier => match self.type_at(value) {
+                Some((word, _)) => word,
+                None => return false,
+            },
+            _ => return false,
+        };
+        if is_one {
+            let name = self.token(1).span;
+            let text = self.sources.text(name);
+            let edit = Edit::insert(name.start, format!("{} ", word.name()));
+            let fix = Fix::safe(format!("write `const {} {text}`", word.name()), vec![edit]);
+            self.report(
+                name,
+                format!("the constant `{text}` has no type"),
+                Some(fix),
+            );
+            self.keep();
+            self.put_type(word, name);
+        }
+        is_one
+    }
+
+    /// `: SV_Target`, `: TEXCOORD0`, `: register(t0)`
+    fn semantic(&mut self) -> bool {
+        use TokenKind as T;
+        let is_one =
+            self.kind(0) == T::Colon && self.kind(1) == T::Identifier && self.questions == 0;
+        if !is_one {
+            return false;
+        }
+        let end = match self.kind(2) {
+            T::LeftParen => match self.behind(2) {
+                Some(end) => end,
+                None => return false,
+            },
+            _ => 2,
+        };
+        let statement = self.out.get(self.start..).unwrap_or(&[]);
+        let is_label = statement
+            .iter()
+            .any(|t| matches!(t.kind, T::Case | T::Default));
+        let declares = match (self.before(), statement) {
+            (T::RightParen, [_, ..]) => matches!(self.kind(end), T::LeftBrace | T::Semicolon),
+            (T::Identifier, [.., before, _]) => {
+                matches!(before.kind, T::Type | T::Identifier)
+                    && matches!(
+                        self.kind(end),
+                        T::Semicolon | T::Comma | T::RightParen | T::Equal
+                    )
+            }
+            (T::RightBracket, _) => self.kind(end) == T::Semicolon,
+            _ => false,
+        };
+        if is_label || !declares {
+            return false;
+        }
+        let before = self.out.last().map_or(self.token(0).span, |t| t.span);
+        let span = self.span(0, end);
+        let gap = Span::new(before.end, span.end);
+        let fix = Fix::safe("take it out", vec![Edit::delete(gap)]);
+        self.report(span, "GLSL has no semantics behind a name", Some(fix));
+        self.note("inputs and outputs go by their names, or by `layout(location = 0)`");
+        self.at += end;
+        true
+    }
+}

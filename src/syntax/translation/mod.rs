@@ -1,0 +1,355 @@
+//! Code of other languages, token by token put into GLSL.
+//!
+//! Where a shader cannot be read, the forms are looked for that other languages have and GLSL has
+//! not, none of which can stand in a shader that compiles. Each is reported once, with the edit,
+//! and the parser reads what it means.
+
+mod declaration;
+mod operator;
+mod statement;
+
+use super::foreign::{Meaning, foreign};
+use super::names::{Name, TypeWord, Version, WordClass, classify};
+use super::token::{Token, TokenKind};
+use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::text::{Edit, Sources, Span};
+use std::cell::Cell;
+
+/// Most forms that are put into GLSL in one shader.
+const MAX_FORMS: usize = 100;
+/// How far the end of a head or of a statement is looked for, in tokens.
+const MAX_INSIDE: usize = 400;
+/// Tokens that may be passed over in all while partners of brackets are looked for.
+const MAX_PASSED: usize = 4_000_000;
+
+/// A shader put into GLSL.
+pub struct Translation {
+    /// Its tokens.
+    pub tokens: Vec<Token>,
+    /// What was foreign in it.
+    pub translated: Translated,
+}
+
+/// What was foreign in a shader.
+#[derive(Default)]
+pub struct Translated {
+    /// What was said of the forms that GLSL has not.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Names whose declarations are gone.
+    pub lost: Vec<Name>,
+}
+
+/// Puts the foreign forms among `tokens` into GLSL; `None` where there are none.
+pub fn translate(sources: &Sources, tokens: &[Token], version: Version) -> Option<Translation> {
+    let mut translator = Translator {
+        sources,
+        tokens,
+        version,
+        at: 0,
+        braces: 0,
+        parens: 0,
+        questions: 0,
+        start: 0,
+        ends: Vec::new(),
+        aliases: Vec::new(),
+        out: Vec::with_capacity(tokens.len()),
+        diagnostics: Vec::new(),
+        lost: Vec::new(),
+        changed: false,
+        passed: Cell::new(0),
+    };
+    while translator.at < tokens.len() {
+        translator.step();
+    }
+    // Whatever was taken away, the end is there.
+    if let Some(&end) = tokens.last()
+        && translator.before() != end.kind
+    {
+        translator.out.push(end);
+    }
+    let Translator {
+        out: tokens,
+        diagnostics,
+        lost,
+        changed,
+        ..
+    } = translator;
+    (changed || !diagnostics.is_empty()).then_some(Translation {
+        tokens,
+        translated: Translated { diagnostics, lost },
+    })
+}
+
+struct Translator<'a> {
+    sources: &'a Sources,
+    tokens: &'a [Token],
+    version: Version,
+    /// The next token to read.
+    at: usize,
+    /// Open braces, open parentheses and brackets, and `?` of the statement at hand.
+    braces: u32,
+    parens: u32,
+    questions: u32,
+    /// Index in `out` of the first token of the statement at hand.
+    start: usize,
+    /// The words `end` that close what a `then` opened.
+    ends: Vec<usize>,
+    /// Names that a `typedef` gave to types.
+    aliases: Vec<(u32, TypeWord)>,
+    out: Vec<Token>,
+    diagnostics: Vec<Diagnostic>,
+    lost: Vec<Name>,
+    /// Whether something was put into GLSL without being reported.
+    changed: bool,
+    passed: Cell<usize>,
+}
+
+impl<'a> Translator<'a> {
+    /// Reads one token, or one foreign form.
+    fn step(&mut self) {
+        let may = self.diagnostics.len() < MAX_FORMS && self.token(0).is_direct();
+        if may && (self.operator() || self.statement() || self.declaration()) {
+            return;
+        }
+        self.keep();
+    }
+
+    /// Takes the next token over as it is.
+    fn keep(&mut self) {
+        let token = self.token(0);
+        self.at += 1;
+        self.push(token);
+    }
+
+    fn push(&mut self, token: Token) {
+        use TokenKind as T;
+        self.out.push(token);
+        match token.kind {
+            T::LeftParen | T::LeftBracket => self.parens += 1,
+            T::RightParen | T::RightBracket => self.parens = self.parens.saturating_sub(1),
+            T::Question => self.questions += 1,
+            T::Colon => self.questions = self.questions.saturating_sub(1),
+            T::LeftBrace => self.braces += 1,
+            T::RightBrace => self.braces = self.braces.saturating_sub(1),
+            _ => {}
+        }
+        let ends = matches!(token.kind, T::LeftBrace | T::RightBrace);
+        if ends || (token.kind == T::Semicolon && self.parens == 0) {
+            self.start = self.out.len();
+            self.questions = 0;
+            if ends {
+                self.parens = 0;
+            }
+        }
+    }
+
+    /// Puts a token of GLSL in the place of foreign text.
+    fn put(&mut self, kind: TokenKind, value: u32, span: Span) {
+        self.push(Token {
+            kind,
+            value,
+            span,
+            spelled: span.start,
+            expansion: Token::DIRECT,
+        });
+    }
+
+    fn put_type(&mut self, word: TypeWord, span: Span) {
+        self.put(TokenKind::Type, word as u32, span);
+    }
+
+    fn token(&self, ahead: usize) -> Token {
+        let end = Token {
+            kind: TokenKind::End,
+            value: 0,
+            span: Span::default(),
+            spelled: 0,
+            expansion: Token::DIRECT,
+        };
+        let token = self.tokens.get(self.at + ahead).or(self.tokens.last());
+        token.copied().unwrap_or(end)
+    }
+
+    fn kind(&self, ahead: usize) -> TokenKind {
+        self.token(ahead).kind
+    }
+
+    fn text(&self, ahead: usize) -> &'a str {
+        self.sources.text(self.token(ahead).span)
+    }
+
+    /// The free word that stands there.
+    fn word(&self, ahead: usize) -> &'a str {
+        match self.kind(ahead) {
+            TokenKind::Identifier => self.text(ahead),
+            _ => "",
+        }
+    }
+
+    /// What stands before the next token.
+    fn before(&self) -> TokenKind {
+        self.out.last().map_or(TokenKind::End, |t| t.kind)
+    }
+
+    fn starts_statement(&self) -> bool {
+        self.start == self.out.len()
+    }
+
+    /// Whether no blank stands between a token and the next one.
+    fn touches_next(&self, ahead: usize) -> bool {
+        self.token(ahead).span.end == self.token(ahead + 1).span.start
+    }
+
+    /// Whether a line ends between a token and the one before it.
+    fn starts_line(&self, ahead: usize) -> bool {
+        let Some(before) = (self.at + ahead).checked_sub(1) else {
+            return true;
+        };
+        let before = self.tokens.get(before).map_or(0, |t| t.span.end);
+        let span = Span::new(before, self.token(ahead).span.start);
+        span.start > span.end || self.sources.text(span).contains(['\n', '\r'])
+    }
+
+    fn is_operand_end(kind: TokenKind) -> bool {
+        use TokenKind as T;
+        matches!(
+            kind,
+            T::Identifier
+                | T::Int
+                | T::Uint
+                | T::Float
+                | T::True
+                | T::False
+                | T::RightParen
+                | T::RightBracket
+        )
+    }
+
+    fn is_operand_start(kind: TokenKind) -> bool {
+        use TokenKind as T;
+        matches!(
+            kind,
+            T::Identifier
+                | T::Int
+                | T::Uint
+                | T::Float
+                | T::True
+                | T::False
+                | T::Type
+                | T::LeftParen
+                | T::Not
+                | T::Minus
+                | T::Plus
+                | T::Tilde
+        )
+    }
+
+    /// Index behind the bracket that closes the one at `open`, counted from the next token.
+    fn behind(&self, open: usize) -> Option<usize> {
+        use TokenKind as T;
+        let mut depth = 0_u32;
+        for ahead in open.. {
+            if self.passed.get() >= MAX_PASSED {
+                return None;
+            }
+            self.passed.set(self.passed.get() + 1);
+            match self.kind(ahead) {
+                T::LeftParen | T::LeftBracket | T::LeftBrace => depth += 1,
+                T::RightParen | T::RightBracket | T::RightBrace => {
+                    depth = depth.checked_sub(1)?;
+                    if depth == 0 {
+                        return Some(ahead + 1);
+                    }
+                }
+                T::End => return None,
+                _ if depth == 0 => return None,
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// A type, foreign ones and `vec3<f32>` included, and the index behind it.
+    fn type_at(&self, ahead: usize) -> Option<(TypeWord, usize)> {
+        let word = match self.kind(ahead) {
+            TokenKind::Type => *TypeWord::ALL.get(self.token(ahead).value as usize)?,
+            TokenKind::Identifier | TokenKind::Reserved => self.foreign_type(self.text(ahead))?,
+            _ => return None,
+        };
+        if self.kind(ahead + 1) != TokenKind::Less || self.kind(ahead + 3) != TokenKind::Greater {
+            return Some((word, ahead + 1));
+        }
+        let (scalar, _) = self.plain_type(ahead + 2)?;
+        let prefix = match scalar {
+            TypeWord::Int => "i",
+            TypeWord::Uint => "u",
+            TypeWord::Bool => "b",
+            _ => "",
+        };
+        match classify(&format!("{prefix}{}", word.name()), self.version) {
+            WordClass::Type(word) => Some((word, ahead + 4)),
+            _ => None,
+        }
+    }
+
+    fn plain_type(&self, ahead: usize) -> Option<(TypeWord, usize)> {
+        match self.kind(ahead) {
+            TokenKind::Type => Some((
+                *TypeWord::ALL.get(self.token(ahead).value as usize)?,
+                ahead + 1,
+            )),
+            _ => Some((self.foreign_type(self.text(ahead))?, ahead + 1)),
+        }
+    }
+
+    fn foreign_type(&self, word: &str) -> Option<TypeWord> {
+        let Meaning::Type(word) = foreign(word, self.version)?.meaning else {
+            return None;
+        };
+        match classify(word, self.version) {
+            WordClass::Type(word) => Some(word),
+            _ => None,
+        }
+    }
+
+    /// The span from one of the next tokens up to before another.
+    fn span(&self, from: usize, behind: usize) -> Span {
+        self.token(from)
+            .span
+            .to(self.token(behind.saturating_sub(1)).span)
+    }
+
+    /// Reports a form of other languages.
+    fn report(&mut self, span: Span, message: impl Into<String>, fix: Option<Fix>) {
+        let d = Diagnostic::error(error::FOREIGN_SYNTAX, span, message);
+        self.diagnostics.push(d.fix(fix));
+    }
+
+    fn note(&mut self, note: &str) {
+        if let Some(d) = self.diagnostics.last_mut() {
+            d.notes.push(note.to_string());
+        }
+    }
+
+    /// "write `text`" in the place of `span`.
+    fn write(span: Span, text: &str) -> Option<Fix> {
+        Some(Fix::safe(
+            format!("write `{text}`"),
+            vec![Edit::replace(span, text)],
+        ))
+    }
+
+    /// Takes text away, with the blanks up to what stands behind it.
+    fn remove(&self, from: usize, behind: usize) -> Option<Fix> {
+        let span = self.span(from, behind);
+        let next = self.token(behind).span.start;
+        let blank = Span::new(span.end, next.max(span.end));
+        let is_blank = self
+            .sources
+            .text(blank)
+            .bytes()
+            .all(|b| matches!(b, b' ' | b'\t'));
+        let span = if is_blank { span.to(blank) } else { span };
+        Some(Fix::safe("take it out", vec![Edit::delete(span)]))
+    }
+}

@@ -1,0 +1,367 @@
+//! Heads of statements, and statements, that GLSL has not.
+
+use super::*;
+
+/// Words for `else if`.
+const ELSE_IF: &[&str] = &["elif", "elseif", "elsif", "elsIf", "elseIf"];
+/// Words that end a block.
+const ENDS: &[&str] = &[
+    "end", "endif", "fi", "endfor", "endwhile", "done", "End", "END",
+];
+/// Statements of one word and a value.
+const GONE: &[&str] = &[
+    "throw", "raise", "delete", "del", "goto", "yield", "await", "defer",
+];
+/// Words for a loop over all of something.
+const EACH: &[&str] = &["foreach", "for_each", "forEach"];
+
+impl Translator<'_> {
+    pub(super) fn statement(&mut self) -> bool {
+        self.else_if()
+            || self.then()
+            || self.end()
+            || self.attribute()
+            || self.comment()
+            || self.macro_call()
+            || self.loop_over()
+            || self.bare_condition()
+            || self.removed()
+            || self.unknown_head()
+    }
+
+    /// `throw x;`, `delete x;`: statements that GLSL has not.
+    fn removed(&mut self) -> bool {
+        use TokenKind as T;
+        let is_word = matches!(self.kind(0), T::Identifier | T::Reserved);
+        if !is_word || !self.starts_statement() || !GONE.contains(&self.text(0)) {
+            return false;
+        }
+        let is_plain = matches!(self.kind(1), T::Identifier | T::Int | T::Float | T::Bad);
+        let end = (1..MAX_INSIDE).find(|&i| {
+            matches!(
+                self.kind(i),
+                T::Semicolon | T::LeftBrace | T::RightBrace | T::End
+            )
+        });
+        let Some(end) = end.filter(|&end| is_plain && self.kind(end) == T::Semicolon) else {
+            return false;
+        };
+        let fix = self.remove(0, end + 1);
+        let fix = fix.map(|fix| Fix::suggestion("take the statement out", fix.edits));
+        self.report(
+            self.span(0, end + 1),
+            format!("GLSL has no `{}`", self.text(0)),
+            fix,
+        );
+        self.at += end + 1;
+        true
+    }
+
+    /// `loop {`, `try {`, `catch (e) {`: the head is unknown, the block is read.
+    fn unknown_head(&mut self) -> bool {
+        use TokenKind as T;
+        if self.kind(0) != T::Identifier || !self.starts_statement() || self.braces == 0 {
+            return false;
+        }
+        let end = match self.kind(1) {
+            T::LeftBrace => Some(1),
+            T::LeftParen => self.behind(1).filter(|&end| self.kind(end) == T::LeftBrace),
+            _ => None,
+        };
+        // `f(float x) {` is a function whose type is missing.
+        let declares = |end: usize| {
+            (2..end).any(|i| self.kind(i) == T::Type && self.kind(i + 1) == T::Identifier)
+        };
+        let Some(end) = end.filter(|&end| !declares(end) && self.kind(2) != T::RightParen) else {
+            return false;
+        };
+        let word = self.text(0);
+        self.report(
+            self.span(0, end),
+            format!("GLSL has no statement `{word}`"),
+            None,
+        );
+        self.note("it has `if`, `switch`, `for`, `while` and `do`");
+        self.at += end;
+        true
+    }
+
+    /// `elif (c)`
+    fn else_if(&mut self) -> bool {
+        use TokenKind as T;
+        let is_one = ELSE_IF.contains(&self.word(0))
+            && self.kind(1) == T::LeftParen
+            && matches!(self.before(), T::RightBrace | T::Semicolon);
+        if is_one {
+            let span = self.token(0).span;
+            let message = format!("GLSL has no `{}`: it is written `else if`", self.text(0));
+            self.report(span, message, Self::write(span, "else if"));
+            self.put(T::Else, 0, span);
+            self.put(T::If, 0, span);
+            self.at += 1;
+        }
+        is_one
+    }
+
+    /// `then ... end` behind a condition, and `begin ... end`.
+    fn then(&mut self) -> bool {
+        use TokenKind as T;
+        let is_one = match self.word(0) {
+            "then" => self.before() == T::RightParen,
+            "begin" => self.starts_statement() || self.before() == T::RightParen,
+            _ => false,
+        };
+        if !is_one || self.kind(1) == T::Equal {
+            return false;
+        }
+        let span = self.token(0).span;
+        let mut depth = 0_u32;
+        let mut end = None;
+        for ahead in 1..MAX_INSIDE {
+            match (self.kind(ahead), self.word(ahead)) {
+                (T::End | T::RightBrace, _) => break,
+                (_, "then" | "begin") => depth += 1,
+                (_, word) if ENDS.contains(&word) && depth == 0 => {
+                    end = Some(ahead);
+                    break;
+                }
+                (_, word) if ENDS.contains(&word) => depth -= 1,
+                _ => {}
+            }
+        }
+        let message = format!("GLSL has no `{}`: a block stands in braces", self.text(0));
+        match end {
+            Some(end) => {
+                let edits = vec![
+                    Edit::replace(span, "{"),
+                    Edit::replace(self.token(end).span, "}"),
+                ];
+                self.report(span, message, Some(Fix::safe("write `{ ... }`", edits)));
+                self.ends.push(self.at + end);
+                self.put(T::LeftBrace, 0, span);
+            }
+            None => {
+                let fix = self.remove(0, 1);
+                self.report(span, message, fix);
+            }
+        }
+        self.at += 1;
+        true
+    }
+
+    /// The `end` of a `then`, or one that stands alone.
+    fn end(&mut self) -> bool {
+        use TokenKind as T;
+        if !ENDS.contains(&self.word(0)) || !self.starts_statement() {
+            return false;
+        }
+        let span = self.token(0).span;
+        if self.ends.last() == Some(&self.at) {
+            self.ends.pop();
+            self.put(T::RightBrace, 0, span);
+            self.at += 1;
+            return true;
+        }
+        let is_alone = matches!(self.kind(1), T::Semicolon | T::RightBrace | T::End)
+            || (self.starts_line(1) && self.kind(1) != T::Equal);
+        if is_alone {
+            let behind = if self.kind(1) == T::Semicolon { 2 } else { 1 };
+            let fix = self.remove(0, behind);
+            let message = format!("GLSL has no `{}`: a block ends with `}}`", self.text(0));
+            self.report(span, message, fix);
+            self.at += behind;
+        }
+        is_alone
+    }
+
+    /// `[unroll]` and `[[...]]` before a statement or declaration.
+    fn attribute(&mut self) -> bool {
+        use TokenKind as T;
+        if self.kind(0) != T::LeftBracket || !self.starts_statement() {
+            return false;
+        }
+        let Some(end) = self.behind(0) else {
+            return false;
+        };
+        if end == 2
+            || matches!(
+                self.kind(end),
+                T::Equal | T::Semicolon | T::Dot | T::LeftParen
+            )
+        {
+            return false;
+        }
+        let span = self.span(0, end);
+        let fix = self.remove(0, end);
+        self.report(span, "GLSL has no attributes in brackets", fix);
+        self.note("the browser's compiler decides by itself how code is run");
+        self.at += end;
+        true
+    }
+
+    /// `-- text`, a comment of SQL and Lua.
+    fn comment(&mut self) -> bool {
+        use TokenKind as T;
+        let is_one = self.kind(0) == T::Decrement
+            && self.starts_line(0)
+            && self.starts_statement()
+            && !self.touches_next(0)
+            && self.kind(1) == T::Identifier
+            && !self.starts_line(1)
+            && matches!(
+                self.kind(2),
+                T::Identifier | T::Type | T::In | T::For | T::If
+            );
+        if is_one {
+            let end = self.end_of_line();
+            let span = self.token(0).span;
+            let fix = Self::write(span, "//");
+            self.report(self.span(0, end), "a comment starts with `//`", fix);
+            self.at += end;
+        }
+        is_one
+    }
+
+    /// Index of the first token of the next line.
+    pub(super) fn end_of_line(&self) -> usize {
+        let mut end = 1;
+        while self.kind(end) != TokenKind::End && !self.starts_line(end) {
+            end += 1;
+        }
+        end
+    }
+
+    /// `println!(...)`
+    fn macro_call(&mut self) -> bool {
+        use TokenKind as T;
+        let is_one = self.kind(0) == T::Identifier
+            && self.kind(1) == T::Not
+            && self.kind(2) == T::LeftParen
+            && self.touches_next(0)
+            && self.starts_statement();
+        let Some(end) = is_one.then(|| self.behind(2)).flatten() else {
+            return false;
+        };
+        let end = end + (self.kind(end) == T::Semicolon) as usize;
+        let fix = self.remove(0, end);
+        self.report(
+            self.span(0, end),
+            format!("GLSL has no `{}!`", self.text(0)),
+            fix,
+        );
+        self.at += end;
+        true
+    }
+
+    /// `for (x in list)`, `for (auto x : list)`, `foreach (...)`: with a range, a loop of GLSL.
+    fn loop_over(&mut self) -> bool {
+        use TokenKind as T;
+        let is_each = EACH.contains(&self.word(0)) && self.starts_statement();
+        if self.kind(0) != T::For && !is_each {
+            return false;
+        }
+        let has_parens = self.kind(1) == T::LeftParen;
+        let close = match has_parens {
+            true => match self.behind(1) {
+                Some(end) => end - 1,
+                None => return false,
+            },
+            false => match (1..MAX_INSIDE)
+                .find(|&i| matches!(self.kind(i), T::LeftBrace | T::Colon | T::End))
+            {
+                Some(end) => end,
+                None => return false,
+            },
+        };
+        let first = 1 + has_parens as usize;
+        let plain = |i: usize| matches!(self.kind(i), T::In | T::Colon) || self.word(i) == "of";
+        let Some(between) = (first + 1..close.min(first + 5)).find(|&i| plain(i)) else {
+            return false;
+        };
+        if (first..close).any(|i| self.kind(i) == T::Semicolon)
+            || self.kind(between - 1) != T::Identifier
+        {
+            return false;
+        }
+        let name = self.token(between - 1);
+        let range = self.range(between + 1, close);
+        let behind = close + (has_parens || self.kind(close) == T::Colon) as usize;
+        let span = self.span(0, behind);
+        let text = self.sources.text(name.span);
+        let fix = range.map(|(from, to)| {
+            let (from, to) = (from.unwrap_or("0"), self.sources.text(to));
+            Self::write(
+                span,
+                &format!("for (int {text} = {from}; {text} < {to}; {text}++)"),
+            )
+        });
+        self.report(
+            span,
+            "GLSL has no loops over ranges or lists",
+            fix.flatten(),
+        );
+        self.note("a loop counts: `for (int i = 0; i < n; i++)`");
+        // The body is read as one that runs once, with whatever the name is.
+        self.lost.push(Name(name.value));
+        for kind in [T::While, T::LeftParen, T::False, T::RightParen] {
+            self.put(kind, 0, span);
+        }
+        self.at += behind;
+        true
+    }
+
+    /// `range(to)`, `range(from, to)`, `from..to`: where a range starts and ends.
+    fn range(&self, first: usize, close: usize) -> Option<(Option<&str>, Span)> {
+        use TokenKind as T;
+        if self.word(first) == "range" && self.kind(first + 1) == T::LeftParen && close > first + 3
+        {
+            let comma = (first + 2..close - 1).find(|&i| self.kind(i) == T::Comma);
+            return match comma {
+                Some(comma) => {
+                    let from = self.sources.text(self.span(first + 2, comma));
+                    Some((Some(from), self.span(comma + 1, close - 1)))
+                }
+                None => Some((None, self.span(first + 2, close - 1))),
+            };
+        }
+        None
+    }
+
+    /// `if p {` and `while x < 1.0 {`, without parentheses.
+    fn bare_condition(&mut self) -> bool {
+        use TokenKind as T;
+        let is_head = matches!(self.kind(0), T::If | T::While | T::Switch);
+        if !is_head || self.kind(1) == T::LeftParen {
+            return false;
+        }
+        let ends = |i: &usize| {
+            matches!(
+                self.kind(*i),
+                T::LeftBrace | T::Semicolon | T::End | T::RightBrace | T::RightParen
+            ) || self.starts_line(*i)
+                || self.word(*i) == "then"
+        };
+        let Some(end) = (1..MAX_INSIDE).find(ends) else {
+            return false;
+        };
+        if end == 1 || !(self.kind(end) == T::LeftBrace || self.word(end) == "then") {
+            return false;
+        }
+        let span = self.span(1, end);
+        let text = self.text(0);
+        let edits = vec![Edit::insert(span.start, "("), Edit::insert(span.end, ")")];
+        let message = format!("the condition of `{text}` stands in parentheses");
+        self.report(
+            span,
+            message,
+            Some(Fix::safe("put it in parentheses", edits)),
+        );
+        self.keep();
+        self.put(T::LeftParen, 0, span);
+        for _ in 1..end {
+            self.keep();
+        }
+        self.put(T::RightParen, 0, span);
+        true
+    }
+}

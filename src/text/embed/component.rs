@@ -1,0 +1,57 @@
+//! Shaders in the components of Vue, Svelte and Astro: in their scripts, and in the literals that
+//! stand in the text around these.
+
+use super::html::{self, next_script};
+use super::{Embedded, script};
+
+/// Finds them.
+pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
+    let count = found.len();
+    let front = front_matter(text);
+    script::extract(text.get(..front).unwrap_or(""), base, found);
+    let rest = text.get(front..).unwrap_or("");
+    html::extract(rest, base + front, found);
+    let lower = rest.to_ascii_lowercase();
+    let mut at = 0;
+    loop {
+        let element = next_script(&lower, at);
+        let end = element.as_ref().map_or(rest.len(), |e| e.start);
+        script::extract(rest.get(at..end).unwrap_or(""), base + front + at, found);
+        let Some(element) = element else { break };
+        at = element.end;
+    }
+    if let Some(own) = found.get_mut(count..) {
+        own.sort_by_key(|e| e.start);
+    }
+}
+
+/// Length of the script between two lines of `---` that an Astro component starts with.
+fn front_matter(text: &str) -> usize {
+    let Some(behind) = text.trim_start().strip_prefix("---") else {
+        return 0;
+    };
+    let start = text.len() - behind.len();
+    behind.find("\n---").map_or(0, |end| start + end + 4)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scripts_and_literals_are_read_and_nothing_else() {
+        let text = "---\nconst a = `#version 300 es\n1`;\n---\n<p>don't void main() {}</p>\
+            <script lang=\"ts\">const b = `#version 300 es\n2`;</script>\
+            <div x={/* glsl */ `3`} />";
+        let mut found = Vec::new();
+        extract(text, 0, &mut found);
+        let codes: Vec<&str> = found.iter().map(|s| s.code.as_str()).collect();
+        assert_eq!(codes, ["#version 300 es\n1", "#version 300 es\n2", "3"]);
+        for shader in &found {
+            assert_eq!(
+                text.get(shader.start..shader.end()),
+                Some(shader.code.as_str())
+            );
+        }
+    }
+}

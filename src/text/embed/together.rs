@@ -1,0 +1,313 @@
+//! What a script says of its shaders besides their text: which of them it names together, and which
+//! uniforms it asks for.
+
+use super::token::{Kind, Token, tokens};
+use super::{Embedded, Language, html};
+use std::collections::HashMap;
+use std::ops::Range;
+
+/// Most shaders in one pair of brackets that are told apart.
+const MAX_GROUP: usize = 8;
+
+/// The shaders that stand, or are named, in one pair of brackets of a script: a call, an object, the
+/// body of a function. Each is the index of a shader in `all`.
+pub fn together(language: Language, text: &str, all: &[Embedded]) -> Vec<Vec<usize>> {
+    let mut groups = Vec::new();
+    for script in scripts(language, text) {
+        let read = tokens(text.get(script.clone()).unwrap_or(""));
+        let names = Names::of(text, script.start, &read, all);
+        names.groups(&read, &mut groups);
+    }
+    groups.sort();
+    groups.dedup();
+    groups
+}
+
+/// The scripts in a file.
+fn scripts(language: Language, text: &str) -> Vec<Range<usize>> {
+    match language {
+        Language::Script => std::iter::once(0..text.len()).collect(),
+        Language::Markdown => Vec::new(),
+        _ => html::scripts(text),
+    }
+}
+
+/// The shaders that a script can name.
+struct Names<'a> {
+    text: &'a str,
+    base: usize,
+    all: &'a [Embedded],
+    /// By variable, or by the `id` of an element; `None` where several have one name.
+    named: HashMap<&'a str, Option<usize>>,
+}
+
+impl<'a> Names<'a> {
+    fn of(text: &'a str, base: usize, tokens: &[Token], all: &'a [Embedded]) -> Names<'a> {
+        let mut names = Names {
+            text,
+            base,
+            all,
+            named: HashMap::new(),
+        };
+        for (index, shader) in all.iter().enumerate() {
+            if let Some(id) = html::id_of(text, shader) {
+                names.add(id, index);
+            }
+        }
+        for (at, token) in tokens.iter().enumerate() {
+            if let (Some(index), Some(name)) = (names.literal(token), names.variable(tokens, at)) {
+                names.add(name, index);
+            }
+        }
+        names
+    }
+
+    fn add(&mut self, name: &'a str, index: usize) {
+        let known = self.named.entry(name).or_insert(Some(index));
+        if *known != Some(index) {
+            *known = None;
+        }
+    }
+
+    fn word(&self, token: Option<&Token>) -> &'a str {
+        let range = token.map_or(0..0, |t| t.range.clone());
+        let range = range.start + self.base..range.end + self.base;
+        self.text.get(range).unwrap_or("")
+    }
+
+    /// The shader that starts in a literal.
+    fn literal(&self, token: &Token) -> Option<usize> {
+        if !matches!(token.kind, Kind::Quoted | Kind::Template(_)) {
+            return None;
+        }
+        let (start, end) = (token.range.start + self.base, token.range.end + self.base);
+        let index = self.all.partition_point(|s| s.start < start);
+        let shader = self.all.get(index)?;
+        (shader.start <= end && end > start).then_some(index)
+    }
+
+    /// The variable that a literal is the value of: `const NAME = glsl\`...\``.
+    fn variable(&self, tokens: &[Token], literal: usize) -> Option<&'a str> {
+        let mut before = tokens.get(literal.saturating_sub(6)..literal)?.iter().rev();
+        let tags = |t: &&Token| matches!(t.kind, Kind::Word | Kind::Comment | Kind::Mark(b'['));
+        let equals = before.by_ref().find(|t| !tags(t))?;
+        let name = before.next()?;
+        let is_name = equals.kind == Kind::Mark(b'=') && name.kind == Kind::Word;
+        is_name.then(|| self.word(Some(name)))
+    }
+
+    /// The shader that a token stands for.
+    fn meant(&self, tokens: &[Token], at: usize) -> Option<usize> {
+        let token = tokens.get(at)?;
+        let mark = |at: Option<usize>, mark| {
+            let token = at.and_then(|a| tokens.get(a));
+            token.is_some_and(|t| t.kind == Kind::Mark(mark))
+        };
+        match token.kind {
+            Kind::Quoted | Kind::Template(_) => self.literal(token).or_else(|| {
+                let name = self.word(Some(token));
+                self.named
+                    .get(name.trim_start_matches('#'))
+                    .copied()
+                    .flatten()
+            }),
+            // A key or a member is no variable.
+            Kind::Word if mark(Some(at + 1), b':') || mark(at.checked_sub(1), b'.') => None,
+            Kind::Word => self.named.get(self.word(Some(token))).copied().flatten(),
+            _ => None,
+        }
+    }
+
+    /// Finds the shaders between each pair of brackets.
+    fn groups(&self, tokens: &[Token], found: &mut Vec<Vec<usize>>) {
+        let mut open: Vec<Vec<usize>> = Vec::new();
+        let add = |group: &mut Vec<usize>, index: usize| {
+            if group.len() <= MAX_GROUP && !group.contains(&index) {
+                group.push(index);
+            }
+        };
+        for (at, token) in tokens.iter().enumerate() {
+            match token.kind {
+                Kind::Mark(b'(' | b'{' | b'[') => open.push(Vec::new()),
+                Kind::Mark(b')' | b'}' | b']') => {
+                    let mut closed = open.pop().unwrap_or_default();
+                    if let Some(outer) = open.last_mut() {
+                        closed.iter().for_each(|i| add(outer, *i));
+                    }
+                    if (2..=MAX_GROUP).contains(&closed.len()) {
+                        closed.sort_unstable();
+                        found.push(closed);
+                    }
+                }
+                _ => {
+                    if let (Some(group), Some(index)) = (open.last_mut(), self.meant(tokens, at)) {
+                        add(group, index);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A uniform that a script asks for.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Asked {
+    /// Its name, without an index or a member.
+    pub name: String,
+    /// Where the name stands in the file.
+    pub range: Range<usize>,
+}
+
+/// The uniforms that the scripts of a file ask for by name: `getUniformLocation(program, "name")`,
+/// and the keys of `uniforms: { ... }`.
+pub fn asked(language: Language, text: &str) -> Vec<Asked> {
+    let mut found = Vec::new();
+    for script in scripts(language, text) {
+        let content = text.get(script.clone()).unwrap_or("");
+        let read = tokens(content);
+        let word = |at: usize| {
+            let range = read.get(at).map_or(0..0, |t| t.range.clone());
+            content.get(range).unwrap_or("")
+        };
+        let mut at = 0;
+        while at < read.len() {
+            let (names, behind) = match word(at) {
+                "getUniformLocation" => {
+                    let name = second_argument(&read, at + 1);
+                    (name.into_iter().collect(), at + 1)
+                }
+                "uniforms" => keys(&read, at + 1),
+                _ => (Vec::new(), at + 1),
+            };
+            at = behind;
+            for name in names {
+                let text = content.get(name.range.clone()).unwrap_or("");
+                let end = text.find(['[', '.']).unwrap_or(text.len());
+                let name = (text.get(..end).unwrap_or(""), name.range.start);
+                let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
+                if !name.0.is_empty() && name.0.chars().all(is_plain) {
+                    let start = script.start + name.1;
+                    found.push(Asked {
+                        name: name.0.to_string(),
+                        range: start..start + end,
+                    });
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The keys of the object behind `uniforms:`, and the token at its end.
+fn keys(tokens: &[Token], at: usize) -> (Vec<&Token>, usize) {
+    let mark = |at: usize, mark| tokens.get(at).is_some_and(|t| t.kind == Kind::Mark(mark));
+    let mut keys = Vec::new();
+    if !mark(at, b':') || !mark(at + 1, b'{') {
+        return (keys, at);
+    }
+    let mut depth = 0_u32;
+    for (i, token) in tokens.iter().enumerate().skip(at + 1) {
+        match token.kind {
+            Kind::Mark(b'(' | b'[' | b'{') => depth += 1,
+            Kind::Mark(b')' | b']' | b'}') if depth <= 1 => return (keys, i),
+            Kind::Mark(b')' | b']' | b'}') => depth -= 1,
+            Kind::Word | Kind::Quoted
+                if depth == 1 && mark(i + 1, b':') && (mark(i - 1, b'{') || mark(i - 1, b',')) =>
+            {
+                keys.push(token);
+            }
+            _ => {}
+        }
+    }
+    (keys, tokens.len())
+}
+
+/// The string that is the second argument of the call whose bracket stands at `open`, if that is all
+/// there is of it.
+fn second_argument(tokens: &[Token], open: usize) -> Option<&Token> {
+    /// Longest first argument that is looked through, in tokens.
+    const MAX_ARGUMENT: usize = 16;
+    let mut depth = 0_u32;
+    for at in open..open + MAX_ARGUMENT {
+        match tokens.get(at)?.kind {
+            Kind::Mark(b'(' | b'[') => depth += 1,
+            Kind::Mark(b')' | b']') => depth = depth.checked_sub(1)?,
+            Kind::Mark(b',') if depth == 1 => {
+                let (name, close) = (tokens.get(at + 1)?, tokens.get(at + 2)?);
+                let is_string = match &name.kind {
+                    Kind::Quoted => true,
+                    Kind::Template(holes) => holes.is_empty(),
+                    _ => false,
+                };
+                let is_all = close.kind == Kind::Mark(b')');
+                return (is_string && is_all).then_some(name);
+            }
+            _ => {}
+        }
+        if depth == 0 {
+            return None;
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::extract;
+    use super::*;
+
+    /// The names of shaders that a script holds together; each shader is `void main() { NAME; }`.
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        let language = if text.starts_with('<') {
+            Language::Html
+        } else {
+            Language::Script
+        };
+        let all = extract(language, text);
+        let name = |i: &usize| all[*i].code.split(['{', ';']).nth(1).unwrap().trim();
+        let groups = together(language, text, &all);
+        let groups: Vec<String> = groups
+            .iter()
+            .map(|g| g.iter().map(name).collect::<Vec<_>>().join("+"))
+            .collect();
+        assert_eq!(groups.join(" "), expected, "{text}");
+    }
+
+    #[test]
+    fn shaders_are_named_together() {
+        check(
+            "const v = `void main() { a; }`; const f = \"void main() { b; }\"; link(gl, v, f);",
+            "a+b",
+        );
+        check(
+            "x({ vertexShader: `void main() { a; }`, fragmentShader: glsl`void main() { b; }` });\
+             x({ vertexShader: `void main() { c; }`, fragmentShader: `void main() { d; }` });",
+            "a+b c+d",
+        );
+        check(
+            "const v = `void main() { a; }`, f = `void main() { b; }`; x.v = f; x({ v: 1, f });",
+            "",
+        );
+        check(
+            "<script type=\"x-shader/x-vertex\" id=\"v\">void main() { a; }</script>\
+             <script type=\"x-shader/x-fragment\" id=\"f\">void main() { b; }</script>\
+             <script>link(get('v'), document.querySelector('#f'));</script>",
+            "a+b",
+        );
+    }
+
+    #[test]
+    fn uniforms_are_asked_for() {
+        let text = "m({ uniforms: { uA: { value: x ? y : z }, 'uB': b, ...c } });\
+            a = gl.getUniformLocation(p[1], \"uTime\"); gl.getUniformLocation(p, name);\
+            gl.getUniformLocation(p, 'uLight[0].color'); gl.getUniformLocation(p, 'u' + i);";
+        let all = asked(Language::Script, text);
+        let names: Vec<_> = all
+            .iter()
+            .map(|a| (a.name.as_str(), &text[a.range.clone()]))
+            .collect();
+        let expected = ["uA", "uB", "uTime", "uLight"];
+        assert_eq!(names, expected.map(|n| (n, n)));
+    }
+}

@@ -1,0 +1,194 @@
+//! The strings of a JSON text: where they stand, and how one is changed while the rest stays byte for
+//! byte.
+
+use std::ops::Range;
+
+/// A string of a JSON text.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct JsonString {
+    /// What it says.
+    pub value: String,
+    /// Where each byte of the value is written in the JSON text; one more for the end.
+    places: Vec<u32>,
+    /// Whether `/` is written `\/`.
+    escapes_slashes: bool,
+    /// Whether all that is not ASCII is written in escapes.
+    escapes_others: bool,
+}
+
+impl JsonString {
+    /// Reads the string whose text between the quotes stands at `range`.
+    fn read(text: &str, range: Range<usize>) -> Option<JsonString> {
+        let raw = text.get(range.clone())?;
+        let mut string = JsonString {
+            value: String::with_capacity(raw.len()),
+            places: Vec::with_capacity(raw.len() + 1),
+            escapes_slashes: raw.contains("\\/"),
+            escapes_others: raw.is_ascii() && raw.contains("\\u"),
+        };
+        let mut at = 0;
+        while let Some(rest) = raw.get(at..).filter(|r| !r.is_empty()) {
+            let (c, length) = character(rest)?;
+            let before = string.value.len();
+            string.value.push(c);
+            let bytes = string.value.len() - before;
+            string
+                .places
+                .extend(std::iter::repeat_n((range.start + at) as u32, bytes));
+            at += length;
+        }
+        string.places.push(range.end as u32);
+        Some(string)
+    }
+
+    /// Where a stretch of the value is written.
+    pub fn place(&self, from: usize, to: usize) -> Option<Range<u32>> {
+        Some(*self.places.get(from)?..*self.places.get(to)?)
+    }
+
+    /// Writes a text as the string is written.
+    pub fn escape(&self, text: &str) -> String {
+        let mut out = String::with_capacity(text.len());
+        for c in text.chars() {
+            match c {
+                '"' => out.push_str("\\\""),
+                '\\' => out.push_str("\\\\"),
+                '\n' => out.push_str("\\n"),
+                '\r' => out.push_str("\\r"),
+                '\t' => out.push_str("\\t"),
+                '/' if self.escapes_slashes => out.push_str("\\/"),
+                c if c < ' ' || (self.escapes_others && !c.is_ascii()) => {
+                    let mut units = [0; 2];
+                    for unit in c.encode_utf16(&mut units) {
+                        out.push_str(&format!("\\u{unit:04x}"));
+                    }
+                }
+                c => out.push(c),
+            }
+        }
+        out
+    }
+}
+
+/// The first character of what stands between quotes, and how long it is written.
+fn character(rest: &str) -> Option<(char, usize)> {
+    let first = rest.chars().next()?;
+    if first != '\\' {
+        return Some((first, first.len_utf8()));
+    }
+    let c = match rest.as_bytes().get(1)? {
+        b'n' => '\n',
+        b'r' => '\r',
+        b't' => '\t',
+        b'b' => '\u{8}',
+        b'f' => '\u{c}',
+        b'u' => {
+            let unit = |at: usize| u16::from_str_radix(rest.get(at..at + 4)?, 16).ok();
+            let high = unit(2)?;
+            if let Some(c) = char::from_u32(u32::from(high)) {
+                return Some((c, 6));
+            }
+            let low = unit(8).filter(|_| rest.get(6..8) == Some("\\u"))?;
+            let c = char::decode_utf16([high, low]).next()?.ok()?;
+            return Some((c, 12));
+        }
+        b'"' | b'\\' | b'/' => char::from(*rest.as_bytes().get(1)?),
+        _ => return None,
+    };
+    Some((c, 2))
+}
+
+/// What is open: an object or a list.
+struct Open<'a> {
+    is_list: bool,
+    /// Number of the entry.
+    index: usize,
+    /// The key of the entry.
+    key: &'a str,
+    awaits_key: bool,
+}
+
+/// The strings under `key` in the objects of the list under `list`, with their numbers in it.
+/// `None` where one cannot be read.
+pub fn strings_in(text: &str, list: &str, key: &str) -> Option<Vec<(usize, JsonString)>> {
+    let bytes = text.as_bytes();
+    let mut open: Vec<Open> = Vec::new();
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'{' | b'[' => open.push(Open {
+                is_list: byte == b'[',
+                index: 0,
+                key: "",
+                awaits_key: byte == b'{',
+            }),
+            b'}' | b']' => {
+                open.pop();
+            }
+            b',' => {
+                let top = open.last_mut()?;
+                top.index += 1;
+                top.awaits_key = !top.is_list;
+            }
+            b'"' => {
+                let end = string_end(bytes, at)?;
+                let range = at + 1..end;
+                at = end;
+                let depth = open.len();
+                let above = |up: usize| depth.checked_sub(up).and_then(|i| open.get(i));
+                let is_wanted = above(1).is_some_and(|o| !o.awaits_key && o.key == key)
+                    && above(2).is_some_and(|o| o.is_list)
+                    && above(3).is_some_and(|o| o.key == list);
+                if is_wanted {
+                    let index = above(2)?.index;
+                    found.push((index, JsonString::read(text, range)?));
+                } else if let Some(top) = open.last_mut().filter(|o| o.awaits_key) {
+                    top.key = text.get(range)?;
+                    top.awaits_key = false;
+                }
+            }
+            _ => {}
+        }
+        at += 1;
+    }
+    Some(found)
+}
+
+fn string_end(bytes: &[u8], open: usize) -> Option<usize> {
+    let mut at = open + 1;
+    loop {
+        match bytes.get(at)? {
+            b'\\' => at += 1,
+            b'"' => return Some(at),
+            _ => {}
+        }
+        at += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strings_are_found_where_they_stand() {
+        let text = r#"{"code": "no", "a": {"list": [{"code": "x\ny", "b": "code"}, {"c": ["z"]}, {"code": ""}]}}"#;
+        let found = strings_in(text, "list", "code").unwrap();
+        let values: Vec<(usize, &str)> = found.iter().map(|(i, s)| (*i, &*s.value)).collect();
+        assert_eq!(values, [(0, "x\ny"), (2, "")]);
+        let place = found[0].1.place(1, 2).unwrap();
+        assert_eq!(&text[place.start as usize..place.end as usize], "\\n");
+    }
+
+    #[test]
+    fn what_is_written_is_read_back_in_the_same_style() {
+        let raw = r#"[{"l": [{"k": "a\/b \u00e9 \ud834\udd1e \"\\\t"}]}]"#;
+        let found = strings_in(raw, "l", "k").unwrap();
+        let string = &found[0].1;
+        assert_eq!(string.value, "a/b é 𝄞 \"\\\t");
+        assert!(raw.contains(&string.escape(&string.value)));
+        let plain = strings_in(r#"[{"l": [{"k": "a/é"}]}]"#, "l", "k").unwrap();
+        assert_eq!(plain[0].1.escape("/é\r\n"), r"/é\r\n");
+    }
+}

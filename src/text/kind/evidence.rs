@@ -1,0 +1,367 @@
+//! What speaks for one language or another in a text, and the verdict.
+
+use super::Tongue;
+use super::scan::{Kind, Token, tokens};
+use super::signs::SIGNS;
+use rustc_hash::FxHashMap;
+use std::sync::OnceLock;
+
+/// Words in a row that make a sentence.
+const SENTENCE: usize = 5;
+/// Names in a row of words, its keywords not counted, that no declaration has.
+const NAMES: usize = 3;
+
+/// A row of [`SIGNS`], read.
+struct Sign {
+    number: usize,
+    tongue: Tongue,
+    row: Vec<&'static str>,
+    is_enough: bool,
+    starts_line: bool,
+}
+
+/// The signs, by their first tokens.
+fn signs() -> &'static FxHashMap<&'static str, Vec<Sign>> {
+    static INDEX: OnceLock<FxHashMap<&'static str, Vec<Sign>>> = OnceLock::new();
+    INDEX.get_or_init(|| {
+        let mut index: FxHashMap<&'static str, Vec<Sign>> = FxHashMap::default();
+        let rows = SIGNS
+            .iter()
+            .flat_map(|(t, rows)| rows.iter().map(|r| (*t, *r)));
+        for (number, (tongue, text)) in rows.enumerate() {
+            let mut row: Vec<&'static str> = text.split(' ').collect();
+            let is_enough = row.first() == Some(&"!") && row.len() > 1;
+            row.drain(..usize::from(is_enough));
+            let starts_line = row.first() == Some(&"^");
+            row.drain(..usize::from(starts_line));
+            let Some(first) = row.first().copied() else {
+                continue;
+            };
+            index.entry(first).or_default().push(Sign {
+                number,
+                tongue,
+                row,
+                is_enough,
+                starts_line,
+            });
+        }
+        index
+    })
+}
+
+/// A sign that a text shows.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Seen {
+    number: usize,
+    tongue: Tongue,
+    is_enough: bool,
+    /// Where.
+    start: usize,
+    end: usize,
+}
+
+/// The `#version` of a text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct VersionLine {
+    /// Its number.
+    pub number: u32,
+    /// Whether `es` stands behind it.
+    pub is_es: bool,
+    /// Where it stands.
+    pub at: usize,
+}
+
+impl VersionLine {
+    /// Whether OpenGL, OpenGL ES or Vulkan has this version, and WebGL has not.
+    pub fn is_desktop(self) -> bool {
+        match self.number {
+            310 | 320 => self.is_es,
+            110 | 120 | 130 | 140 | 150 | 330 | 400 | 410 | 420 | 430 | 440 | 450 | 460 => true,
+            _ => false,
+        }
+    }
+}
+
+/// What speaks for one language or another in a text.
+#[derive(Clone, Debug)]
+pub struct Evidence<'a> {
+    text: &'a str,
+    /// Its `#version`.
+    pub version: Option<VersionLine>,
+    seen: Vec<Seen>,
+    has_quotes: bool,
+    /// Lines that are sentences.
+    sentences: usize,
+    /// Whether a row of words is no code.
+    has_prose: bool,
+    /// Lines that begin as those of a diff.
+    changes: usize,
+    /// What its first character gives away.
+    start: Option<Tongue>,
+    /// How many closing tags and escaped brackets there are.
+    tags: usize,
+    /// Whether a type stands before a word, or a directive of GLSL on a line.
+    has_types: bool,
+}
+
+impl<'a> Evidence<'a> {
+    /// Reads a text.
+    pub fn of(text: &'a str) -> Evidence<'a> {
+        let all = tokens(text);
+        let mut evidence = Evidence {
+            text,
+            version: version(&all),
+            seen: Vec::new(),
+            has_quotes: false,
+            sentences: 0,
+            has_prose: false,
+            changes: 0,
+            start: start(&all),
+            tags: 0,
+            has_types: false,
+        };
+        let (mut words, mut names) = (0, 0);
+        let mut in_directive = false;
+        for (i, token) in all.iter().enumerate() {
+            if token.is_first {
+                (words, names, in_directive) = (0, 0, token.text == "#");
+                let is_margin = token.at == 0 || text.as_bytes().get(token.at - 1) == Some(&b'\n');
+                let is_change = matches!(token.text, "+" | "-");
+                evidence.changes += usize::from(is_margin && is_change);
+            }
+            evidence.has_quotes |= token.kind == Kind::Quoted && !in_directive;
+            evidence.note(&all, i);
+            if in_directive {
+                evidence.has_types |=
+                    matches!(token.text, "define" | "ifdef" | "endif" | "version");
+                continue;
+            }
+            match token.kind {
+                Kind::Word if is_of_declarations(token.text) => words = 0,
+                Kind::Word => {
+                    words += 1;
+                    names += usize::from(is_name(token.text));
+                }
+                _ => (words, names) = (0, 0),
+            }
+            evidence.sentences += usize::from(words == SENTENCE);
+            evidence.has_prose |= names == NAMES;
+            let next = all.get(i + 1);
+            evidence.has_types |=
+                is_type(token.text) && next.is_some_and(|n| n.kind == Kind::Word || n.text == "(");
+        }
+        evidence
+    }
+
+    /// Notes the signs that start with a token.
+    fn note(&mut self, all: &[Token], at: usize) {
+        let Some(token) = all.get(at) else { return };
+        let text = |i: usize| all.get(at + i).map_or("", |t| t.text);
+        if token.text == "<" && text(1) == "/" && text(3) == ">"
+            || token.text == "&" && matches!(text(1), "lt" | "gt") && text(2) == ";"
+        {
+            self.tags += 1;
+        }
+        for sign in signs().get(token.text).map_or(&[][..], |s| s) {
+            if self.seen.iter().any(|s| s.number == sign.number)
+                || sign.starts_line && !token.is_first
+            {
+                continue;
+            }
+            let fits = sign.row.iter().enumerate().all(|(i, part)| {
+                let token = all.get(at + i);
+                token.is_some_and(|t| match *part {
+                    "_" => t.kind == Kind::Word,
+                    "\"" => t.kind == Kind::Quoted,
+                    part => t.text == part,
+                })
+            });
+            if fits {
+                let last = all.get(at + sign.row.len() - 1).unwrap_or(token);
+                self.seen.push(Seen {
+                    number: sign.number,
+                    tongue: sign.tongue,
+                    is_enough: sign.is_enough,
+                    start: token.at,
+                    end: last.at + last.text.len(),
+                });
+            }
+        }
+    }
+
+    fn count(&self, tongue: Tongue) -> usize {
+        self.seen.iter().filter(|s| s.tongue == tongue).count()
+    }
+
+    /// Whether so many signs speak for a language; a strong one counts for three.
+    fn has_enough(&self, tongue: Tongue, wanted: usize) -> bool {
+        let of = self.seen.iter().filter(|s| s.tongue == tongue);
+        of.map(|s| if s.is_enough { 3 } else { 1 }).sum::<usize>() >= wanted
+    }
+
+    /// Whether something in it is found in no language but GLSL.
+    fn speaks_glsl(&self) -> bool {
+        self.count(Tongue::Glsl) + self.count(Tongue::Web) > 0
+    }
+
+    /// Another shading language than GLSL ES that the text is clearly written in.
+    pub fn foreign(&self) -> Option<Tongue> {
+        if let Some(version) = self.version {
+            return version.is_desktop().then_some(Tongue::Desktop);
+        }
+        let whole = [Tongue::ShaderLab, Tongue::Godot];
+        if let Some(tongue) = whole.into_iter().find(|t| self.has_enough(*t, 3)) {
+            return Some(tongue);
+        }
+        if self.has_enough(Tongue::Desktop, 3) && self.count(Tongue::Web) == 0 {
+            return Some(Tongue::Desktop);
+        }
+        let others = [Tongue::Hlsl, Tongue::Wgsl, Tongue::Metal];
+        let best = others.into_iter().filter(|t| self.has_enough(*t, 3));
+        let best = best.max_by_key(|t| self.count(*t))?;
+        (!self.speaks_glsl() && self.count(Tongue::Desktop) == 0).then_some(best)
+    }
+
+    /// Another language, none for shaders, that the text is clearly written in.
+    pub fn other(&self) -> Option<Tongue> {
+        if self.start.is_some() {
+            return self.start;
+        }
+        if self.tags >= 2 {
+            return Some(Tongue::Markup);
+        }
+        if self.has_enough(Tongue::Diff, 3) {
+            return Some(Tongue::Diff);
+        }
+        if self.version.is_some() || self.speaks_glsl() || self.foreign().is_some() {
+            return None;
+        }
+        use Tongue::{C, FSharp, Python, Rust, Script};
+        let all = [Script, C, FSharp, Rust, Python];
+        // Words of one language in declarations of another are mistakes.
+        let wanted = if self.has_types { 4 } else { 2 };
+        let named = all.into_iter().filter(|t| self.has_enough(*t, wanted));
+        let prose = (self.sentences >= 2 && !self.has_types).then_some(Tongue::Prose);
+        named.max_by_key(|t| self.count(*t)).or(prose)
+    }
+
+    /// Whether it is GLSL ES beyond doubt, whatever holds it.
+    pub fn is_glsl(&self) -> bool {
+        let is_else = |s: &Seen| !matches!(s.tongue, Tongue::Glsl | Tongue::Web);
+        if self.seen.iter().any(is_else) || self.start.is_some() || self.foreign().is_some() {
+            return false;
+        }
+        if self.has_quotes || self.has_prose || self.changes > 1 || self.tags > 0 {
+            return false;
+        }
+        let signs = self.count(Tongue::Glsl) + self.count(Tongue::Web);
+        self.version.is_some() || signs >= 2 || (signs >= 1 && super::has_main(self.text))
+    }
+
+    /// Whether a text that has a `main` can be GLSL.
+    pub fn may_be_glsl(&self) -> bool {
+        self.other().is_none() && self.tags == 0 && (self.speaks_glsl() || !self.has_quotes)
+    }
+
+    /// Whether anything in it could be GLSL.
+    pub fn has_glsl(&self) -> bool {
+        self.version.is_some() || self.speaks_glsl() || self.has_types
+    }
+
+    /// Where the first sign of a language stands.
+    pub fn first_sign(&self, tongue: Tongue) -> Option<std::ops::Range<usize>> {
+        let of = self.seen.iter().filter(|s| s.tongue == tongue);
+        of.map(|s| s.start..s.end).next()
+    }
+
+    /// The first signs of a language, as they are written.
+    pub fn told(&self, tongue: Tongue) -> Vec<&'a str> {
+        const MOST: usize = 3;
+        let of = self.seen.iter().filter(|s| s.tongue == tongue);
+        let mut texts: Vec<&str> = Vec::new();
+        for text in of.filter_map(|s| self.text.get(s.start..s.end)) {
+            if texts.len() < MOST && !texts.contains(&text) && !text.contains('\n') {
+                texts.push(text);
+            }
+        }
+        texts
+    }
+}
+
+/// The first `#version`.
+fn version(all: &[Token]) -> Option<VersionLine> {
+    let text = |i: usize| all.get(i).map_or("", |t| t.text);
+    let is_version = |i: &usize| {
+        let is_first = all.get(*i).is_some_and(|t| t.is_first);
+        is_first && text(*i) == "#" && text(i + 1) == "version"
+    };
+    let at = (0..all.len()).find(is_version)?;
+    let is_same_line = all.get(at + 3).is_some_and(|t| !t.is_first);
+    Some(VersionLine {
+        number: text(at + 2).parse().ok()?,
+        is_es: is_same_line && text(at + 3) == "es",
+        at: all.get(at)?.at,
+    })
+}
+
+/// What the first tokens give away, since no shader starts so.
+fn start(all: &[Token]) -> Option<Tongue> {
+    let text = |i: usize| all.get(i).map_or("", |t| t.text);
+    let is_word = |i: usize| all.get(i).is_some_and(|t| t.kind == Kind::Word);
+    match (text(0), text(1)) {
+        ("<", "!" | "?") => Some(Tongue::Markup),
+        ("<", _) if is_word(1) => Some(Tongue::Markup),
+        ("{", "\"" | "}") | ("[", "\"" | "{" | "]") => Some(Tongue::Json),
+        ("#", "!") if text(2) == "/" => Some(Tongue::Shell),
+        ("-", "-") if text(2) == "-" && all.get(3).is_some_and(|t| !t.is_first) => {
+            Some(Tongue::Diff)
+        }
+        // The head of a page for a generator of sites.
+        ("-", "-") if text(2) == "-" => Some(Tongue::Prose),
+        _ => None,
+    }
+}
+
+/// Words that stand in a row in declarations of GLSL.
+fn is_of_declarations(word: &str) -> bool {
+    let is_qualifier = matches!(
+        word,
+        "uniform"
+            | "highp"
+            | "mediump"
+            | "lowp"
+            | "flat"
+            | "smooth"
+            | "centroid"
+            | "varying"
+            | "attribute"
+            | "precision"
+            | "const"
+    );
+    is_qualifier || is_type(word)
+}
+
+/// Whether a word is neither a number nor one that stands before names.
+fn is_name(word: &str) -> bool {
+    let is_keyword = matches!(
+        word,
+        "return" | "else" | "if" | "case" | "do" | "for" | "while" | "in" | "out" | "inout"
+    );
+    !is_keyword && !word.starts_with(|c: char| c.is_ascii_digit())
+}
+
+fn is_type(word: &str) -> bool {
+    let is_numbered = [
+        "vec", "ivec", "uvec", "bvec", "mat", "sampler", "isampler", "usampler",
+    ]
+    .iter()
+    .any(|t| {
+        word.strip_prefix(t)
+            .is_some_and(|r| r.starts_with(|c: char| c.is_ascii_digit()))
+    });
+    is_numbered
+        || matches!(
+            word,
+            "void" | "float" | "int" | "uint" | "bool" | "struct" | "samplerCube"
+        )
+}

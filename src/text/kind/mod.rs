@@ -1,0 +1,472 @@
+//! What a file is, by its name and by what it holds: the one place that decides it.
+//!
+//! Only what is GLSL ES is read as such, and nothing else is ever written. A name that says GLSL is
+//! believed unless the text is clearly something else; a name that says nothing asks for a text that
+//! is GLSL beyond doubt; a name of another language is believed.
+
+mod evidence;
+mod scan;
+mod signs;
+
+pub use evidence::{Evidence, VersionLine};
+
+use super::embed::Language;
+use std::fmt;
+
+/// What a text is written in.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Tongue {
+    /// GLSL ES as WebGL has it, or what ShaderToy makes of it; what no other GLSL has.
+    Web,
+    /// GLSL of any kind.
+    Glsl,
+    /// GLSL of OpenGL or Vulkan: stages, qualifiers and functions that WebGL does not have.
+    Desktop,
+    /// HLSL, and Cg.
+    Hlsl,
+    /// The Metal shading language.
+    Metal,
+    /// WGSL.
+    Wgsl,
+    /// Unity's ShaderLab.
+    ShaderLab,
+    /// Godot's shading language.
+    Godot,
+    /// C, C++ and those that look like them.
+    C,
+    /// Rust.
+    Rust,
+    /// F#.
+    FSharp,
+    /// Python.
+    Python,
+    /// JavaScript and TypeScript.
+    Script,
+    /// HTML and XML.
+    Markup,
+    /// JSON.
+    Json,
+    /// What a program that compares files prints.
+    Diff,
+    /// A script that names its interpreter.
+    Shell,
+    /// Sentences.
+    Prose,
+}
+
+impl fmt::Display for Tongue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Tongue::Web => "GLSL ES",
+            Tongue::Glsl => "GLSL",
+            Tongue::Desktop => "GLSL for OpenGL or Vulkan",
+            Tongue::Hlsl => "HLSL",
+            Tongue::Metal => "Metal",
+            Tongue::Wgsl => "WGSL",
+            Tongue::ShaderLab => "Unity's ShaderLab",
+            Tongue::Godot => "Godot's shading language",
+            Tongue::C => "C or a language like it",
+            Tongue::Rust => "Rust",
+            Tongue::FSharp => "F#",
+            Tongue::Python => "Python",
+            Tongue::Script => "JavaScript",
+            Tongue::Markup => "markup",
+            Tongue::Json => "JSON",
+            Tongue::Diff => "a diff",
+            Tongue::Shell => "a script",
+            Tongue::Prose => "text",
+        })
+    }
+}
+
+/// What a file is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FileKind {
+    /// GLSL ES, all of it.
+    Shader,
+    /// JSON, which may be a ShaderToy export.
+    Export,
+    /// Something that may hold shaders.
+    Holds(Language),
+    /// A shader in a language that WebGL does not compile.
+    Foreign(Tongue),
+    /// Anything else, which is neither read nor written.
+    Other,
+}
+
+/// What a file is, and how that is known.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Decision {
+    /// What it is.
+    pub kind: FileKind,
+    reason: String,
+}
+
+impl fmt::Display for Decision {
+    /// How it is known, in words that go on behind the file's name.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.reason)
+    }
+}
+
+impl Decision {
+    /// Of JSON in which no export is found.
+    pub fn no_export() -> Decision {
+        Decision::new(FileKind::Other, "it is JSON, but no ShaderToy export")
+    }
+
+    fn new(kind: FileKind, reason: impl Into<String>) -> Decision {
+        Decision {
+            kind,
+            reason: reason.into(),
+        }
+    }
+}
+
+/// What is known of a file besides its name and text.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
+pub enum Claim {
+    /// Nothing.
+    #[default]
+    None,
+    /// The user says that it is a shader: by a pattern of the configuration, or by its dialect.
+    Shader,
+}
+
+/// What the ending of a name says.
+enum Ending {
+    /// GLSL.
+    Shader,
+    /// GLSL, or something else that uses the same ending.
+    Shared,
+    /// A stage that WebGL does not have.
+    Stage,
+    Export,
+    Holds(Language),
+    Foreign(Tongue),
+    /// Something else, in words.
+    Other(&'static str),
+    Unknown,
+}
+
+/// The ending of a file's name, in lower case; empty where it has none.
+pub fn ending(name: &str) -> String {
+    let file = name.rsplit(['/', '\\']).next().unwrap_or("");
+    let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
+    ending.to_ascii_lowercase()
+}
+
+fn ending_of(name: &str) -> Ending {
+    let ending = ending(name);
+    if let Some(language) = Language::of_extension(&ending) {
+        return Ending::Holds(language);
+    }
+    match ending.as_str() {
+        "glsl" | "frag" | "vert" | "fsh" | "vsh" | "glslf" | "glslv" => Ending::Shader,
+        "fs" | "vs" => Ending::Shared,
+        "json" | "shadertoy" => Ending::Export,
+        "comp" | "geom" | "tesc" | "tese" | "rgen" | "rint" | "rahit" | "rchit" | "rmiss"
+        | "rcall" | "mesh" | "task" => Ending::Stage,
+        "hlsl" | "hlsli" | "fxh" | "cginc" | "cg" | "usf" | "ush" => Ending::Foreign(Tongue::Hlsl),
+        "metal" => Ending::Foreign(Tongue::Metal),
+        "wgsl" => Ending::Foreign(Tongue::Wgsl),
+        "gdshader" => Ending::Foreign(Tongue::Godot),
+        other => others(other).map_or(Ending::Unknown, Ending::Other),
+    }
+}
+
+/// Languages whose files may hold GLSL, in strings or shared by macros, but are none.
+fn others(ending: &str) -> Option<&'static str> {
+    Some(match ending {
+        "c" | "h" | "cc" | "cpp" | "cxx" | "hh" | "hpp" | "hxx" | "inl" | "ipp" | "m" | "mm" => {
+            "C or C++"
+        }
+        "cu" | "cuh" => "CUDA",
+        "cl" => "OpenCL",
+        "ino" | "pde" => "a sketch",
+        "rs" => "Rust",
+        "py" | "pyi" | "pyx" | "pyw" => "Python",
+        "ipynb" => "a notebook",
+        "java" | "kt" | "kts" | "scala" | "groovy" | "gradle" => "a language of the JVM",
+        "cs" | "fsx" | "fsi" | "vb" => "a language of .NET",
+        "go" | "swift" | "dart" | "zig" | "nim" | "d" | "jl" | "r" | "lua" | "rb" | "php"
+        | "pl" | "hs" | "ml" | "mli" | "clj" | "cljs" | "elm" | "ex" | "exs" | "erl" | "hx"
+        | "as" | "gd" | "lisp" | "el" | "coffee" | "sql" | "proto" => "another language",
+        "sh" | "bash" | "zsh" | "fish" | "ps1" | "bat" | "cmd" => "a script",
+        "css" | "scss" | "sass" | "less" => "a style sheet",
+        "xml" | "svg" | "plist" => "XML",
+        "yaml" | "yml" | "toml" | "ini" | "cfg" | "conf" | "lock" | "map" | "csv" | "tsv"
+        | "log" | "jsonl" | "ndjson" | "jsonc" | "json5" => "data",
+        "rst" | "adoc" | "tex" | "org" => "text",
+        _ => return None,
+    })
+}
+
+/// Decides what a file is.
+pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
+    let kind = match ending_of(name) {
+        Ending::Other(what) => {
+            return Decision::new(FileKind::Other, format!("it is {what}, by its ending"));
+        }
+        Ending::Holds(Language::Script) if is_packed(name) => {
+            return Decision::new(FileKind::Other, "it is packed, by its ending");
+        }
+        Ending::Holds(language) => {
+            let reason = format!("it may hold shaders: it is {language}, by its ending");
+            return Decision::new(FileKind::Holds(language), reason);
+        }
+        Ending::Export => return Decision::new(FileKind::Export, "it is JSON, by its ending"),
+        Ending::Foreign(tongue) => {
+            let reason = format!("it is {tongue}, by its ending");
+            return Decision::new(FileKind::Foreign(tongue), reason);
+        }
+        kind => kind,
+    };
+    let evidence = Evidence::of(text);
+    if let Some(tongue) = evidence.foreign() {
+        return Decision::new(FileKind::Foreign(tongue), reason(&evidence, tongue));
+    }
+    if let Some(tongue) = evidence.other() {
+        return Decision::new(FileKind::Other, format!("it holds {tongue}"));
+    }
+    match (kind, claim) {
+        (Ending::Stage, _) if evidence.version.is_none() => Decision::new(
+            FileKind::Foreign(Tongue::Desktop),
+            "it is of a stage that WebGL does not have, by its ending",
+        ),
+        (Ending::Shader | Ending::Stage, _) => {
+            Decision::new(FileKind::Shader, "it is GLSL, by its ending")
+        }
+        (Ending::Shared, _) if text.trim().is_empty() || evidence.has_glsl() => {
+            Decision::new(FileKind::Shader, "it is GLSL, by its ending")
+        }
+        (Ending::Shared, Claim::None) => Decision::new(FileKind::Other, "nothing in it is GLSL"),
+        (_, Claim::Shader) => Decision::new(FileKind::Shader, "it is GLSL, as you say"),
+        _ if evidence.is_glsl() => Decision::new(FileKind::Shader, "it is GLSL, by what it holds"),
+        _ => Decision::new(
+            FileKind::Other,
+            "neither its name nor what it holds says that it is GLSL",
+        ),
+    }
+}
+
+/// How a foreign shader is known: by its version, or by what it holds.
+pub fn reason(evidence: &Evidence, tongue: Tongue) -> String {
+    match evidence.version {
+        Some(version) => {
+            let es = if version.is_es { " es" } else { "" };
+            format!("it is {tongue}: `#version {}{es}`", version.number)
+        }
+        None => {
+            let told: Vec<String> = evidence
+                .told(tongue)
+                .iter()
+                .map(|t| format!("`{t}`"))
+                .collect();
+            format!("it is {tongue}: {}", told.join(", "))
+        }
+    }
+}
+
+/// Whether files of this name are looked for in folders.
+pub fn is_searched(name: &str) -> bool {
+    let is_known = matches!(
+        ending_of(name),
+        Ending::Shader | Ending::Shared | Ending::Export | Ending::Holds(_)
+    );
+    is_known && !is_packed(name)
+}
+
+/// Whether a script is one that a program has made of others.
+fn is_packed(name: &str) -> bool {
+    [".min.js", ".min.mjs", ".min.cjs"]
+        .iter()
+        .any(|e| name.ends_with(e))
+}
+
+/// Whether a text that something else holds is a shader beyond doubt: it starts with `#version` or
+/// has a `main`, and is nothing else.
+pub fn is_shader(code: &str) -> bool {
+    let is_candidate = code.trim_start().starts_with("#version") || has_main(code);
+    is_candidate && Evidence::of(code).may_be_glsl()
+}
+
+fn has_main(code: &str) -> bool {
+    code.match_indices("void").any(|(at, word)| {
+        let behind = code.get(at + word.len()..).unwrap_or("");
+        let name = behind.trim_start();
+        let rest = name
+            .strip_prefix("mainImage")
+            .or_else(|| name.strip_prefix("main"));
+        name.len() < behind.len() && rest.is_some_and(|r| r.trim_start().starts_with('('))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(name: &str, text: &str, expected: &str) {
+        let decision = decide(name, text, Claim::None);
+        let kind = match decision.kind {
+            FileKind::Shader => "shader",
+            FileKind::Export => "export",
+            FileKind::Holds(_) => "holds",
+            FileKind::Foreign(_) => "foreign",
+            FileKind::Other => "other",
+        };
+        assert_eq!(format!("{kind}: {decision}"), expected);
+    }
+
+    const GLSL: &str = "uniform vec2 size;\nvoid main() { gl_FragColor = vec4(size, 0, 1) }";
+
+    #[test]
+    fn names_are_believed_unless_the_text_is_clearly_something_else() {
+        check("a.glsl", GLSL, "shader: it is GLSL, by its ending");
+        check(
+            "a.FRAG",
+            "float f() { return 1 }",
+            "shader: it is GLSL, by its ending",
+        );
+        check("a.frag", "", "shader: it is GLSL, by its ending");
+        check(
+            "a.glsl",
+            "<!DOCTYPE html>\n<p>void main() {}</p>",
+            "other: it holds markup",
+        );
+        check(
+            "a.glsl",
+            "import os\ndef f(x):\n    return 'vec3'\n",
+            "other: it holds Python",
+        );
+        check("a.glsl", "{\"a\": \"vec3 x\"}", "other: it holds JSON");
+        check(
+            "a.fs",
+            "module A\nopen System\nlet f x = x\n",
+            "other: it holds F#",
+        );
+        check("a.fs", ": square dup * ;\n", "other: nothing in it is GLSL");
+        check("a.fs", GLSL, "shader: it is GLSL, by its ending");
+        check(
+            "a.vue",
+            GLSL,
+            "holds: it may hold shaders: it is a component, by its ending",
+        );
+    }
+
+    #[test]
+    fn mistakes_do_not_make_another_language() {
+        for mistake in [
+            "let x = 1.0;\nvar y = 2;\nprint(x);",
+            "float3 c = lerp(a, b, saturate(t));",
+            "printf(\"x\");\nreturn x as float;",
+            "def f(x):\nelif x:",
+            "int main() {}",
+        ] {
+            let text = format!("uniform float t;\n{mistake}\n{GLSL}");
+            check("a.glsl", &text, "shader: it is GLSL, by its ending");
+        }
+        check(
+            "a.glsl",
+            "float f(float x) { return lerp(0.0, saturate(x), 1.0); }",
+            "shader: it is GLSL, by its ending",
+        );
+    }
+
+    #[test]
+    fn names_that_say_nothing_want_a_text_beyond_doubt() {
+        check("a", GLSL, "shader: it is GLSL, by what it holds");
+        check("a.txt", GLSL, "shader: it is GLSL, by what it holds");
+        check(
+            "a.inc",
+            "#version 300 es\n",
+            "shader: it is GLSL, by what it holds",
+        );
+        let unknown = "other: neither its name nor what it holds says that it is GLSL";
+        check(
+            "a.txt",
+            "Use vec3 x and gl_FragColor, as you like it best.",
+            unknown,
+        );
+        check("a.txt", "+vec3 a = vec3(1);\n-vec3 a = vec3(2);\n", unknown);
+        check("a.png", "", unknown);
+        check("a.cpp", GLSL, "other: it is C or C++, by its ending");
+        check(
+            "a.py",
+            "#version 300 es\nx = 1\n",
+            "other: it is Python, by its ending",
+        );
+    }
+
+    #[test]
+    fn other_shading_languages_are_known() {
+        let vulkan = "layout(set = 0, binding = 1) uniform sampler2D t;\nvoid main() {}\n";
+        for (name, text, reason) in [
+            (
+                "a.glsl",
+                "#version 450\nvoid main() {}",
+                "it is GLSL for OpenGL or Vulkan: `#version 450`",
+            ),
+            (
+                "a.frag",
+                "// x\n#version 310 es\n",
+                "it is GLSL for OpenGL or Vulkan: `#version 310 es`",
+            ),
+            (
+                "a.frag",
+                vulkan,
+                "it is GLSL for OpenGL or Vulkan: `layout(set`",
+            ),
+            (
+                "a.comp",
+                "void main() {}",
+                "it is of a stage that WebGL does not have, by its ending",
+            ),
+            ("a.hlsl", "", "it is HLSL, by its ending"),
+            (
+                "a.fx",
+                "cbuffer C : register(b0) { float4 c; };\nfloat4 main() : SV_Target { return c; }",
+                "it is HLSL: `cbuffer C :`, `: register(`, `float4 c`",
+            ),
+            (
+                "a.glsl",
+                "@vertex fn f(@builtin(x) i: u32) {}",
+                "it is WGSL: `@vertex`, `fn f(`, `@builtin(`",
+            ),
+            (
+                "a.glsl",
+                "#include <metal_stdlib>\nkernel void f() {}",
+                "it is Metal: `metal_stdlib`, `kernel void`",
+            ),
+            (
+                "a.shader",
+                "Shader \"x\" { SubShader { Pass { CGPROGRAM",
+                "it is Unity's ShaderLab: `Shader \"x\" {`, `SubShader {`, `CGPROGRAM`",
+            ),
+        ] {
+            check(name, text, &format!("foreign: {reason}"));
+        }
+        check(
+            "a.frag",
+            "#version 301 es\n",
+            "shader: it is GLSL, by its ending",
+        );
+    }
+
+    #[test]
+    fn shaders_in_literals_are_told_from_other_programs() {
+        assert!(is_shader("void main() {}"));
+        assert!(is_shader("\n#version 300 es\n"));
+        assert!(!is_shader(
+            "<html><script>void main() { gl_FragColor = vec4(1); }</script></html>"
+        ));
+        assert!(!is_shader(
+            "#include <stdio.h>\nvoid main() { printf(\"x\"); }"
+        ));
+        assert!(!is_shader(
+            "void main() { if (a &lt; b) gl_FragColor = vec4(1); }"
+        ));
+        assert!(!is_shader("void mainly()"));
+    }
+}

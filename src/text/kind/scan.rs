@@ -1,0 +1,159 @@
+//! The words and marks of a text in any language, as far as that is needed to tell which one it is.
+//!
+//! Comments of the C family are left out. What stands in quotes is one token, whatever it holds: a
+//! shader in a string of a program says nothing of the program.
+
+/// Most tokens that are read: what a text is written in shows early.
+const MAX_TOKENS: usize = 6000;
+/// Longest way to the end of a string that is gone, in bytes.
+const MAX_STRING: usize = 1 << 16;
+
+/// What a token is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    /// A word or a number.
+    Word,
+    /// Any other character.
+    Mark,
+    /// What stands in quotes.
+    Quoted,
+}
+
+/// A token.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Token<'a> {
+    /// What it is.
+    pub kind: Kind,
+    /// Its text; of a quoted one its quotes alone.
+    pub text: &'a str,
+    /// Where it starts.
+    pub at: usize,
+    /// Whether it is the first of its line.
+    pub is_first: bool,
+}
+
+/// Reads the tokens of a text, the first some thousands.
+pub fn tokens(text: &str) -> Vec<Token<'_>> {
+    let mut found = Vec::new();
+    let bytes = text.as_bytes();
+    let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
+    let mut is_first = true;
+    while let Some(&byte) = bytes.get(at) {
+        let from = at;
+        let kind = match byte {
+            b'\n' => {
+                is_first = true;
+                at += 1;
+                continue;
+            }
+            _ if byte.is_ascii_whitespace() => {
+                at += 1;
+                continue;
+            }
+            b'/' if matches!(bytes.get(at + 1), Some(b'/' | b'*')) => {
+                at = behind_comment(text, at);
+                continue;
+            }
+            b'"' | b'\'' | b'`' => match behind_string(text, at) {
+                Some(end) => {
+                    at = end;
+                    Kind::Quoted
+                }
+                None => {
+                    at += 1;
+                    Kind::Mark
+                }
+            },
+            _ if is_word(byte) => {
+                while bytes.get(at).is_some_and(|b| is_word(*b)) {
+                    at += 1;
+                }
+                Kind::Word
+            }
+            _ => {
+                at += 1;
+                Kind::Mark
+            }
+        };
+        let end = if kind == Kind::Quoted { from + 1 } else { at };
+        found.push(Token {
+            kind,
+            text: text.get(from..end).unwrap_or(""),
+            at: from,
+            is_first,
+        });
+        is_first = false;
+        if found.len() >= MAX_TOKENS {
+            break;
+        }
+    }
+    found
+}
+
+fn is_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80
+}
+
+fn behind_comment(text: &str, at: usize) -> usize {
+    let rest = text.get(at..).unwrap_or("");
+    let length = if rest.starts_with("//") {
+        rest.find('\n')
+    } else {
+        rest.get(2..).and_then(|r| r.find("*/")).map(|end| end + 4)
+    };
+    at + length.unwrap_or(rest.len())
+}
+
+/// One past a string that starts here; `None` where none does, as at an apostrophe.
+fn behind_string(text: &str, at: usize) -> Option<usize> {
+    let rest = text.get(at..)?;
+    let (open, before) = (rest.get(..1)?, text.get(..at)?);
+    let near = |from: usize, close: &str| {
+        let end = rest.get(from..)?.find(close)?;
+        (end < MAX_STRING).then_some(at + from + end + close.len())
+    };
+    // `don't`
+    let is_inside = before.ends_with(|c: char| c.is_alphanumeric());
+    match open {
+        "\"" if rest.starts_with("\"\"\"") => near(3, "\"\"\""),
+        "'" if rest.starts_with("'''") => near(3, "'''"),
+        // Raw strings of C++ and Rust, with the marks that people use.
+        "\"" if before.ends_with("R") => near(1, ")\"").or_else(|| near(1, "\"")),
+        "\"" if before.ends_with("r#") => near(1, "\"#"),
+        "`" => near(1, "`"),
+        "'" if is_inside => None,
+        _ => {
+            let line = rest.get(1..rest.find('\n').unwrap_or(rest.len()))?;
+            let mut is_escaped = false;
+            let end = line.bytes().position(|b| {
+                let ends = !is_escaped && b == *open.as_bytes().first().unwrap_or(&b'"');
+                is_escaped = !is_escaped && b == b'\\';
+                ends
+            })?;
+            Some(at + end + 2)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, expected: &[&str]) {
+        let texts: Vec<&str> = tokens(text).iter().map(|t| t.text).collect();
+        assert_eq!(texts, expected);
+    }
+
+    #[test]
+    fn strings_and_comments_are_passed_over() {
+        check("a // b\nc /* d\n */ e", &["a", "c", "e"]);
+        check(
+            "x = 'it\\'s' + \"y\" + `z\n`;",
+            &["x", "=", "'", "+", "\"", "+", "`", ";"],
+        );
+        check("s = \"\"\"\nvoid\n\"\"\"", &["s", "=", "\""]);
+        check("s = R\"(\n\"a\"\n)\";", &["s", "=", "R", "\"", ";"]);
+        check("don't 'a", &["don", "'", "t", "'", "a"]);
+    }
+}

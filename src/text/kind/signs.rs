@@ -1,0 +1,69 @@
+//! The signs by which languages are told apart, as data.
+
+use super::Tongue;
+use super::Tongue::*;
+
+/// Rows of tokens that, among the languages here, only one has, or few.
+///
+/// `_` stands for any word, `"` for anything in quotes, and a row that begins with `^` for the start
+/// of a line. One row that begins with `!` is enough, any other wants others beside it.
+#[rustfmt::skip]
+pub const SIGNS: &[(Tongue, &[&str])] = &[
+    (Web, &[
+        "attribute _", "varying _", "gl_FragColor", "gl_FragData", "mainImage (", "mainSound (", "mainCubemap (",
+        "precision highp", "precision mediump", "precision lowp", "texture2D (", "textureCube (", "iResolution",
+    ]),
+    (Glsl, &[
+        "gl_FragCoord", "gl_Position", "gl_PointSize", "gl_VertexID", "fragCoord", "sampler2D _",
+        "uniform vec2", "uniform vec3", "uniform vec4", "uniform mat3", "uniform mat4", "uniform _ vec2", "uniform _ vec3",
+        "vec2 (", "vec3 (", "vec4 (", "vec2 _", "vec3 _", "vec4 _", "mat2 (", "mat3 (", "mat4 (", "mat2 _", "mat3 _", "mat4 _",
+    ]),
+    (Desktop, &[
+        "! layout ( set", "! layout ( push_constant", "! layout ( local_size_x", "! layout ( vertices", "! layout ( triangles",
+        "! layout ( triangle_strip", "! layout ( quads", "! layout ( line_strip", "! layout ( lines", "! layout ( points",
+        "! EmitVertex (", "! gl_GlobalInvocationID", "! gl_LocalInvocationID", "! gl_WorkGroupID", "! gl_TessCoord",
+        "! gl_TessLevelOuter", "! gl_LaunchIDEXT", "! rayPayloadEXT _", "! rayPayloadInEXT _",
+    ]),
+    (Hlsl, &[
+        "float2 _", "float3 _", "float4 _", "float2 (", "float3 (", "float4 (", "float4x4 _", "float3x3 _", "half4 _", "half3 _",
+        ": POSITION", ": COLOR", ": COLOR0", ": NORMAL", ": TEXCOORD", ": TEXCOORD0", ": TEXCOORD1", ": SV_POSITION", ": SV_Position",
+        ": SV_TARGET", ": SV_Target", ": SV_Target0", ": SV_Depth", ": SV_DispatchThreadID", ": SV_VertexID", ": register (",
+        "cbuffer _ {", "cbuffer _ :", "tbuffer _", "Texture2D _", "Texture2D <", "TextureCube _", "SamplerState _", "StructuredBuffer <",
+        "RWStructuredBuffer <", "RWTexture2D <", "[ numthreads (", "[ unroll", "lerp (", "mul (", "saturate (", "tex2D (",
+        "technique _ {", "pass _ {", "sampler_state {", "compile vs_2_0", "compile ps_2_0", "row_major _", "# pragma fragment", "# pragma vertex",
+    ]),
+    (Metal, &[
+        "! using namespace metal", "! metal_stdlib", "! texture2d <", "! metal : :",
+        "[ [ stage_in", "[ [ position", "[ [ buffer", "[ [ texture", "[ [ vertex_id", "kernel void", "fragment float4", "fragment half4",
+        "vertex _ _ (", "constant _ &", "device _ *",
+    ]),
+    (Wgsl, &[
+        "@ vertex", "@ fragment", "@ compute", "@ binding (", "@ group (", "@ location (", "@ builtin (", "@ workgroup_size", "! var <",
+        "fn _ (", "vec2 < f32 >", "vec3 < f32 >", "vec4 < f32 >", "vec2f", "vec3f", "vec4f", "mat4x4 <", "array <", "let _ =", ": f32", ": u32",
+    ]),
+    (ShaderLab, &["! CGPROGRAM", "! HLSLPROGRAM", "! GLSLPROGRAM", "Shader \" {", "SubShader {", "Properties {", "Tags {"]),
+    (Godot, &["! ^ shader_type _", "^ render_mode _"]),
+    (C, &[
+        "# include <", "# pragma once", "int main (", "! std : :", "using namespace", "template <", "printf (", "^ class _ {", "^ class _ :",
+        "^ namespace _", "public _", "private _", "public :", "private :", "nullptr", "- > _ (", "static_cast <", "^ extern \"", "String _",
+        "^ package _", "func _ (", "fun _ (", "fmt .", "^ import \"", "System . out", "override", "virtual _", "unsigned char", "size_t",
+    ]),
+    (Rust, &[
+        "fn _ (", "pub fn", "pub struct", "pub use", "let mut", "^ use _ : :", "^ use crate", "^ impl _", "^ mod _", "# [ derive", "& self", "& mut",
+        "- > Self", "- > Result", ": : new",
+    ]),
+    (FSharp, &[
+        "! ^ open System", "^ open _", "^ module _", "^ namespace _", "let rec", "let mutable", "let inline", "let _ _ =", "let _ =", "( *", "| >", "[ <",
+        "printfn \"", "^ type _ =", "fun _ - >", "with get",
+    ]),
+    (Python, &[
+        "^ import _", "^ from _ import", "^ from _ . _ import", "def _ (", "^ class _ :", "^ class _ (", "self .", "__init__", "__name__", "elif _",
+        "print (", "lambda _", "^ if _ :", "^ else :", "^ return _ :", "@ property", "raise _", "^ try :", "^ with _", "^ pass",
+    ]),
+    (Script, &[
+        "! ^ export default", "^ export const", "^ export function", "^ export class", "^ import \"", "^ import {", "^ import _ from", "^ import *",
+        "function _ (", "function (", "= >", "require (", "console .", "document .", "window .", "const _ =", "let _ =", "var _ =", "let _ ;", "= = =",
+        "async _", "await _", "new _ (", "undefined", "typeof _", "interface _ {", ": string", ": number",
+    ]),
+    (Diff, &["! ^ diff - - git", "! @ @ -"]),
+];

@@ -1,0 +1,166 @@
+//! Vertex and fragment shaders that belong together: which are linked, where it is told, and what
+//! is never guessed.
+
+use crate::scratch::Scratch;
+
+const VERTEX: &str = "\
+#version 300 es
+in vec2 position;
+out vec3 vUv;
+void main() {
+    vUv = vec3(position, 0.0);
+    gl_Position = vec4(position, 0.0, 1.0);
+}
+";
+
+const FRAGMENT: &str = "\
+#version 300 es
+precision highp float;
+in vec2 vUv;
+out vec4 color;
+void main() {
+    color = vec4(vUv, 0.0, 1.0);
+}
+";
+
+#[track_caller]
+fn check(files: &[(&str, &str)], args: &[&str], expected: &[&str]) {
+    let scratch = Scratch::new(files);
+    let ran = scratch.run(&[args, &["--format", "short"]].concat());
+    let place = |line: &str| {
+        let (place, rest) = line.split_once(": ").unwrap();
+        format!("{place} {}", rest.split(['[', ']']).nth(1).unwrap())
+    };
+    let lines: Vec<&str> = ran.out.lines().collect();
+    let found = lines.iter().filter(|l| l.contains("]: "));
+    let places: Vec<String> = found.map(|l| place(l)).collect();
+    assert_eq!(places, expected, "{}", ran.out);
+}
+
+#[test]
+fn files_side_by_side_are_linked_and_told_once() {
+    for (vert, frag) in [
+        ("a.vert", "a.frag"),
+        ("a.vs", "a.fs"),
+        ("a.vert.glsl", "a.frag.glsl"),
+        ("water_vert.glsl", "water_frag.glsl"),
+        ("src/vertex.glsl", "src/fragment.glsl"),
+    ] {
+        let files = [(vert, VERTEX), (frag, FRAGMENT)];
+        let expected = format!("{frag}:3:9 link-varying");
+        check(&files, &["."], &[&expected]);
+        // Whichever of the two is named, the other is looked at, too.
+        check(&files, &[vert], &[&expected]);
+        check(&files, &[frag], &[&expected]);
+        check(&files, &[frag, vert], &[&expected]);
+    }
+}
+
+#[test]
+fn other_files_are_not() {
+    check(&[("a.vert", VERTEX), ("b.frag", FRAGMENT)], &["."], &[]);
+    check(&[("a.vert", VERTEX), ("sub/a.frag", FRAGMENT)], &["."], &[]);
+    // The other's own mistakes are not this file's.
+    let broken = FRAGMENT.replace("color =", "colour =");
+    check(&[("a.vert", VERTEX), ("a.frag", &broken)], &["a.vert"], &[]);
+    // What the page may turn on is not missing.
+    let vertex = VERTEX.replace("out vec3 vUv;", "#ifdef UV\nout vec2 vUv;\n#endif");
+    let vertex = vertex
+        .replace("vUv = ", "gl_PointSize = ")
+        .replace("vec3(position, 0.0);", "1.0;");
+    check(&[("a.vert", &vertex), ("a.frag", FRAGMENT)], &["."], &[]);
+}
+
+const PAGE: &str = "\
+<script id=\"vs\" type=\"x-shader/x-vertex\">
+attribute vec2 position;
+varying vec2 vUv;
+void main() { vUv = position; gl_Position = vec4(position, 0.0, 1.0); }
+</script>
+<script id=\"fs\" type=\"x-shader/x-fragment\">
+precision highp float;
+varying vec3 vUv;
+uniform float uTime;
+void main() { gl_FragColor = vec4(vUv * uTime, 1.0); }
+</script>
+";
+
+#[test]
+fn a_page_with_one_of_each_is_linked() {
+    check(
+        &[("p.html", PAGE)],
+        &["p.html"],
+        &["p.html:8:14 link-varying"],
+    );
+    // Of three shaders nobody knows which belong together, until a script says it.
+    let third = PAGE
+        .replace("id=\"fs\"", "id=\"other\"")
+        .replace("uTime", "uOther");
+    let three = format!("{PAGE}{}", third.split_once("</script>\n").unwrap().1);
+    check(&[("p.html", &three)], &["p.html"], &[]);
+    let told = format!("{three}<script>link(gl, get('vs'), get('fs'));</script>");
+    check(
+        &[("p.html", &told)],
+        &["p.html"],
+        &["p.html:8:14 link-varying"],
+    );
+}
+
+#[test]
+fn uniforms_that_a_page_asks_for_are_there() {
+    let page = PAGE.replace("varying vec3 vUv;", "varying vec2 vUv;");
+    let page = page.replace("vec4(vUv * uTime, 1.0)", "vec4(vUv * uTime, 0.0, 1.0)");
+    let asks = |name: &str| {
+        format!("{page}<script>const u = gl.getUniformLocation(p, {name});</script>\n")
+    };
+    check(&[("p.html", &asks("'uTime'"))], &["p.html"], &[]);
+    let found = ["p.html:12:45 unknown-uniform"];
+    check(&[("p.html", &asks("'utime'"))], &["p.html"], &found);
+    check(&[("p.html", &asks("name"))], &["p.html"], &[]);
+    check(&[("p.html", &asks("'u' + name"))], &["p.html"], &[]);
+    check(
+        &[("p.html", &asks("'utime'"))],
+        &["--ignore", "unknown-uniform", "p.html"],
+        &[],
+    );
+    // A second program may have it.
+    let two = format!("{page}{}", asks("'utime'"));
+    check(&[("p.html", &two)], &["p.html"], &[]);
+}
+
+#[test]
+fn materials_of_three_js_are_linked_one_by_one() {
+    let script = "\
+import * as THREE from 'three';
+const good = new THREE.ShaderMaterial({
+  vertexShader: `
+    varying vec2 vUv;
+    void main() { vUv = uv; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`,
+  fragmentShader: `
+    varying vec2 vUv;
+    void main() { gl_FragColor = vec4(vUv, 0.0, 1.0); }`,
+});
+const bad = new THREE.ShaderMaterial({
+  vertexShader: `
+    void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`,
+  fragmentShader: `
+    varying vec2 vUv;
+    void main() { gl_FragColor = vec4(vUv, 0.0, 1.0); }`,
+});
+";
+    check(&[("m.js", script)], &["m.js"], &["m.js:14:18 link-varying"]);
+    let (one, _) = script.split_once("const bad").unwrap();
+    let keys = "uniforms: { uTime: { value: 0 }, uColour: { value: c } },\n  vertexShader";
+    let asks = one.replacen("vertexShader", keys, 1);
+    let asks = asks.replacen(
+        "varying vec2 vUv;\n    void main() { gl_F",
+        "varying vec2 vUv; uniform float uTime;\n    void main() { gl_F",
+        1,
+    );
+    let asks = asks.replace("vec4(vUv, 0.0, 1.0)", "vec4(vUv, uTime, 1.0)");
+    check(
+        &[("m.js", &asks)],
+        &["m.js"],
+        &["m.js:3:36 unknown-uniform"],
+    );
+}
