@@ -166,6 +166,7 @@ proptest! {
             return Ok(());
         };
         for d in &found.diagnostics {
+            prop_assert!(!d.message.contains('\n'), "{}", d.message);
             let labels = d.labels.iter().map(|l| l.span);
             let edits = d.fix.iter().flat_map(|f| f.edits.iter().map(|e| e.span));
             for span in std::iter::once(d.span).chain(labels).chain(edits) {

@@ -166,7 +166,13 @@ fn fix_in_steps(
             }
         }
         for _ in 0..MAX_ROUNDS {
-            let Some(next) = engine.round(&fixed, &seen, step) else {
+            let next = engine.round(&fixed, &seen, Allow::Safe);
+            let next = match step {
+                Allow::Safe => next,
+                // What another fix brought to light may have a safe one.
+                Allow::Unsafe => next.or_else(|| engine.round(&fixed, &seen, step)),
+            };
+            let Some(next) = next else {
                 break;
             };
             (fixed, seen) = next;
@@ -188,16 +194,37 @@ struct Kept<'a> {
 }
 
 impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
-    /// One round: all fixes together, without those that do harm.
+    /// One round: all fixes that go together, without those that do harm. Where all of them do,
+    /// those that they stood in the way of.
     fn round(&mut self, fixed: &Fixed, seen: &Look, allow: Allow) -> Option<(Fixed, Look)> {
-        let fixes = choose(&seen.diagnostics, seen.span, allow);
+        let mut open: Vec<&Diagnostic> = seen.diagnostics.iter().collect();
+        loop {
+            let fixes = choose(&open, seen.span, allow);
+            if fixes.is_empty() {
+                return None;
+            }
+            if let Some(after) = self.without_harm(fixed, seen, &fixes) {
+                return Some(after);
+            }
+            let mut refused = fixes.iter().peekable();
+            open.retain(|d| refused.next_if(|r| std::ptr::eq(**r, *d)).is_none());
+        }
+    }
+
+    /// What becomes of a text by all of `fixes` that do no harm.
+    fn without_harm(
+        &mut self,
+        fixed: &Fixed,
+        seen: &Look,
+        fixes: &[&Diagnostic],
+    ) -> Option<(Fixed, Look)> {
         let mut kept = Kept {
             fixes: Vec::new(),
             after: None,
         };
         // Halves are tried where the whole does harm, so that one bad fix among many costs few
         // looks.
-        let mut todo = vec![fixes.as_slice()];
+        let mut todo = vec![fixes];
         while let Some(next) = todo.pop() {
             let together = [kept.fixes.as_slice(), next].concat();
             if next.is_empty() {
@@ -384,7 +411,7 @@ pub fn keep_comments(sources: &Sources, comments: &[Span], diagnostic: &mut Diag
 
 /// The fixes that go together: in the order of the text, each of which touches nothing that one
 /// before it touches. The same fix offered twice counts once.
-fn choose(diagnostics: &[Diagnostic], span: Span, allow: Allow) -> Vec<&Diagnostic> {
+fn choose<'a>(diagnostics: &[&'a Diagnostic], span: Span, allow: Allow) -> Vec<&'a Diagnostic> {
     let mut taken: Vec<Span> = Vec::new();
     let mut chosen: Vec<&Diagnostic> = Vec::new();
     for found in diagnostics {

@@ -201,6 +201,14 @@ fn much_is_broken_in_one_line() {
     judge(&body(&structs), Refused);
 }
 
+/// Two slips for each of which the same token may be one too many.
+#[test]
+fn corrections_meet() {
+    let code = "y 08 default: return \u{e9}, += f(uniform ; } /* note */ [o = vec4(x, y, 0.0, 1.0);\n\
+                o ) vec3 #else\nx const ";
+    judge(code, Refused);
+}
+
 #[test]
 fn macros_explode() {
     let doubled = |depth: usize| {

@@ -61,6 +61,12 @@ pub struct Correction {
     pub(super) diagnostic: Diagnostic,
 }
 
+impl Correction {
+    pub(super) fn is_insertion(&self) -> bool {
+        matches!(self.change, Change::Insert(..))
+    }
+}
+
 /// The corrections between which the syntax alone cannot decide, the most probable first.
 pub type Choice = Vec<Correction>;
 

@@ -125,7 +125,10 @@ pub fn parse_corrected(
 ) -> Parse {
     let mut list = std::mem::take(&mut tokens.tokens);
     let mut sorted = corrections.to_vec();
-    sorted.sort_by_key(|c| c.at);
+    // What is put in before a token comes before what happens to the token itself.
+    sorted.sort_by_key(|c| (c.at, !c.is_insertion()));
+    // Two alternatives may take out the same token, which is not there a second time.
+    sorted.dedup_by(|b, a| a.at == b.at && !a.is_insertion() && !b.is_insertion());
     for correction in sorted.iter().rev() {
         change_tokens(&mut list, correction.at, correction.change);
     }
@@ -309,7 +312,7 @@ impl<'a> Parser<'a> {
 
     fn advance(&mut self) -> TokenId {
         let id = self.id();
-        if self.at + 1 < self.tokens.len() {
+        if !self.is(TokenKind::End) {
             self.at += 1;
         }
         id

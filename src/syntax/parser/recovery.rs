@@ -11,6 +11,8 @@ use crate::text::{Edit, Span};
 const MAX_INDENT: usize = 200;
 /// Longest list of parameters, in tokens, that is taken for one; 255 parameters are allowed.
 const MAX_PARAM_TOKENS: usize = 4_000;
+/// Longest type that a message repeats with its sizes, in bytes.
+const MAX_QUOTED: usize = 40;
 
 impl Parser<'_> {
     /// Whether the next token stands on another line than the one before it.
@@ -81,10 +83,11 @@ impl Parser<'_> {
     }
 
     pub(super) fn type_as_value(&mut self, ty: TypeId) -> Reported {
-        let name = self
-            .sources
-            .text(self.span(self.tree.ty(ty).extent))
-            .to_string();
+        let extent = self.tree.ty(ty).extent;
+        let mut name = self.sources.text(self.span(extent));
+        if name.len() > MAX_QUOTED || name.contains('\n') {
+            name = self.text(&self.token(extent.first as usize));
+        }
         self.unexpected(&format!("`(` behind the type `{name}`"))
     }
 
