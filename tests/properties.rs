@@ -148,11 +148,6 @@ proptest! {
             last = next;
         }
     }
-}
-
-proptest! {
-    // Most of these texts are broken, and each is checked many times to find what was meant.
-    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn line_ends_make_no_difference(text in texts()) {

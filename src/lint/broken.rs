@@ -7,7 +7,7 @@ use crate::semantic::flow::CallGraph;
 use crate::semantic::{Function, FunctionRef, Program, Type};
 use crate::syntax::ast::{ExprKind, Item, StmtKind};
 use crate::syntax::{Macro, Name, TokenKind};
-use crate::text::Span;
+use crate::text::{Role, Span};
 use rustc_hash::FxHashSet;
 
 /// Longest piece of code that a finding may stand on beside errors, in bytes: who calls what is
@@ -195,8 +195,14 @@ impl<'p> Broken<'p> {
         if lost.is_empty() {
             return;
         }
+        // What the host puts around the text means its own.
+        let is_user = |span: Span| {
+            let file = program.sources.file_at(span.start);
+            file.is_some_and(|f| f.role == Role::User)
+        };
         for token in &program.tokens.tokens {
-            if token.kind == TokenKind::Identifier && lost.contains(&Name(token.value)) {
+            let is_lost = token.kind == TokenKind::Identifier && lost.contains(&Name(token.value));
+            if is_lost && is_user(token.span) {
                 self.mark(token.span.start);
             }
         }

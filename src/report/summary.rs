@@ -192,7 +192,7 @@ impl Summary {
         }
         if self.unrun_shaders > 0 {
             lines.push(format!(
-                "rules did not run in {}, whose errors stand outside functions",
+                "rules did not run in {}, whose errors reach beyond one function",
                 count(self.unrun_shaders, "shader")
             ));
         }

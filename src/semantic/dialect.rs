@@ -177,11 +177,6 @@ pub fn guess(text: &str) -> Guess {
     if any.iter().any(|w| has(w)) {
         seen.read(text);
     }
-    let stage = if seen.vertex {
-        Some(Stage::Vertex)
-    } else {
-        None
-    };
     let kind = if seen.version {
         Some(Kind::Versioned)
     } else if let Some(pass) = seen.pass {
@@ -192,6 +187,12 @@ pub fn guess(text: &str) -> Guess {
         Some(if seen.new { Kind::WebGl2 } else { Kind::WebGl1 })
     } else {
         None
+    };
+    // Every pass of ShaderToy is a fragment shader, whatever it mentions.
+    let stage = match kind {
+        Some(Kind::ShaderToy(_)) => Some(Stage::Fragment),
+        _ if seen.vertex => Some(Stage::Vertex),
+        _ => None,
     };
     Guess { kind, stage }
 }

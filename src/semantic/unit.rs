@@ -92,6 +92,13 @@ pub(super) fn analyze_once<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     };
     // Of half a shader only what the preprocessor says is certain.
     if !gave_up {
+        // What the lexer says of a piece of a foreign form is no second mistake.
+        let is_told = |d: &Diagnostic| {
+            let mut forms = translated.diagnostics.iter().map(|form| form.span);
+            d.rule == error::INVALID_NUMBER
+                && forms.any(|form| form != d.span && form.contains(d.span))
+        };
+        diagnostics.retain(|d| !is_told(d));
         diagnostics.extend(problems);
         diagnostics.extend(translated.diagnostics);
     }

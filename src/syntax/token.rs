@@ -80,6 +80,42 @@ pub enum TokenKind {
     ShiftRightEqual, AndEqual, OrEqual, XorEqual,
 }
 
+impl TokenKind {
+    /// Whether the token alone is an operand.
+    pub fn is_operand(self) -> bool {
+        use TokenKind as T;
+        matches!(
+            self,
+            T::Identifier | T::Int | T::Uint | T::Float | T::True | T::False
+        )
+    }
+
+    /// Whether an operand may start with the token.
+    pub fn starts_operand(self) -> bool {
+        use TokenKind as T;
+        let is_unary_operator = matches!(self, T::Plus | T::Minus | T::Not | T::Tilde);
+        self.is_operand() || is_unary_operator || matches!(self, T::Type | T::LeftParen)
+    }
+
+    /// Whether an operand may end with the token.
+    pub fn ends_operand(self) -> bool {
+        self.is_operand() || matches!(self, TokenKind::RightParen | TokenKind::RightBracket)
+    }
+
+    /// Whether the token stands between two operands, of which it changes none (section 5.1).
+    #[rustfmt::skip]
+    pub fn is_binary_operator(self) -> bool {
+        use TokenKind as T;
+        matches!(
+            self,
+            T::Plus | T::Minus | T::Star | T::Slash | T::Percent
+                | T::Less | T::Greater | T::LessEqual | T::GreaterEqual | T::EqualEqual | T::NotEqual
+                | T::AndAnd | T::OrOr | T::XorXor
+                | T::And | T::Or | T::Xor | T::ShiftLeft | T::ShiftRight
+        )
+    }
+}
+
 /// A token as the parser sees it, with the place it came from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Token {

@@ -96,7 +96,7 @@ void mainImage(out vec4 c, in vec2 p) {
     let last = ran.out.lines().last().unwrap();
     assert_eq!(
         last,
-        "rules did not run in 1 shader, whose errors stand outside functions"
+        "rules did not run in 1 shader, whose errors reach beyond one function"
     );
 }
 

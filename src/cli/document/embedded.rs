@@ -66,10 +66,10 @@ fn part(
         (DialectChoice::Auto, kind) => kind.unwrap_or(Kind::WebGl2),
     };
     let is_vertex = embedded.is_vertex || told.stage == Some(Stage::Vertex);
-    let stage = if is_vertex {
-        Stage::Vertex
-    } else {
-        Stage::Fragment
+    let stage = match kind {
+        Kind::ShaderToy(_) => Stage::Fragment,
+        _ if is_vertex => Stage::Vertex,
+        _ => Stage::Fragment,
     };
     let is_three = may_be_three && (host.is_three || options.host.is_three);
     let header = match kind {

@@ -198,9 +198,10 @@ pub(super) fn shader_part(
             None => Kind::ShaderToy(Pass::Common),
         },
     };
-    let stage = match extension {
-        "vert" | "vs" | "vsh" => Stage::Vertex,
-        "frag" | "fs" | "fsh" => Stage::Fragment,
+    let stage = match (kind, extension) {
+        (Kind::ShaderToy(_), _) => Stage::Fragment,
+        (_, "vert" | "vs" | "vsh") => Stage::Vertex,
+        (_, "frag" | "fs" | "fsh") => Stage::Fragment,
         _ => told.stage.unwrap_or(Stage::Fragment),
     };
     let is_three = options.host.is_three && told.kind != Some(Kind::Versioned);

@@ -367,29 +367,5 @@ impl Case<'_> {
 
 /// Whether a token stands between two operands.
 pub(super) fn is_operator(kind: TokenKind) -> bool {
-    use TokenKind as T;
-    matches!(
-        kind,
-        T::Plus
-            | T::Minus
-            | T::Star
-            | T::Slash
-            | T::Percent
-            | T::Less
-            | T::Greater
-            | T::LessEqual
-            | T::GreaterEqual
-            | T::EqualEqual
-            | T::NotEqual
-            | T::AndAnd
-            | T::OrOr
-            | T::XorXor
-            | T::And
-            | T::Or
-            | T::Xor
-            | T::ShiftLeft
-            | T::ShiftRight
-            | T::Dot
-            | T::Question
-    )
+    kind.is_binary_operator() || matches!(kind, TokenKind::Dot | TokenKind::Question)
 }

@@ -1,11 +1,10 @@
 //! Corrections inside one statement or declaration: each change of one token before the place
 //! where the grammar fails is tried, and those stay under which the reading gets furthest.
 
-use super::correction::{Certainty, Change, Choice, KEYWORDS, VALUE_TYPES, change_tokens};
+use super::correction::{Certainty, Change, Choice, VALUE_TYPES, change_tokens};
 use super::{Parser, Repairs};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::ast::Tree;
-use crate::syntax::names::Name;
 use crate::syntax::token::{Token, TokenKind};
 
 /// Tokens behind what has to fit that a trial reads.
@@ -36,6 +35,15 @@ pub(super) enum Scope {
     Body,
 }
 
+/// How far a trial has to read.
+#[derive(Clone, Copy)]
+struct Reach {
+    /// The last token that has to fit.
+    goal: usize,
+    /// Whether the shader goes on behind what the trial is given.
+    is_cut: bool,
+}
+
 /// A change, and how implausible it is.
 #[derive(Clone, Copy)]
 struct Candidate {
@@ -59,6 +67,7 @@ impl<'a> Parser<'a> {
             repairs: Repairs::default(),
             item_before: None,
             structs: None,
+            has_unknown_types: false,
             tree: Tree::default(),
             open_args: Vec::new(),
             reserved: Vec::new(),
@@ -107,7 +116,10 @@ impl<'a> Parser<'a> {
         let last = self.tokens.len().saturating_sub(1);
         let goal = self.behind_statement(fault).max(fault + MUST_FIT);
         let end = last.min(goal + LOOKAHEAD);
-        let goal = goal - start;
+        let reach = Reach {
+            goal: goal - start,
+            is_cut: end < last,
+        };
         let code = self.tokens.get(start..end).unwrap_or(&[]).to_vec();
         let mut found = Vec::new();
         for candidate in self.candidates(start, fault, scope) {
@@ -122,7 +134,7 @@ impl<'a> Parser<'a> {
                 kind: TokenKind::End,
                 ..self.end
             });
-            if self.trial(tokens).reads_past(goal, scope) {
+            if self.trial(tokens).reads_past(reach, scope) {
                 found.push(candidate);
             }
         }
@@ -146,8 +158,9 @@ impl<'a> Parser<'a> {
         found.map_or(fault, |at| at + 1)
     }
 
-    /// Whether everything up to `goal`, or to the end of the block, can be read.
-    fn reads_past(&mut self, goal: usize, scope: Scope) -> bool {
+    /// Whether everything up to the goal, or to the end of the block, can be read.
+    fn reads_past(&mut self, reach: Reach, scope: Scope) -> bool {
+        let Reach { goal, is_cut } = reach;
         while !self.is(TokenKind::End) && self.at <= goal {
             let ends = match scope {
                 Scope::Global => false,
@@ -164,7 +177,7 @@ impl<'a> Parser<'a> {
                 Scope::Global => self.item_or_error(),
             }
             if let Some(fault) = self.fault {
-                return fault > goal || fault + 1 >= self.tokens.len();
+                return fault > goal || is_cut && fault + 1 >= self.tokens.len();
             }
         }
         true
@@ -403,120 +416,37 @@ impl<'p, 'a> Around<'p, 'a> {
             T::LeftParen => self.add(at, Change::Replace(T::LeftBracket), 2),
             T::EqualEqual => self.add(at, Change::Replace(T::Equal), 1),
             T::Identifier if is_near || at == self.start => {
-                if let Some(keyword) = self.keyword_like(at) {
+                if let Some(keyword) = self.parser.keyword_like(at) {
                     self.add(at, Change::Replace(keyword), 0);
                 }
             }
             _ => {}
         }
     }
-
-    /// The keyword that a name is a slip of.
-    fn keyword_like(&self, at: usize) -> Option<TokenKind> {
-        let parser = self.parser;
-        let token = parser.token(at);
-        let word = parser.names.text(Name(token.value));
-        let slips = |keyword: &str| match keyword.len().abs_diff(word.len()) {
-            0..=2 => strsim::damerau_levenshtein(keyword, word),
-            _ => usize::MAX,
-        };
-        let likely = KEYWORDS
-            .iter()
-            .map(|&(text, kind)| (slips(text), text.len(), kind));
-        let mut likely = likely.filter(|&(slips, length, _)| slips <= (length - 1) / 3);
-        likely.next().map(|(.., kind)| kind)
-    }
 }
 
-/// Whether an operand may end with such a token.
+/// Whether an operand may end with such a token, a faulty one included.
 fn ends_operand(kind: TokenKind) -> bool {
     use TokenKind as T;
-    matches!(
-        kind,
-        T::Identifier
-            | T::Reserved
-            | T::Int
-            | T::Uint
-            | T::Float
-            | T::True
-            | T::False
-            | T::RightParen
-            | T::RightBracket
-            | T::Increment
-            | T::Decrement
-            | T::Bad
-    )
+    kind.ends_operand() || matches!(kind, T::Reserved | T::Increment | T::Decrement | T::Bad)
 }
 
-/// Whether an operand may start with such a token.
+/// Whether an operand may start with such a token, a faulty one included.
 fn starts_operand(kind: TokenKind) -> bool {
-    use TokenKind as T;
-    matches!(
-        kind,
-        T::Identifier
-            | T::Reserved
-            | T::Type
-            | T::Int
-            | T::Uint
-            | T::Float
-            | T::True
-            | T::False
-            | T::LeftParen
-            | T::Minus
-            | T::Plus
-            | T::Not
-            | T::Tilde
-            | T::Bad
-    )
+    kind.starts_operand() || matches!(kind, TokenKind::Reserved | TokenKind::Bad)
 }
 
+/// Whether such a token is put in by a slip more easily than a word.
+#[rustfmt::skip]
 fn is_punctuation(kind: TokenKind) -> bool {
     use TokenKind as T;
-    matches!(
-        kind,
-        T::LeftParen
-            | T::RightParen
-            | T::LeftBracket
-            | T::RightBracket
-            | T::Dot
-            | T::Comma
-            | T::Semicolon
-            | T::Colon
-            | T::Question
-    ) || is_operator(kind)
-}
-
-fn is_operator(kind: TokenKind) -> bool {
-    use TokenKind as T;
-    matches!(
-        kind,
-        T::Plus
-            | T::Minus
-            | T::Star
-            | T::Slash
-            | T::Percent
-            | T::Less
-            | T::Greater
-            | T::LessEqual
-            | T::GreaterEqual
-            | T::EqualEqual
-            | T::NotEqual
-            | T::AndAnd
-            | T::OrOr
-            | T::XorXor
-            | T::Not
-            | T::Tilde
-            | T::And
-            | T::Or
-            | T::Xor
-            | T::ShiftLeft
-            | T::ShiftRight
-            | T::Equal
-            | T::PlusEqual
-            | T::MinusEqual
-            | T::StarEqual
-            | T::SlashEqual
-    )
+    kind.is_binary_operator()
+        || matches!(
+            kind,
+            T::LeftParen | T::RightParen | T::LeftBracket | T::RightBracket
+                | T::Dot | T::Comma | T::Semicolon | T::Colon | T::Question | T::Not | T::Tilde
+                | T::Equal | T::PlusEqual | T::MinusEqual | T::StarEqual | T::SlashEqual
+        )
 }
 
 #[cfg(test)]

@@ -274,6 +274,12 @@ impl Parser<'_> {
                     if self.token(now.at).is_direct() {
                         let oddness = if before == T::LeftBrace { 0 } else { 2 };
                         found.push((index, Change::Delete, oddness));
+                        if matches!(
+                            before,
+                            T::Identifier | T::Type | T::If | T::For | T::While | T::Switch
+                        ) {
+                            found.push((index, Change::Replace(T::LeftParen), 1));
+                        }
                     }
                 }
                 T::RightBrace => open = open.saturating_sub(1),
@@ -291,6 +297,7 @@ impl Parser<'_> {
         let mut found = Vec::new();
         let mut before = (T::End, T::End);
         let mut open = 0_u32;
+        let mut brackets = OpenBrackets::default();
         for (index, now) in laid.iter().enumerate() {
             let is_head = matches!(before.1, T::RightParen | T::Else | T::Do)
                 || (before.0 == T::Struct && before.1 == T::Identifier);
@@ -302,7 +309,11 @@ impl Parser<'_> {
             }
             if now.kind == T::RightBrace && self.token(now.at).is_direct() {
                 found.push((index, Change::Delete, 1));
+                if let Some(close) = brackets.close() {
+                    found.push((index, Change::Replace(close), 1));
+                }
             }
+            brackets.read(now.kind);
             match now.kind {
                 T::LeftBrace => open += 1,
                 T::RightBrace => open = open.saturating_sub(1),
@@ -467,8 +478,10 @@ fn misfits(laid: &[Laid], index: usize, change: Change) -> (usize, Option<usize>
                 ..*token
             });
         }
-        if i != index || change != Change::Delete {
-            layout.read(*token);
+        match change {
+            Change::Delete if i == index => {}
+            Change::Replace(kind) if i == index => layout.read(Laid { kind, ..*token }),
+            _ => layout.read(*token),
         }
     }
     if index >= laid.len() {
@@ -580,23 +593,37 @@ impl Layout {
     }
 }
 
+/// The parentheses and square brackets of a statement that are open.
+#[derive(Default)]
+struct OpenBrackets(Vec<TokenKind>);
+
+impl OpenBrackets {
+    fn read(&mut self, kind: TokenKind) {
+        use TokenKind as T;
+        match kind {
+            T::LeftParen => self.0.push(T::RightParen),
+            T::LeftBracket => self.0.push(T::RightBracket),
+            T::RightParen | T::RightBracket => {
+                self.0.pop();
+            }
+            T::LeftBrace | T::RightBrace => self.0.clear(),
+            _ => {}
+        }
+    }
+
+    /// What closes the innermost.
+    fn close(&self) -> Option<TokenKind> {
+        self.0.last().copied()
+    }
+}
+
 /// Whether no statement starts with such a token.
 fn is_operator_like(kind: TokenKind) -> bool {
     use TokenKind as T;
-    matches!(
-        kind,
-        T::Plus
-            | T::Star
-            | T::Slash
-            | T::Dot
-            | T::Comma
-            | T::RightParen
-            | T::RightBracket
-            | T::Question
-            | T::Colon
-            | T::Less
-            | T::Greater
-            | T::AndAnd
-            | T::OrOr
-    )
+    let is_sign = matches!(kind, T::Plus | T::Minus);
+    kind.is_binary_operator() && !is_sign
+        || matches!(
+            kind,
+            T::Dot | T::Comma | T::RightParen | T::RightBracket | T::Question | T::Colon
+        )
 }

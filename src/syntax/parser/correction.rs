@@ -6,7 +6,7 @@
 
 use super::Parser;
 use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::syntax::names::TypeWord;
+use crate::syntax::names::{Name, TypeWord};
 use crate::syntax::token::{Token, TokenKind};
 use crate::text::{Edit, Role, Span};
 
@@ -38,6 +38,13 @@ pub(super) const KEYWORDS: &[(&str, TokenKind)] = &[
     ("struct", TokenKind::Struct),
     ("uniform", TokenKind::Uniform),
     ("void", TokenKind::Void),
+    ("default", TokenKind::Default),
+    ("if", TokenKind::If),
+    ("for", TokenKind::For),
+    ("do", TokenKind::Do),
+    ("in", TokenKind::In),
+    ("out", TokenKind::Out),
+    ("inout", TokenKind::Inout),
 ];
 
 /// A change of the tokens at one place.
@@ -196,6 +203,28 @@ impl Parser<'_> {
         }
     }
 
+    /// The keyword that a name is a slip of: a letter of three is another one, two letters have
+    /// changed places, or some are capitals.
+    pub(super) fn keyword_like(&self, at: usize) -> Option<TokenKind> {
+        let word = self.names.text(Name(self.token(at).value));
+        if word.len() > MAX_KEYWORD {
+            return None;
+        }
+        let word = word.to_ascii_lowercase();
+        let letters = |text: &str| {
+            let mut letters = text.as_bytes().to_vec();
+            letters.sort_unstable();
+            letters
+        };
+        let is_slip = |keyword: &str| {
+            let slips = strsim::damerau_levenshtein(keyword, &word);
+            let is_turned = slips == 1 && letters(keyword) == letters(&word);
+            is_turned || slips <= (keyword.len() - 1) / 3
+        };
+        let found = KEYWORDS.iter().find(|(keyword, _)| is_slip(keyword));
+        found.map(|(_, kind)| *kind)
+    }
+
     fn missing(&self, at: usize, kind: TokenKind, value: u32) -> Diagnostic {
         use TokenKind as T;
         let symbol = symbol(kind, value);
@@ -239,7 +268,9 @@ impl Parser<'_> {
                 title,
                 vec![Edit::insert(place.start, text)],
             ));
-        if let Some(open) = self.unclosed_before(at, kind) {
+        let open = self.unclosed_before(at, kind);
+        // One that a correction put in is not there to see.
+        if let Some(open) = open.filter(|&open| !self.token(open).span.is_empty()) {
             let partner = self.text(&self.token(open));
             d = d.label(
                 self.token(open).span,
@@ -379,6 +410,8 @@ fn is_word(kind: TokenKind) -> bool {
     )
 }
 
+/// Longest word, in bytes, that is compared with the keywords.
+const MAX_KEYWORD: usize = 12;
 /// How far a partner is looked for, in tokens.
 const MAX_LOOK: usize = 1_000;
 

@@ -7,7 +7,6 @@ use crate::syntax::ast::*;
 use crate::syntax::names::{Name, TypeWord};
 use crate::syntax::token::TokenKind;
 use crate::text::{Edit, Span};
-use rustc_hash::FxHashSet;
 
 /// Longest rest of a list of parameters that is looked at to its end, in tokens.
 const MAX_PARAMS: usize = 60;
@@ -402,6 +401,7 @@ impl Parser<'_> {
             }
             TokenKind::Identifier => {
                 self.advance();
+                self.has_unknown_types |= self.is_unknown_type(Name(token.value));
                 TypeBase::Name(Name(token.value))
             }
             TokenKind::Struct => self.structure()?,
@@ -597,8 +597,13 @@ impl Parser<'_> {
             return false;
         };
         let is_apart = matches!(self.peek(), TokenKind::Comma | TokenKind::RightParen);
-        let is_known = |structs: &FxHashSet<Name>| structs.contains(&name);
-        is_apart && !self.structs.as_ref().is_none_or(is_known) && self.is_in_head()
+        is_apart && self.is_unknown_type(name) && self.is_in_head()
+    }
+
+    /// Whether no struct that was read so far has a name.
+    pub(super) fn is_unknown_type(&self, name: Name) -> bool {
+        let structs = self.structs.as_ref();
+        structs.is_some_and(|structs| !structs.contains(&name))
     }
 
     /// Whether the parameters at hand end before a `{`.

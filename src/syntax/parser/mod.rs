@@ -54,6 +54,8 @@ pub struct Parse {
     pub original: Vec<Token>,
     /// What was put into GLSL before.
     pub translated: Translated,
+    /// Whether a name stands in the place of a type that no struct before it has.
+    has_unknown_types: bool,
 }
 
 /// How a shader is written.
@@ -71,7 +73,7 @@ pub struct Language {
 /// cannot, the slips are looked for that explain it. `tokens` are what was probably meant.
 pub fn parse(sources: &Sources, tokens: &mut Tokens, names: &Names, language: Language) -> Parse {
     let mut parse = parse_corrected(sources, tokens, names, language, &[]);
-    if parse.diagnostics.iter().any(is_unreadable)
+    if (parse.has_unknown_types || parse.diagnostics.iter().any(is_unreadable))
         && let Some(found) = translate(sources, &tokens.tokens, language.version)
     {
         tokens.tokens = found.tokens;
@@ -172,6 +174,7 @@ struct Parser<'a> {
     item_before: Option<Checkpoint>,
     /// The structs that were declared so far; nothing where not all is read.
     structs: Option<FxHashSet<Name>>,
+    has_unknown_types: bool,
     tree: Tree,
     /// The arguments of all calls that are being read, the innermost call's last.
     open_args: Vec<ExprId>,
@@ -227,6 +230,7 @@ impl<'a> Parser<'a> {
             repairs: Repairs::default(),
             item_before: None,
             structs: Some(FxHashSet::default()),
+            has_unknown_types: false,
             tree: Tree::default(),
             open_args: Vec::new(),
             reserved: Vec::new(),
@@ -241,6 +245,7 @@ impl<'a> Parser<'a> {
             choices: self.repairs.choices,
             original: Vec::new(),
             translated: Translated::default(),
+            has_unknown_types: self.has_unknown_types,
         };
         (parse, self.tokens)
     }

@@ -1,5 +1,6 @@
 //! What to say where the text does not fit, and where to go on.
 
+use super::correction::symbol;
 use super::{Parsed, Parser, Reported};
 use crate::diagnostic::{Diagnostic, Fix, error};
 use crate::syntax::ast::*;
@@ -89,6 +90,20 @@ impl Parser<'_> {
             name = self.text(&self.token(extent.first as usize));
         }
         self.unexpected(&format!("`(` behind the type `{name}`"))
+    }
+
+    /// Reports the word at hand, which is a slip of a keyword.
+    pub(super) fn misspelt_keyword(&mut self) -> Reported {
+        let word = self.next();
+        let keyword = self
+            .keyword_like(self.at)
+            .map_or("", |kind| symbol(kind, 0));
+        let message = format!("there is no `{}`: `{keyword}` is meant", self.text(&word));
+        let edit = Edit::replace(word.span, keyword);
+        let fix = Fix::suggestion(format!("write `{keyword}`"), vec![edit]);
+        let d = self.error_here(error::SYNTAX_ERROR, message).fix(fix);
+        self.report(d);
+        Reported
     }
 
     pub(super) fn else_without_if(&mut self) -> Reported {

@@ -4,6 +4,7 @@ use super::attempt::Scope;
 use super::{Checkpoint, Parsed, Parser, Reported, append};
 use crate::diagnostic::error;
 use crate::syntax::ast::*;
+use crate::syntax::names::Name;
 use crate::syntax::token::TokenKind;
 
 /// Most tokens that are read again before a statement that does not fit.
@@ -169,6 +170,9 @@ impl Parser<'_> {
                 return self.statement();
             }
             T::Else => return Err(self.else_without_if()),
+            T::Identifier if self.at_misspelt_keyword() => {
+                return Err(self.misspelt_keyword());
+            }
             _ if self.at_declaration() => {
                 let decl = self.declaration()?;
                 StmtKind::Decl(decl)
@@ -180,6 +184,14 @@ impl Parser<'_> {
             }
         };
         Ok(self.push_stmt(kind, first))
+    }
+
+    /// Whether a slip of a keyword reads as the type of a declaration: `retrun x;`.
+    fn at_misspelt_keyword(&self) -> bool {
+        let is_keyword = |kind| matches!(kind, TokenKind::Return | TokenKind::Else);
+        self.kind(1) == TokenKind::Identifier
+            && self.is_unknown_type(Name(self.next().value))
+            && self.keyword_like(self.at).is_some_and(is_keyword)
     }
 
     fn jump(&mut self, kind: StmtKind) -> Parsed<StmtKind> {

@@ -210,40 +210,6 @@ impl<'a> Translator<'a> {
         span.start > span.end || self.sources.text(span).contains(['\n', '\r'])
     }
 
-    fn is_operand_end(kind: TokenKind) -> bool {
-        use TokenKind as T;
-        matches!(
-            kind,
-            T::Identifier
-                | T::Int
-                | T::Uint
-                | T::Float
-                | T::True
-                | T::False
-                | T::RightParen
-                | T::RightBracket
-        )
-    }
-
-    fn is_operand_start(kind: TokenKind) -> bool {
-        use TokenKind as T;
-        matches!(
-            kind,
-            T::Identifier
-                | T::Int
-                | T::Uint
-                | T::Float
-                | T::True
-                | T::False
-                | T::Type
-                | T::LeftParen
-                | T::Not
-                | T::Minus
-                | T::Plus
-                | T::Tilde
-        )
-    }
-
     /// Index behind the bracket that closes the one at `open`, counted from the next token.
     fn behind(&self, open: usize) -> Option<usize> {
         use TokenKind as T;

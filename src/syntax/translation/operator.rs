@@ -46,8 +46,8 @@ impl Translator<'_> {
         let word = self.word(0);
         let span = self.token(0).span;
         let next = self.kind(1);
-        if word == "not" && !Self::is_operand_end(self.before()) {
-            let is_operand = Self::is_operand_start(next) && next != TokenKind::LeftParen;
+        if word == "not" && !self.before().ends_operand() {
+            let is_operand = next.starts_operand() && next != TokenKind::LeftParen;
             if is_operand {
                 let with_blank = Span::new(span.start, self.token(1).span.start);
                 self.report(
@@ -64,7 +64,7 @@ impl Translator<'_> {
             return false;
         };
         let is_declared = self.out.len() <= self.start + 1 && next == TokenKind::LeftParen;
-        if !Self::is_operand_end(self.before()) || !Self::is_operand_start(next) || is_declared {
+        if !self.before().ends_operand() || !next.starts_operand() || is_declared {
             return false;
         }
         if word == "is" && self.word(1) == "not" {
@@ -92,8 +92,7 @@ impl Translator<'_> {
         let Some(&(_, _, kind, symbol)) = found.filter(|_| self.touches_next(0)) else {
             return false;
         };
-        let is_between =
-            Self::is_operand_end(self.before()) && Self::is_operand_start(self.kind(2));
+        let is_between = self.before().ends_operand() && self.kind(2).starts_operand();
         // `(q) => ...` is no comparison.
         let is_arrow = kind == TokenKind::GreaterEqual
             && (self.before() == TokenKind::RightParen || self.parens == 0);
@@ -132,7 +131,7 @@ impl Translator<'_> {
     fn power(&mut self) -> bool {
         use TokenKind as T;
         let is_one = self.kind(0) == T::Star && self.kind(1) == T::Star && self.touches_next(0);
-        if !is_one || !Self::is_operand_end(self.before()) {
+        if !is_one || !self.before().ends_operand() {
             return false;
         }
         let span = self.span(0, 2);
@@ -203,7 +202,7 @@ impl Translator<'_> {
         }
         at = match self.kind(at) {
             T::LeftParen => self.behind(at)?,
-            kind if Self::is_operand_start(kind) => at + 1,
+            kind if kind.starts_operand() => at + 1,
             _ => return None,
         };
         loop {
@@ -219,7 +218,7 @@ impl Translator<'_> {
     fn arrow(&mut self) -> bool {
         use TokenKind as T;
         let is_one = self.kind(0) == T::Minus && self.kind(1) == T::Greater && self.touches_next(0);
-        if !is_one || !Self::is_operand_end(self.before()) || self.kind(2) != T::Identifier {
+        if !is_one || !self.before().ends_operand() || self.kind(2) != T::Identifier {
             return false;
         }
         // `) -> type {` is the head of a function.
@@ -377,7 +376,7 @@ impl Translator<'_> {
 
     /// `x as f32`
     fn cast_behind(&mut self) -> bool {
-        if self.word(0) != "as" || !Self::is_operand_end(self.before()) {
+        if self.word(0) != "as" || !self.before().ends_operand() {
             return false;
         }
         let (Some((word, end)), Some(first)) = (self.type_at(1), self.operand_before()) else {
@@ -406,9 +405,9 @@ impl Translator<'_> {
         let is_one = self.kind(0) == T::LeftParen
             && matches!(self.kind(1), T::Identifier | T::Reserved)
             && self.kind(2) == T::RightParen
-            && Self::is_operand_start(self.kind(3))
+            && self.kind(3).starts_operand()
             && !matches!(self.kind(3), T::Minus | T::Plus)
-            && !Self::is_operand_end(self.before());
+            && !self.before().ends_operand();
         let word = match is_one {
             true => self.foreign_type(self.text(1)),
             false => None,

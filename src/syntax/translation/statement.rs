@@ -24,6 +24,7 @@ impl Translator<'_> {
             || self.comment()
             || self.macro_call()
             || self.loop_over()
+            || self.loop_with_commas()
             || self.bare_condition()
             || self.removed()
             || self.unknown_head()
@@ -324,7 +325,52 @@ impl Translator<'_> {
                 None => Some((None, self.span(first + 2, close - 1))),
             };
         }
-        None
+        let span = self.span(first, close);
+        let (from, to) = self.sources.text(span).split_once("..")?;
+        let to_at = span.start + from.len() as u32 + "..".len() as u32;
+        let is_exclusive = to.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_');
+        is_exclusive.then_some((Some(from), Span::new(to_at, span.end)))
+    }
+
+    /// `for (int i = 0, i < n, i++)`
+    fn loop_with_commas(&mut self) -> bool {
+        use TokenKind as T;
+        if self.kind(0) != T::For || self.kind(1) != T::LeftParen {
+            return false;
+        }
+        let Some(end) = self.behind(1) else {
+            return false;
+        };
+        let mut depth = 0_u32;
+        let mut commas = Vec::new();
+        for ahead in 2..end - 1 {
+            match self.kind(ahead) {
+                T::LeftParen | T::LeftBracket => depth += 1,
+                T::RightParen | T::RightBracket => depth = depth.saturating_sub(1),
+                T::Comma if depth == 0 => commas.push(ahead),
+                T::Semicolon => return false,
+                _ => {}
+            }
+        }
+        let [first, second] = commas[..] else {
+            return false;
+        };
+        let spans = [first, second].map(|ahead| self.token(ahead).span);
+        let edits = spans.map(|span| Edit::replace(span, ";")).to_vec();
+        let fix = Fix::safe("write `;`", edits);
+        let message = "`;` stands between the parts of a `for`, not `,`";
+        self.report(spans[0], message, Some(fix));
+        for ahead in 0..end {
+            match ahead == first || ahead == second {
+                true => {
+                    let span = self.token(0).span;
+                    self.put(T::Semicolon, 0, span);
+                    self.at += 1;
+                }
+                false => self.keep(),
+            }
+        }
+        true
     }
 
     /// `if p {` and `while x < 1.0 {`, without parentheses.

@@ -147,8 +147,9 @@ impl<'a> Evidence<'a> {
             evidence.sentences += usize::from(words == SENTENCE);
             evidence.has_prose |= names == NAMES;
             let next = all.get(i + 1);
-            evidence.has_types |=
-                is_type(token.text) && next.is_some_and(|n| n.kind == Kind::Word || n.text == "(");
+            evidence.has_types = evidence.has_types
+                || is_type(token.text)
+                    && next.is_some_and(|n| n.kind == Kind::Word || n.text == "(");
         }
         evidence
     }
@@ -351,17 +352,14 @@ fn is_name(word: &str) -> bool {
 }
 
 fn is_type(word: &str) -> bool {
-    let is_numbered = [
-        "vec", "ivec", "uvec", "bvec", "mat", "sampler", "isampler", "usampler",
-    ]
-    .iter()
-    .any(|t| {
-        word.strip_prefix(t)
-            .is_some_and(|r| r.starts_with(|c: char| c.is_ascii_digit()))
-    });
-    is_numbered
-        || matches!(
+    let Some(digit) = word.bytes().position(|b| b.is_ascii_digit()) else {
+        return matches!(
             word,
             "void" | "float" | "int" | "uint" | "bool" | "struct" | "samplerCube"
-        )
+        );
+    };
+    matches!(
+        word.get(..digit),
+        Some("vec" | "ivec" | "uvec" | "bvec" | "mat" | "sampler" | "isampler" | "usampler")
+    )
 }
