@@ -4,7 +4,7 @@ use super::constant::Value;
 use super::fold::{Fold, fold_of};
 use super::types::{Sampler, Scalar, Type};
 use crate::syntax::ast::*;
-use crate::syntax::{Language, Names, Parse, Version, parse, preprocess};
+use crate::syntax::{Language, Names, Parse, Version, parse_corrected, preprocess};
 use crate::text::{Role, Sources};
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
@@ -204,7 +204,9 @@ fn load(version: Version, stage: Stage) -> Builtins {
         version: Version::Es300,
         is_fragment: true,
     };
-    let Parse { tree, .. } = parse(&sources, &mut read.tokens, &read.names, language);
+    // The prototypes name types of their own, `genFType` and the like, which are no mistakes.
+    let Parse { tree, .. } =
+        parse_corrected(&sources, &mut read.tokens, &read.names, language, &[]);
     let mut loader = Loader {
         tree: &tree,
         names: &read.names,
@@ -486,7 +488,8 @@ mod tests {
                         version: Version::Es300,
                         is_fragment: true,
                     };
-                    let parse = parse(&sources, &mut read.tokens, &read.names, language);
+                    let tokens = &mut read.tokens;
+                    let parse = parse_corrected(&sources, tokens, &read.names, language, &[]);
                     let errors = parse.diagnostics;
                     assert!(
                         read.diagnostics.is_empty() && errors.is_empty(),

@@ -15,38 +15,69 @@ const NAMES: usize = 3;
 struct Sign {
     number: usize,
     tongue: Tongue,
-    row: Vec<&'static str>,
+    /// Its tokens, with a blank between them.
+    row: &'static str,
     is_enough: bool,
     starts_line: bool,
+    /// Number of the next row with the same first token.
+    next: Option<usize>,
 }
 
-/// The signs, by their first tokens.
-fn signs() -> &'static FxHashMap<&'static str, Vec<Sign>> {
-    static INDEX: OnceLock<FxHashMap<&'static str, Vec<Sign>>> = OnceLock::new();
-    INDEX.get_or_init(|| {
-        let mut index: FxHashMap<&'static str, Vec<Sign>> = FxHashMap::default();
+impl Sign {
+    fn of(number: usize, tongue: Tongue, text: &'static str) -> Sign {
+        let enough = text.strip_prefix("! ");
+        let row = enough.unwrap_or(text);
+        let at_start = row.strip_prefix("^ ");
+        Sign {
+            number,
+            tongue,
+            row: at_start.unwrap_or(row),
+            is_enough: enough.is_some(),
+            starts_line: at_start.is_some(),
+            next: None,
+        }
+    }
+
+    fn first(&self) -> &'static str {
+        self.row
+            .split_once(' ')
+            .map_or(self.row, |(first, _)| first)
+    }
+}
+
+/// The signs, and for each first token the first of its rows.
+struct Signs {
+    all: Vec<Sign>,
+    heads: FxHashMap<&'static str, usize>,
+}
+
+impl Signs {
+    fn get() -> &'static Signs {
+        static SIGNS: OnceLock<Signs> = OnceLock::new();
+        SIGNS.get_or_init(Signs::read)
+    }
+
+    fn read() -> Signs {
         let rows = SIGNS
             .iter()
             .flat_map(|(t, rows)| rows.iter().map(|r| (*t, *r)));
-        for (number, (tongue, text)) in rows.enumerate() {
-            let mut row: Vec<&'static str> = text.split(' ').collect();
-            let is_enough = row.first() == Some(&"!") && row.len() > 1;
-            row.drain(..usize::from(is_enough));
-            let starts_line = row.first() == Some(&"^");
-            row.drain(..usize::from(starts_line));
-            let Some(first) = row.first().copied() else {
-                continue;
-            };
-            index.entry(first).or_default().push(Sign {
-                number,
-                tongue,
-                row,
-                is_enough,
-                starts_line,
-            });
+        let mut all: Vec<Sign> = rows
+            .enumerate()
+            .map(|(number, (tongue, text))| Sign::of(number, tongue, text))
+            .collect();
+        let mut heads = FxHashMap::default();
+        heads.reserve(all.len());
+        for (number, sign) in all.iter_mut().enumerate().rev() {
+            sign.next = heads.insert(sign.first(), number);
         }
-        index
-    })
+        Signs { all, heads }
+    }
+
+    /// Those that start with a token, in their order.
+    fn starting_with(&self, first: &str) -> impl Iterator<Item = &Sign> {
+        let head = self.heads.get(first).and_then(|&head| self.all.get(head));
+        std::iter::successors(head, |sign| self.all.get(sign.next?))
+    }
 }
 
 /// A sign that a text shows.
@@ -163,22 +194,24 @@ impl<'a> Evidence<'a> {
         {
             self.tags += 1;
         }
-        for sign in signs().get(token.text).map_or(&[][..], |s| s) {
+        for sign in Signs::get().starting_with(token.text) {
             if self.seen.iter().any(|s| s.number == sign.number)
                 || sign.starts_line && !token.is_first
             {
                 continue;
             }
-            let fits = sign.row.iter().enumerate().all(|(i, part)| {
-                let token = all.get(at + i);
-                token.is_some_and(|t| match *part {
+            let mut end = at;
+            let fits = sign.row.split(' ').all(|part| {
+                let token = all.get(end);
+                end += 1;
+                token.is_some_and(|t| match part {
                     "_" => t.kind == Kind::Word,
                     "\"" => t.kind == Kind::Quoted,
                     part => t.text == part,
                 })
             });
             if fits {
-                let last = all.get(at + sign.row.len() - 1).unwrap_or(token);
+                let last = all.get(end - 1).unwrap_or(token);
                 self.seen.push(Seen {
                     number: sign.number,
                     tongue: sign.tongue,
