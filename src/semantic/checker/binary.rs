@@ -199,6 +199,12 @@ impl Checker<'_> {
         if left.is_empty() || right.is_empty() {
             return Constant::NONE;
         }
+        // Few characters compare two large arrays.
+        let length = left.len().min(right.len());
+        let Some(comparable) = self.comparable.checked_sub(length) else {
+            return Constant::NONE;
+        };
+        self.comparable = comparable;
         let values = match op {
             BinaryOp::Equal => vec![Value::Bool(left == right)],
             BinaryOp::NotEqual => vec![Value::Bool(left != right)],

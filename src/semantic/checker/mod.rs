@@ -44,6 +44,8 @@ use std::cell::Cell;
 
 /// Most errors that are looked for in one shader.
 const MAX_ERRORS: usize = 200;
+/// Most values that are computed from two constants in a shader.
+const MAX_COMPARED: usize = 50_000_000;
 /// Most names, tokens and pairs of letters that are looked at for advice, over all errors of a shader.
 const MAX_ADVICE: usize = 6_000_000;
 
@@ -114,6 +116,7 @@ pub fn check<'a>(
             undeclared: FxHashMap::default(),
             reported_names: FxHashSet::default(),
             advice: Cell::new(MAX_ADVICE),
+            comparable: MAX_COMPARED,
             missing_precision: Vec::new(),
             deep_reported: None,
             outputs: Vec::new(),
@@ -194,7 +197,7 @@ struct Flow {
     has_break: bool,
     has_return: bool,
     /// Labels of a switch; `None` is `default`.
-    labels: Vec<(Option<i64>, TokenId)>,
+    labels: FxHashMap<Option<i64>, TokenId>,
     /// The index of a WebGL1 loop, which its body must not change.
     loop_index: Option<VariableId>,
 }
@@ -235,6 +238,8 @@ struct Checker<'a> {
     /// Undeclared names: the diagnostic that speaks of them, and how often they were used since.
     undeclared: FxHashMap<Name, (usize, u32)>,
     reported_names: FxHashSet<Name>,
+    /// How many values may still be computed from two constants.
+    comparable: usize,
     /// What may still be spent on looking through all names or tokens for advice on an error.
     advice: Cell<usize>,
     /// Types whose missing precision was reported.

@@ -4,6 +4,11 @@ use super::*;
 use crate::diagnostic::Fix;
 use crate::text::Edit;
 
+/// Longest statement, in tokens, of which a fix takes out the whole.
+const MAX_STATEMENT: TokenId = 1000;
+/// Most uses of a name that a fix renames.
+const MAX_RENAMED: usize = 500;
+
 impl Checker<'_> {
     /// Copies what comes from outside into a variable at the start of the function, and uses that.
     pub(super) fn copy_first(&self, variable: VariableId) -> Option<Fix> {
@@ -36,7 +41,7 @@ impl Checker<'_> {
     }
 
     /// Edits that rename every use of a name in a part of the text; none where one stands in a
-    /// macro.
+    /// macro, or where they are very many.
     fn rename_within(&self, name: Name, part: Extent, to: &str) -> Option<Vec<Edit>> {
         let tokens = &self.tokens.tokens;
         let mut edits = Vec::new();
@@ -44,7 +49,7 @@ impl Checker<'_> {
         for token in tokens.get(part.first as usize..=part.last as usize)? {
             let is_use = token.kind == TokenKind::Identifier && token.value == name.0;
             if is_use && before != TokenKind::Dot {
-                if !token.is_direct() {
+                if !token.is_direct() || edits.len() == MAX_RENAMED {
                     return None;
                 }
                 edits.push(Edit::replace(token.span, to));
@@ -141,7 +146,8 @@ impl Checker<'_> {
         ))
     }
 
-    /// The statement that a token stands in, from behind one `;`, `{` or `}` to the next `;`.
+    /// The statement that a token stands in, from behind one `;`, `{` or `}` to the next `;`; none
+    /// where it is very long.
     fn statement_around(&self, token: TokenId) -> Option<Extent> {
         use TokenKind as T;
         let ends = |at: TokenId| {
@@ -151,11 +157,11 @@ impl Checker<'_> {
             )
         };
         let mut first = token;
-        while first > 0 && !ends(first - 1) {
+        while first > 0 && !ends(first - 1) && token - first < MAX_STATEMENT {
             first -= 1;
         }
         let mut last = token;
-        while !ends(last) {
+        while !ends(last) && last - first < MAX_STATEMENT {
             last += 1;
         }
         (self.token(last).kind == T::Semicolon).then_some(Extent { first, last })

@@ -63,7 +63,7 @@ impl Checker<'_> {
             kind,
             has_break: false,
             has_return: false,
-            labels: Vec::new(),
+            labels: FxHashMap::default(),
             loop_index: None,
         });
     }
@@ -644,7 +644,7 @@ impl Checker<'_> {
             ..
         }) = self.flow.last_mut()
         {
-            labels.push((Some(i64::MIN + labels.len() as i64), 0));
+            labels.insert(Some(i64::MIN + labels.len() as i64), 0);
         }
     }
 
@@ -666,16 +666,15 @@ impl Checker<'_> {
         };
         let selector = *selector;
         let value = case.map(|(v, ..)| v);
-        let before = labels.iter().find(|(v, _)| *v == value).map(|(_, t)| *t);
-        labels.push((value, token));
-        if let Some(before) = before {
+        let first = *labels.entry(value).or_insert(token);
+        if first != token {
             let d = self
                 .error_at(
                     error::INVALID_SWITCH,
                     token,
                     "this label stands twice in the `switch`",
                 )
-                .label(self.token_span(before), "the first one");
+                .label(self.token_span(first), "the first one");
             return self.report(d);
         }
         if let Some((_, expr, ty)) = case
@@ -705,7 +704,7 @@ impl Checker<'_> {
             && labels.is_empty()
         {
             // Reported once.
-            labels.push((Some(i64::MIN), 0));
+            labels.insert(Some(i64::MIN), 0);
             let d = self.error(
                 error::INVALID_SWITCH,
                 extent,

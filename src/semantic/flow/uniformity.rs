@@ -334,12 +334,20 @@ impl Spread<'_, '_> {
         let Some(DeclKind::Variables { declarators, .. }) = tree.decl(id).map(|d| d.kind) else {
             return;
         };
-        let from = declarators.start as usize;
-        let declared = self.program.declared.get(from..).unwrap_or(&[]);
-        for (declarator, variable) in tree.declarators(declarators).iter().zip(declared) {
-            if declarator.init == Some(e) {
-                variable.iter().for_each(|v| visit(Varying::Variable(*v)));
-            }
+        // They are in the order of the text.
+        let first = tree.expr(e).extent.first;
+        let all = tree.declarators(declarators);
+        let behind = all.partition_point(|d| d.extent.first <= first);
+        let Some(at) = behind.checked_sub(1) else {
+            return;
+        };
+        if all.get(at).is_some_and(|d| d.init == Some(e)) {
+            let declared = self.program.declared.get(declarators.start as usize + at);
+            declared
+                .copied()
+                .flatten()
+                .into_iter()
+                .for_each(|v| visit(Varying::Variable(v)));
         }
     }
 

@@ -207,21 +207,7 @@ impl Parser<'_> {
     /// changed places, or some are capitals.
     pub(super) fn keyword_like(&self, at: usize) -> Option<TokenKind> {
         let word = self.names.text(Name(self.token(at).value));
-        if word.len() > MAX_KEYWORD {
-            return None;
-        }
-        let word = word.to_ascii_lowercase();
-        let letters = |text: &str| {
-            let mut letters = text.as_bytes().to_vec();
-            letters.sort_unstable();
-            letters
-        };
-        let is_slip = |keyword: &str| {
-            let slips = strsim::damerau_levenshtein(keyword, &word);
-            let is_turned = slips == 1 && letters(keyword) == letters(&word);
-            is_turned || slips <= (keyword.len() - 1) / 3
-        };
-        let found = KEYWORDS.iter().find(|(keyword, _)| is_slip(keyword));
+        let found = KEYWORDS.iter().find(|(keyword, _)| is_slip(word, keyword));
         found.map(|(_, kind)| *kind)
     }
 
@@ -401,6 +387,22 @@ impl Parser<'_> {
     }
 }
 
+/// Whether a word is a slip of a keyword.
+fn is_slip(word: &str, keyword: &str) -> bool {
+    let most = (keyword.len() - 1) / 3;
+    if word.len().abs_diff(keyword.len()) > most {
+        return false;
+    }
+    let letters = |text: &str| {
+        let mut letters = text.as_bytes().to_vec();
+        letters.sort_unstable();
+        letters
+    };
+    let word = word.to_ascii_lowercase();
+    let slips = strsim::damerau_levenshtein(keyword, &word);
+    slips <= most || (slips == 1 && letters(keyword) == letters(&word))
+}
+
 /// Whether a `(` may belong to a word before it.
 fn is_word(kind: TokenKind) -> bool {
     use TokenKind as T;
@@ -410,8 +412,6 @@ fn is_word(kind: TokenKind) -> bool {
     )
 }
 
-/// Longest word, in bytes, that is compared with the keywords.
-const MAX_KEYWORD: usize = 12;
 /// How far a partner is looked for, in tokens.
 const MAX_LOOK: usize = 1_000;
 

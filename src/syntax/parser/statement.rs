@@ -1,7 +1,7 @@
 //! Statements (GLSL ES 3.00 section 6).
 
 use super::attempt::Scope;
-use super::{Checkpoint, Parsed, Parser, Reported, append};
+use super::{Checkpoint, MAX_ERRORS, Parsed, Parser, Reported, append};
 use crate::diagnostic::error;
 use crate::syntax::ast::*;
 use crate::syntax::names::Name;
@@ -191,6 +191,7 @@ impl Parser<'_> {
         let is_keyword = |kind| matches!(kind, TokenKind::Return | TokenKind::Else);
         self.kind(1) == TokenKind::Identifier
             && self.is_unknown_type(Name(self.next().value))
+            && self.diagnostics.len() < MAX_ERRORS
             && self.keyword_like(self.at).is_some_and(is_keyword)
     }
 

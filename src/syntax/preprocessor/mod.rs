@@ -23,6 +23,7 @@ use crate::diagnostic::{Diagnostic, Fix, MacroUse, error};
 use crate::text::{Edit, FileId, Role, Sources, Span};
 use input::{Input, List};
 use macros::Expander;
+use rustc_hash::FxHashSet;
 
 /// Most tokens that all macro calls of one shader may expand to.
 const MAX_EXPANDED: usize = 1_000_000;
@@ -148,7 +149,7 @@ struct Preprocessor<'a> {
     pasting: bool,
     /// `#line` moved the count of lines by this much.
     line_shift: i64,
-    bad_words: Vec<Name>,
+    bad_words: FxHashSet<Name>,
     out: Tokens,
     diagnostics: Vec<Diagnostic>,
 }
@@ -193,7 +194,7 @@ impl<'a> Preprocessor<'a> {
             gave_up: false,
             pasting: false,
             line_shift: 0,
-            bad_words: Vec::new(),
+            bad_words: FxHashSet::default(),
             out: Tokens::default(),
             diagnostics: Vec::new(),
         }
@@ -457,7 +458,7 @@ impl<'a> Preprocessor<'a> {
             )
             .note("GLSL ES knows only ASCII letters; others may stand in comments alone")
         };
-        self.bad_words.push(name);
+        self.bad_words.insert(name);
         self.report_token(d, token);
     }
 

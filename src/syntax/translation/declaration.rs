@@ -453,10 +453,8 @@ impl Translator<'_> {
             },
             _ => 2,
         };
-        let statement = self.out.get(self.start..).unwrap_or(&[]);
-        let is_label = statement
-            .iter()
-            .any(|t| matches!(t.kind, T::Case | T::Default));
+        let start = self.start.max(self.out.len().saturating_sub(MAX_INSIDE));
+        let statement = self.out.get(start..).unwrap_or(&[]);
         let declares = match (self.before(), statement) {
             (T::RightParen, [_, ..]) => matches!(self.kind(end), T::LeftBrace | T::Semicolon),
             (T::Identifier, [.., before, _]) => {
@@ -469,7 +467,8 @@ impl Translator<'_> {
             (T::RightBracket, _) => self.kind(end) == T::Semicolon,
             _ => false,
         };
-        if is_label || !declares {
+        let is_label = |t: &Token| matches!(t.kind, T::Case | T::Default);
+        if !declares || statement.iter().any(is_label) {
             return false;
         }
         let before = self.out.last().map_or(self.token(0).span, |t| t.span);
