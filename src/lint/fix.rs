@@ -343,7 +343,9 @@ impl<'a> Change<'a> {
 
     /// Whether an error was there before at the same place, and was not one to mend.
     fn is_known(&self, d: &Diagnostic, place: Span) -> bool {
-        let is_same = |s: &Diagnostic| s.span.start == place.start && s.rule == d.rule;
+        let is_same = |s: &Diagnostic| {
+            s.span.start == place.start && s.rule == d.rule && s.message == d.message
+        };
         errors(self.seen).any(|s| is_same(s) && !self.mended.iter().any(|m| std::ptr::eq(*m, s)))
     }
 

@@ -2,7 +2,8 @@
 //!
 //! `path:line:column: severity rule: message; replace ... with ... at 5:3,9 6:1; 5:3: remark; note`
 //!
-//! Of places on one line the first names it. A note is told with the first finding that has it.
+//! Of places on one line the first names it. Remarks and notes stand where there is no fix; a note is
+//! told with the first finding that has it.
 
 use super::{clean, location_name};
 use crate::diagnostic::{Applicability, Diagnostic, Fix};
@@ -46,20 +47,20 @@ pub fn write(
     if let Some(fix) = &diagnostic.fix {
         write!(out, "; {}", told_fix(sources, fix, span, told))?;
     }
-    // Where there is a fix, it says what to do here.
-    let is_told = diagnostic.fix.is_some() || diagnostic.message.contains(&diagnostic.label);
-    if !is_told {
+    for used in &diagnostic.macros {
+        write!(out, "; in macro `{}`", clean(&used.name))?;
+    }
+    // A fix says what to do and where; the page of the rule says why.
+    if diagnostic.fix.is_some() {
+        return out.write_all(b"\n");
+    }
+    if !diagnostic.message.contains(&diagnostic.label) {
         write!(out, "; {}", clean(&diagnostic.label))?;
     }
     for (message, places) in labels(sources, diagnostic) {
         write!(out, "; {}: {message}", joined(&places))?;
     }
-    for used in &diagnostic.macros {
-        write!(out, "; in macro `{}`", clean(&used.name))?;
-    }
-    let title = diagnostic.fix.as_ref().map(|f| &f.title);
-    let help = diagnostic.help.iter().filter(|h| Some(*h) != title);
-    for note in diagnostic.notes.iter().chain(help) {
+    for note in diagnostic.notes.iter().chain(&diagnostic.help) {
         if told.is_new(note) {
             write!(out, "; {}", clean(note))?;
         }

@@ -13,7 +13,7 @@ import { launch, top } from './browser.js';
 const BATCH = 200;
 
 /** Compiles shaders; gives whether each is accepted. */
-async function compile(page, shaders) {
+function compile(page, shaders) {
   return page.evaluate((all) => {
     const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
     return all.map(({ stage, source }) => {

@@ -90,7 +90,10 @@ impl<'a> Parser<'a> {
         let Some(fault) = self.fault.take() else {
             return false;
         };
-        if self.repairs.choices.len() >= MAX_CORRECTIONS || fault.saturating_sub(start) > MAX_HEAD {
+        // What the last correction was made for has to be behind.
+        let is_stuck = self.repairs.reached.is_some_and(|reached| fault <= reached);
+        let is_long = fault.saturating_sub(start) > MAX_HEAD;
+        if is_stuck || is_long || self.repairs.choices.len() >= MAX_CORRECTIONS {
             return false;
         }
         let found = self.plausible(start, fault, scope);
@@ -108,6 +111,11 @@ impl<'a> Parser<'a> {
             .collect();
         self.repairs.choices.push(choice);
         self.apply(at, change);
+        self.repairs.reached = match change {
+            Change::Insert(..) => Some(fault + 1),
+            Change::Delete => fault.checked_sub(1),
+            Change::Replace(_) => Some(fault),
+        };
         true
     }
 

@@ -86,6 +86,8 @@ pub(super) struct Repairs {
     pub origin: Vec<u32>,
     /// What was corrected.
     pub choices: Vec<Choice>,
+    /// The token that could not be read before the last correction.
+    pub reached: Option<usize>,
 }
 
 /// Whether an error says that the grammar does not fit, which one token may mend.

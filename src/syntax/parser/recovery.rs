@@ -36,6 +36,8 @@ impl Parser<'_> {
         let token = self.next();
         match token.kind {
             TokenKind::End => "the end of the shader".to_string(),
+            // What a correction put in has no text.
+            kind if token.span.is_empty() => format!("`{}`", symbol(kind, token.value)),
             _ => {
                 let line = self.text(&token).lines().next().unwrap_or("");
                 let text: String = line.chars().take(40).collect();
