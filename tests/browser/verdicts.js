@@ -12,31 +12,37 @@ import { launch, top } from './browser.js';
 /** Shaders that one page compiles at once. */
 const BATCH = 200;
 
-/** Compiles shaders; gives whether each is accepted. */
+/** Compiles shaders until the compiler dies of one; gives whether each is accepted. */
 function compile(page, shaders) {
   return page.evaluate((all) => {
     const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
-    return all.map(({ stage, source }) => {
+    const accepted = [];
+    for (const { stage, source } of all) {
       const shader = gl.createShader(stage === 'vertex' ? gl.VERTEX_SHADER : gl.FRAGMENT_SHADER);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
-      const accepted = gl.getShaderParameter(shader, gl.COMPILE_STATUS);
+      const ok = gl.getShaderParameter(shader, gl.COMPILE_STATUS) === true;
+      // A compiler that died says nothing, to all that comes behind as well.
+      if (!ok && !gl.getShaderInfoLog(shader)) break;
+      accepted.push(ok);
       gl.deleteShader(shader);
-      return accepted === true;
-    });
+    }
+    return accepted;
   }, shaders);
 }
 
-/** The shaders of which the browser says otherwise. */
+/** The shaders of which the browser says otherwise. One on which its compiler dies has no verdict. */
 async function disagreements(context, shaders) {
   const wrong = [];
-  for (let at = 0; at < shaders.length; at += BATCH) {
+  for (let at = 0; at < shaders.length; ) {
     const page = await context.newPage();
     const batch = shaders.slice(at, at + BATCH);
     const accepted = await compile(page, batch);
-    batch.forEach((shader, i) => {
-      if (accepted[i] !== shader.ok) wrong.push(shader);
+    accepted.forEach((ok, i) => {
+      if (ok !== batch[i].ok) wrong.push(batch[i]);
     });
+    if (accepted.length < batch.length) console.log(`no verdict: ${batch[accepted.length].id}`);
+    at += accepted.length + (accepted.length < batch.length ? 1 : 0);
     await page.close();
   }
   return wrong;

@@ -143,26 +143,52 @@ impl Checker<'_> {
     }
 
     /// Whether an expression may initialize a global variable: nothing but constants in GLSL ES
-    /// 3.00; in 1.00 uniforms and other globals too, which browsers allow for old shaders.
+    /// 3.00; in 1.00 uniforms and other globals too, which browsers allow for old shaders. What they
+    /// drop before a `,` may be anything.
     fn is_global_initializer(&self, init: ExprId) -> bool {
         if self.info(init).is_const {
             return true;
         }
         let extent = self.tree.expr(init).extent;
+        let mut dropped: Vec<Extent> = Vec::new();
         let inside = self.exprs.iter().zip(&self.tree.exprs).rev();
-        inside
+        let inside = inside
             .take_while(|(_, e)| e.extent.first >= extent.first)
-            .filter(|(_, e)| e.extent.last <= extent.last)
-            .all(|(info, expr)| match (info.resolution, expr.kind) {
-                (Resolution::Variable(id), ExprKind::Name(_)) => {
-                    info.is_const || (!self.is_300() && self.is_legacy_initializer(id))
+            .filter(|(_, e)| e.extent.last <= extent.last);
+        for (info, expr) in inside {
+            dropped.pop_if(|d| expr.extent.first < d.first);
+            if dropped.last().is_some_and(|d| expr.extent.last <= d.last) {
+                continue;
+            }
+            if let ExprKind::Comma(left, right) = expr.kind
+                && !self.is_300()
+                && self.is_temporary(right)
+            {
+                // Nor may what is kept for its effect stand there.
+                if self.has_side_effects(left) {
+                    return false;
                 }
-                (Resolution::Function(_), _) => false,
-                (Resolution::Builtin(overload), _) => !self.is_lookup(overload),
-                (_, ExprKind::Assign(..) | ExprKind::Postfix(..)) => false,
-                (_, ExprKind::Unary(op, _)) => !op.assigns(),
-                _ => true,
-            })
+                dropped.push(self.tree.expr(left).extent);
+            }
+            if !self.may_initialize_global(info, &expr.kind) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Whether an expression, without what stands in it, may be part of a global's initial value.
+    fn may_initialize_global(&self, info: &ExprInfo, kind: &ExprKind) -> bool {
+        match (info.resolution, kind) {
+            (Resolution::Variable(id), ExprKind::Name(_)) => {
+                info.is_const || (!self.is_300() && self.is_legacy_initializer(id))
+            }
+            (Resolution::Function(_), _) => false,
+            (Resolution::Builtin(overload), _) => !self.is_lookup(overload),
+            (_, ExprKind::Assign(..) | ExprKind::Postfix(..)) => false,
+            (_, ExprKind::Unary(op, _)) => !op.assigns(),
+            _ => true,
+        }
     }
 
     /// Whether a built-in function reads a texture.

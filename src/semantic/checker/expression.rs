@@ -390,7 +390,7 @@ impl Checker<'_> {
     }
 
     /// Whether computing an expression writes anything, or calls a function of the shader.
-    fn has_side_effects(&self, id: ExprId) -> bool {
+    pub(super) fn has_side_effects(&self, id: ExprId) -> bool {
         let extent = self.tree.expr(id).extent;
         // What stands in it comes right before it.
         let end = id.0 as usize + 1;
@@ -413,10 +413,12 @@ impl Checker<'_> {
 
     /// What the browser puts in the place of an operator, so that it can be written to: what stands
     /// behind `,` where nothing before it does anything, and the branch that a constant chooses. Of
-    /// variables it does so with local ones alone.
+    /// variables it does so with local ones alone, and behind `,` not with constants.
     pub(super) fn kept_operand(&self, id: ExprId) -> Option<ExprId> {
         let kept = match self.tree.expr(id).kind {
-            ExprKind::Comma(left, right) if !self.has_side_effects(left) => right,
+            ExprKind::Comma(left, right) => {
+                return (self.is_temporary(right) && !self.has_side_effects(left)).then_some(right);
+            }
             ExprKind::Ternary(condition, yes, no) => {
                 let info = self.info(condition);
                 match self.pool.scalar(info.constant).filter(|_| info.is_const)? {
@@ -426,11 +428,20 @@ impl Checker<'_> {
             }
             _ => return None,
         };
-        let variable = self.variable_of(kept);
-        let storage = variable.and_then(|v| self.variables.get(v.0 as usize));
-        storage
-            .is_none_or(|v| v.storage == Storage::Local)
-            .then_some(kept)
+        self.is_local(kept).then_some(kept)
+    }
+
+    /// Whether an expression is a local variable, or none.
+    fn is_local(&self, id: ExprId) -> bool {
+        let variable = self.variable_of(id);
+        let variable = variable.and_then(|v| self.variables.get(v.0 as usize));
+        variable.is_none_or(|v| v.storage == Storage::Local)
+    }
+
+    /// Whether the browser's compiler calls the value of an expression temporary: it is neither
+    /// constant nor a variable of another kind than local.
+    pub(super) fn is_temporary(&self, id: ExprId) -> bool {
+        !self.info(id).is_const && self.is_local(id)
     }
 
     /// The variable that an expression is, for the browser.

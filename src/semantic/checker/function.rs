@@ -314,8 +314,12 @@ impl Checker<'_> {
         use QualifierKind as Q;
         let tree = self.tree;
         let all = tree.qualifiers(decl.qualifiers);
+        let is_precision = |q: &Qualifier| matches!(q.kind, Q::Lowp | Q::Mediump | Q::Highp);
+        if all.iter().all(is_precision) {
+            self.check_sequence(all);
+        }
         for qualifier in all {
-            if !matches!(qualifier.kind, Q::Lowp | Q::Mediump | Q::Highp) {
+            if !is_precision(qualifier) {
                 let word = self.sources.text(self.span(qualifier.extent));
                 let message = format!("a function's return type cannot be `{word}`");
                 let d = self.error(error::INVALID_QUALIFIER, qualifier.extent, message);

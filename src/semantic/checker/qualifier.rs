@@ -221,7 +221,7 @@ impl Checker<'_> {
     }
 
     /// Each qualifier once, and in the order of section 4.7.
-    fn check_sequence(&mut self, all: &[Qualifier]) -> bool {
+    pub(super) fn check_sequence(&mut self, all: &[Qualifier]) -> bool {
         let mut highest = Rank::Invariant;
         let mut seen_invariant = false;
         for (i, qualifier) in all.iter().enumerate() {
