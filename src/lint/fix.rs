@@ -7,9 +7,11 @@ use crate::text::{Edit, Sources, Span, apply_edits};
 
 /// Most looks that are taken at one text.
 const MAX_ROUNDS: usize = 16;
-/// Most bytes that are looked at again for the fixes of one text. What is left over then stays a
-/// finding: a text of a megabyte gets two looks, one of ten kilobytes two hundred.
+/// Most work that is done again for the fixes of one text, in bytes of text. What is left over then
+/// stays a finding: a text of a megabyte gets two looks, one of ten kilobytes two hundred.
 const MAX_LOOKED: usize = 2_000_000;
+/// What a token or macro call costs, in bytes of text.
+const TOKEN_COST: usize = 4;
 
 /// Which fixes may be applied.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -35,6 +37,8 @@ pub struct Look {
     pub span: Span,
     /// What of the text was judged; `None` stands for all of it.
     pub judged: Option<Judged>,
+    /// How many tokens and macro calls were read.
+    pub size: usize,
 }
 
 /// A text after its fixes.
@@ -264,6 +268,9 @@ impl<F: FnMut(&str) -> Option<Look>> Engine<F> {
         }
         self.left = self.left.checked_sub(text.len())?;
         let after = (self.look)(&text)?;
+        // Macros make much of little text.
+        let expanded = (after.size * TOKEN_COST).saturating_sub(text.len());
+        self.left = self.left.saturating_sub(expanded);
         let change = Change::new(seen, &after, &edits, mended);
         let grows = errors(&after).count() > errors(seen).count();
         if !change.mends() || grows && !change.only_reveals() {
@@ -470,6 +477,7 @@ mod tests {
             diagnostics,
             span,
             judged: None,
+            size: 0,
         })
     }
 
@@ -529,6 +537,7 @@ mod tests {
             diagnostics,
             span,
             judged: None,
+            size: 0,
         })
     }
 
@@ -555,6 +564,7 @@ mod tests {
             diagnostics: Vec::new(),
             span: Span::new(0, text.len() as u32),
             judged: None,
+            size: 0,
         };
         let mut judged = Judged::default();
         let mut hidden = false;

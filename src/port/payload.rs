@@ -5,6 +5,7 @@ use super::{Composed, Input, InputKind, OutputId, PassUnit, Project, VERTEX, Wra
 use crate::semantic::Pass;
 use crate::semantic::tunable::{Tunable, may_hold_tunables, tunables};
 use crate::text::{FileId, Role, SourceFile, Sources};
+use rustc_hash::FxHashSet;
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -60,7 +61,7 @@ struct InputData<'a> {
     urls: &'a [String],
 }
 
-#[derive(Serialize, PartialEq)]
+#[derive(Serialize)]
 struct TunableData {
     name: String,
     label: String,
@@ -193,31 +194,51 @@ fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> 
 /// The tunable numbers of all passes, each once, and with offsets as JavaScript counts them.
 fn all_tunables(composed: &Composed) -> Vec<TunableData> {
     let mut found: Vec<TunableData> = Vec::new();
+    let mut known: FxHashSet<u32> = FxHashSet::default();
     for unit in &composed.units {
         let mut files = unit.files.iter().filter_map(|f| composed.sources.file(*f));
         if !files.any(|f| may_hold_tunables(&f.text)) {
             continue;
         }
         let analysis = composed.analyze(unit);
+        let mut units = Units::default();
         for tunable in tunables(&analysis.program) {
-            if let Some(data) = tunable_data(&composed.sources, &tunable)
-                && !found.contains(&data)
-            {
-                found.push(data);
+            if known.insert(tunable.value_span.start) {
+                found.extend(tunable_data(&composed.sources, &tunable, &mut units));
             }
         }
     }
     found
 }
 
-fn tunable_data(sources: &Sources, tunable: &Tunable) -> Option<TunableData> {
+/// Counts the UTF-16 units before places, each from the place before it on where that comes first.
+#[derive(Default)]
+struct Units {
+    file: Option<FileId>,
+    bytes: usize,
+    units: usize,
+}
+
+impl Units {
+    fn before(&mut self, file: FileId, text: &str, offset: usize) -> Option<usize> {
+        if self.file != Some(file) || offset < self.bytes {
+            *self = Units {
+                file: Some(file),
+                ..Units::default()
+            };
+        }
+        let between = text.get(self.bytes..offset)?;
+        self.units += between.chars().map(char::len_utf16).sum::<usize>();
+        self.bytes = offset;
+        Some(self.units)
+    }
+}
+
+fn tunable_data(sources: &Sources, tunable: &Tunable, units: &mut Units) -> Option<TunableData> {
     let span = tunable.value_span;
     let file = sources.file_id_at(span.start)?;
     let text = sources.file(file)?;
-    let units = |address: u32| {
-        let before = text.text.get(..(address - text.base) as usize)?;
-        Some(before.chars().map(char::len_utf16).sum())
-    };
+    let mut before = |address: u32| units.before(file, &text.text, (address - text.base) as usize);
     let written = sources.text(span);
     Some(TunableData {
         name: sources.text(tunable.name).to_string(),
@@ -227,7 +248,7 @@ fn tunable_data(sources: &Sources, tunable: &Tunable) -> Option<TunableData> {
         max: tunable.max,
         integer: !written.contains(['.', 'e', 'E']),
         file: file.0 as usize,
-        start: units(span.start)?,
-        end: units(span.end)?,
+        start: before(span.start)?,
+        end: before(span.end)?,
     })
 }

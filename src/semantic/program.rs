@@ -204,6 +204,11 @@ pub struct Program<'a> {
 }
 
 impl Program<'_> {
+    /// How many tokens and macro calls it has.
+    pub fn size(&self) -> usize {
+        self.tokens.tokens.len() + self.tokens.expansions.len()
+    }
+
     /// What is known of an expression.
     pub fn expr(&self, id: ExprId) -> &ExprInfo {
         self.exprs.get(id.0 as usize).unwrap_or(&ExprInfo::ERROR)

@@ -376,13 +376,20 @@ impl Findings {
                     done: export.spans(&self.sources, &j.done),
                     left: export.spans(&self.sources, &j.left),
                 }),
+                size: self.size(),
             });
         }
         Some(Look {
             span: self.sources.file(self.file?)?.span(),
             diagnostics: self.diagnostics.clone(),
             judged: self.judged.clone(),
+            size: self.size(),
         })
+    }
+
+    /// How many tokens and macro calls were read.
+    fn size(&self) -> usize {
+        self.shaders.iter().map(|s| s.size).sum()
     }
 }
 

@@ -119,6 +119,7 @@ pub fn check_part(
         unrun,
         has_errors: errors > 0,
         left_out,
+        size: analysis.program.size(),
     };
     (shader, judged)
 }
@@ -130,6 +131,8 @@ pub struct Shader {
     pub file: Option<FileId>,
     /// The stage.
     pub stage: Stage,
+    /// How many tokens and macro calls it has.
+    pub size: usize,
     /// Who runs it.
     pub dialect: Dialect,
     /// The version of the language.

@@ -94,7 +94,7 @@ pub(super) fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Opti
 /// How many errors of a project a repair would mend.
 pub(super) fn repairable(composed: &Composed) -> usize {
     let has_fix = |d: &&Diagnostic| d.fix.as_ref().is_some_and(|f| Allow::Safe.permits(f));
-    errors(composed).iter().filter(has_fix).count()
+    errors(composed).0.iter().filter(has_fix).count()
 }
 
 fn users(composed: &Composed) -> impl Iterator<Item = &SourceFile> {
@@ -135,21 +135,25 @@ fn look(project: &Project, owners: &[usize], path: &str, whole: &str) -> Option<
     let composed = compose(&project, path)?;
     let first = users(&composed).next()?.base;
     let span = Span::new(first, first + whole.len() as u32);
+    let (diagnostics, size) = errors(&composed);
     Some(Look {
-        diagnostics: errors(&composed),
+        diagnostics,
         span,
         judged: None,
+        size,
     })
 }
 
-/// The errors of all passes, with their repairs.
-fn errors(composed: &Composed) -> Vec<Diagnostic> {
+/// The errors of all passes, with their repairs, and how many tokens and macro calls the passes have.
+fn errors(composed: &Composed) -> (Vec<Diagnostic>, usize) {
     let mut found: Vec<Diagnostic> = Vec::new();
+    let mut size = 0;
     for unit in &composed.units {
         let Analysis {
             program,
             mut diagnostics,
         } = composed.analyze(unit);
+        size += program.size();
         diagnostics.retain(|d| d.severity == Severity::Error);
         add_repairs(&program, &mut diagnostics);
         for error in diagnostics {
@@ -160,7 +164,7 @@ fn errors(composed: &Composed) -> Vec<Diagnostic> {
             }
         }
     }
-    found
+    (found, size)
 }
 
 /// One error of two passes, in what they have in common: its repair is one for both.

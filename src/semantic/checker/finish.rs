@@ -347,13 +347,18 @@ impl Checker<'_> {
                     *mark = Mark::Open;
                 }
                 let list = callees.get(function).map_or(&[][..], Vec::as_slice);
-                if let Some(&(callee, expr)) = list.get(next) {
+                if let Some(&(callee, _)) = list.get(next) {
                     stack.push((function, next + 1));
                     match marks.get(callee.0 as usize) {
                         Some(Mark::New) => stack.push((callee.0 as usize, 0)),
                         Some(Mark::Open) => {
-                            let chain: Vec<usize> = stack.iter().map(|(f, _)| *f).collect();
-                            self.recursion(callee, expr, &chain);
+                            let start = stack.iter().position(|(f, _)| *f == callee.0 as usize);
+                            let cycle = stack.get(start.unwrap_or(0)..).unwrap_or(&[]);
+                            let calls = cycle.iter().filter_map(|&(caller, next)| {
+                                callees.get(caller)?.get(next.checked_sub(1)?)
+                            });
+                            let calls: Vec<_> = calls.copied().collect();
+                            self.recursion(callee, &calls);
                         }
                         _ => {}
                     }
@@ -379,17 +384,19 @@ impl Checker<'_> {
         }
     }
 
-    fn recursion(&mut self, callee: FunctionRef, expr: ExprId, chain: &[usize]) {
-        let start = chain
+    /// Reports a function that calls itself by `calls`, the last of which is the one of `function`
+    /// again. The place is the last call in the user's text.
+    fn recursion(&mut self, function: FunctionRef, calls: &[(FunctionRef, ExprId)]) {
+        let is_user =
+            |call: &&(FunctionRef, ExprId)| !self.is_prelude(self.tree.expr(call.1).extent.first);
+        let place = calls.iter().rev().find(is_user).or(calls.last());
+        let Some(&(_, expr)) = place else {
+            return;
+        };
+        let cycle: Vec<&str> = [function]
             .iter()
-            .position(|&f| f == callee.0 as usize)
-            .unwrap_or(0);
-        let cycle: Vec<&str> = chain
-            .get(start..)
-            .unwrap_or(&[])
-            .iter()
-            .chain([&(callee.0 as usize)])
-            .filter_map(|&f| self.functions.get(f))
+            .chain(calls.iter().map(|(callee, _)| callee))
+            .filter_map(|f| self.functions.get(f.0 as usize))
             .map(|f| self.text(f.name))
             .collect();
         let name = cycle.first().copied().unwrap_or("");

@@ -383,7 +383,13 @@ impl Translator<'_> {
         let ends = |i: &usize| {
             matches!(
                 self.kind(*i),
-                T::LeftBrace | T::Semicolon | T::End | T::RightBrace | T::RightParen
+                T::LeftBrace
+                    | T::Semicolon
+                    | T::End
+                    | T::RightBrace
+                    | T::RightParen
+                    | T::If
+                    | T::While
             ) || self.starts_line(*i)
                 || self.word(*i) == "then"
         };
