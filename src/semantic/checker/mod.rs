@@ -14,6 +14,7 @@ mod expression;
 mod finish;
 mod foreign;
 mod function;
+mod kept;
 mod layout;
 mod limits;
 mod mismatch;

@@ -1,0 +1,69 @@
+//! What the browser's compiler drops of an expression, and what it keeps, before it judges it.
+
+use super::*;
+
+impl Checker<'_> {
+    /// Whether computing an expression writes anything, or calls a function of the shader.
+    pub(super) fn has_side_effects(&self, id: ExprId) -> bool {
+        let extent = self.tree.expr(id).extent;
+        // What stands in it comes right before it.
+        let end = id.0 as usize + 1;
+        let infos = self.exprs.get(..end).unwrap_or(&[]);
+        let exprs = self.tree.exprs.get(..end).unwrap_or(&[]);
+        let before = infos.iter().zip(exprs).rev();
+        before
+            .take_while(|(_, e)| e.extent.first >= extent.first)
+            .filter(|(_, e)| e.extent.last <= extent.last)
+            .any(|(info, expr)| match (info.resolution, expr.kind) {
+                (Resolution::Function(_), _) => true,
+                (Resolution::Builtin(id), _) => {
+                    self.builtins.overload(id).is_some_and(|(o, _)| o.out != 0)
+                }
+                (_, ExprKind::Assign(..) | ExprKind::Postfix(..)) => true,
+                (_, ExprKind::Unary(op, _)) => op.assigns(),
+                _ => false,
+            })
+    }
+
+    /// What the browser puts in the place of an operator, so that it can be written to: what stands
+    /// behind `,` where nothing before it does anything, and the branch that a constant chooses. Of
+    /// variables it does so with local ones alone, and behind `,` not with constants.
+    pub(super) fn kept_operand(&self, id: ExprId) -> Option<ExprId> {
+        let kept = match self.tree.expr(id).kind {
+            ExprKind::Comma(left, right) => {
+                return (self.is_temporary(right) && !self.has_side_effects(left)).then_some(right);
+            }
+            ExprKind::Ternary(condition, yes, no) => {
+                let info = self.info(condition);
+                match self.pool.scalar(info.constant).filter(|_| info.is_const)? {
+                    chosen if chosen.as_bool() => yes,
+                    _ => no,
+                }
+            }
+            _ => return None,
+        };
+        self.is_local(kept).then_some(kept)
+    }
+
+    /// Whether an expression is a local variable, or none.
+    fn is_local(&self, id: ExprId) -> bool {
+        let variable = self.variable_of(id);
+        let variable = variable.and_then(|v| self.variables.get(v.0 as usize));
+        variable.is_none_or(|v| v.storage == Storage::Local)
+    }
+
+    /// Whether the browser's compiler calls the value of an expression temporary: it is neither
+    /// constant nor a variable of another kind than local.
+    pub(super) fn is_temporary(&self, id: ExprId) -> bool {
+        !self.info(id).is_const && self.is_local(id)
+    }
+
+    /// The variable that an expression is, for the browser.
+    pub(super) fn variable_behind(&self, id: ExprId) -> Option<VariableId> {
+        let mut at = self.tree.unparen(id);
+        while let Some(kept) = self.kept_operand(at) {
+            at = self.tree.unparen(kept);
+        }
+        self.variable_of(at)
+    }
+}
