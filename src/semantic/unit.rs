@@ -43,6 +43,13 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
         diagnostics,
     } = analyze_once(unit);
     let mut diagnostics = attribute(unit, &program, diagnostics);
+    // An entry that stands behind an `#if` without its end is there, only not read.
+    if diagnostics
+        .iter()
+        .any(|d| d.rule == error::UNBALANCED_CONDITIONAL)
+    {
+        diagnostics.retain(|d| d.rule != error::MISSING_MAIN);
+    }
     limit(&mut diagnostics);
     Analysis {
         program,

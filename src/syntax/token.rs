@@ -133,6 +133,15 @@ pub struct Token {
 }
 
 impl Token {
+    /// The end of no text at all.
+    pub const END: Token = Token {
+        kind: TokenKind::End,
+        value: 0,
+        span: Span { start: 0, end: 0 },
+        spelled: 0,
+        expansion: Token::DIRECT,
+    };
+
     /// The `expansion` of a token that stands in the text as the parser sees it.
     pub const DIRECT: u32 = u32::MAX;
 

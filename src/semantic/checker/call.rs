@@ -80,9 +80,25 @@ impl Checker<'_> {
             true => d
                 .note("the variable hides the function of the same name")
                 .help("rename the variable"),
-            false => d.fix(self.product_of_call(token, variable, args)),
+            false => {
+                let product = self.product_of_call(token, variable, args);
+                d.fix(product.or_else(|| self.index_of_call(token, variable, args)))
+            }
         };
         self.report(d);
+    }
+
+    /// `a(0)`, where an element is meant.
+    fn index_of_call(&self, token: TokenId, variable: VariableId, args: List) -> Option<Fix> {
+        let &[arg] = self.tree.args(args) else {
+            return None;
+        };
+        let ty = self.variables.get(variable.0 as usize)?.ty;
+        let has_elements = ty.is_array() || ty.is_matrix() || ty.is_vector();
+        let is_index = matches!(self.ty(arg), Type::INT | Type::UINT);
+        (has_elements && is_index)
+            .then(|| self.other_brackets(token + 1, TokenKind::LeftParen, ("[", "]")))
+            .flatten()
     }
 
     /// `a (b + c)`, where a `*` was left out.

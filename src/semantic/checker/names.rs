@@ -3,9 +3,11 @@
 use super::super::builtins::{BuiltinStorage, BuiltinVariable};
 use super::*;
 use crate::diagnostic::Fix;
-use crate::syntax::{TypeWord, WordClass, classify, type_in_another_case};
+use crate::syntax::{TypeWord, WordClass, classify, keyword_near, type_in_another_case};
 use crate::text::Edit;
 
+/// How far the partner of a bracket is looked for, in tokens.
+const MAX_BRACKETED: TokenId = 200;
 /// Functions of GLSL ES 1.00 and its extensions, and what took their place.
 #[rustfmt::skip]
 pub(super) const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
@@ -187,23 +189,80 @@ impl Checker<'_> {
     }
 
     fn undeclared_variable(&mut self, name: Name, token: TokenId) {
-        if self.was_reported(name) {
+        // A word that the language keeps was reported when it was read.
+        if self.token(token).kind == TokenKind::Reserved || self.was_reported(name) {
             return;
         }
         let text = self.text(name);
         let known = self.legacy_variable(name, token);
         let d = match known.or_else(|| self.foreign_value(name, token)) {
             Some(d) => d,
+            None if self.builtins.function(text).is_some() => self.function_as_value(text, token),
             None => {
                 let d = self.error_at(
                     error::UNDECLARED_NAME,
                     token,
                     format!("nothing declares `{text}`"),
                 );
-                self.advise_name(d, name, token, false)
+                match self.keyword_alone(text, token) {
+                    Some(fix) => d.fix(fix),
+                    None => self.advise_name(d, name, token, false),
+                }
             }
         };
         self.report_undeclared(name, d);
+    }
+
+    /// `sin[x]`, or `sin` alone.
+    fn function_as_value(&self, text: &str, token: TokenId) -> Diagnostic {
+        let message = format!("`{text}` is a function: its arguments stand in parentheses");
+        let d = self.error_at(error::UNDECLARED_NAME, token, message);
+        d.fix(self.other_brackets(token + 1, TokenKind::LeftBracket, ("(", ")")))
+    }
+
+    /// Writes other brackets in the place of the one at `open` and of its partner.
+    pub(super) fn other_brackets(
+        &self,
+        open: TokenId,
+        kind: TokenKind,
+        (left, right): (&str, &str),
+    ) -> Option<Fix> {
+        use TokenKind as T;
+        let mut depth = 0_u32;
+        let close = (open..open.saturating_add(MAX_BRACKETED)).find(|&at| {
+            match self.token(at).kind {
+                T::LeftParen | T::LeftBracket => depth += 1,
+                T::RightParen | T::RightBracket => depth = depth.saturating_sub(1),
+                T::Semicolon | T::End => return true,
+                _ => {}
+            }
+            depth == 0
+        })?;
+        let ends = matches!(self.token(close).kind, T::RightParen | T::RightBracket);
+        let is_direct = self.token(open).is_direct() && self.token(close).is_direct();
+        (ends && is_direct && self.token(open).kind == kind).then(|| {
+            let edits = vec![
+                Edit::replace(self.token_span(open), left),
+                Edit::replace(self.token_span(close), right),
+            ];
+            Fix::suggestion(format!("write `{left}...{right}`"), edits)
+        })
+    }
+
+    /// A statement of one word that is a slip of `break` or its like.
+    fn keyword_alone(&self, text: &str, token: TokenId) -> Option<Fix> {
+        use TokenKind as T;
+        let before = token.checked_sub(1).map(|t| self.token(t).kind);
+        let starts = matches!(
+            before?,
+            T::Semicolon | T::LeftBrace | T::RightBrace | T::RightParen | T::Else | T::Colon
+        );
+        let is_alone = starts && self.token(token + 1).kind == T::Semicolon;
+        let (keyword, kind) = keyword_near(text).filter(|_| is_alone)?;
+        matches!(kind, T::Break | T::Continue | T::Discard | T::Return).then(|| {
+            let edit = Edit::replace(self.token_span(token), keyword);
+            Fix::suggestion(format!("did you mean `{keyword}`?"), vec![edit])
+        })
     }
 
     /// Variables that GLSL ES 1.00 has and 3.00 has not.

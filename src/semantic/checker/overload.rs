@@ -3,6 +3,7 @@
 use super::super::builtins::MAX_PARAMS;
 use super::*;
 use crate::diagnostic::Fix;
+use crate::text::Edit;
 
 /// Most forms of a function that a message lists.
 const MAX_LISTED: usize = 5;
@@ -313,6 +314,17 @@ impl Checker<'_> {
             .fix(self.become_type(arg, wanted))
     }
 
+    /// `not (a > b)` of one `bool`, which other languages have.
+    fn negation(&self, id: ExprId, text: &str, args: &[ExprId]) -> Option<Fix> {
+        let is_one = text == "not" && matches!(args, [one] if self.ty(*one) == Type::BOOL);
+        let word = self.tree.expr(id).extent.first;
+        (is_one && self.token(word).is_direct()).then(|| {
+            let before_argument = self.token_span(word + 1).start;
+            let span = Span::new(self.token_span(word).start, before_argument);
+            Fix::suggestion("write `!`", vec![Edit::replace(span, "!")])
+        })
+    }
+
     fn no_form(&self, id: ExprId, name: Name, args: &[ExprId]) -> Diagnostic {
         let text = self.text(name);
         let types: Vec<String> = args
@@ -342,7 +354,7 @@ impl Checker<'_> {
         for (&arg, shown) in args.iter().zip(&types) {
             d = d.label(self.expr_span(arg), shown.clone());
         }
-        d
+        d.fix(self.negation(id, text, args))
     }
 }
 

@@ -404,7 +404,10 @@ impl<'p, 'a> Around<'p, 'a> {
         match self.kind(at) {
             T::Semicolon if bracket.is_some() => self.add(at, Change::Replace(T::Comma), 0),
             T::Comma if is_near || self.kind(self.start) == T::For => {
-                self.add(at, Change::Replace(T::Semicolon), 1)
+                self.add(at, Change::Replace(T::Semicolon), 1);
+                if (self.start..at).any(|i| self.kind(i) == T::Question) {
+                    self.add(at, Change::Replace(T::Colon), 1);
+                }
             }
             T::Colon if is_near => {
                 self.add(at, Change::Replace(T::Semicolon), 2);

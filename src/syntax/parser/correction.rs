@@ -209,8 +209,7 @@ impl Parser<'_> {
     /// changed places, or some are capitals.
     pub(super) fn keyword_like(&self, at: usize) -> Option<TokenKind> {
         let word = self.names.text(Name(self.token(at).value));
-        let found = KEYWORDS.iter().find(|(keyword, _)| is_slip(word, keyword));
-        found.map(|(_, kind)| *kind)
+        keyword_near(word).map(|(_, kind)| kind)
     }
 
     fn missing(&self, at: usize, kind: TokenKind, value: u32) -> Diagnostic {
@@ -389,7 +388,12 @@ impl Parser<'_> {
     }
 }
 
-/// Whether a word is a slip of a keyword.
+/// The keyword that a word is a slip of.
+pub fn keyword_near(word: &str) -> Option<(&'static str, TokenKind)> {
+    let found = KEYWORDS.iter().find(|(keyword, _)| is_slip(word, keyword));
+    found.copied()
+}
+
 fn is_slip(word: &str, keyword: &str) -> bool {
     let most = (keyword.len() - 1) / 3;
     if word.len().abs_diff(keyword.len()) > most {

@@ -13,6 +13,7 @@ mod recovery;
 mod reserved;
 mod statement;
 
+pub use correction::keyword_near;
 pub use correction::{Choice, Correction};
 
 use super::ast::*;
@@ -206,17 +207,10 @@ impl<'a> Parser<'a> {
         language: Language,
         tokens: Vec<Token>,
     ) -> Parser<'a> {
-        let end = Token {
-            kind: TokenKind::End,
-            value: 0,
-            span: Span::default(),
-            spelled: 0,
-            expansion: Token::DIRECT,
-        };
         Parser {
             sources,
             all,
-            end: tokens.last().copied().unwrap_or(end),
+            end: tokens.last().copied().unwrap_or(Token::END),
             tokens,
             names,
             version: language.version,

@@ -186,10 +186,16 @@ impl Parser<'_> {
         Ok(self.push_stmt(kind, first))
     }
 
-    /// Whether a slip of a keyword reads as the type of a declaration: `retrun x;`.
+    /// Whether a slip of a keyword reads as the type of a declaration, `retrun x;`, or as a value
+    /// with a block behind it, `esle {`.
     fn at_misspelt_keyword(&self) -> bool {
-        let is_keyword = |kind| matches!(kind, TokenKind::Return | TokenKind::Else);
-        self.kind(1) == TokenKind::Identifier
+        use TokenKind as T;
+        let next = self.kind(1);
+        let is_keyword = |kind| match next {
+            T::Identifier => matches!(kind, T::Return | T::Else),
+            _ => matches!(kind, T::Else | T::Do),
+        };
+        matches!(next, T::Identifier | T::LeftBrace)
             && self.is_unknown_type(Name(self.next().value))
             && self.diagnostics.len() < MAX_ERRORS
             && self.keyword_like(self.at).is_some_and(is_keyword)

@@ -159,15 +159,8 @@ impl<'a> Translator<'a> {
     }
 
     fn token(&self, ahead: usize) -> Token {
-        let end = Token {
-            kind: TokenKind::End,
-            value: 0,
-            span: Span::default(),
-            spelled: 0,
-            expansion: Token::DIRECT,
-        };
         let token = self.tokens.get(self.at + ahead).or(self.tokens.last());
-        token.copied().unwrap_or(end)
+        token.copied().unwrap_or(Token::END)
     }
 
     fn kind(&self, ahead: usize) -> TokenKind {

@@ -1,6 +1,7 @@
 //! Heads of statements, and statements, that GLSL has not.
 
 use super::*;
+use crate::syntax::parser::keyword_near;
 
 /// Words for `else if`.
 const ELSE_IF: &[&str] = &["elif", "elseif", "elsif", "elsIf", "elseIf"];
@@ -77,6 +78,10 @@ impl Translator<'_> {
             return false;
         };
         let word = self.text(0);
+        // The parser mends a slip.
+        if keyword_near(word).is_some() {
+            return false;
+        }
         self.report(
             self.span(0, end),
             format!("GLSL has no statement `{word}`"),
