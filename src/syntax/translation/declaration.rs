@@ -26,6 +26,7 @@ impl Translator<'_> {
             || self.reference()
             || self.modifier()
             || self.constant()
+            || self.returned()
             || self.semantic()
     }
 
@@ -210,6 +211,31 @@ impl Translator<'_> {
         );
         self.note("it starts with the type that it returns, and each parameter has a type: `float f(vec2 p) { ... }`");
         self.lost.push(Name(self.token(1).value));
+        self.at += end;
+        true
+    }
+
+    /// `float f(float x) -> float {`
+    fn returned(&mut self) -> bool {
+        use TokenKind as T;
+        let is_arrow =
+            self.kind(0) == T::Minus && self.kind(1) == T::Greater && self.touches_next(0);
+        if !is_arrow || self.braces > 0 || self.before() != T::RightParen {
+            return false;
+        }
+        let end = self.type_at(2).map(|(_, end)| end);
+        let Some(end) = end.filter(|&end| self.kind(end) == T::LeftBrace) else {
+            return false;
+        };
+        let span = self.span(0, end);
+        let before = self.out.last().map_or(span, |t| t.span);
+        let edit = Edit::delete(Span::new(before.end, span.end));
+        let message = "the type that a function returns stands before its name";
+        self.report(
+            span,
+            message,
+            Some(Fix::suggestion("take it out here", vec![edit])),
+        );
         self.at += end;
         true
     }
