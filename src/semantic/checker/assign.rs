@@ -149,13 +149,8 @@ impl Checker<'_> {
         if self.info(init).is_const {
             return true;
         }
-        let extent = self.tree.expr(init).extent;
         let mut dropped: Vec<Extent> = Vec::new();
-        let inside = self.exprs.iter().zip(&self.tree.exprs).rev();
-        let inside = inside
-            .take_while(|(_, e)| e.extent.first >= extent.first)
-            .filter(|(_, e)| e.extent.last <= extent.last);
-        for (info, expr) in inside {
+        for (_, info, expr) in self.subtree(init) {
             dropped.pop_if(|d| expr.extent.first < d.first);
             if dropped.last().is_some_and(|d| expr.extent.last <= d.last) {
                 continue;
@@ -207,23 +202,20 @@ impl Checker<'_> {
 
     /// Says which part of an expression is not constant.
     pub(super) fn explain_not_constant(&self, d: Diagnostic, id: ExprId) -> Diagnostic {
-        let extent = self.tree.expr(id).extent;
-        let inside = self.exprs.iter().zip(&self.tree.exprs).enumerate().rev();
-        let culprit = inside
-            .take_while(|(_, (_, e))| e.extent.first >= extent.first)
-            .filter(|(_, (info, e))| e.extent.last <= extent.last && !info.is_const)
-            .filter_map(|(i, (info, e))| match info.resolution {
+        let culprit = self
+            .subtree(id)
+            .filter(|(_, info, _)| !info.is_const)
+            .filter_map(|(at, info, e)| match info.resolution {
                 Resolution::Variable(v) if matches!(e.kind, ExprKind::Name(_)) => {
-                    Some((i, Some(v)))
+                    Some((at, Some(v)))
                 }
-                Resolution::Function(_) => Some((i, None)),
+                Resolution::Function(_) => Some((at, None)),
                 _ => None,
             })
             .last();
-        let Some((index, variable)) = culprit else {
+        let Some((culprit, variable)) = culprit else {
             return d;
         };
-        let culprit = ExprId(index as u32);
         let span = self.expr_span(culprit);
         let what = match variable.and_then(|v| self.variables.get(v.0 as usize)) {
             Some(v) => {

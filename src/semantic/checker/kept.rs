@@ -3,18 +3,23 @@
 use super::*;
 
 impl Checker<'_> {
+    /// An expression and all that stands in it, backwards: the operands come right before it.
+    pub(super) fn subtree(&self, id: ExprId) -> impl Iterator<Item = (ExprId, &ExprInfo, &Expr)> {
+        let extent = self.tree.expr(id).extent;
+        let before = (0..=id.0).rev().map(ExprId);
+        let before = before.map_while(|e| {
+            let info = self.exprs.get(e.0 as usize)?;
+            Some((e, info, self.tree.exprs.get(e.0 as usize)?))
+        });
+        before
+            .take_while(move |(_, _, e)| e.extent.first >= extent.first)
+            .filter(move |(_, _, e)| e.extent.last <= extent.last)
+    }
+
     /// Whether computing an expression writes anything, or calls a function of the shader.
     pub(super) fn has_side_effects(&self, id: ExprId) -> bool {
-        let extent = self.tree.expr(id).extent;
-        // What stands in it comes right before it.
-        let end = id.0 as usize + 1;
-        let infos = self.exprs.get(..end).unwrap_or(&[]);
-        let exprs = self.tree.exprs.get(..end).unwrap_or(&[]);
-        let before = infos.iter().zip(exprs).rev();
-        before
-            .take_while(|(_, e)| e.extent.first >= extent.first)
-            .filter(|(_, e)| e.extent.last <= extent.last)
-            .any(|(info, expr)| match (info.resolution, expr.kind) {
+        self.subtree(id)
+            .any(|(_, info, expr)| match (info.resolution, expr.kind) {
                 (Resolution::Function(_), _) => true,
                 (Resolution::Builtin(id), _) => {
                     self.builtins.overload(id).is_some_and(|(o, _)| o.out != 0)

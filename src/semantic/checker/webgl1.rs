@@ -193,12 +193,8 @@ impl Checker<'_> {
     /// Whether every name in an index is a constant or the index of a loop around, and nothing of
     /// the shader's own is called.
     fn is_constant_index(&self, index: ExprId) -> bool {
-        let extent = self.tree.expr(index).extent;
-        let inside = self.exprs.iter().zip(&self.tree.exprs).rev();
-        inside
-            .take_while(|(_, e)| e.extent.first >= extent.first)
-            .filter(|(_, e)| e.extent.last <= extent.last)
-            .all(|(info, _)| match info.resolution {
+        self.subtree(index)
+            .all(|(_, info, _)| match info.resolution {
                 Resolution::Variable(id) => {
                     info.is_const || self.flow.iter().any(|f| f.loop_index == Some(id))
                 }
