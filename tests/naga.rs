@@ -189,7 +189,7 @@ fn what_has_no_counterpart_is_refused_where_it_stands() {
 /// page can feed, so it is lowered as it is.
 fn refusal(code: &str) -> (Refused, String) {
     use shaderlint::port::naga::{Origin, lower};
-    use shaderlint::semantic::{Dialect, Stage, Unit, analyze};
+    use shaderlint::semantic::{Dialect, Extent, Stage, Unit, analyze};
     use shaderlint::text::{Role, Sources};
     let mut sources = Sources::new();
     let files = [sources.add("", None, Role::User, code).unwrap()];
@@ -197,8 +197,9 @@ fn refusal(code: &str) -> (Refused, String) {
         sources: &sources,
         files: &files,
         stage: Stage::Fragment,
-        dialect: Dialect::WebGl { whole: true },
+        dialect: Dialect::WebGl,
         infer_channels: false,
+        extent: Extent::Whole,
     });
     assert!(
         analysis.diagnostics.is_empty(),

@@ -5,7 +5,7 @@
 use crate::mutate::Random;
 use shaderlint::diagnostic::Severity;
 use shaderlint::semantic::link::link;
-use shaderlint::semantic::{Dialect, Stage, Unit, analyze};
+use shaderlint::semantic::{Dialect, Extent, Stage, Unit, analyze};
 use shaderlint::text::{Role, Sources};
 
 /// Prints `count` pairs.
@@ -36,8 +36,9 @@ pub fn judge(vertex: &str, fragment: &str) -> (bool, Vec<String>) {
             sources: &sources,
             files,
             stage,
-            dialect: Dialect::WebGl { whole: true },
+            dialect: Dialect::WebGl,
             infer_channels: false,
+            extent: Extent::Whole,
         });
         let mut all = analysis.diagnostics.iter();
         let is_well = !all.any(|d| d.severity == Severity::Error);

@@ -166,7 +166,7 @@ impl<'a, 'p> Facts<'a, 'p> {
             let program = self.program;
             let name = match program.dialect {
                 Dialect::ShaderToy(pass) => pass.entry()?,
-                Dialect::WebGl { .. } => "main",
+                Dialect::WebGl => "main",
             };
             let is_entry = |name| {
                 let functions = program.functions.iter();

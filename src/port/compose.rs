@@ -1,7 +1,9 @@
 //! Each pass as the player compiles it: its header, every Common in order, its own code.
 
 use super::{Project, ProjectPass, Wrapper};
-use crate::semantic::{Analysis, Channels, Dialect, Pass, Stage, Unit, analyze, shadertoy_header};
+use crate::semantic::{
+    Analysis, Channels, Dialect, Extent, Pass, Stage, Unit, analyze, shadertoy_header,
+};
 use crate::text::{FileId, Role, Sources};
 
 /// One pass, ready to be compiled.
@@ -37,9 +39,10 @@ impl Composed {
             stage: Stage::Fragment,
             dialect: match unit.wrapper {
                 Wrapper::Player => Dialect::ShaderToy(unit.kind),
-                Wrapper::Own => Dialect::WebGl { whole: true },
+                Wrapper::Own => Dialect::WebGl,
             },
             infer_channels: false,
+            extent: Extent::Whole,
         })
     }
 

@@ -48,7 +48,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
 fn entry<'a>(program: &'a Program) -> Option<&'a FunctionDecl> {
     let name = match program.dialect {
         Dialect::ShaderToy(pass) => pass.entry()?,
-        Dialect::WebGl { .. } => "main",
+        Dialect::WebGl => "main",
     };
     let name = program.names.get(name)?;
     program.tree.functions.iter().find(|f| {

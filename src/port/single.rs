@@ -3,7 +3,7 @@
 use super::whole::{Unsupported, whole};
 use super::{Info, Input, InputKind, Project, ProjectPass, Wrapper};
 use crate::semantic::{
-    Dialect, Kind, Pass, Program, Sampler, Stage, Unit, VariableId, analyze, guess,
+    Dialect, Extent, Kind, Pass, Program, Sampler, Stage, Unit, VariableId, analyze, guess,
     shadertoy_header,
 };
 use crate::text::{Role, Sources};
@@ -114,6 +114,7 @@ pub(super) fn channels_used(common: Option<&str>, code: &str, kind: Pass) -> Opt
         stage: Stage::Fragment,
         dialect: Dialect::ShaderToy(kind),
         infer_channels: true,
+        extent: Extent::Whole,
     });
     let program = &analysis.program;
     let used = (0..4_u8).filter_map(|channel| {

@@ -5,7 +5,7 @@
 
 use super::{Input, InputKind, ProjectPass, Wrapper};
 use crate::semantic::{
-    Analysis, Dialect, Pass, Program, Stage, Storage, Unit, Variable, analyze, guess,
+    Analysis, Dialect, Extent, Pass, Program, Stage, Storage, Unit, Variable, analyze, guess,
 };
 use crate::text::{Role, Sources};
 use serde::Serialize;
@@ -103,8 +103,9 @@ pub(super) fn whole(code: &str) -> Result<ProjectPass, Unsupported> {
         sources: &sources,
         files: &files,
         stage: Stage::Fragment,
-        dialect: Dialect::WebGl { whole: true },
+        dialect: Dialect::WebGl,
         infer_channels: false,
+        extent: Extent::Whole,
     });
     let program = &analysis.program;
     let mut inputs = Vec::new();

@@ -1,7 +1,9 @@
 //! Who runs the shader, and what that host puts around it.
 
 use super::builtins::Stage;
+use super::checker::LEGACY_FUNCTIONS;
 use super::types::Sampler;
+use crate::syntax::Version;
 
 /// The kinds of ShaderToy pass.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -47,11 +49,8 @@ impl Pass {
 pub enum Dialect {
     /// ShaderToy's player, which puts a header before the pass.
     ShaderToy(Pass),
-    /// A page that compiles the text as it stands.
-    WebGl {
-        /// Whether the text is a whole shader, with `main`, or a part to be included.
-        whole: bool,
-    },
+    /// A page, which compiles the text as it stands or completes it first.
+    WebGl,
 }
 
 /// The type of each channel of a pass; `None` where it is not known.
@@ -104,24 +103,50 @@ pub fn shadertoy_header(pass: Pass, channels: Channels) -> String {
     text
 }
 
-/// The text that three.js puts before the shaders of a `ShaderMaterial`, in its own order
-/// (`WebGLProgram.js`), without what only some materials have.
-pub fn three_header(stage: Stage) -> String {
-    let own = match stage {
-        Stage::Vertex => include_str!("builtins/three_vertex.glsl"),
-        Stage::Fragment => include_str!("builtins/three_fragment.glsl"),
-    };
-    let samplers = [
-        "sampler2DArray",
+/// The output of a part that writes to `gl_FragColor` and is compiled as GLSL ES 3.00, where its host
+/// declares none.
+pub const PART_OUTPUT: &str =
+    "out highp vec4 host_FragColor;\n#define gl_FragColor host_FragColor\n";
+
+/// What is put before a part of a shader, behind its `#version`: every default precision and, since
+/// hosts that compile as GLSL ES 3.00 do the same, the words of 1.00 as macros.
+pub fn part_declarations(version: Version, stage: Stage) -> String {
+    const SAMPLERS: [&str; 2] = ["sampler2D", "samplerCube"];
+    const NEW_SAMPLERS: [&str; 13] = [
         "sampler3D",
+        "sampler2DArray",
+        "isampler2D",
+        "isampler3D",
+        "isamplerCube",
+        "isampler2DArray",
+        "usampler2D",
+        "usampler3D",
+        "usamplerCube",
+        "usampler2DArray",
         "sampler2DShadow",
         "samplerCubeShadow",
+        "sampler2DArrayShadow",
     ];
-    let mut text = String::from("#version 300 es\nprecision highp float;\nprecision highp int;\n");
-    for sampler in samplers {
-        text.push_str(&format!("precision highp {sampler};\n"));
+    let mut text = String::new();
+    let mut samplers = SAMPLERS.to_vec();
+    if version == Version::Es300 {
+        samplers.extend(NEW_SAMPLERS);
     }
-    text + own
+    for ty in ["float", "int"].iter().chain(&samplers) {
+        text.push_str(&format!("precision highp {ty};\n"));
+    }
+    if version == Version::Es100 {
+        return text;
+    }
+    let varying = match stage {
+        Stage::Vertex => "#define attribute in\n#define varying out\n",
+        Stage::Fragment => "#define varying in\n#define gl_FragDepthEXT gl_FragDepth\n",
+    };
+    text.push_str(varying);
+    for (old, new) in LEGACY_FUNCTIONS {
+        text.push_str(&format!("#define {old} {new}\n"));
+    }
+    text
 }
 
 impl Dialect {
@@ -137,12 +162,29 @@ impl Dialect {
 }
 
 /// What a text seems to be written for.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub struct Guess {
     /// What the text itself tells; `None` where it tells nothing.
     pub kind: Option<Kind>,
     /// The stage, where the text tells it.
     pub stage: Option<Stage>,
+    /// Whether it defines `main`.
+    pub has_main: bool,
+    /// Whether it declares what WebGL1 asks every shader for: the precision of a fragment shader,
+    /// the attributes of a vertex shader.
+    pub is_supplied: bool,
+    /// Whether its `#version` is 300.
+    pub is_300: bool,
+    /// Whether it shows that a program completes it: by an `#include`, by a `#pragma` that is none
+    /// of GLSL.
+    pub is_completed: bool,
+}
+
+impl Guess {
+    /// Whether ShaderToy's player runs the text.
+    pub fn is_shadertoy(&self) -> bool {
+        matches!(self.kind, Some(Kind::ShaderToy(_)))
+    }
 }
 
 /// What a text is written for, as far as its words tell.
@@ -169,6 +211,7 @@ pub fn guess(text: &str) -> Guess {
         "mainSound",
         "mainCubemap",
         "gl_",
+        "precision",
         "attribute",
         "varying",
         "main",
@@ -194,7 +237,84 @@ pub fn guess(text: &str) -> Guess {
         _ if seen.vertex => Some(Stage::Vertex),
         _ => None,
     };
-    Guess { kind, stage }
+    Guess {
+        kind,
+        stage,
+        has_main: seen.defines_main,
+        is_supplied: seen.attribute || seen.precision && !seen.vertex,
+        is_300: seen.is_300,
+        is_completed: has("#") && is_completed(text),
+    }
+}
+
+/// Whether a text has directives that only a program understands which completes it: `#include`,
+/// `#import`, and a `#pragma` that is none of GLSL ES (section 3.4) and takes something.
+fn is_completed(text: &str) -> bool {
+    let word_of = |text: &str| {
+        let end = text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        end.unwrap_or(text.len())
+    };
+    text.lines().any(|line| {
+        let Some(line) = line.trim_start().strip_prefix('#') else {
+            return false;
+        };
+        let line = line.trim_start();
+        let (word, rest) = line.split_at(word_of(line));
+        let is_own = || {
+            let rest = rest.trim_start();
+            let (name, behind) = rest.split_at(word_of(rest));
+            !matches!(name, "STDGL" | "optimize" | "debug")
+                && behind.trim_start().starts_with([':', '('])
+        };
+        match word {
+            "include" | "import" => true,
+            "pragma" => is_own(),
+            _ => false,
+        }
+    })
+}
+
+/// Whether a text needs GLSL ES 3.00: it has keywords, types or numbers that the language has only
+/// since then, or declares interfaces by `in` and `out`.
+pub fn needs_300(text: &str) -> bool {
+    use crate::syntax::{Lexer, RawKind, TokenKind, WordClass, classify};
+    let is_new = |word: &str| {
+        let is_word = |version| {
+            let class = classify(word, version);
+            matches!(class, WordClass::Keyword(_) | WordClass::Type(_))
+        };
+        is_word(Version::Es300) && !is_word(Version::Es100)
+    };
+    let mut lexer = Lexer::new(text, 0);
+    let mut depth = 0_u32;
+    let mut in_directive = false;
+    let mut starts = true;
+    loop {
+        let token = lexer.next_token();
+        let range = token.span.start as usize..token.span.end as usize;
+        let word = text.get(range).unwrap_or("");
+        match token.kind {
+            RawKind::End => return false,
+            RawKind::Whitespace | RawKind::LineComment | RawKind::BlockComment => continue,
+            RawKind::Newline => {
+                starts |= in_directive;
+                in_directive = false;
+                continue;
+            }
+            RawKind::Hash => in_directive = true,
+            RawKind::Word if in_directive => {}
+            RawKind::Word if is_new(word) => return true,
+            RawKind::Word if depth == 0 && starts && matches!(word, "in" | "out") => return true,
+            RawKind::Integer if word.ends_with(['u', 'U']) => return true,
+            RawKind::Operator(TokenKind::LeftParen | TokenKind::LeftBrace) => depth += 1,
+            RawKind::Operator(TokenKind::RightParen | TokenKind::RightBrace) => {
+                depth = depth.saturating_sub(1);
+            }
+            _ => {}
+        }
+        let ends = [TokenKind::Semicolon, TokenKind::RightBrace].map(RawKind::Operator);
+        starts = ends.contains(&token.kind);
+    }
 }
 
 /// Words that tell the stage. Behind a `#version` no other word tells anything.
@@ -208,6 +328,10 @@ struct Seen {
     new: bool,
     main: bool,
     vertex: bool,
+    defines_main: bool,
+    precision: bool,
+    attribute: bool,
+    is_300: bool,
 }
 
 impl Seen {
@@ -215,41 +339,65 @@ impl Seen {
         use crate::syntax::{Lexer, RawKind};
         let mut lexer = Lexer::new(text, 0);
         let mut behind_hash = false;
+        let mut last = "";
         let may_be_vertex = VERTEX_WORDS.iter().any(|w| text.contains(w));
         while may_be_vertex || !self.version {
             let token = lexer.next_token();
             match token.kind {
-                RawKind::End => return,
+                RawKind::End => break,
                 RawKind::Whitespace => continue,
                 RawKind::Word => {
                     let word = text.get(token.span.start as usize..token.span.end as usize);
-                    self.word(word.unwrap_or(""), behind_hash);
+                    let word = word.unwrap_or("");
+                    let behind = text.get(token.span.end as usize..).unwrap_or("");
+                    self.word(word, behind_hash, last, behind);
+                    last = word;
                 }
                 _ => {}
             }
             behind_hash = token.kind == RawKind::Hash;
         }
+        // A text with a `main` of its own calls ShaderToy's entry itself.
+        if self.defines_main {
+            self.pass = None;
+        }
     }
 
-    fn word(&mut self, word: &str, behind_hash: bool) {
+    fn word(&mut self, word: &str, behind_hash: bool, last: &str, behind: &str) {
         match word {
-            "version" if behind_hash => self.version = true,
-            "mainImage" => self.pass = Some(Pass::Image),
+            "version" if behind_hash => {
+                self.version = true;
+                self.is_300 = behind.trim_start_matches([' ', '\t']).starts_with("300");
+            }
+            "mainImage" if may_be_entry(behind) => self.pass = Some(Pass::Image),
             "mainCubemap" if self.pass.is_none() => self.pass = Some(Pass::Cubemap),
             "mainSound" if self.pass.is_none() => self.pass = Some(Pass::Sound),
             "attribute" | "varying" | "gl_FragColor" | "gl_FragData" | "texture2D"
             | "textureCube" => {
                 self.old = true;
+                self.attribute |= word == "attribute";
                 self.vertex |= word == "attribute";
             }
             "texture" | "texelFetch" | "textureLod" | "out" | "uint" | "flat" | "layout" => {
                 self.new = true
             }
             "gl_Position" => self.vertex = true,
-            "main" => self.main = true,
+            "precision" => self.precision = true,
+            "main" => {
+                self.main = true;
+                self.defines_main |= last == "void";
+            }
             _ => {}
         }
     }
+}
+
+/// Whether what stands behind `mainImage` may be the parameters of ShaderToy's, or of one that is
+/// meant as such; other hosts have entries of this name with more of them.
+fn may_be_entry(behind: &str) -> bool {
+    let params = behind.trim_start().strip_prefix('(');
+    let params = params.and_then(|p| p.split(['(', ')', '{', ';']).next());
+    params.is_none_or(|p| p.matches(',').count() < 2)
 }
 
 #[cfg(test)]

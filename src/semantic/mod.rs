@@ -22,6 +22,7 @@ mod dialect;
 pub mod flow;
 mod fold;
 pub mod link;
+mod part;
 mod program;
 mod scope;
 mod settle;
@@ -33,10 +34,14 @@ mod unit;
 pub use builtins::Stage;
 pub use checker::check;
 pub use constant::{Constant, Pool, Value};
-pub use dialect::{Channels, Dialect, Guess, Kind, Pass, guess, shadertoy_header, three_header};
+pub use dialect::{
+    Channels, Dialect, Guess, Kind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
+    shadertoy_header,
+};
+pub use part::Extent;
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
     Variable, VariableId,
 };
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type};
-pub use unit::{Analysis, Unit, analyze};
+pub use unit::{Analysis, Unit, analyze, analyze_part};

@@ -1,7 +1,6 @@
 //! Parts of shaders, as texts show them: statements without a function around them, names that are
 //! declared elsewhere. What such a part says for certain can still be judged.
 
-use crate::diagnostic::{Diagnostic, error};
 use crate::syntax::{Lexer, RawKind, TokenKind};
 use std::ops::Range;
 
@@ -30,49 +29,18 @@ pub fn items(text: &str) -> Vec<Item> {
     items
 }
 
-/// Whether a finding in a part of a shader holds whatever the rest of the shader is. `is_own` tells
-/// whether a name is that of a function which the part itself declares.
-pub fn is_certain(diagnostic: &Diagnostic, text: &str, is_own: impl Fn(&str) -> bool) -> bool {
-    match diagnostic.rule {
-        // There may be other overloads elsewhere.
-        error::ARGUMENT_MISMATCH => {
-            let word = text
-                .split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
-                .next();
-            !is_own(word.unwrap_or(""))
+/// Whether a part of a shader belongs into a function: it has statements outside of any.
+pub fn is_body(text: &str) -> bool {
+    let all = items(text);
+    let defines = |item: &Item| match item {
+        Item::Global(range) => {
+            let code = text.get(range.clone()).unwrap_or("");
+            !code.starts_with('#')
         }
-        rule => !OPEN.contains(&rule),
-    }
+        _ => false,
+    };
+    all.iter().any(|i| matches!(i, Item::Statement(_))) && !all.iter().any(defines)
 }
-
-/// What may be mended by the rest of the shader, or by the place where the part is put in.
-const OPEN: &[&str] = &[
-    error::UNDECLARED_NAME,
-    error::USE_BEFORE_DECLARATION,
-    error::UNKNOWN_TYPE,
-    error::REDEFINITION,
-    error::NOT_A_FUNCTION,
-    error::UNDEFINED_FUNCTION,
-    error::FUNCTION_MISMATCH,
-    error::MISSING_PRECISION,
-    error::MISSING_OUTPUT,
-    error::MISSING_MAIN,
-    error::UNWRAPPED_MAINIMAGE,
-    error::FRAGCOORD_IN_MAIN,
-    error::NOT_CONSTANT,
-    error::MISPLACED_JUMP,
-    error::UNBALANCED_CONDITIONAL,
-    error::UNCLOSED_DELIMITER,
-    error::UNTERMINATED_COMMENT,
-    error::BAD_DIRECTIVE,
-    error::EXTENSION_PLACEMENT,
-    error::MACRO_REDEFINITION,
-    error::OUTPUT_LOCATION,
-    error::SYNTAX_ERROR,
-    error::STRAY_SEMICOLON,
-    error::PREPROCESSOR_EXPRESSION,
-    error::INFINITE_LOOP,
-];
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {

@@ -4,12 +4,14 @@ use super::blame::{attribute, gather};
 use super::builtins::Stage;
 use super::checker::{Parsed, check};
 use super::dialect::{Channels, Dialect};
+use super::part::{Extent, keep_certain};
 use super::program::Program;
 use super::settle::Corrected;
 use super::types::Sampler;
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::syntax::{Language, Preprocessed, TokenKind, parse, preprocess};
 use crate::text::{FileId, Role, Sources, Span};
+use std::collections::BTreeSet;
 
 /// Most errors that are told of one shader.
 const MAX_ERRORS: usize = 200;
@@ -26,6 +28,8 @@ pub struct Unit<'a> {
     pub dialect: Dialect,
     /// Whether the types of its channels are not known, and are to be what its uses need.
     pub infer_channels: bool,
+    /// How much of the shader that is.
+    pub extent: Extent,
 }
 
 /// A shader, checked.
@@ -34,6 +38,30 @@ pub struct Analysis<'a> {
     pub program: Program<'a>,
     /// What the browser's compiler would refuse, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
+    /// What a part does not declare itself, and its host has to.
+    pub holes: BTreeSet<String>,
+}
+
+/// Reads and checks a part of a shader in each way in which a host may take it, the likeliest first:
+/// what is wrong in all of them is wrong.
+pub fn analyze_part<'a>(readings: &[Unit<'a>]) -> Option<Analysis<'a>> {
+    let (first, others) = readings.split_first()?;
+    let mut analysis = analyze(first);
+    for other in others {
+        if !analysis
+            .diagnostics
+            .iter()
+            .any(|d| d.severity == Severity::Error)
+        {
+            break;
+        }
+        let found = analyze(other).diagnostics;
+        let is_told = |d: &Diagnostic| found.iter().any(|o| o.span.touches(d.span));
+        analysis
+            .diagnostics
+            .retain(|d| d.severity != Severity::Error || is_told(d));
+    }
+    Some(analysis)
 }
 
 /// Reads and checks one shader, and finds whose fault its errors are.
@@ -41,6 +69,7 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     let Analysis {
         program,
         diagnostics,
+        holes,
     } = analyze_once(unit);
     let mut diagnostics = attribute(unit, &program, diagnostics);
     // An entry that stands behind an `#if` without its end is there, only not read.
@@ -54,6 +83,7 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     Analysis {
         program,
         diagnostics,
+        holes,
     }
 }
 
@@ -112,12 +142,17 @@ pub(super) fn analyze_once<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     if let Some(cut) = program.tokens.cut {
         judge_cut(unit.sources, cut, &mut diagnostics);
     }
+    let holes = match unit.extent {
+        Extent::Whole => BTreeSet::new(),
+        extent => keep_certain(&program, extent, &mut diagnostics),
+    };
     let mut diagnostics = gather(&program, diagnostics);
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
     diagnostics.truncate(MAX_ERRORS);
     Analysis {
         program,
         diagnostics,
+        holes,
     }
 }
 

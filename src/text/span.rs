@@ -46,6 +46,11 @@ impl Span {
         self.start >= self.end
     }
 
+    /// Whether both have a place in common; a span ends behind its last character.
+    pub const fn touches(self, other: Span) -> bool {
+        self.start <= other.end && other.start <= self.end
+    }
+
     /// Length in bytes.
     pub const fn len(self) -> u32 {
         self.end.saturating_sub(self.start)

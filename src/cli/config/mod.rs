@@ -6,6 +6,7 @@ mod schema;
 pub use read::{ConfigError, parse};
 pub use schema::schema;
 
+use super::document::host::Packages;
 use super::document::include::Includes;
 use super::document::partner::NOBODY;
 use super::document::{Desktop, DialectChoice, HostNames, Options};
@@ -106,6 +107,7 @@ pub struct Judge {
     dialect: DialectChoice,
     host: HostNames,
     includes: Includes,
+    packages: Packages,
     desktop: Desktop,
 }
 
@@ -118,6 +120,7 @@ impl Judge {
             host: &self.host,
             includes: &self.includes,
             partners: &NOBODY,
+            packages: &self.packages,
             desktop: self.desktop,
             claim: Claim::None,
         }
@@ -284,6 +287,7 @@ impl Configs {
             dialect: DialectChoice::Auto,
             host: HostNames::default(),
             includes: Includes::inside(root),
+            packages: Packages::of_projects(),
             desktop: Desktop::default(),
         };
         let overrides = config.map_or(&[][..], |c| &c.overrides);

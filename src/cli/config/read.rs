@@ -3,11 +3,13 @@
 use super::super::document::{Desktop, DialectChoice, HostNames, HostUniform};
 use super::{Config, Layer};
 use crate::diagnostic::{ERRORS, Severity};
+use crate::host::{PRESETS, preset};
 use crate::lint::{Failing, Group, Rule, Target, nearest_rule};
 use crate::syntax::{Version, WordClass, classify};
 use crate::text::LineIndex;
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use std::ops::Range;
+use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -34,9 +36,6 @@ pub const DIALECTS: [&str; 4] = ["auto", "shadertoy", "webgl2", "webgl1"];
 pub const DESKTOPS: [&str; 3] = ["report", "skip", "port"];
 /// Words for `level`.
 pub const LEVELS: [&str; 3] = ["off", "info", "warning"];
-/// Words for `host` and its `preset`.
-pub const PRESETS: [&str; 1] = ["three"];
-
 /// What is wrong with a configuration.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ConfigError {
@@ -261,14 +260,14 @@ fn number(value: &Value) -> Result<f64> {
 fn host(value: &Value) -> Result<HostNames> {
     let mut host = HostNames::default();
     if value.get_ref().is_str() {
-        host.is_three = word(value, &PRESETS)? == "three";
+        host.preset = preset(word(value, PRESETS)?).cloned().map(Arc::new);
         return Ok(host);
     }
     let table = table_of(value)?;
     check_keys(table, &HOST_KEYS)?;
     for (key, value) in table {
         if key.get_ref() == "preset" {
-            host.is_three = word(value, &PRESETS)? == "three";
+            host.preset = preset(word(value, PRESETS)?).cloned().map(Arc::new);
             continue;
         }
         for (name, ty) in table_of(value)? {

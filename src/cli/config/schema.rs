@@ -1,6 +1,7 @@
 //! The JSON schema of the configuration, for editors.
 
-use super::read::{DESKTOPS, DIALECTS, LEVELS, PRESETS, TARGETS};
+use super::read::{DESKTOPS, DIALECTS, LEVELS, TARGETS};
+use crate::host::PRESETS;
 use crate::lint::{Group, Page, Rule};
 use serde_json::{Map, Value, json};
 

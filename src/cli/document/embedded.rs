@@ -1,18 +1,16 @@
 //! Shaders inside pages, scripts and texts.
 
-use super::part::{Extent, Part, with_host};
-use super::{DialectChoice, Options, Read, foreign};
+use super::part::Part;
+use super::reading::{Place, Readings, Text};
+use super::{Options, Read, foreign};
 use crate::diagnostic::{Applicability, Diagnostic, error};
+use crate::semantic::Stage;
 use crate::semantic::snippet::{Item, items};
-use crate::semantic::{Dialect, Kind, Pass, Stage, guess, shadertoy_header, three_header};
 use crate::syntax::{Version, WordClass, classify};
 use crate::text::embed::{Embedded, Host, Language, Wrapping};
 use crate::text::{FileId, Role};
 use std::collections::BTreeMap;
 
-/// What is put before an excerpt, whose precision nobody knows.
-const EXCERPT: &str = "#version 300 es\nprecision highp float;\nprecision highp int;\n\
-    precision highp sampler3D;\nprecision highp sampler2DArray;\n";
 /// Most declarations of an excerpt, or of a chapter, that are told apart.
 const MAX_SCOPES: usize = 100;
 
@@ -29,7 +27,6 @@ pub(super) fn parts(
         Language::Markdown => Host::default(),
         Language::Html | Language::Script | Language::Component => Host::of(text),
     };
-    let is_raw = text.contains("RawShaderMaterial");
     let all = std::mem::take(&mut read.embedded);
     let mut known = Known::default();
     for embedded in &all {
@@ -37,7 +34,7 @@ pub(super) fn parts(
         if foreign::inside(read, file, embedded, options)? {
             continue;
         }
-        let part = part(read, file, embedded, host, !is_raw, &mut known, options)?;
+        let part = part(read, file, embedded, host, &mut known, options)?;
         read.parts.push(part);
     }
     read.embedded = all;
@@ -49,56 +46,29 @@ fn part(
     file: FileId,
     embedded: &Embedded,
     host: Host,
-    may_be_three: bool,
     known: &mut Known,
     options: &Options,
 ) -> Option<Part> {
     let code = embedded.code.as_str();
-    let told = guess(code);
     let is_whole = code.trim_start().starts_with("#version") && !embedded.has_holes;
     let is_excerpt = embedded.wrapping == Wrapping::Fence && !is_whole;
-    let kind = match (options.dialect, told.kind) {
-        (DialectChoice::Shadertoy, Some(Kind::ShaderToy(pass))) => Kind::ShaderToy(pass),
-        (DialectChoice::Shadertoy, _) => Kind::ShaderToy(Pass::Common),
-        (DialectChoice::Webgl1, _) => Kind::WebGl1,
-        (DialectChoice::Webgl2, Some(Kind::Versioned)) => Kind::Versioned,
-        (DialectChoice::Webgl2, _) => Kind::WebGl2,
-        (DialectChoice::Auto, kind) => kind.unwrap_or(Kind::WebGl2),
-    };
-    let is_vertex = embedded.is_vertex || told.stage == Some(Stage::Vertex);
-    let stage = match kind {
-        Kind::ShaderToy(_) => Stage::Fragment,
-        _ if is_vertex => Stage::Vertex,
-        _ => Stage::Fragment,
-    };
-    let is_three = may_be_three && (host.is_three || options.host.is_three);
-    let header = match kind {
-        Kind::ShaderToy(pass) => Some(shadertoy_header(pass, [None; 4])),
-        Kind::Versioned => None,
-        _ if is_three => Some(three_header(stage)),
-        Kind::WebGl2 if is_excerpt => Some(EXCERPT.to_string()),
-        Kind::WebGl2 => Some("#version 300 es\n".to_string()),
-        Kind::WebGl1 => None,
-    };
-    let own = if is_excerpt {
+    let files = if is_excerpt {
         excerpt(read, file, embedded, known)?
     } else {
         vec![read.sources.embed(file, embedded.start, code)?]
     };
-    let dialect = match kind {
-        Kind::ShaderToy(pass) => Dialect::ShaderToy(pass),
-        _ => Dialect::WebGl { whole: is_whole },
+    let text = Text {
+        files,
+        stage: embedded.is_vertex.then_some(Stage::Vertex),
+        place: Place::Embedded,
+        is_open: false,
+        has_holes: is_excerpt || embedded.has_holes,
     };
+    let readings = Readings::of(&mut read.sources, code, text, options)?;
+    let first = readings.all.first()?;
     Some(Part {
-        files: with_host(&mut read.sources, header, own, options)?,
-        stage,
-        dialect,
-        infer_channels: dialect.is_shadertoy(),
-        extent: match () {
-            () if is_whole => Extent::Whole,
-            () if is_excerpt || embedded.has_holes => Extent::Excerpt,
-            () => Extent::Open,
-        },
+        infer_channels: first.dialect.is_shadertoy(),
+        readings,
         host,
     })
 }

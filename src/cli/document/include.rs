@@ -113,8 +113,8 @@ pub(super) fn spread(
         let span = Span::new(base + next.start as u32, base + next.end as u32);
         let (from, owner) = (last.name.clone(), last.file);
         if next.is_chunk {
-            spread.is_open |= options.host.is_three;
-            if options.host.is_three {
+            spread.is_open |= options.host.preset.is_some();
+            if options.host.preset.is_some() {
                 let before = last.text.get(last.done..next.start)?;
                 spread
                     .files

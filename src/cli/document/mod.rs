@@ -3,22 +3,27 @@
 mod embedded;
 mod export;
 mod foreign;
+pub mod host;
 pub mod include;
 mod part;
 pub mod partner;
+mod reading;
 
 use super::input::{Content, Encoding};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
+use crate::host::Preset;
 use crate::lint::{Allow, Allows, Fixed, Judged, Look, Settings, count_fixes, fix};
 use crate::port::{Project, ProjectError, compose};
 use crate::rules::RULES;
+pub use crate::semantic::Extent;
 use crate::text::embed::{Embedded, extract};
 use crate::text::kind::{Claim, Decision, FileKind, Tongue, decide};
 use crate::text::{FileId, Role, Sources, Span};
 use export::Written;
 pub use foreign::Desktop;
+use host::{Hosts, Packages};
 use include::Includes;
-pub use part::{Extent, Shader};
+pub use part::Shader;
 use part::{Part, check_part, shader_part};
 use partner::{NOBODY, Partners};
 use std::sync::Arc;
@@ -40,8 +45,8 @@ pub enum DialectChoice {
 /// What declares names for a shader, besides the shader itself.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct HostNames {
-    /// Whether three.js puts its own declarations before it.
-    pub is_three: bool,
+    /// The host that completes the shaders.
+    pub preset: Option<Arc<Preset>>,
     /// Further uniforms.
     pub uniforms: Vec<HostUniform>,
 }
@@ -70,6 +75,8 @@ pub struct Options<'a> {
     pub includes: &'a Includes,
     /// Where the other stage is found.
     pub partners: &'a Partners,
+    /// Where the packages of the project are found.
+    pub packages: &'a Packages,
     /// What is said of shaders for OpenGL, Vulkan and others.
     pub desktop: Desktop,
     /// What the user says of the file.
@@ -149,6 +156,7 @@ pub fn check(
         host: &HostNames::default(),
         includes: &Includes::none(),
         partners: &NOBODY,
+        packages: &Packages::none(),
         desktop: Desktop::default(),
         claim: Claim::None,
     };
@@ -186,10 +194,24 @@ pub fn check_with(
     let mut allows = Allows::default();
     let mut judged: Option<Judged> = None;
     let mut shaders: Vec<Shader> = Vec::new();
-    for part in &read.parts {
-        let settings = options.settings;
-        let (shader, seen) =
-            check_part(&read.sources, part, settings, &mut allows, &mut diagnostics);
+    let script = read.file.and_then(|id| read.sources.file(id));
+    let script = script
+        .filter(|_| !read.embedded.is_empty())
+        .map(|f| f.text.clone());
+    let hosts = Hosts::new(name, script, options.packages);
+    for part in &mut read.parts {
+        let sources = &mut read.sources;
+        let checked = check_part(
+            sources,
+            part,
+            &hosts,
+            options,
+            &mut allows,
+            &mut diagnostics,
+        );
+        let Some((shader, seen)) = checked else {
+            continue;
+        };
         shaders.push(shader);
         if let Some(seen) = seen {
             judged.get_or_insert_default().join(seen);
@@ -343,6 +365,7 @@ pub fn fix_text(
         host: &HostNames::default(),
         includes: &Includes::none(),
         partners: &NOBODY,
+        packages: &Packages::none(),
         desktop: Desktop::default(),
         claim: Claim::None,
     };

@@ -1,43 +1,26 @@
 //! One shader of an input.
 
+use super::host::Hosts;
 use super::include::spread;
+use super::reading::{Checked, Place, Reading, Readings, Standing, Text};
 use super::{DialectChoice, HostUniform, Options, Read};
-use crate::diagnostic::{Diagnostic, Severity, error};
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
-use crate::semantic::snippet::is_certain;
-use crate::semantic::{
-    Analysis, Dialect, Kind, Pass, Stage, Unit, analyze, guess, shadertoy_header, three_header,
-};
+use crate::semantic::{Dialect, Extent, Stage};
 use crate::syntax::{Lexer, RawKind, Version};
 use crate::text::embed::Host;
 use crate::text::kind::ending;
-use crate::text::{FileId, Role, Sources, Span};
-
-/// How much of a shader is at hand.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Extent {
-    /// All of it.
-    Whole,
-    /// What it does not declare may be declared elsewhere.
-    Open,
-    /// It is an excerpt: rules, which look at whole shaders, have nothing to say.
-    Excerpt,
-}
+use crate::text::{FileId, Role, Sources};
+use std::collections::BTreeSet;
 
 /// One shader of an input.
 pub struct Part {
-    /// What is compiled, in order.
-    pub files: Vec<FileId>,
-    /// The stage.
-    pub stage: Stage,
-    /// Who runs it.
-    pub dialect: Dialect,
+    /// The ways to read it.
+    pub readings: Readings,
     /// Whether its channels may be of any type.
     pub infer_channels: bool,
-    /// How much of it is at hand.
-    pub extent: Extent,
     /// The page or script around it.
     pub host: Host,
 }
@@ -45,44 +28,88 @@ pub struct Part {
 impl Part {
     /// A pass of an export.
     pub fn of_pass(unit: PassUnit) -> Part {
-        Part {
+        let reading = Reading {
             files: unit.files,
             stage: Stage::Fragment,
             dialect: Dialect::ShaderToy(unit.kind),
+        };
+        Part {
+            readings: Readings::whole(reading),
             infer_channels: false,
-            extent: Extent::Whole,
             host: Host::default(),
         }
+    }
+
+    /// The likeliest way to read it.
+    pub fn reading(&self) -> Option<&Reading> {
+        self.readings.all.first()
+    }
+
+    /// Whether it may be linked with another stage.
+    pub fn may_be_program(&self) -> bool {
+        self.readings.standing != Standing::Excerpt
+            && self.reading().is_some_and(|r| !r.dialect.is_shadertoy())
     }
 }
 
 /// Finds what is to be said of a shader, and says what was looked at; of one with errors also what
-/// was judged at all.
+/// was judged at all. Where it lacks something, its host is looked for first.
 pub fn check_part(
+    sources: &mut Sources,
+    part: &mut Part,
+    hosts: &Hosts,
+    options: &Options,
+    allows: &mut Allows,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<(Shader, Option<Judged>)> {
+    let is_open = options.dialect == DialectChoice::Auto
+        && options.host.preset.is_none()
+        && !part.readings.is_shadertoy();
+    let checked = part.readings.check(sources, part.infer_channels)?;
+    let lacking = checked.lacking().filter(|_| is_open);
+    let presets = lacking.map_or(Vec::new(), |lacking| hosts.of(&lacking, &part.readings));
+    if presets.is_empty() {
+        return tell_part(
+            sources,
+            part,
+            checked,
+            options.settings,
+            allows,
+            diagnostics,
+        );
+    }
+    drop(checked);
+    part.readings.host(sources, &presets, options)?;
+    let checked = part.readings.check(sources, part.infer_channels)?;
+    tell_part(
+        sources,
+        part,
+        checked,
+        options.settings,
+        allows,
+        diagnostics,
+    )
+}
+
+/// Runs the rules over a shader that was checked, and gathers what is to be said.
+fn tell_part(
     sources: &Sources,
     part: &Part,
+    checked: Checked,
     settings: &Settings,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
-) -> (Shader, Option<Judged>) {
+) -> Option<(Shader, Option<Judged>)> {
+    let Checked {
+        mut analysis,
+        extent,
+    } = checked;
     let known = diagnostics.len();
-    let mut analysis = analyze(&Unit {
-        sources,
-        files: &part.files,
-        stage: part.stage,
-        dialect: part.dialect,
-        infer_channels: part.infer_channels,
-    });
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
-    let count = |found: &[Diagnostic]| found.iter().filter(is_error).count();
-    let errors = count(&analysis.diagnostics);
-    if part.extent != Extent::Whole {
-        keep_certain(sources, part.extent, &mut analysis);
-    }
-    // What is uncertain shows that the shader is not all here.
-    let is_known = errors == count(&analysis.diagnostics);
+    let errors = analysis.diagnostics.iter().filter(is_error).count();
     let mut left_out = 0;
-    let unrun = if is_known && part.extent != Extent::Excerpt {
+    // Where something is open, no rule knows enough.
+    let unrun = if analysis.holes.is_empty() && extent != Extent::Excerpt {
         let mut found = Vec::new();
         let (program, errors) = (&analysis.program, &analysis.diagnostics);
         let unrun = lint_within(program, part.host, errors, RULES, settings, &mut found);
@@ -92,6 +119,11 @@ pub fn check_part(
         if let Unrun::Functions { broken, .. } = &unrun {
             allows.excuse(broken);
         }
+        let is_user = |d: &Diagnostic| {
+            let file = sources.file_at(d.span.start);
+            file.is_some_and(|f| f.role == Role::User)
+        };
+        found.retain(is_user);
         found.sort_by_key(|d| (d.span.start, d.span.end));
         left_out = found.len().saturating_sub(MAX_FINDINGS);
         found.truncate(MAX_FINDINGS);
@@ -100,7 +132,7 @@ pub fn check_part(
     } else {
         Unrun::Everywhere
     };
-    diagnostics.extend(analysis.diagnostics);
+    diagnostics.append(&mut analysis.diagnostics);
     let own = diagnostics.get_mut(known..).unwrap_or(&mut []);
     if own.iter().any(|d| d.fix.is_some()) {
         let mut comments = analysis.program.tokens.comments.clone();
@@ -109,19 +141,23 @@ pub fn check_part(
             keep_comments(sources, &comments, diagnostic);
         }
     }
-    let judged = (errors > 0).then(|| Judged::of(&analysis.program));
+    let program = &analysis.program;
+    let judged = (errors > 0).then(|| Judged::of(program));
+    let own = |id: &&FileId| sources.code(**id).is_some_and(|c| c.role == Role::User);
     let shader = Shader {
-        file: part.files.last().copied(),
-        stage: part.stage,
-        dialect: part.dialect,
-        version: analysis.program.version,
-        extent: part.extent,
+        file: part.reading()?.files.iter().rev().find(own).copied(),
+        stage: program.stage,
+        dialect: program.dialect,
+        version: program.version,
+        extent,
         unrun,
         has_errors: errors > 0,
         left_out,
-        size: analysis.program.size(),
+        size: program.size(),
+        holes: analysis.holes,
+        hosts: part.readings.hosts.clone(),
     };
-    (shader, judged)
+    Some((shader, judged))
 }
 
 /// What was read as one shader, and how far rules looked at it.
@@ -145,33 +181,14 @@ pub struct Shader {
     pub has_errors: bool,
     /// Findings of the rules that are not kept, since there are too many.
     pub left_out: usize,
+    /// What its host has to declare.
+    pub holes: BTreeSet<String>,
+    /// The hosts that are thought to complete it.
+    pub hosts: Vec<String>,
 }
 
 /// Most findings of the rules in one shader; whoever mends these sees the next.
 const MAX_FINDINGS: usize = 500;
-
-/// Keeps what is wrong whatever the rest of the shader is.
-fn keep_certain(sources: &Sources, extent: Extent, analysis: &mut Analysis) {
-    let program = &analysis.program;
-    let is_own = |name: &str| {
-        let functions = program.functions.iter();
-        functions
-            .into_iter()
-            .any(|f| program.names.text(f.name) == name)
-    };
-    let is_user = |span: Span| {
-        let file = sources.file_at(span.start);
-        file.is_some_and(|f| f.role == Role::User && f.span().contains(span))
-    };
-    // An excerpt leaves bodies out, by `...` or a comment.
-    let is_left_out = |d: &Diagnostic| extent == Extent::Excerpt && d.rule == error::MISSING_RETURN;
-    analysis.diagnostics.retain(|d| {
-        is_user(d.span) && !is_left_out(d) && is_certain(d, sources.text(d.span), is_own)
-    });
-    for diagnostic in &mut analysis.diagnostics {
-        diagnostic.labels.retain(|l| is_user(l.span));
-    }
-}
 
 /// Makes the one shader of a shader file. `None` where it is too large.
 pub(super) fn shader_part(
@@ -181,57 +198,28 @@ pub(super) fn shader_part(
     text: &str,
     options: &Options,
 ) -> Option<()> {
-    let told = guess(text);
     let extension = ending(name);
-    let extension = extension.as_str();
-    let is_stage_file = matches!(extension, "frag" | "vert" | "fs" | "vs" | "fsh" | "vsh");
-    let kind = match options.dialect {
-        DialectChoice::Shadertoy => match told.kind {
-            Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
-            _ => Kind::ShaderToy(Pass::Common),
-        },
-        DialectChoice::Webgl1 => Kind::WebGl1,
-        DialectChoice::Webgl2 if told.kind == Some(Kind::Versioned) => Kind::Versioned,
-        DialectChoice::Webgl2 => Kind::WebGl2,
-        DialectChoice::Auto => match told.kind {
-            Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
-            // What a stage's file holds is compiled as it stands: without `#version` it is 1.00.
-            _ if is_stage_file => Kind::Versioned,
-            Some(kind) => kind,
-            None => Kind::ShaderToy(Pass::Common),
-        },
-    };
-    let stage = match (kind, extension) {
-        (Kind::ShaderToy(_), _) => Stage::Fragment,
-        (_, "vert" | "vs" | "vsh") => Stage::Vertex,
-        (_, "frag" | "fs" | "fsh") => Stage::Fragment,
-        _ => told.stage.unwrap_or(Stage::Fragment),
-    };
-    let is_three = options.host.is_three && told.kind != Some(Kind::Versioned);
-    let header = match kind {
-        Kind::ShaderToy(pass) => Some(shadertoy_header(pass, [None; 4])),
-        _ if is_three => Some(three_header(stage)),
-        Kind::WebGl2 => Some("#version 300 es\n".to_string()),
-        Kind::Versioned | Kind::WebGl1 => None,
+    let stage = match extension.as_str() {
+        "vert" | "vs" | "vsh" => Some(Stage::Vertex),
+        "frag" | "fs" | "fsh" => Some(Stage::Fragment),
+        _ => None,
     };
     let own = spread(read, name, file, text, options)?;
-    let extent = if own.is_open {
-        Extent::Open
-    } else {
-        Extent::Whole
-    };
-    let files = with_host(&mut read.sources, header, own.files, options)?;
-    let dialect = match kind {
-        Kind::ShaderToy(pass) => Dialect::ShaderToy(pass),
-        Kind::WebGl2 => Dialect::WebGl { whole: false },
-        _ => Dialect::WebGl { whole: true },
-    };
-    read.parts.push(Part {
-        files,
+    let about = Text {
+        files: own.files,
         stage,
-        dialect,
-        infer_channels: dialect.is_shadertoy(),
-        extent,
+        place: match stage {
+            Some(_) => Place::StageFile,
+            None => Place::File,
+        },
+        is_open: own.is_open,
+        has_holes: false,
+    };
+    let readings = Readings::of(&mut read.sources, text, about, options)?;
+    let first = readings.all.first()?;
+    read.parts.push(Part {
+        infer_channels: first.dialect.is_shadertoy(),
+        readings,
         host: Host::default(),
     });
     Some(())
@@ -294,7 +282,11 @@ fn declares(code: &str, name: &str) -> bool {
 }
 
 /// Puts a prelude behind the line with `#version`, or in front where there is none.
-fn behind_version(sources: &mut Sources, own: Vec<FileId>, prelude: FileId) -> Option<Vec<FileId>> {
+pub fn behind_version(
+    sources: &mut Sources,
+    own: Vec<FileId>,
+    prelude: FileId,
+) -> Option<Vec<FileId>> {
     let mut own = own.into_iter();
     let first = own.next()?;
     let code = sources.code(first)?;

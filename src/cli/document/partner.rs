@@ -1,13 +1,14 @@
 //! Vertex and fragment shaders that belong together: which they are, and what keeps them from being
 //! linked.
 
-use super::part::{Extent, Part, shader_part};
+use super::part::{Part, shader_part};
+use super::reading::{Reading, Standing};
 use super::{Options, Read};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::lint::Settings;
 use crate::rules::RULES;
 use crate::semantic::link::link;
-use crate::semantic::{Analysis, Dialect, Function, Program, Stage, Storage, Unit, analyze};
+use crate::semantic::{Analysis, Extent, Function, Program, Stage, Storage, Unit, analyze};
 use crate::text::embed::{Asked, Embedded, Language, asked, together};
 use crate::text::kind::ending;
 use crate::text::{Role, Sources, Span};
@@ -116,10 +117,10 @@ pub(super) fn load(read: &mut Read, name: &str, options: &Options) -> Option<Par
     let [part] = read.parts.as_slice() else {
         return None;
     };
-    if part.extent != Extent::Whole || part.dialect.is_shadertoy() || !read.embedded.is_empty() {
+    if !may_be_linked(part) || !read.embedded.is_empty() {
         return None;
     }
-    let stage = part.stage;
+    let stage = part.reading()?.stage;
     let (name, text) = options.partners.find(name)?;
     let problems = read.problems.len();
     let file = read
@@ -131,7 +132,13 @@ pub(super) fn load(read: &mut Read, name: &str, options: &Options) -> Option<Par
     let is_well = read.problems.len() == problems;
     read.problems.truncate(problems);
     made?;
-    other.filter(|o| is_well && o.stage != stage && o.extent == Extent::Whole)
+    other.filter(|o| is_well && may_be_linked(o) && o.reading().is_some_and(|r| r.stage != stage))
+}
+
+/// Whether a shader file is one stage of a program, as far as its text shows.
+fn may_be_linked(part: &Part) -> bool {
+    let is_whole = matches!(part.readings.standing, Standing::Whole | Standing::Complete);
+    is_whole && part.may_be_program()
 }
 
 /// Finds what keeps the shaders of an input from being linked, each with its partner.
@@ -198,14 +205,14 @@ pub(super) fn check(
 /// By shader of a page: the part that it was made to, where it may be one of a program.
 fn programs(read: &Read, base: u32) -> Vec<Option<&Part>> {
     let by_start = read.parts.iter().flat_map(|part| {
-        let codes = part.files.iter().filter_map(|id| read.sources.code(*id));
+        let files = part.reading().map_or(&[][..], |r| r.files.as_slice());
+        let codes = files.iter().filter_map(|id| read.sources.code(*id));
         codes.map(move |code| (code.base, part))
     });
     let by_start: HashMap<u32, &Part> = by_start.collect();
     let of = |embedded: &Embedded| {
         let part = *by_start.get(&(base + embedded.start as u32))?;
-        let is_program = part.extent != Extent::Excerpt && !part.dialect.is_shadertoy();
-        is_program.then_some(part)
+        part.may_be_program().then_some(part)
     };
     read.embedded.iter().map(of).collect()
 }
@@ -217,7 +224,7 @@ fn pair(
 ) -> Option<(usize, usize)> {
     let (mut vertex, mut fragment) = (None, None);
     for index in members {
-        let slot = match parts.get(index).copied().flatten()?.stage {
+        let slot = match parts.get(index).copied().flatten()?.reading()?.stage {
             Stage::Vertex => &mut vertex,
             Stage::Fragment => &mut fragment,
         };
@@ -237,40 +244,47 @@ fn link_parts(
     more: impl FnOnce(&Program, &Program),
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    let (vertex, fragment) = match one.stage {
-        Stage::Vertex => (one, other),
-        Stage::Fragment => (other, one),
+    let (vertex, fragment) = match one.reading().map(|r| r.stage) {
+        Some(Stage::Vertex) => (one, other),
+        _ => (other, one),
     };
-    let (Some(of_vertex), Some(of_fragment)) = (whole(sources, vertex), whole(sources, fragment))
-    else {
-        return;
-    };
-    let has_versions = |p: &Part| {
-        let first = p.files.first().and_then(|id| sources.code(*id));
-        !p.host.is_three && first.is_some_and(|c| c.role == Role::User)
-    };
-    let versions = (of_vertex.version, of_fragment.version);
-    if versions.0 != versions.1 && !(has_versions(vertex) && has_versions(fragment)) {
-        return;
+    // Parts may be read as several versions; the host makes one of both stages.
+    let of_vertices = vertex.readings.all.iter();
+    for (of_vertex, own) in of_vertices.filter_map(|r| Some((whole(sources, vertex, r)?, r))) {
+        for reading in &fragment.readings.all {
+            let Some(of_fragment) = whole(sources, fragment, reading) else {
+                continue;
+            };
+            let starts_with_user = |r: &Reading| {
+                let first = r.files.first().and_then(|id| sources.code(*id));
+                first.is_some_and(|c| c.role == Role::User)
+            };
+            let has_versions = starts_with_user(own) && starts_with_user(reading);
+            if of_vertex.version == of_fragment.version || has_versions {
+                diagnostics.extend(link(&of_vertex, &of_fragment));
+                more(&of_vertex, &of_fragment);
+                return;
+            }
+        }
     }
-    diagnostics.extend(link(&of_vertex, &of_fragment));
-    more(&of_vertex, &of_fragment);
 }
 
-/// A shader that is all at hand and without errors.
-fn whole<'a>(sources: &'a Sources, part: &'a Part) -> Option<Program<'a>> {
-    let Dialect::WebGl { .. } = part.dialect else {
+/// A shader that is all at hand and without errors, read in one way.
+fn whole<'a>(sources: &'a Sources, part: &Part, reading: &'a Reading) -> Option<Program<'a>> {
+    if !part.may_be_program() {
         return None;
-    };
+    }
     let Analysis {
         program,
         diagnostics,
+        ..
     } = analyze(&Unit {
         sources,
-        files: &part.files,
-        stage: part.stage,
-        dialect: part.dialect,
+        files: &reading.files,
+        stage: reading.stage,
+        dialect: reading.dialect,
         infer_channels: false,
+        extent: Extent::Whole,
     });
     let has_errors = diagnostics.iter().any(|d| d.severity == Severity::Error);
     let is_main = |f: &Function| f.definition.is_some() && program.names.text(f.name) == "main";

@@ -58,8 +58,7 @@ fn told(shader: &Shader, findings: &Findings) -> String {
             Pass::Common => "ShaderToy common code",
         }
         .to_string(),
-        Dialect::WebGl { whole: true } => format!("{stage}, {version}"),
-        Dialect::WebGl { whole: false } => format!("{stage}, {version} without its `#version`"),
+        Dialect::WebGl => format!("{stage}, {version}"),
     };
     let part = file.and_then(|f| f.part.as_deref());
     let part = part.map_or(String::new(), |p| format!(" ({p})"));
@@ -70,7 +69,7 @@ fn told(shader: &Shader, findings: &Findings) -> String {
             names.join("`, `")
         ),
         (Extent::Excerpt, Unrun::Everywhere) => ", an excerpt: rules not run".to_string(),
-        (Extent::Open, Unrun::Everywhere) => {
+        (Extent::Part, Unrun::Everywhere) => {
             ", parts of which are elsewhere: rules not run".to_string()
         }
         (Extent::Whole, Unrun::Everywhere) => ", rules not run for its errors".to_string(),

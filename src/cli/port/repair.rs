@@ -152,6 +152,7 @@ fn errors(composed: &Composed) -> (Vec<Diagnostic>, usize) {
         let Analysis {
             program,
             mut diagnostics,
+            ..
         } = composed.analyze(unit);
         size += program.size();
         diagnostics.retain(|d| d.severity == Severity::Error);

@@ -1,6 +1,6 @@
 //! Where a mistake in a macro or directive is told, and that its fix mends the shader.
 
-use crate::semantic::{Dialect, Stage, Unit, analyze};
+use crate::semantic::{Dialect, Extent, Stage, Unit, analyze};
 use crate::text::{Role, Sources, apply_edits};
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n";
@@ -15,8 +15,9 @@ fn found(code: &str) -> (Vec<String>, String) {
         sources: &sources,
         files: &[file],
         stage: Stage::Fragment,
-        dialect: Dialect::WebGl { whole: true },
+        dialect: Dialect::WebGl,
         infer_channels: false,
+        extent: Extent::Whole,
     };
     let diagnostics = analyze(&unit).diagnostics;
     let told = diagnostics.iter().map(|d| {

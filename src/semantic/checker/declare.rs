@@ -497,7 +497,9 @@ impl<'a> Checker<'a> {
         };
         let mut ty = base;
         for size in sizes {
-            let len = self.array_size(size);
+            let Some(len) = self.array_size(size) else {
+                return Type::ERROR;
+            };
             if ty.is_array() {
                 let d = self
                     .error(
@@ -534,19 +536,19 @@ impl<'a> Checker<'a> {
         self.report(d);
     }
 
-    /// The size that one pair of brackets gives.
-    fn array_size(&mut self, size: &ArraySize) -> u32 {
+    /// The size that one pair of brackets gives; `None` where it hangs on something unknown.
+    fn array_size(&mut self, size: &ArraySize) -> Option<u32> {
         let Some(expr) = size.size else {
             if !self.is_300() {
                 let d = self.error(error::NEEDS_WEBGL2, size.extent, "the array needs a size");
                 self.report(d.note("GLSL ES 1.00 takes none from an initializer"));
             }
-            return Type::UNSIZED;
+            return Some(Type::UNSIZED);
         };
         self.eval(expr);
         let info = self.info(expr);
         if info.ty.is_error() {
-            return 1;
+            return None;
         }
         let value = self.pool.scalar(info.constant);
         let (rule, message) = match value {
@@ -569,14 +571,14 @@ impl<'a> Checker<'a> {
                 error::INVALID_ARRAY,
                 "an array's size cannot be 0".to_string(),
             ),
-            Some(v) => return v.as_uint().min(Type::UNSIZED - 1),
-            None => return 1,
+            Some(v) => return Some(v.as_uint().min(Type::UNSIZED - 1)),
+            None => return Some(1),
         };
         let mut d = self.error_expr(rule, expr, message);
         if rule == error::NOT_CONSTANT {
             d = self.explain_not_constant(d, expr);
         }
         self.report(d);
-        1
+        Some(1)
     }
 }

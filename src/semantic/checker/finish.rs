@@ -95,8 +95,8 @@ impl Checker<'_> {
                     self.check_shadertoy_entry(entry);
                 }
             }
-            Dialect::WebGl { whole } => {
-                if whole && !self.defines("main") && !self.main_was_unreadable() {
+            Dialect::WebGl => {
+                if !self.defines("main") && !self.main_was_unreadable() {
                     self.missing_main();
                 }
             }
@@ -318,6 +318,10 @@ impl Checker<'_> {
             .tree
             .function(function.declaration)
             .map(|f| f.ident.token);
+        // What a host declares, it defines.
+        if declared.is_some_and(|t| self.is_prelude(t)) {
+            return;
+        }
         let d = self.error_at(
             error::UNDEFINED_FUNCTION,
             token,

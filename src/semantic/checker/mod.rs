@@ -39,6 +39,7 @@ use crate::syntax::{Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
 use crate::text::{Role, Sources, Span};
 use doubt::{Doubts, settle};
 use finish::LoopCheck;
+pub(super) use names::LEGACY_FUNCTIONS;
 use qualifier::Precisions;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::Cell;

@@ -10,7 +10,7 @@ use crate::text::Edit;
 const MAX_BRACKETED: TokenId = 200;
 /// Functions of GLSL ES 1.00 and its extensions, and what took their place.
 #[rustfmt::skip]
-pub(super) const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
+pub(in crate::semantic) const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
     ("texture2D", "texture"), ("texture2DProj", "textureProj"), ("texture2DLod", "textureLod"),
     ("texture2DProjLod", "textureProjLod"), ("textureCube", "texture"),
     ("textureCubeLod", "textureLod"), ("texture3D", "texture"), ("texture2DLodEXT", "textureLod"),

@@ -1,7 +1,7 @@
 //! Pairs of shaders, and what is wrong with them.
 
 use super::link;
-use crate::semantic::{Dialect, Stage, Unit, analyze};
+use crate::semantic::{Dialect, Extent, Stage, Unit, analyze};
 use crate::text::{Role, Sources};
 
 /// Links two shaders and gives what is wrong, a line each: rule, place in the fragment or vertex
@@ -17,8 +17,9 @@ fn check(vertex: &str, fragment: &str, expected: &str) {
             sources: &sources,
             files,
             stage,
-            dialect: Dialect::WebGl { whole: true },
+            dialect: Dialect::WebGl,
             infer_channels: false,
+            extent: Extent::Whole,
         });
         let messages: Vec<&str> = analysis
             .diagnostics

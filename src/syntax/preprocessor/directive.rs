@@ -217,6 +217,7 @@ impl Preprocessor<'_> {
                 piece.token.expansion = index;
             }
         }
+        self.note_definition(&definition);
         self.define_checked(definition);
     }
 

@@ -1,7 +1,7 @@
 //! Conditional groups: `#if` to `#endif` (GLSL ES 3.00 section 3.4).
 
 use super::condition::{Problem, evaluate};
-use super::macros::{Expander, Piece};
+use super::macros::{Expander, Macro, Piece};
 use super::{Group, Input, Preprocessor, error_at};
 use crate::diagnostic::{Fix, error};
 use crate::syntax::names::Name;
@@ -20,8 +20,15 @@ impl Preprocessor<'_> {
             skip: false,
             taken: false,
             else_at: None,
+            is_undecided: false,
+            guard: None,
         };
         if !skip_all {
+            group.is_undecided = self.is_undecided(rest);
+            group.guard = rest
+                .first()
+                .filter(|p| word == "ifndef" && p.token.kind == TokenKind::Identifier)
+                .map(|p| Name(p.token.value));
             let holds = match word {
                 "if" => self.condition(span, rest),
                 _ => self.is_defined(span, rest, word) == (word == "ifdef"),
@@ -81,10 +88,40 @@ impl Preprocessor<'_> {
         if group.taken {
             return;
         }
+        let is_undecided = self.is_undecided(rest);
         let holds = self.condition(span, rest);
         if let Some(group) = self.groups.last_mut() {
             group.skip = !holds;
             group.taken = holds;
+            group.is_undecided |= is_undecided;
+        }
+    }
+
+    /// Whether a condition asks for a name that nothing defines, and that a host may define.
+    fn is_undecided(&self, condition: &[Piece]) -> bool {
+        condition.iter().any(|p| {
+            let name = Name(p.token.value);
+            p.token.kind == TokenKind::Identifier
+                && self.macro_named(name).is_none()
+                && self.names.text(name) != "defined"
+        })
+    }
+
+    /// Notes that a macro is defined, which may make the group at hand an include guard.
+    pub(super) fn note_definition(&mut self, definition: &Macro) {
+        if definition.body.is_empty()
+            && definition.params.is_none()
+            && let Some(group) = self.groups.last_mut()
+            && group.guard == Some(definition.name)
+        {
+            group.is_undecided = false;
+        }
+    }
+
+    /// Notes a group that ends at an address.
+    pub(super) fn close_group(&mut self, group: &Group, end: u32) {
+        if group.is_undecided && end >= group.start.start {
+            self.out.undecided.push(Span::new(group.start.start, end));
         }
     }
 
@@ -113,7 +150,10 @@ impl Preprocessor<'_> {
         match self.groups.pop() {
             None => self.without_if("endif", span),
             Some(group) if group.skip_all => {}
-            Some(_) => self.expect_end(rest, "endif"),
+            Some(group) => {
+                self.close_group(&group, span.end);
+                self.expect_end(rest, "endif");
+            }
         }
     }
 

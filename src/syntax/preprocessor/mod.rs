@@ -46,6 +46,9 @@ pub struct Tokens {
     pub comments: Vec<Span>,
     /// What `#if` and its kin left out, from the end of one directive to the start of the next.
     pub inactive: Vec<Span>,
+    /// The groups from `#if` to `#endif` that hang on a name which nothing defines. A file that is
+    /// guarded against being included twice is none.
+    pub undecided: Vec<Span>,
     /// `#extension` directives.
     pub extensions: Vec<ExtensionUse>,
     /// The `#version` directive.
@@ -116,6 +119,10 @@ struct Group {
     skip: bool,
     taken: bool,
     else_at: Option<Span>,
+    /// Whether its condition asks for a name that nothing defines.
+    is_undecided: bool,
+    /// The name of an `#ifndef`, which makes it an include guard where it is defined as nothing.
+    guard: Option<Name>,
 }
 
 struct Preprocessor<'a> {
@@ -216,7 +223,9 @@ impl<'a> Preprocessor<'a> {
         self.out
             .tokens
             .push(end_token(self.base + self.text.len() as u32));
+        let end = self.base + self.text.len() as u32;
         for group in std::mem::take(&mut self.groups).into_iter().rev().take(1) {
+            self.close_group(&group, end);
             let d = error_at(
                 error::UNBALANCED_CONDITIONAL,
                 group.start,

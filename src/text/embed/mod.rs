@@ -122,8 +122,6 @@ impl Embedded {
 pub struct Host {
     /// It asks for WebGL1, and nowhere for WebGL2.
     pub is_webgl1: bool,
-    /// It uses three.js.
-    pub is_three: bool,
 }
 
 impl Host {
@@ -136,16 +134,8 @@ impl Host {
                 word.starts_with("webgl") || word.starts_with("experimental-webgl")
             })
         };
-        let three = [
-            "from 'three",
-            "from \"three",
-            "THREE.",
-            "require('three",
-            "require(\"three",
-        ];
         Host {
             is_webgl1: !text.contains("webgl2") && asks_for_webgl1(),
-            is_three: three.iter().any(|w| text.contains(w)),
         }
     }
 }
@@ -193,6 +183,5 @@ mod tests {
         assert!(Host::of("c.getContext('webgl')").is_webgl1);
         assert!(!Host::of("c.getContext('webgl2') || c.getContext('webgl')").is_webgl1);
         assert!(!Host::of("c.getContext('2d')").is_webgl1);
-        assert!(Host::of("import * as T from 'three';").is_three);
     }
 }

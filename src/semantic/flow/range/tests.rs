@@ -2,7 +2,7 @@
 
 use super::{Evaluator, Ranges};
 use crate::semantic::flow::Structure;
-use crate::semantic::{Dialect, Pass, Stage, Unit, analyze, shadertoy_header};
+use crate::semantic::{Dialect, Extent, Pass, Stage, Unit, analyze, shadertoy_header};
 use crate::syntax::ast::{ExprKind, StmtKind};
 use crate::text::{Role, Sources};
 
@@ -24,6 +24,7 @@ fn range(code: &str) -> (String, bool, bool) {
         stage: Stage::Fragment,
         dialect: Dialect::ShaderToy(Pass::Image),
         infer_channels: true,
+        extent: Extent::Whole,
     };
     let analysis = analyze(&unit);
     assert!(

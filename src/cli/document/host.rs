@@ -1,0 +1,294 @@
+//! Which hosts may complete a text: by the names that it lacks, by what the script around it imports,
+//! and by the packages of its project.
+
+use super::reading::Readings;
+use crate::host::{Preset, presets};
+use crate::syntax::{Lexer, RawKind, TokenKind as T};
+use std::cell::OnceCell;
+use std::collections::{BTreeSet, HashMap};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+/// Largest `package.json` that is read, in bytes.
+const MAX_FILE: u64 = 1024 * 1024;
+/// Most folders above a file that are looked into.
+const MAX_FOLDERS: usize = 16;
+/// Most hosts that one text is read for.
+const MAX_HOSTS: usize = 4;
+
+/// The packages that projects use, by folder.
+#[derive(Debug, Default)]
+pub struct Packages {
+    /// Whether files are looked for at all.
+    is_on: bool,
+    known: Mutex<HashMap<PathBuf, Arc<BTreeSet<String>>>>,
+}
+
+impl Packages {
+    /// Nothing is looked for.
+    pub fn none() -> Packages {
+        Packages::default()
+    }
+
+    /// `package.json` is looked for in the folder of each file and in those above, up to the top of
+    /// the repository.
+    pub fn of_projects() -> Packages {
+        Packages {
+            is_on: true,
+            ..Packages::default()
+        }
+    }
+
+    /// The names of the package that a file belongs to and of those that it uses.
+    fn of(&self, name: &str) -> Arc<BTreeSet<String>> {
+        if !self.is_on {
+            return Arc::default();
+        }
+        let file = std::path::absolute(Path::new(name)).unwrap_or_default();
+        let folder = file.parent().unwrap_or(Path::new(""));
+        let mut known = self.known.lock().unwrap_or_else(|p| p.into_inner());
+        if let Some(found) = known.get(folder) {
+            return found.clone();
+        }
+        let mut all = BTreeSet::new();
+        for above in folder.ancestors().take(MAX_FOLDERS) {
+            all.extend(names_in(&above.join("package.json")));
+            let is_module = above.parent().is_some_and(|p| p.ends_with("node_modules"));
+            if is_module || above.join(".git").exists() {
+                break;
+            }
+        }
+        let all = Arc::new(all);
+        known.insert(folder.to_path_buf(), all.clone());
+        all
+    }
+}
+
+/// The name of a package and those of what it depends on.
+fn names_in(file: &Path) -> Vec<String> {
+    let is_small = fs::metadata(file).is_ok_and(|data| data.len() <= MAX_FILE);
+    let text = is_small.then(|| fs::read_to_string(file).ok()).flatten();
+    let Some(text) = text else {
+        return Vec::new();
+    };
+    let Ok(serde_json::Value::Object(package)) = serde_json::from_str(&text) else {
+        return Vec::new();
+    };
+    let name = package.get("name").and_then(|n| n.as_str());
+    let lists = ["dependencies", "peerDependencies", "devDependencies"];
+    let lists = lists.iter().filter_map(|l| package.get(*l)?.as_object());
+    let used = lists.flat_map(|l| l.keys().cloned());
+    name.map(str::to_string).into_iter().chain(used).collect()
+}
+
+/// Where the hosts of the texts of one file are looked for.
+pub struct Hosts<'a> {
+    name: &'a str,
+    /// The page or script that holds the texts.
+    script: Option<Arc<str>>,
+    packages: &'a Packages,
+    /// The hosts that the script uses, once they were looked for.
+    imported: OnceCell<Vec<&'static Preset>>,
+    /// The hosts among the packages of the project, once they were looked for.
+    installed: OnceCell<Vec<&'static Preset>>,
+}
+
+impl<'a> Hosts<'a> {
+    /// Of a file of a name, which may be a script or page.
+    pub fn new(name: &'a str, script: Option<Arc<str>>, packages: &'a Packages) -> Hosts<'a> {
+        Hosts {
+            name,
+            script,
+            packages,
+            imported: OnceCell::new(),
+            installed: OnceCell::new(),
+        }
+    }
+
+    /// The hosts that may complete a text which lacks some names: those that alone have one of them,
+    /// else those that the script uses, else those of the project.
+    pub fn of(&self, lacking: &BTreeSet<String>, readings: &Readings) -> Vec<&'static Preset> {
+        let some = |all: &mut dyn Iterator<Item = &'static Preset>| -> Vec<_> {
+            all.filter(|p| readings.may_host(p))
+                .take(MAX_HOSTS)
+                .collect()
+        };
+        let named = |p: &&Preset| lacking.iter().any(|name| p.has_word(name));
+        let by_word = some(&mut presets().iter().filter(named));
+        if !by_word.is_empty() {
+            return by_word;
+        }
+        let by_import = some(&mut self.imported().iter().copied());
+        if !by_import.is_empty() {
+            return by_import;
+        }
+        some(&mut self.installed().iter().copied())
+    }
+
+    fn imported(&self) -> &[&'static Preset] {
+        self.imported.get_or_init(|| {
+            let script = self.script.as_deref().unwrap_or("");
+            let imported = imports(script);
+            let uses = |p: &&Preset| {
+                p.is_used_in(script) || imported.iter().any(|name| p.is_package(package_of(name)))
+            };
+            presets().iter().filter(uses).collect()
+        })
+    }
+
+    fn installed(&self) -> &[&'static Preset] {
+        self.installed.get_or_init(|| {
+            let used = self.packages.of(self.name);
+            let uses = |p: &&Preset| used.iter().any(|name| p.is_package(name));
+            presets().iter().filter(uses).collect()
+        })
+    }
+}
+
+/// The package of a path that is imported: `three` of `three/addons/x.js`.
+fn package_of(path: &str) -> &str {
+    let parts = if path.starts_with('@') { 2 } else { 1 };
+    let end = path.match_indices('/').nth(parts - 1);
+    end.and_then(|(at, _)| path.get(..at)).unwrap_or(path)
+}
+
+/// What a script imports or requires.
+fn imports(script: &str) -> Vec<&str> {
+    let mut found = Vec::new();
+    for word in ["from", "import", "require"] {
+        for (at, _) in script.match_indices(word) {
+            let behind = script.get(at + word.len()..).unwrap_or("");
+            let behind = behind.trim_start_matches([' ', '(', '\t']);
+            let Some(quote) = behind.chars().next().filter(|c| matches!(c, '"' | '\'')) else {
+                continue;
+            };
+            let path = behind.get(1..).and_then(|b| b.split([quote, '\n']).next());
+            found.extend(path);
+        }
+    }
+    found
+}
+
+/// What a host puts before a text, without what the text declares itself: hosts of other releases
+/// have fewer names, and texts repeat declarations.
+pub fn prelude(preset: &Preset, code: &str, is_vertex: bool) -> String {
+    let own = Declared::of(code);
+    let mut text = String::new();
+    if own.has_output {
+        text.push_str("#define OWN_OUTPUT 1\n");
+    }
+    let mut depth = 0_usize;
+    for line in preset.declarations(is_vertex).split_inclusive('\n') {
+        let is_outside = depth == 0;
+        depth += line.matches('{').count();
+        depth = depth.saturating_sub(line.matches('}').count());
+        let is_single = is_outside && depth == 0;
+        let is_repeated = is_single && declared_in(line).is_some_and(|n| own.names.contains(n));
+        text.push_str(if is_repeated { "\n" } else { line });
+    }
+    text
+}
+
+/// The name that a line declares.
+fn declared_in(line: &str) -> Option<&str> {
+    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let line = line.trim_start();
+    if let Some(rest) = line.strip_prefix("#define ") {
+        return rest.split(|c| !is_name(c)).next();
+    }
+    let line = line.strip_prefix("layout").map_or(line, |rest| {
+        rest.split_once(')').map_or(rest, |(_, behind)| behind)
+    });
+    let end = line.find([';', '(', '[', '=', '{'])?;
+    let head = line.get(..end)?.trim_end();
+    head.rsplit(|c| !is_name(c))
+        .next()
+        .filter(|n| !n.is_empty())
+}
+
+/// What a text declares outside of functions.
+#[derive(Default)]
+struct Declared<'t> {
+    names: BTreeSet<&'t str>,
+    /// Whether it declares an output.
+    has_output: bool,
+}
+
+impl<'t> Declared<'t> {
+    fn of(code: &'t str) -> Declared<'t> {
+        let mut found = Declared::default();
+        let mut lexer = Lexer::new(code, 0);
+        let mut depth = 0_usize;
+        let mut last: Option<&str> = None;
+        let mut before: Option<&str> = None;
+        loop {
+            let token = lexer.next_token();
+            let word = code.get(token.span.start as usize..token.span.end as usize);
+            match token.kind {
+                RawKind::End => return found,
+                RawKind::Whitespace | RawKind::Newline => continue,
+                RawKind::LineComment | RawKind::BlockComment => continue,
+                RawKind::Word if depth == 0 => {
+                    found.has_output |= word == Some("out");
+                    if last == Some("define") {
+                        found.names.extend(word);
+                    }
+                    before = last;
+                    last = word;
+                    continue;
+                }
+                RawKind::Operator(T::LeftParen | T::LeftBrace) => {
+                    found.note(before, last);
+                    depth += 1;
+                }
+                RawKind::Operator(T::RightParen | T::RightBrace) => depth = depth.saturating_sub(1),
+                RawKind::Operator(T::Semicolon | T::LeftBracket | T::Equal | T::Comma) => {
+                    found.note(before, last);
+                }
+                _ => {}
+            }
+            (before, last) = (None, None);
+        }
+    }
+
+    /// Notes a name that follows a word and is followed by what ends a declarator.
+    fn note(&mut self, before: Option<&str>, name: Option<&'t str>) {
+        if before.is_some() {
+            self.names.extend(name);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn imports_are_found() {
+        let script = "import * as T from 'three/addons/a.js'\nconst l = require( \"@luma.gl/core/x\");\
+            import 'p5'; // from here";
+        let names: Vec<&str> = imports(script).into_iter().map(package_of).collect();
+        assert_eq!(names, ["three", "p5", "@luma.gl/core"]);
+    }
+
+    #[test]
+    fn what_a_text_declares_is_left_out() {
+        let preset = Preset {
+            prelude: "uniform mat4 a;\nfloat f(float x);\n#define B 1\nuniform vec3 c[4];\n\
+                layout(location = 0) out vec4 d;\n"
+                .to_string(),
+            ..Preset::default()
+        };
+        let own =
+            "uniform mat4 a;\n#define B 2\nvec4 g() { vec3 c; return d; }\nfloat f(float y) { }";
+        let told = prelude(&preset, own, true);
+        let left: Vec<&str> = told.lines().filter(|l| l.contains(';')).collect();
+        assert_eq!(
+            left,
+            ["uniform vec3 c[4];", "layout(location = 0) out vec4 d;"]
+        );
+        assert!(!told.contains("#define B"));
+        assert!(prelude(&preset, "out vec4 x;", false).starts_with("#define OWN_OUTPUT"));
+    }
+}

@@ -1,0 +1,401 @@
+//! How a text is read: as a whole shader, or as a part that a host completes, in each way in which
+//! it may do so.
+
+use super::host::prelude;
+use super::part::{behind_version, with_host};
+use super::{DialectChoice, Options};
+use crate::diagnostic::{Diagnostic, Severity, error};
+use crate::host::{HostVersion, Preset};
+use crate::semantic::snippet::is_body;
+use crate::semantic::{
+    Analysis, Dialect, Extent, Guess, Kind, PART_OUTPUT, Pass, Stage, Unit, analyze, analyze_part,
+    guess, needs_300, part_declarations, shadertoy_header,
+};
+use crate::syntax::Version;
+use crate::text::{FileId, Role, Sources};
+use std::collections::BTreeSet;
+
+/// One way to read a text.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// What is compiled, in order.
+    pub files: Vec<FileId>,
+    /// The stage.
+    pub stage: Stage,
+    /// Who runs it.
+    pub dialect: Dialect,
+}
+
+/// How much of a shader a text holds, before it is looked at closely.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Standing {
+    /// All of it.
+    Whole,
+    /// All of it, unless it uses what it does not declare.
+    Complete,
+    /// A part that a host completes.
+    Part,
+    /// A part in which something is left out.
+    Excerpt,
+}
+
+/// A text that is to be read, and what is known of it.
+#[derive(Clone, Debug)]
+pub struct Text {
+    /// What is compiled of it, with what it includes.
+    pub files: Vec<FileId>,
+    /// The stage, where something around the text tells it.
+    pub stage: Option<Stage>,
+    /// Where it stands.
+    pub place: Place,
+    /// Whether a host is seen that puts something in.
+    pub is_open: bool,
+    /// Whether something is left out inside.
+    pub has_holes: bool,
+}
+
+/// Where a text stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Place {
+    /// In a file of a stage, which is mostly compiled as it stands.
+    StageFile,
+    /// In a file of any GLSL.
+    File,
+    /// In a page, a script or a text.
+    Embedded,
+}
+
+/// A text and the ways to read it.
+#[derive(Clone, Debug)]
+pub struct Readings {
+    /// The likeliest comes first.
+    pub all: Vec<Reading>,
+    /// How much of a shader the text holds.
+    pub standing: Standing,
+    /// The hosts that are thought to complete it.
+    pub hosts: Vec<String>,
+    text: Text,
+    told: Guess,
+    needs_300: bool,
+}
+
+impl Readings {
+    /// One reading of a shader that is all at hand.
+    pub fn whole(reading: Reading) -> Readings {
+        Readings {
+            text: Text {
+                files: reading.files.clone(),
+                stage: Some(reading.stage),
+                place: Place::File,
+                is_open: false,
+                has_holes: false,
+            },
+            all: vec![reading],
+            standing: Standing::Whole,
+            hosts: Vec::new(),
+            told: Guess::default(),
+            needs_300: false,
+        }
+    }
+
+    /// Finds out how a text is to be read. `None` where the address space is full.
+    pub fn of(
+        sources: &mut Sources,
+        code: &str,
+        text: Text,
+        options: &Options,
+    ) -> Option<Readings> {
+        let told = guess(code);
+        let kind = kind_of(&told, &text, code, options.dialect);
+        let standing = standing(kind, &told, &text, code, options.dialect);
+        let needs_300 = standing != Standing::Whole && needs_300(code);
+        let mut found = Readings {
+            all: Vec::new(),
+            standing,
+            hosts: Vec::new(),
+            text,
+            told,
+            needs_300,
+        };
+        if standing == Standing::Part && is_body(code) {
+            found.put_in_function(sources)?;
+        }
+        let given = options.host.preset.as_deref().filter(|p| found.may_host(p));
+        if let Some(preset) = given.filter(|_| !told.is_shadertoy()) {
+            found.host(sources, &[preset], options)?;
+            let is_all = told.has_main && preset.is_complete && !found.text.is_open;
+            let is_all = is_all && !told.is_completed && standing != Standing::Excerpt;
+            found.standing = if is_all { Standing::Whole } else { standing };
+            return Some(found);
+        }
+        if !matches!(standing, Standing::Part | Standing::Excerpt)
+            || matches!(kind, Some(Kind::ShaderToy(_) | Kind::Versioned))
+        {
+            found.all.push(found.as_it_stands(sources, kind, options)?);
+        }
+        if found.all.is_empty() || standing == Standing::Complete {
+            found.complete(sources, None, options)?;
+        }
+        Some(found)
+    }
+
+    /// Whether the text has a `#version`.
+    pub fn has_version(&self) -> bool {
+        self.told.kind == Some(Kind::Versioned)
+    }
+
+    /// Whether ShaderToy's player runs the text.
+    pub fn is_shadertoy(&self) -> bool {
+        self.all.first().is_some_and(|r| r.dialect.is_shadertoy())
+    }
+
+    /// Whether a host takes texts like this one.
+    pub fn may_host(&self, preset: &Preset) -> bool {
+        !self.has_version() || matches!(preset.version, HostVersion::Own | HostVersion::Any)
+    }
+
+    /// Reads the text as one that one of these hosts completes.
+    pub fn host(
+        &mut self,
+        sources: &mut Sources,
+        presets: &[&Preset],
+        options: &Options,
+    ) -> Option<()> {
+        self.all.clear();
+        if self.standing != Standing::Excerpt {
+            self.standing = Standing::Part;
+        }
+        for preset in presets {
+            self.hosts.push(preset.title.clone());
+            self.complete(sources, Some(preset), options)?;
+        }
+        Some(())
+    }
+
+    /// Adds the readings of a part, completed by a host or by an unknown one.
+    fn complete(
+        &mut self,
+        sources: &mut Sources,
+        preset: Option<&Preset>,
+        options: &Options,
+    ) -> Option<()> {
+        for (version, stage) in self.ways(preset) {
+            let declared = part_declarations(version, stage);
+            let is_vertex = stage == Stage::Vertex;
+            let code = self.code(sources);
+            let own = preset.map_or(String::new(), |p| prelude(p, &code, is_vertex));
+            let writes = code.contains("gl_FragColor") && !own.contains("gl_FragColor");
+            let own = match version {
+                Version::Es300 if writes && !is_vertex => PART_OUTPUT.to_string() + &own,
+                _ => own,
+            };
+            let files = if self.has_version() {
+                let prelude = sources.add("", None, Role::Prelude, declared + &own)?;
+                behind_version(sources, self.text.files.clone(), prelude)?
+            } else {
+                let first = match version {
+                    Version::Es300 => "#version 300 es\n",
+                    Version::Es100 => "",
+                };
+                let header = format!("{first}{declared}{own}");
+                with_host(sources, Some(header), self.text.files.clone(), options)?
+            };
+            self.all.push(Reading {
+                files,
+                stage,
+                dialect: Dialect::WebGl,
+            });
+        }
+        Some(())
+    }
+
+    /// All that the user wrote of the text.
+    fn code(&self, sources: &Sources) -> String {
+        let codes = self.text.files.iter().filter_map(|id| sources.code(*id));
+        let own = codes.filter(|c| c.role == Role::User);
+        own.map(|c| c.text).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The versions and stages that a part may be compiled as, the likeliest first.
+    fn ways(&self, preset: Option<&Preset>) -> Vec<(Version, Stage)> {
+        let versions: &[Version] = match (preset.map(|p| p.version), self.told.kind) {
+            (_, Some(Kind::Versioned)) if self.told.is_300 => &[Version::Es300],
+            (_, Some(Kind::Versioned)) => &[Version::Es100],
+            (Some(HostVersion::Es100), _) => &[Version::Es100],
+            (Some(HostVersion::Es300), _) => &[Version::Es300],
+            _ if self.needs_300 => &[Version::Es300],
+            (_, Some(Kind::WebGl1)) => &[Version::Es100, Version::Es300],
+            _ => &[Version::Es300, Version::Es100],
+        };
+        let stages: &[Stage] = match self.text.stage.or(self.told.stage) {
+            Some(Stage::Vertex) => &[Stage::Vertex],
+            Some(Stage::Fragment) => &[Stage::Fragment],
+            None => &[Stage::Fragment, Stage::Vertex],
+        };
+        let all = versions.iter().map(|v| stages.iter().map(|s| (*v, *s)));
+        all.flatten().collect()
+    }
+
+    /// The reading of a text that nobody completes, but for ShaderToy's player.
+    fn as_it_stands(
+        &self,
+        sources: &mut Sources,
+        kind: Option<Kind>,
+        options: &Options,
+    ) -> Option<Reading> {
+        let (header, dialect) = match kind {
+            Some(Kind::ShaderToy(pass)) => (
+                Some(shadertoy_header(pass, [None; 4])),
+                Dialect::ShaderToy(pass),
+            ),
+            Some(Kind::WebGl2) => (Some("#version 300 es\n".to_string()), Dialect::WebGl),
+            _ => (None, Dialect::WebGl),
+        };
+        let stage = match dialect {
+            Dialect::ShaderToy(_) => Some(Stage::Fragment),
+            Dialect::WebGl => self.text.stage.or(self.told.stage),
+        };
+        Some(Reading {
+            files: with_host(sources, header, self.text.files.clone(), options)?,
+            stage: stage.unwrap_or(Stage::Fragment),
+            dialect,
+        })
+    }
+
+    /// Puts the statements of a part into a function, as its host does.
+    fn put_in_function(&mut self, sources: &mut Sources) -> Option<()> {
+        let open = sources.add("", None, Role::Prelude, "void part_of_a_function() {\n")?;
+        let close = sources.add("", None, Role::Prelude, "\n}\n")?;
+        self.text.files.insert(0, open);
+        self.text.files.push(close);
+        Some(())
+    }
+
+    /// Checks the text in the ways in which it may be read.
+    pub fn check<'a>(&'a self, sources: &'a Sources, infer_channels: bool) -> Option<Checked<'a>> {
+        let extent = match self.standing {
+            Standing::Whole | Standing::Complete => Extent::Whole,
+            Standing::Part => Extent::Part,
+            Standing::Excerpt => Extent::Excerpt,
+        };
+        let unit = |reading: &'a Reading, extent: Extent| Unit {
+            sources,
+            files: &reading.files,
+            stage: reading.stage,
+            dialect: reading.dialect,
+            infer_channels,
+            extent,
+        };
+        let mut all = self.all.as_slice();
+        if extent == Extent::Whole {
+            let (first, others) = all.split_first()?;
+            let analysis = analyze(&unit(first, extent));
+            let is_macro = |name: &str| {
+                let name = analysis.program.names.get(name);
+                let macros = &analysis.program.tokens.macros;
+                name.is_some_and(|name| macros.iter().any(|m| m.name == name))
+            };
+            let lacks = analysis
+                .diagnostics
+                .iter()
+                .any(|d| lacks_something(d) && !is_macro(sources.text(d.span)));
+            if self.standing == Standing::Whole || !lacks {
+                return Some(Checked { analysis, extent });
+            }
+            all = others;
+        }
+        let extent = match extent {
+            Extent::Whole => Extent::Part,
+            extent => extent,
+        };
+        let units: Vec<Unit> = all.iter().map(|r| unit(r, extent)).collect();
+        let analysis = analyze_part(&units)?;
+        Some(Checked { analysis, extent })
+    }
+}
+
+/// A text, checked.
+pub struct Checked<'a> {
+    /// What is known of it and wrong with it.
+    pub analysis: Analysis<'a>,
+    /// How much of a shader it turned out to be.
+    pub extent: Extent,
+}
+
+impl Checked<'_> {
+    /// The names that the text lacks, where it lacks some or something is wrong with it.
+    pub fn lacking(&self) -> Option<BTreeSet<String>> {
+        let Analysis {
+            program,
+            diagnostics,
+            holes,
+        } = &self.analysis;
+        let is_error = |d: &Diagnostic| d.severity == Severity::Error;
+        if holes.is_empty() && !diagnostics.iter().any(is_error) {
+            return None;
+        }
+        let undeclared = diagnostics
+            .iter()
+            .filter(|d| matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE))
+            .map(|d| program.sources.text(d.span).to_string());
+        Some(holes.iter().cloned().chain(undeclared).collect())
+    }
+}
+
+/// What a text is written for.
+fn kind_of(told: &Guess, text: &Text, code: &str, choice: DialectChoice) -> Option<Kind> {
+    match choice {
+        DialectChoice::Shadertoy => Some(match told.kind {
+            Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
+            _ => Kind::ShaderToy(Pass::Common),
+        }),
+        DialectChoice::Webgl1 => Some(Kind::WebGl1),
+        DialectChoice::Webgl2 if told.kind == Some(Kind::Versioned) => Some(Kind::Versioned),
+        DialectChoice::Webgl2 => Some(Kind::WebGl2),
+        DialectChoice::Auto => match told.kind {
+            // What a stage's file holds is compiled as it stands: without `#version` it is 1.00.
+            Some(Kind::WebGl2) if text.place == Place::StageFile && !needs_300(code) => {
+                Some(Kind::WebGl1)
+            }
+            kind => kind,
+        },
+    }
+}
+
+/// How much of a shader a text holds, by what it shows.
+fn standing(
+    kind: Option<Kind>,
+    told: &Guess,
+    text: &Text,
+    code: &str,
+    choice: DialectChoice,
+) -> Standing {
+    if text.has_holes {
+        return Standing::Excerpt;
+    }
+    let is_embedded = text.place == Place::Embedded;
+    match kind {
+        _ if choice != DialectChoice::Auto => Standing::Whole,
+        _ if text.is_open || told.is_completed => Standing::Part,
+        // A literal with nothing but the head of a shader is put together with others.
+        Some(Kind::Versioned) if is_embedded && !code.contains("main") => Standing::Part,
+        Some(Kind::ShaderToy(_) | Kind::Versioned) => Standing::Whole,
+        // Words of both versions: the host makes one of them.
+        Some(Kind::WebGl1) if told.has_main && !needs_300(code) => match told.is_supplied {
+            true => Standing::Whole,
+            false => Standing::Complete,
+        },
+        _ => Standing::Part,
+    }
+}
+
+/// Whether an error says that a shader lacks what its host may have.
+fn lacks_something(diagnostic: &Diagnostic) -> bool {
+    [
+        error::UNDECLARED_NAME,
+        error::UNKNOWN_TYPE,
+        error::MISSING_PRECISION,
+        error::NEEDS_WEBGL2,
+    ]
+    .contains(&diagnostic.rule)
+}

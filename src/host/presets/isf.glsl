@@ -1,0 +1,46 @@
+// ISF
+//
+// A text in the Interactive Shader Format begins with a comment that holds a JSON object. The host
+// compiles it as GLSL ES 1.00 with the declarations below before it. Not declared here: the
+// uniforms that the JSON object makes: one for each of INPUTS (float: float; image: sampler2D; bool
+// and event: bool; long: int; color: vec4; point2D: vec2), and a sampler2D for each PASSES target
+// and each name in IMPORTED; for an image NAME also _NAME_imgRect (vec4), _NAME_imgSize (vec2),
+// _NAME_flip (bool) and the varyings _NAME_normTexCoord and _NAME_texCoord. IMG_PIXEL and its like
+// are replaced in the text and so are written here as functions; their first argument is the name
+// of an image. A vertex text calls isf_vertShaderInit(). The names of ISF 1, vv_FragNormCoord and
+// vv_vertShaderInit, are renamed when an old text is upgraded. Types of images other than 2D, audio
+// and audioFFT inputs, and hosts on desktop OpenGL are not covered: the JavaScript package does not
+// know them.
+//
+// source: interactive-shader-format 2.9.0, src/ISFParser.js, src/ISFUpgrader.js
+// package: interactive-shader-format
+// word: isf_FragNormCoord isf_FragCoord isf_vertShaderInit vv_FragNormCoord vv_vertShaderInit IMG_PIXEL IMG_NORM_PIXEL IMG_THIS_PIXEL IMG_THIS_NORM_PIXEL IMG_SIZE RENDERSIZE PASSINDEX
+// version: 100
+// names: some
+// entry: main
+precision highp float;
+precision highp int;
+#define vv_FragNormCoord isf_FragNormCoord
+uniform int PASSINDEX;
+uniform vec2 RENDERSIZE;
+varying vec2 isf_FragNormCoord;
+#ifdef VERTEX_SHADER
+#define vv_vertShaderInit isf_vertShaderInit
+attribute vec2 position;
+vec2 isf_fragCoord;
+void isf_vertShaderInit();
+#endif
+#ifdef FRAGMENT_SHADER
+varying vec2 isf_FragCoord;
+uniform float TIME;
+uniform float TIMEDELTA;
+uniform int FRAMEINDEX;
+uniform vec4 DATE;
+vec4 VVSAMPLER_2DBYPIXEL(sampler2D sampler, vec4 samplerImgRect, vec2 samplerImgSize, bool samplerFlip, vec2 loc);
+vec4 VVSAMPLER_2DBYNORM(sampler2D sampler, vec4 samplerImgRect, vec2 samplerImgSize, bool samplerFlip, vec2 normLoc);
+vec4 IMG_PIXEL(sampler2D image, vec2 pixel);
+vec4 IMG_NORM_PIXEL(sampler2D image, vec2 normLoc);
+vec4 IMG_THIS_PIXEL(sampler2D image);
+vec4 IMG_THIS_NORM_PIXEL(sampler2D image);
+vec2 IMG_SIZE(sampler2D image);
+#endif

@@ -1,0 +1,30 @@
+// Kodi
+//
+// The add-on visualization.shadertoy of Kodi puts the names of ShaderToy, as they were in its first
+// years, before a fragment text and calls its mainImage(color, gl_FragCoord.xy) from its own
+// main(); what mainImage leaves in alpha is not used. On devices with OpenGL ES the text is GLSL ES
+// 1.00 with mediump float and int; on desktop it is old GLSL without a precision. The extension
+// GL_OES_standard_derivatives is on. The vertex shader is the host's. Newer versions of the add-on
+// may have more names (iTime in place of iGlobalTime); these are not declared here. Kodi's own
+// shaders (m_samp0, m_cord0, m_unicol) declare all their names themselves.
+//
+// source: src/main.cpp of xbmc/visualization.shadertoy, one stored version (no npm package)
+// version: 100
+// names: some
+// entry: mainImage
+#ifdef FRAGMENT_SHADER
+#extension GL_OES_standard_derivatives : enable
+precision mediump float;
+precision mediump int;
+uniform vec3 iResolution;
+uniform float iGlobalTime;
+uniform float iChannelTime[4];
+uniform vec4 iMouse;
+uniform vec4 iDate;
+uniform float iSampleRate;
+uniform vec3 iChannelResolution[4];
+uniform sampler2D iChannel0;
+uniform sampler2D iChannel1;
+uniform sampler2D iChannel2;
+uniform sampler2D iChannel3;
+#endif

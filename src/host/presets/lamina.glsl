@@ -1,0 +1,159 @@
+// lamina
+//
+// A layer of lamina (a class that extends Abstract) has a fragment and/or a vertex text. What
+// stands before main() and the body of main() are put into a three-custom-shader-material, so its
+// csm_ variables and all of three.js are there. main() is declared `void` in the text and yet
+// returns a value: the line `return vec4(...)` of a fragment text is taken for the colour of the
+// layer, which is blended into lamina_finalColor, and `return vec3(...)` of a vertex text for
+// lamina_finalPosition. Names that begin with u_, v_ or f_ are renamed for each layer: uniforms
+// must begin with u_ and are static properties of the class, varyings with v_, locals with f_. The
+// text declares its uniforms itself. Built-in layers have the holes lamina_mapping_template,
+// lamina_noise_template and axes_template.
+//
+// source: lamina 1.2.2, vanilla-BEVDQrzM.js; three-custom-shader-material 6.4.0; three 0.187.0
+// package: lamina
+// word: lamina_*
+// version: 300 es
+// names: some
+// entry: main
+// include: <...>
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp samplerCube;
+precision highp sampler3D;
+precision highp sampler2DArray;
+precision highp sampler2DShadow;
+precision highp samplerCubeShadow;
+precision highp sampler2DArrayShadow;
+precision highp isampler2D;
+precision highp isampler3D;
+precision highp isamplerCube;
+precision highp isampler2DArray;
+precision highp usampler2D;
+precision highp usampler3D;
+precision highp usamplerCube;
+precision highp usampler2DArray;
+#define HIGH_PRECISION
+#define SHADER_TYPE MeshStandardMaterial
+#define SHADER_NAME CustomShaderMaterial
+#define texture2D texture
+uniform mat4 viewMatrix;
+uniform vec3 cameraPosition;
+uniform bool isOrthographic;
+#ifdef VERTEX_SHADER
+#define attribute in
+#define varying out
+uniform mat4 modelMatrix;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform mat3 normalMatrix;
+attribute vec3 position;
+attribute vec3 normal;
+attribute vec2 uv;
+// of an InstancedMesh (USE_INSTANCING, USE_INSTANCING_COLOR)
+attribute mat4 instanceMatrix;
+attribute vec3 instanceColor;
+// of a SkinnedMesh (USE_SKINNING)
+attribute vec4 skinIndex;
+attribute vec4 skinWeight;
+#define IS_VERTEX
+// three-custom-shader-material
+vec3 csm_Position;
+vec4 csm_PositionRaw;
+vec3 csm_Normal;
+float csm_PointSize;
+varying mat4 csm_internal_vModelViewMatrix;
+// lamina
+vec3 lamina_finalPosition;
+vec3 lamina_finalNormal;
+float lamina_map(float value, float min1, float max1, float min2, float max2);
+float lamina_normalize(float v);
+float lamina_noise_mod289(float x); vec4 lamina_noise_mod289(vec4 x);
+vec4 lamina_noise_perm(vec4 x); vec4 lamina_noise_permute(vec4 x);
+vec4 lamina_noise_taylorInvSqrt(vec4 r); float lamina_noise_white(vec2 p);
+float lamina_noise_white(vec3 p); vec3 lamina_noise_fade(vec3 t); float lamina_noise_perlin(vec3 P);
+float lamina_noise_simplex(vec3 v); vec3 lamina_noise_simplex3(vec3 x);
+vec3 lamina_noise_curl(vec3 p); vec3 lamina_permute(vec3 x);
+vec3 lamina_dist(vec3 x, vec3 y, vec3 z, bool manhattanDistance); float lamina_noise_worley(vec3 P);
+float lamina_noise_swirl(vec3 position);
+#endif
+#ifdef FRAGMENT_SHADER
+#define varying in
+// not with glslVersion GLSL3; then the shader declares its own output
+#ifndef OWN_OUTPUT
+layout(location = 0) out highp vec4 pc_fragColor;
+#define gl_FragColor pc_fragColor
+#endif
+#define gl_FragDepthEXT gl_FragDepth
+#define textureCube texture
+#define texture2DProj textureProj
+#define texture2DLodEXT textureLod
+#define texture2DProjLodEXT textureProjLod
+#define textureCubeLodEXT textureLod
+#define texture2DGradEXT textureGrad
+#define texture2DProjGradEXT textureProjGrad
+#define textureCubeGradEXT textureGrad
+vec4 LinearTransferOETF(in vec4 value);
+vec4 sRGBTransferEOTF(in vec4 value);
+vec4 sRGBTransferOETF(in vec4 value);
+vec4 linearToOutputTexel(vec4 value);
+float luminance(const in vec3 rgb);
+#define IS_FRAGMENT
+// three-custom-shader-material
+vec4 csm_DiffuseColor;
+vec4 csm_FragColor;
+float csm_UnlitFac;
+vec3 csm_Emissive;
+float csm_Roughness;
+float csm_Metalness;
+float csm_Iridescence;
+float csm_Clearcoat;
+float csm_ClearcoatRoughness;
+vec3 csm_ClearcoatNormal;
+float csm_Transmission;
+float csm_Thickness;
+float csm_AO;
+vec3 csm_FragNormal;
+float csm_DepthAlpha;
+varying mat4 csm_internal_vModelViewMatrix;
+// lamina
+uniform vec3 u_lamina_color;
+uniform float u_lamina_alpha;
+vec4 lamina_finalColor;
+float lamina_map(float value, float min1, float max1, float min2, float max2);
+float lamina_normalize(float v);
+float lamina_noise_mod289(float x); vec4 lamina_noise_mod289(vec4 x);
+vec4 lamina_noise_perm(vec4 x); vec4 lamina_noise_permute(vec4 x);
+vec4 lamina_noise_taylorInvSqrt(vec4 r); float lamina_noise_white(vec2 p);
+float lamina_noise_white(vec3 p); vec3 lamina_noise_fade(vec3 t); float lamina_noise_perlin(vec3 P);
+float lamina_noise_simplex(vec3 v); vec3 lamina_noise_simplex3(vec3 x);
+vec3 lamina_noise_curl(vec3 p); vec3 lamina_permute(vec3 x);
+vec3 lamina_dist(vec3 x, vec3 y, vec3 z, bool manhattanDistance); float lamina_noise_worley(vec3 P);
+float lamina_noise_swirl(vec3 position);
+vec4 lamina_blend_add(const in vec4 x, const in vec4 y, const in float opacity);
+vec3 lamina_blend_alpha(const in vec3 x, const in vec3 y, const in float opacity);
+vec4 lamina_blend_alpha(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_average(const in vec4 x, const in vec4 y, const in float opacity);
+float lamina_blend_color_burn(const in float x, const in float y);
+vec4 lamina_blend_color_burn(const in vec4 x, const in vec4 y, const in float opacity);
+float lamina_blend_color_dodge(const in float x, const in float y);
+vec4 lamina_blend_color_dodge(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_darken(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_difference(const in vec4 x, const in vec4 y, const in float opacity);
+float lamina_blend_divide(const in float x, const in float y);
+vec4 lamina_blend_divide(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_exclusion(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_lighten(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_multiply(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_negation(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_normal(const in vec4 x, const in vec4 y, const in float opacity);
+float lamina_blend_overlay(const in float x, const in float y);
+vec4 lamina_blend_overlay(const in vec4 x, const in vec4 y, const in float opacity);
+float lamina_blend_reflect(const in float x, const in float y);
+vec4 lamina_blend_reflect(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_screen(const in vec4 x, const in vec4 y, const in float opacity);
+float lamina_blend_softlight(const in float x, const in float y);
+vec4 lamina_blend_softlight(const in vec4 x, const in vec4 y, const in float opacity);
+vec4 lamina_blend_subtract(const in vec4 x, const in vec4 y, const in float opacity);
+#endif

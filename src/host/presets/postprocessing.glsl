@@ -1,0 +1,130 @@
+// postprocessing
+//
+// An Effect of the package `postprocessing` has a fragment text without main(): it defines
+// mainImage() and/or mainUv(), and EffectPass puts it into a ShaderMaterial of three.js, so all
+// that three.js gives is there too, and the chunks <common>, <packing> and
+// <dithering_pars_fragment> are included. The whole is compiled as GLSL ES 3.00. Signatures: `void
+// mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor)`, with `const in
+// float depth` between uv and outputColor when the effect asks for depth (EffectAttribute.DEPTH),
+// and `void mainUv(inout vec2 uv)`. A vertex text defines `void mainSupport()` or `void
+// mainSupport(const in vec2 uv)`. Functions, varyings, uniforms and macros of the effect get a
+// prefix such as `e0`, so names do not collide between effects. Not declared here: what the
+// JavaScript part gives in the Map objects `uniforms` and `defines`; the text declares its uniforms
+// itself, macros it does not. Passes with an own ShaderMaterial are three.js.
+//
+// source: postprocessing 6.39.6, build/index.js (effect.frag, effect.vert, EffectPass); three 0.187.0, src/renderers/webgl/WebGLProgram.js, ShaderChunk/common.glsl.js, packing.glsl.js
+// package: postprocessing @react-three/postprocessing
+// word: inputBuffer getViewZ readDepth packFloatToRGBA unpackRGBAToFloat
+// version: 300 es
+// names: some
+// entry: mainImage mainUv mainSupport
+// include: <...>
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp samplerCube;
+precision highp sampler3D;
+precision highp sampler2DArray;
+precision highp sampler2DShadow;
+precision highp isampler2D;
+precision highp usampler2D;
+#define HIGH_PRECISION
+#define THREE_REVISION 187
+#define DEPTH_PACKING 0
+#define ENCODE_OUTPUT 1
+#define PERSPECTIVE_CAMERA 1
+#define UV vUv
+#define texture2D texture
+uniform mat4 viewMatrix;
+uniform vec3 cameraPosition;
+uniform bool isOrthographic;
+uniform vec2 resolution;
+uniform vec2 texelSize;
+uniform float cameraNear;
+uniform float cameraFar;
+uniform float aspect;
+uniform float time;
+#ifdef VERTEX_SHADER
+#define attribute in
+#define varying out
+uniform mat4 modelMatrix;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform mat3 normalMatrix;
+attribute vec3 position;
+attribute vec3 normal;
+attribute vec2 uv;
+varying vec2 vUv;
+#endif
+#ifdef FRAGMENT_SHADER
+#define varying in
+#define gl_FragColor pc_fragColor
+#define gl_FragDepthEXT gl_FragDepth
+#define textureCube texture
+#define texture2DProj textureProj
+#define texture2DLodEXT textureLod
+#define textureCubeLodEXT textureLod
+#define texture2DGradEXT textureGrad
+layout(location = 0) out highp vec4 pc_fragColor;
+vec4 LinearTransferOETF(in vec4 value);
+vec4 sRGBTransferEOTF(in vec4 value);
+vec4 sRGBTransferOETF(in vec4 value);
+vec4 linearToOutputTexel(vec4 value);
+float luminance(const in vec3 rgb);
+// the chunk <common>
+#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2(const in float x);
+vec3 pow2(const in vec3 x);
+float pow3(const in float x);
+float pow4(const in float x);
+float max3(const in vec3 v);
+float average(const in vec3 v);
+highp float rand(const in vec2 uv);
+float precisionSafeLength(vec3 v);
+struct IncidentLight { vec3 color; vec3 direction; bool visible; };
+struct ReflectedLight { vec3 directDiffuse; vec3 directSpecular; vec3 indirectDiffuse; vec3 indirectSpecular; };
+vec3 transformDirection(in vec3 dir, in mat4 matrix);
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix(in vec3 normal, in mat4 viewMatrix);
+vec3 transformDirectionByInverseViewMatrix(in vec3 dir, in mat4 viewMatrix);
+bool isPerspectiveMatrix(mat4 m);
+vec2 equirectUv(in vec3 dir);
+vec3 BRDF_Lambert(const in vec3 diffuseColor);
+vec3 F_Schlick(const in vec3 f0, const in float f90, const in float dotVH);
+float F_Schlick(const in float f0, const in float f90, const in float dotVH);
+// the chunk <packing>
+vec3 packNormalToRGB(const in vec3 normal);
+vec3 unpackRGBToNormal(const in vec3 rgb);
+vec4 packDepthToRGBA(const in float v);
+vec3 packDepthToRGB(const in float v);
+vec2 packDepthToRG(const in float v);
+float unpackRGBAToDepth(const in vec4 v);
+float unpackRGBToDepth(const in vec3 v);
+float unpackRGToDepth(const in vec2 v);
+vec4 pack2HalfToRGBA(const in vec2 v);
+vec2 unpackRGBATo2Half(const in vec4 v);
+float viewZToOrthographicDepth(const in float viewZ, const in float near, const in float far);
+float orthographicDepthToViewZ(const in float depth, const in float near, const in float far);
+float viewZToPerspectiveDepth(const in float viewZ, const in float near, const in float far);
+float perspectiveDepthToViewZ(const in float depth, const in float near, const in float far);
+// of the package
+#define packFloatToRGBA(v) packDepthToRGBA(v)
+#define unpackRGBAToFloat(v) unpackRGBAToDepth(v)
+uniform sampler2D inputBuffer;
+uniform highp sampler2D depthBuffer;
+varying vec2 vUv;
+vec4 sRGBToLinear(const in vec4 value);
+float readDepth(const in vec2 uv);
+float getViewZ(const in float depth);
+vec3 RGBToHCV(const in vec3 RGB);
+vec3 RGBToHSL(const in vec3 RGB);
+vec3 HueToRGB(const in float H);
+vec3 HSLToRGB(const in vec3 HSL);
+#endif

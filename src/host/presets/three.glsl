@@ -1,0 +1,108 @@
+// three.js
+//
+// WebGLRenderer puts this before the shaders of ShaderMaterial and of its own materials; a
+// RawShaderMaterial gets nothing but the macros SHADER_TYPE and SHADER_NAME and the material's
+// `defines`. The text is always compiled as GLSL ES 3.00: macros turn the words of GLSL ES 1.00
+// into it, so both manners of writing work. An `attribute` is no word of a fragment shader. The
+// default precision of float, int and all samplers is set in both stages. The output `pc_fragColor`
+// and the macro gl_FragColor are left out when the material says `glslVersion: THREE.GLSL3`; the
+// shader then declares its own output. Lines `#include <name>` are replaced by the chunks of
+// three.js, and text for `onBeforeCompile` is a part of such chunks, so it may use any of their
+// names (`transformed`, `diffuseColor`, `vViewPosition`). Not declared here, as it depends on the
+// mesh or the material: the attribute `color` (vec3 or vec4, with vertexColors), `tangent`, `uv1`,
+// `uv2`, `uv3`, `morphTexture`, the macros USE_*, the tone mapping functions with toneMapping()
+// (only when the renderer or the material has tone mapping on), and everything in the material's
+// `defines`. The words NUM_DIR_LIGHTS, NUM_POINT_LIGHTS and the like are replaced by numbers before
+// the compiler sees the text; the numbers below only stand in for them. `#pragma unroll_loop_start`
+// and `#pragma unroll_loop_end` around a `for ( int i = 0; i < 4; i ++ )` make copies of its body,
+// in which UNROLLED_LOOP_INDEX is the number of the copy.
+//
+// source: three 0.187.0, src/renderers/webgl/WebGLProgram.js, src/renderers/webgl/WebGLPrograms.js, src/renderers/shaders/ShaderChunk/colorspace_pars_fragment.glsl.js
+// package: three @react-three/fiber @react-three/drei three-stdlib @threlte/core @tresjs/core angular-three
+// word: modelViewMatrix projectionMatrix cameraPosition normalMatrix isOrthographic instanceMatrix linearToOutputTexel sRGBTransferOETF sRGBTransferEOTF LinearTransferOETF pc_fragColor skinWeight skinIndex
+// global: THREE
+// version: 300 es
+// names: some
+// entry: main
+// include: <...>
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp samplerCube;
+precision highp sampler3D;
+precision highp sampler2DArray;
+precision highp sampler2DShadow;
+precision highp samplerCubeShadow;
+precision highp sampler2DArrayShadow;
+precision highp isampler2D;
+precision highp isampler3D;
+precision highp isamplerCube;
+precision highp isampler2DArray;
+precision highp usampler2D;
+precision highp usampler3D;
+precision highp usamplerCube;
+precision highp usampler2DArray;
+#define HIGH_PRECISION
+#define SHADER_TYPE ShaderMaterial
+#define SHADER_NAME ShaderMaterial
+#define texture2D texture
+// stand-ins for words that are replaced by numbers
+#define NUM_SUN_LIGHTS 1
+#define NUM_DIR_LIGHTS 1
+#define NUM_SPOT_LIGHTS 1
+#define NUM_SPOT_LIGHT_MAPS 1
+#define NUM_SPOT_LIGHT_COORDS 1
+#define NUM_RECT_AREA_LIGHTS 1
+#define NUM_POINT_LIGHTS 1
+#define NUM_HEMI_LIGHTS 1
+#define NUM_SUN_LIGHT_SHADOWS 1
+#define NUM_DIR_LIGHT_SHADOWS 1
+#define NUM_SPOT_LIGHT_SHADOWS 1
+#define NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS 1
+#define NUM_POINT_LIGHT_SHADOWS 1
+#define NUM_LIGHT_PROBE_GRIDS 1
+#define UNROLLED_LOOP_INDEX 0
+#define NUM_CLIPPING_PLANES 1
+#define UNION_CLIPPING_PLANES 1
+uniform mat4 viewMatrix;
+uniform vec3 cameraPosition;
+uniform bool isOrthographic;
+#ifdef VERTEX_SHADER
+#define attribute in
+#define varying out
+uniform mat4 modelMatrix;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform mat3 normalMatrix;
+attribute vec3 position;
+attribute vec3 normal;
+attribute vec2 uv;
+// of an InstancedMesh (USE_INSTANCING, USE_INSTANCING_COLOR)
+attribute mat4 instanceMatrix;
+attribute vec3 instanceColor;
+// of a SkinnedMesh (USE_SKINNING)
+attribute vec4 skinIndex;
+attribute vec4 skinWeight;
+#endif
+#ifdef FRAGMENT_SHADER
+#define varying in
+// not with glslVersion GLSL3; then the shader declares its own output
+#ifndef OWN_OUTPUT
+layout(location = 0) out highp vec4 pc_fragColor;
+#define gl_FragColor pc_fragColor
+#endif
+#define gl_FragDepthEXT gl_FragDepth
+#define textureCube texture
+#define texture2DProj textureProj
+#define texture2DLodEXT textureLod
+#define texture2DProjLodEXT textureProjLod
+#define textureCubeLodEXT textureLod
+#define texture2DGradEXT textureGrad
+#define texture2DProjGradEXT textureProjGrad
+#define textureCubeGradEXT textureGrad
+vec4 LinearTransferOETF(in vec4 value);
+vec4 sRGBTransferEOTF(in vec4 value);
+vec4 sRGBTransferOETF(in vec4 value);
+vec4 linearToOutputTexel(vec4 value);
+float luminance(const in vec3 rgb);
+#endif

@@ -1,0 +1,559 @@
+//! Parts of shaders, which a host completes before a browser sees them: what is wrong in them
+//! whatever stands around them.
+//!
+//! What a part does not declare is a hole that fits everywhere: a value of any type, a type, or a
+//! macro that stands for anything, so that the syntax around it is not judged. Groups of `#if` that
+//! hang on a name of the host may be there or not.
+
+use super::program::{Function, Program};
+use crate::diagnostic::{Diagnostic, MacroUse, Severity, error};
+use crate::syntax::{
+    DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, WordClass, classify,
+};
+use crate::text::{Role, Span};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeSet;
+
+/// How much of a shader its text holds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Extent {
+    /// All of it.
+    Whole,
+    /// A part: something may stand before and behind it.
+    Part,
+    /// A part in which something is left out, too.
+    Excerpt,
+}
+
+/// Most calls of empty macros that are looked at.
+const MAX_EMPTY_CALLS: usize = 1_000;
+/// Farthest that a bracket's partner is looked for, in tokens.
+const MAX_LOOK: usize = 400;
+
+/// How sure an error of some kind is in a part.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Certainty {
+    /// It holds between what the part declares.
+    Meaning,
+    /// It holds where no word that may be a macro stands near.
+    Syntax,
+    /// A host may mend it.
+    Never,
+}
+
+/// How sure errors of a kind are in a part. Kinds that are not named here are those that a host
+/// may mend: what is missing, what stands in the wrong place, what only one version has.
+fn certainty(rule: &str) -> Certainty {
+    match rule {
+        error::INT_FLOAT_MIX
+        | error::VECTOR_SIZE
+        | error::TYPE_MISMATCH
+        | error::CONDITION_TYPE
+        | error::CONSTRUCTOR_ARGUMENTS
+        | error::ARGUMENT_MISMATCH
+        | error::RETURN_TYPE
+        | error::SWIZZLE_OUT_OF_RANGE
+        | error::INVALID_SWIZZLE
+        | error::NO_SUCH_FIELD
+        | error::INVALID_INDEX
+        | error::INDEX_OUT_OF_RANGE
+        | error::NOT_ASSIGNABLE
+        | error::INTEGER_LENGTH
+        | error::UNSUPPORTED_OPERATION
+        | error::INVALID_SWITCH
+        | error::INVALID_PARAMETER
+        | error::INVALID_STRUCT
+        | error::SAMPLER_RESTRICTION
+        | error::FUNCTION_MISMATCH
+        | error::BUILTIN_REDEFINITION
+        | error::RESERVED_WORD
+        | error::REDEFINITION
+        | error::NOT_A_VARIABLE
+        | error::MACRO_ARGUMENTS
+        | error::MACRO_REDEFINITION
+        | error::BAD_DIRECTIVE
+        | error::MISSING_RETURN
+        | error::VOID_VALUE
+        | error::INVALID_ARRAY => Certainty::Meaning,
+        error::SYNTAX_ERROR
+        | error::MISSING_SEMICOLON
+        | error::UNCLOSED_DELIMITER
+        | error::INITIALIZER_LIST
+        | error::FOREIGN_SYNTAX
+        | error::LOCAL_FUNCTION
+        | error::INVALID_NUMBER
+        | error::FAULTY_MACRO
+        | error::INVALID_CHARACTER
+        | error::UNTERMINATED_COMMENT => Certainty::Syntax,
+        _ => Certainty::Never,
+    }
+}
+
+/// Keeps what is wrong whatever the host of a part is, and gives the names of the holes.
+pub(super) fn keep_certain(
+    program: &Program,
+    extent: Extent,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> BTreeSet<String> {
+    let mut holes = BTreeSet::new();
+    let part = Part::of(program);
+    let slips = part.slips(diagnostics);
+    let is_torn = extent == Extent::Excerpt
+        || diagnostics
+            .iter()
+            .any(|d| certainty(d.rule) == Certainty::Syntax && part.is_near_unknown(d.span));
+    diagnostics.retain_mut(|d| {
+        if matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE) {
+            if slips.contains(&d.span) {
+                d.severity = Severity::Warning;
+                return true;
+            }
+            holes.insert(program.sources.text(d.span).to_string());
+        }
+        part.is_certain(d, is_torn)
+    });
+    holes
+}
+
+/// What is known of a part.
+struct Part<'p, 'a> {
+    program: &'p Program<'a>,
+    /// Places of the tokens that the user sees, in the order of the text.
+    places: Vec<(Span, u32)>,
+    /// Names that the part or the language declares.
+    known: FxHashSet<Name>,
+    /// The functions that it declares, or its host, and where.
+    own_functions: Vec<(Name, Span)>,
+    /// Names that a group which is left out declares otherwise.
+    ambiguous: FxHashSet<Name>,
+    /// The calls of macros that stand for nothing.
+    empty_calls: Vec<Span>,
+    /// The groups that hang on names of the host, without those inside others.
+    undecided: Vec<Span>,
+}
+
+impl<'p, 'a> Part<'p, 'a> {
+    fn of(program: &'p Program<'a>) -> Part<'p, 'a> {
+        let tokens = program.tokens.tokens.iter().zip(0..);
+        let mut places: Vec<(Span, u32)> = tokens.map(|(t, i)| (t.span, i)).collect();
+        places.sort_by_key(|(span, _)| span.start);
+        let undecided = outermost(&program.tokens.undecided);
+        let place = |f: &Function| {
+            let ident = program.tree.function(f.declaration)?.ident;
+            Some((f.name, program.token(ident.token)?.span))
+        };
+        Part {
+            program,
+            places,
+            known: known_names(program),
+            own_functions: program.functions.iter().filter_map(place).collect(),
+            ambiguous: ambiguous_names(program, &undecided),
+            undecided,
+            empty_calls: empty_calls(program),
+        }
+    }
+
+    fn is_certain(&self, d: &Diagnostic, is_torn: bool) -> bool {
+        let file = self.program.sources.file_at(d.span.start);
+        if !file.is_some_and(|f| f.role == Role::User && f.span().contains(d.span)) {
+            return false;
+        }
+        match certainty(d.rule) {
+            Certainty::Never => false,
+            // Programs that put something into a text mark the place by characters of ASCII.
+            Certainty::Syntax if d.rule == error::INVALID_CHARACTER => {
+                !self.program.sources.text(d.span).is_ascii()
+            }
+            Certainty::Syntax => !self.is_torn_apart(d, is_torn) && !self.is_near_unknown(d.span),
+            Certainty::Meaning => self.means_that(d, is_torn),
+        }
+    }
+
+    /// Whether an error of the syntax may come of what is left out, or of a macro elsewhere that
+    /// holds a brace.
+    fn is_torn_apart(&self, d: &Diagnostic, is_torn: bool) -> bool {
+        let is_open = d.rule == error::UNCLOSED_DELIMITER
+            && !matches!(self.program.sources.text(d.span), "(" | ")" | "[" | "]");
+        let is_outside = d.message.starts_with("statements can only stand");
+        is_outside || is_torn && (is_open || d.rule == error::LOCAL_FUNCTION)
+    }
+
+    /// Whether an error between types holds for every host.
+    fn means_that(&self, d: &Diagnostic, is_torn: bool) -> bool {
+        let statement = self.statement(d.span);
+        let tokens = || statement.clone().filter_map(|i| self.token(i));
+        let is_unsure = |t: Token| t.kind == TokenKind::Identifier && self.is_ambiguous(t);
+        if tokens().any(is_unsure) || d.macros.iter().any(|m| self.is_open_macro(m)) {
+            return false;
+        }
+        // There may be other overloads elsewhere.
+        if self.is_of_own_call(d) {
+            return false;
+        }
+        match d.rule {
+            // Other releases of a host have other members.
+            error::NO_SUCH_FIELD => d.labels.iter().any(|l| self.is_user(l.span)),
+            error::MISSING_RETURN => !is_torn && !self.holds_group(d.span),
+            // A host may put a prototype or another body in.
+            error::REDEFINITION | error::FUNCTION_MISMATCH => {
+                let is_own = d.labels.iter().any(|l| self.is_user(l.span));
+                is_own && !is_torn && !d.labels.iter().any(|l| self.is_undecided(l.span))
+            }
+            error::MACRO_REDEFINITION => {
+                let is_sure = |span| self.is_user(span) && !self.is_undecided(span);
+                is_sure(d.span) && d.labels.iter().all(|l| is_sure(l.span))
+            }
+            // The word behind the point may be a macro, too.
+            error::INVALID_SWIZZLE => {
+                let word = self.program.sources.text(d.span);
+                word.chars().all(|c| "xyzwrgbastpq".contains(c))
+            }
+            error::BAD_DIRECTIVE => self.is_bad_everywhere(d.span),
+            error::RETURN_TYPE | error::INVALID_PARAMETER => !is_torn,
+            _ => true,
+        }
+    }
+
+    /// Whether a directive that is not well formed is one of GLSL, and none that a host writes anew.
+    fn is_bad_everywhere(&self, span: Span) -> bool {
+        let Some(file) = self.program.sources.file_at(span.start) else {
+            return false;
+        };
+        let before = file.text.get(..(span.start - file.base) as usize);
+        let start = before.and_then(|b| b.rfind('\n')).map_or(0, |at| at + 1);
+        let line = file.text.get(start..).unwrap_or("").trim_start();
+        let word = line.strip_prefix('#').unwrap_or(line).trim_start();
+        let end = word.find(|c: char| !c.is_ascii_alphabetic());
+        let word = word.get(..end.unwrap_or(word.len())).unwrap_or("");
+        DIRECTIVES.contains(&word) && word != "version"
+    }
+
+    fn token(&self, index: usize) -> Option<Token> {
+        let (_, id) = self.places.get(index)?;
+        self.program.token(*id).copied()
+    }
+
+    fn is_of_prelude(&self, token: Option<u32>) -> bool {
+        let span = token.and_then(|t| self.program.token(t)).map(|t| t.span);
+        span.is_some_and(|span| !self.is_user(span))
+    }
+
+    fn is_user(&self, span: Span) -> bool {
+        let file = self.program.sources.file_at(span.start);
+        file.is_some_and(|f| f.role == Role::User)
+    }
+
+    /// The first token at or behind an address.
+    fn at(&self, address: u32) -> usize {
+        self.places
+            .partition_point(|(span, _)| span.start < address && span.end <= address)
+    }
+
+    /// The tokens of the statement around a place.
+    fn statement(&self, span: Span) -> std::ops::Range<usize> {
+        let at = self.at(span.start);
+        let ends = |i: &usize| {
+            let kind = self.token(*i).map_or(TokenKind::End, |t| t.kind);
+            use TokenKind as T;
+            matches!(kind, T::Semicolon | T::LeftBrace | T::RightBrace | T::End)
+        };
+        let from = (at.saturating_sub(MAX_LOOK)..at).rev().find(ends);
+        let to = (at..at + MAX_LOOK).find(ends).unwrap_or(at + MAX_LOOK);
+        from.map_or(at.saturating_sub(MAX_LOOK), |f| f + 1)..to
+    }
+
+    /// Whether a token is a word that nothing here declares, and that may be a macro of the host.
+    fn is_unknown(&self, index: usize) -> bool {
+        let before = index.checked_sub(1).and_then(|i| self.token(i));
+        let is_member = before.is_some_and(|t| t.kind == TokenKind::Dot);
+        self.token(index).is_some_and(|t| {
+            t.kind == TokenKind::Identifier && !is_member && !self.known.contains(&Name(t.value))
+        })
+    }
+
+    /// Whether a word that may be a macro stands at a place, beside it, or calls what holds it.
+    fn is_near_unknown(&self, span: Span) -> bool {
+        let at = self.at(span.start);
+        let end = self.at(span.end).max(at) + 1;
+        if self.is_foreign(span) || self.is_empty_call(at) {
+            return true;
+        }
+        if (at.saturating_sub(2)..end.min(at + MAX_LOOK)).any(|i| self.is_unknown(i)) {
+            return true;
+        }
+        // `MACRO(...) here`, and `MACRO(here)`.
+        let mut depth = 0_u32;
+        let near = at.saturating_sub(1);
+        for i in (at.saturating_sub(MAX_LOOK)..at).rev() {
+            match self.token(i).map_or(TokenKind::End, |t| t.kind) {
+                TokenKind::RightParen => depth += 1,
+                TokenKind::LeftParen => {
+                    let is_callee = i.checked_sub(1).is_some_and(|c| self.is_unknown(c));
+                    if is_callee && depth <= 1 {
+                        return true;
+                    }
+                    depth = depth.saturating_sub(1);
+                }
+                TokenKind::Semicolon | TokenKind::LeftBrace | TokenKind::RightBrace
+                    if depth == 0 && i < near =>
+                {
+                    return false;
+                }
+                TokenKind::End => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// Whether the text at a place holds words that nothing declares, or what is no GLSL at all: a
+    /// correction may have taken them out of the tokens.
+    fn is_foreign(&self, span: Span) -> bool {
+        let text = self.program.sources.text(span);
+        let mut lexer = Lexer::new(text, 0);
+        loop {
+            let token = lexer.next_token();
+            let range = token.span.start as usize..token.span.end as usize;
+            match token.kind {
+                RawKind::End => return false,
+                RawKind::Other | RawKind::ForeignWord => return true,
+                RawKind::Word => {
+                    let word = text.get(range).unwrap_or("");
+                    let name = self.program.names.get(word);
+                    let is_known = name.is_some_and(|n| self.known.contains(&n));
+                    let is_plain = classify(word, self.program.version) == WordClass::Plain;
+                    if is_plain && !is_known {
+                        return true;
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Whether a macro without a meaning, which a host may give it, is called in the statement
+    /// around a token.
+    fn is_empty_call(&self, at: usize) -> bool {
+        let start = |i: usize| self.places.get(i).map_or(u32::MAX, |(span, _)| span.start);
+        let statement = self.statement(Span::at(start(at)));
+        let around = Span::new(
+            start(statement.start.saturating_sub(1)),
+            start(statement.end),
+        );
+        self.empty_calls.iter().any(|call| around.touches(*call))
+    }
+
+    fn is_ambiguous(&self, token: Token) -> bool {
+        self.ambiguous.contains(&Name(token.value))
+    }
+
+    /// Whether a host may give a macro another meaning: it defines it itself, or before the part
+    /// asks for it.
+    fn is_open_macro(&self, used: &MacroUse) -> bool {
+        let definition = used.definition;
+        self.is_undecided(definition) || !definition.is_empty() && !self.is_user(definition)
+    }
+
+    /// Whether a place lies in a group that the host may leave out.
+    fn is_undecided(&self, span: Span) -> bool {
+        !span.is_empty() && holds(&self.undecided, span)
+    }
+
+    /// Whether the function whose name or head stands at a place holds a group that the host
+    /// decides on.
+    fn holds_group(&self, span: Span) -> bool {
+        let functions = self.program.tree.functions.iter();
+        let around = functions
+            .map(|f| self.program.span(f.extent))
+            .find(|extent| extent.contains(span));
+        around.is_none_or(|extent| self.undecided.iter().any(|g| extent.contains(*g)))
+    }
+
+    /// Whether an error says that no form of a function fits which is none of the language.
+    fn is_of_own_call(&self, d: &Diagnostic) -> bool {
+        let is_declaration = |span: Span| self.own_functions.iter().any(|(_, own)| *own == span);
+        if d.labels.iter().any(|l| is_declaration(l.span)) {
+            return true;
+        }
+        let of_host = |t: Token| {
+            let mut own = self.own_functions.iter();
+            t.kind == TokenKind::Identifier
+                && own.any(|(name, span)| name.0 == t.value && !self.is_user(*span))
+        };
+        let mut statement = self.statement(d.span).filter_map(|i| self.token(i));
+        d.rule == error::ARGUMENT_MISMATCH && statement.any(of_host)
+    }
+
+    /// Names that nothing declares and that are slips of ones that the part declares: one letter is
+    /// another, and the name stands nowhere else.
+    fn slips(&self, diagnostics: &[Diagnostic]) -> FxHashSet<Span> {
+        let named = diagnostics
+            .iter()
+            .filter(|d| matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE))
+            .filter(|d| d.fix.is_some());
+        let mut counts: FxHashMap<u32, usize> = FxHashMap::default();
+        let mut found = FxHashSet::default();
+        for d in named {
+            if counts.is_empty() {
+                for t in &self.program.tokens.tokens {
+                    if t.kind == TokenKind::Identifier {
+                        *counts.entry(t.value).or_default() += 1;
+                    }
+                }
+            }
+            let word = self.program.sources.text(d.span);
+            let near = d.fix.as_ref().and_then(|f| f.edits.first());
+            let near = near.map_or("", |e| e.text.as_str());
+            let count = |word: &str| {
+                let name = self.program.names.get(word);
+                name.and_then(|n| counts.get(&n.0)).copied().unwrap_or(0)
+            };
+            let is_of_host = |word: &str| {
+                let name = self.program.names.get(word);
+                let mut all = self.program.variables.iter();
+                name.is_some_and(|n| all.any(|v| v.name == n && self.is_of_prelude(v.token)))
+            };
+            let is_used = count(near) > 1 || is_of_host(near);
+            if is_slip(word, near) && count(word) == 1 && is_used {
+                found.insert(d.span);
+            }
+        }
+        found
+    }
+}
+
+/// Whether one word is the other with one letter changed, lost, doubled or swapped inside: numbers
+/// and endings tell names apart on purpose.
+fn is_slip(word: &str, near: &str) -> bool {
+    let stem = |w: &str| w.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+    let shorter = word.len().min(near.len());
+    let is_ending = word.get(..shorter.saturating_sub(1)) == near.get(..shorter.saturating_sub(1));
+    let is_beginning = {
+        let tail = |w: &str| w.get(w.len() - (shorter - 1)..).map(str::to_string);
+        tail(word) == tail(near)
+    };
+    shorter >= 4
+        && stem(word) == word.len()
+        && stem(near) == near.len()
+        && !is_ending
+        && !is_beginning
+        && strsim::damerau_levenshtein(word, near) == 1
+}
+
+/// The names that a part declares itself, and those of the language that it uses.
+fn known_names(program: &Program) -> FxHashSet<Name> {
+    let mut known = FxHashSet::default();
+    known.extend(program.variables.iter().map(|v| v.name));
+    known.extend(program.functions.iter().map(|f| f.name));
+    for declared in &program.structs {
+        known.extend(declared.name);
+        known.extend(declared.fields.iter().map(|f| f.name));
+    }
+    let tree = &program.tree;
+    known.extend(tree.declarator_lists.iter().map(|d| d.ident.name));
+    known.extend(tree.param_lists.iter().filter_map(|p| Some(p.ident?.name)));
+    known.extend(tree.functions.iter().map(|f| f.ident.name));
+    known.extend(program.tokens.macros.iter().map(|m| m.name));
+    let builtins = super::builtins::Builtins::of(program.version, program.stage);
+    let functions = builtins.functions.iter();
+    known.extend(functions.filter_map(|f| program.names.get(&f.name)));
+    known
+}
+
+/// The calls of macros that stand for nothing, as the user sees them.
+fn empty_calls(program: &Program) -> Vec<Span> {
+    let is_empty = |e: &&Expansion| {
+        let definition = program.tokens.macros.get(e.definition.0 as usize);
+        definition.is_some_and(|m| m.body.is_empty() && m.params.is_none())
+    };
+    let calls = program.tokens.expansions.iter().filter(is_empty);
+    calls.map(|e| e.call).take(MAX_EMPTY_CALLS).collect()
+}
+
+/// The names that a group which is left out declares as something else than the part does, or as a
+/// macro.
+fn ambiguous_names(program: &Program, undecided: &[Span]) -> FxHashSet<Name> {
+    let mut found = FxHashSet::default();
+    if undecided.is_empty() || program.tokens.inactive.is_empty() {
+        return found;
+    }
+    // The names that are declared, each with the words of its types.
+    let mut declared: FxHashSet<(Name, &str)> = FxHashSet::default();
+    let mut names: FxHashSet<Name> = FxHashSet::default();
+    for pair in program.tokens.tokens.windows(2) {
+        let [ty, name] = pair else { continue };
+        let is_type = matches!(
+            ty.kind,
+            TokenKind::Type | TokenKind::Identifier | TokenKind::Void
+        );
+        if is_type && name.kind == TokenKind::Identifier && name.is_direct() {
+            declared.insert((Name(name.value), program.sources.text(ty.span)));
+            names.insert(Name(name.value));
+        }
+    }
+    let inactive = program.tokens.inactive.iter();
+    for span in inactive.filter(|s| holds(undecided, **s)) {
+        for (before, word) in word_pairs(program.sources.text(*span)) {
+            let Some(name) = program.names.get(word) else {
+                continue;
+            };
+            let is_macro = before == "define";
+            let is_other = names.contains(&name)
+                && !declared.contains(&(name, before))
+                && !is_statement_word(before);
+            if is_macro || is_other {
+                found.insert(name);
+            }
+        }
+    }
+    found
+}
+
+/// Groups without those that lie in others, in the order of the text.
+fn outermost(groups: &[Span]) -> Vec<Span> {
+    let mut all = groups.to_vec();
+    all.sort_by_key(|g| (g.start, std::cmp::Reverse(g.end)));
+    let mut outer: Vec<Span> = Vec::new();
+    for group in all {
+        if outer.last().is_none_or(|last| group.start >= last.end) {
+            outer.push(group);
+        }
+    }
+    outer
+}
+
+/// Whether one of the spans, which do not overlap and are in order, holds another.
+fn holds(spans: &[Span], inner: Span) -> bool {
+    let behind = spans.partition_point(|s| s.start <= inner.start);
+    let before = behind.checked_sub(1).and_then(|i| spans.get(i));
+    before.is_some_and(|s| s.contains(inner))
+}
+
+/// Whether a word before a name does not declare it.
+fn is_statement_word(word: &str) -> bool {
+    matches!(
+        word,
+        "return" | "else" | "case" | "in" | "out" | "inout" | "const"
+    )
+}
+
+/// The words of a text that follow a word, each with that word.
+fn word_pairs(text: &str) -> Vec<(&str, &str)> {
+    let mut lexer = Lexer::new(text, 0);
+    let mut before: Option<&str> = None;
+    let mut pairs = Vec::new();
+    loop {
+        let token = lexer.next_token();
+        let range = token.span.start as usize..token.span.end as usize;
+        match token.kind {
+            RawKind::End => return pairs,
+            RawKind::Whitespace | RawKind::BlockComment | RawKind::LineComment => {}
+            RawKind::Word => {
+                let word = text.get(range).unwrap_or("");
+                pairs.extend(before.map(|b| (b, word)));
+                before = Some(word);
+            }
+            _ => before = None,
+        }
+    }
+}
