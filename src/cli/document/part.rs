@@ -1,6 +1,6 @@
 //! One shader of an input.
 
-use super::include::spread;
+use super::include::{is_common, spread};
 use super::{DialectChoice, HostUniform, Options, Read};
 use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
@@ -195,6 +195,7 @@ pub(super) fn shader_part(
         DialectChoice::Webgl2 => Kind::WebGl2,
         DialectChoice::Auto => match told.kind {
             Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
+            _ if is_common(name, text, options) => Kind::ShaderToy(Pass::Common),
             // What a stage's file holds is compiled as it stands: without `#version` it is 1.00.
             _ if is_stage_file => Kind::Versioned,
             Some(kind) => kind,
