@@ -5,6 +5,7 @@ mod baselines;
 mod commands;
 mod config;
 mod fixes;
+mod includes;
 mod kinds;
 mod links;
 mod outputs;

@@ -1,5 +1,6 @@
 //! `shaderlint.toml`: which one holds for a file, and what it says of it.
 
+mod project;
 mod read;
 mod schema;
 
@@ -7,13 +8,14 @@ pub use read::{ConfigError, parse};
 pub use schema::schema;
 
 use super::document::host::Packages;
-use super::document::include::Includes;
+use super::document::include::{Files, Includes};
 use super::document::partner::NOBODY;
 use super::document::{Desktop, DialectChoice, HostNames, Options};
 use crate::diagnostic::Severity;
 use crate::lint::{Failing, Rule, Settings, Target, UnknownRule};
 use crate::text::kind::Claim;
 use globset::GlobSet;
+use project::Project;
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -39,6 +41,8 @@ pub struct Layer {
     pub failing: Vec<(RuleName, Failing)>,
     /// Numbers that rules go by.
     pub options: Vec<(RuleName, String, f64)>,
+    /// Folders that `#include` searches behind that of the file, from the configuration's own.
+    pub include_roots: Option<Vec<String>>,
 }
 
 /// Name of a rule, whose table is not printed.
@@ -142,6 +146,8 @@ pub struct Given {
     pub source: Source,
     /// `--force-exclude`
     pub exclusion: Exclusion,
+    /// The paths that are named.
+    pub paths: Vec<PathBuf>,
 }
 
 /// What `exclude` holds for.
@@ -169,6 +175,8 @@ pub struct Configs {
     given: Given,
     rules: &'static [&'static Rule],
     cache: Mutex<Cache>,
+    /// What `#include` has read.
+    files: Arc<Files>,
 }
 
 type Found = Result<Option<Arc<Config>>, Arc<str>>;
@@ -177,9 +185,13 @@ type Found = Result<Option<Arc<Config>>, Arc<str>>;
 struct Cache {
     /// By folder.
     configs: HashMap<PathBuf, Found>,
-    /// By folder of the configuration and overrides.
-    judges: HashMap<(PathBuf, Vec<usize>), Arc<Judge>>,
+    /// By folder of files.
+    projects: HashMap<PathBuf, Project>,
+    judges: HashMap<Key, Arc<Judge>>,
 }
+
+/// What makes files be judged alike: the folder of the configuration, the project and the overrides.
+type Key = (Option<PathBuf>, Project, Vec<usize>);
 
 impl Configs {
     /// Nothing is read yet.
@@ -188,6 +200,7 @@ impl Configs {
             given,
             rules,
             cache: Mutex::default(),
+            files: Arc::default(),
         }
     }
 
@@ -262,23 +275,33 @@ impl Configs {
     pub fn judge(&self, path: &Path) -> Result<Arc<Judge>, Arc<str>> {
         let config = self.config(path)?;
         let layers = config.as_ref().map_or(Vec::new(), |c| c.layers(path));
-        let root = match &config {
-            Some(config) => config.root.clone(),
-            None => project_root(path),
-        };
-        let key = (root, layers);
+        let root = config.as_ref().map(|c| c.root.clone());
+        let key = (root, self.project(path), layers);
         if let Some(judge) = self.lock().judges.get(&key) {
             return Ok(judge.clone());
         }
-        let judge = Arc::new(self.make(config.as_deref(), &key.0, &key.1)?);
+        let judge = Arc::new(self.make(config.as_deref(), &key.1, &key.2)?);
         self.lock().judges.insert(key, judge.clone());
         Ok(judge)
+    }
+
+    /// The project that a file belongs to.
+    fn project(&self, path: &Path) -> Project {
+        let path = absolute(path);
+        let folder = path.parent().unwrap_or(Path::new("/"));
+        if let Some(known) = self.lock().projects.get(folder) {
+            return known.clone();
+        }
+        let project = Project::around(folder, &self.given.paths);
+        let mut cache = self.lock();
+        cache.projects.insert(folder.to_path_buf(), project.clone());
+        project
     }
 
     fn make(
         &self,
         config: Option<&Config>,
-        root: &Path,
+        project: &Project,
         layers: &[usize],
     ) -> Result<Judge, Arc<str>> {
         let mut settings = Settings::new(self.rules, &[], &[]).map_err(unknown)?;
@@ -286,7 +309,9 @@ impl Configs {
             settings: settings.clone(),
             dialect: DialectChoice::Auto,
             host: HostNames::default(),
-            includes: Includes::inside(root),
+            includes: Includes::inside(&project.root)
+                .with_tops(project.tops.clone())
+                .sharing(self.files.clone()),
             packages: Packages::of_projects(),
             desktop: Desktop::default(),
         };
@@ -298,6 +323,10 @@ impl Configs {
             judge.dialect = layer.dialect.unwrap_or(judge.dialect);
             judge.desktop = layer.desktop.unwrap_or(judge.desktop);
             judge.host = layer.host.clone().unwrap_or(judge.host);
+            if let (Some(roots), Some(config)) = (&layer.include_roots, config) {
+                let roots = roots.iter().map(|r| absolute(&config.root.join(r)));
+                judge.includes = judge.includes.with_roots(roots.collect());
+            }
         }
         self.adjust(&mut settings).map_err(unknown)?;
         if self.given.dialect != DialectChoice::Auto {
@@ -369,13 +398,4 @@ pub fn absolute(path: &Path) -> PathBuf {
         }
     }
     plain
-}
-
-/// The folder that `#include` may not leave where no configuration says it: that of the repository,
-/// or else the file's own.
-fn project_root(path: &Path) -> PathBuf {
-    let path = absolute(path);
-    let folder = path.parent().unwrap_or(Path::new("/"));
-    let repository = folder.ancestors().find(|f| f.join(".git").exists());
-    repository.unwrap_or(folder).to_path_buf()
 }

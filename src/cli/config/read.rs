@@ -14,18 +14,27 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys of the file.
-pub const KEYS: [&str; 8] = [
+pub const KEYS: [&str; 9] = [
     "target",
     "dialect",
     "desktop",
     "host",
     "rules",
     "include",
+    "include_roots",
     "exclude",
     "overrides",
 ];
 /// Keys of an override.
-pub const OVERRIDE_KEYS: [&str; 6] = ["paths", "target", "dialect", "desktop", "host", "rules"];
+pub const OVERRIDE_KEYS: [&str; 7] = [
+    "paths",
+    "target",
+    "dialect",
+    "desktop",
+    "host",
+    "include_roots",
+    "rules",
+];
 /// Keys of `host`.
 pub const HOST_KEYS: [&str; 2] = ["preset", "uniforms"];
 /// Words for `target`.
@@ -126,6 +135,10 @@ fn layer(table: &DeTable, rules: &'static [&'static Rule]) -> Result<Layer> {
                 });
             }
             "host" => layer.host = Some(host(value)?),
+            "include_roots" => {
+                let folders = array(value)?.iter().map(|v| string(v).map(str::to_string));
+                layer.include_roots = Some(folders.collect::<Result<_>>()?);
+            }
             "rules" => rules_of(table_of(value)?, rules, &mut layer)?,
             _ => {}
         }

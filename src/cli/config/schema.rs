@@ -31,6 +31,11 @@ pub fn schema(rules: &[&'static Rule]) -> String {
                 }
             ]
         },
+        "include_roots": {
+            "description": "Folders that #include searches behind that of the file, from the folder of this file",
+            "type": "array",
+            "items": {"type": "string"}
+        },
         "rules": {
             "description": "Levels and options of rules and groups",
             "type": "object",

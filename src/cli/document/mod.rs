@@ -22,7 +22,7 @@ use crate::text::{FileId, Role, Sources, Span};
 use export::Written;
 pub use foreign::Desktop;
 use host::{Hosts, Packages};
-use include::Includes;
+use include::{Hushed, Includes};
 pub use part::Shader;
 use part::{Part, check_part, shader_part};
 use partner::{NOBODY, Partners};
@@ -223,6 +223,7 @@ pub fn check_with(
     if let (Encoding::Damaged(at), true) = (encoding, kind != FileKind::Export) {
         report_damage(&read, at, &mut diagnostics);
     }
+    diagnostics.retain(|d| read.hushed.admits(&read.sources, d));
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
     diagnostics.dedup_by(|a, b| (a.span, a.rule, &a.message) == (b.span, b.rule, &b.message));
     let mut findings = Findings {
@@ -259,6 +260,8 @@ struct Read {
     /// What is wrong before any shader is read.
     problems: Vec<Diagnostic>,
     export: Option<Written>,
+    /// Files whose findings are not told here.
+    hushed: Hushed,
 }
 
 fn read(
@@ -274,6 +277,7 @@ fn read(
         embedded: Vec::new(),
         problems: Vec::new(),
         export: None,
+        hushed: Hushed::default(),
     };
     match decision.kind {
         FileKind::Other => return Err(DocumentError::Skipped(decision)),

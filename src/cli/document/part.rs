@@ -1,7 +1,7 @@
 //! One shader of an input.
 
 use super::host::Hosts;
-use super::include::spread;
+use super::include::{is_common, spread};
 use super::reading::{Checked, Place, Reading, Readings, Standing, Text};
 use super::{DialectChoice, HostUniform, Options, Read};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -209,6 +209,7 @@ pub(super) fn shader_part(
         files: own.files,
         stage,
         place: match stage {
+            _ if is_common(name, text, options) => Place::CommonFile,
             Some(_) => Place::StageFile,
             None => Place::File,
         },

@@ -61,6 +61,11 @@ impl Partners {
         }
     }
 
+    /// Whether a file is checked in the same run.
+    pub fn checks(&self, name: &str) -> bool {
+        self.checked.contains(name)
+    }
+
     /// The file with the other stage: its name and text.
     fn find(&self, name: &str) -> Option<(String, String)> {
         if !self.is_on {

@@ -61,6 +61,8 @@ pub enum Place {
     StageFile,
     /// In a file of any GLSL.
     File,
+    /// In the file that goes with ShaderToy passes of its folder.
+    CommonFile,
     /// In a page, a script or a text.
     Embedded,
 }
@@ -105,6 +107,9 @@ impl Readings {
         text: Text,
         options: &Options,
     ) -> Option<Readings> {
+        // What the text includes is a part of it, and found includes are no directives any more.
+        let joined = (text.files.len() > 1).then(|| code_of(sources, &text.files));
+        let code = joined.as_deref().unwrap_or(code);
         let told = guess(code);
         let kind = kind_of(&told, &text, code, options.dialect);
         let standing = standing(kind, &told, &text, code, options.dialect);
@@ -182,7 +187,7 @@ impl Readings {
         for (version, stage) in self.ways(preset) {
             let declared = part_declarations(version, stage);
             let is_vertex = stage == Stage::Vertex;
-            let code = self.code(sources);
+            let code = code_of(sources, &self.text.files);
             let own = preset.map_or(String::new(), |p| prelude(p, &code, is_vertex));
             let writes = code.contains("gl_FragColor") && !own.contains("gl_FragColor");
             let own = match version {
@@ -207,13 +212,6 @@ impl Readings {
             });
         }
         Some(())
-    }
-
-    /// All that the user wrote of the text.
-    fn code(&self, sources: &Sources) -> String {
-        let codes = self.text.files.iter().filter_map(|id| sources.code(*id));
-        let own = codes.filter(|c| c.role == Role::User);
-        own.map(|c| c.text).collect::<Vec<_>>().join("\n")
     }
 
     /// The versions and stages that a part may be compiled as, the likeliest first.
@@ -342,6 +340,13 @@ impl Checked<'_> {
     }
 }
 
+/// All that users wrote of some files.
+fn code_of(sources: &Sources, files: &[FileId]) -> String {
+    let codes = files.iter().filter_map(|id| sources.code(*id));
+    let own = codes.filter(|c| c.role == Role::User);
+    own.map(|c| c.text).collect::<Vec<_>>().join("\n")
+}
+
 /// What a text is written for.
 fn kind_of(told: &Guess, text: &Text, code: &str, choice: DialectChoice) -> Option<Kind> {
     match choice {
@@ -357,6 +362,7 @@ fn kind_of(told: &Guess, text: &Text, code: &str, choice: DialectChoice) -> Opti
             Some(Kind::WebGl2) if text.place == Place::StageFile && !needs_300(code) => {
                 Some(Kind::WebGl1)
             }
+            None if text.place == Place::CommonFile => Some(Kind::ShaderToy(Pass::Common)),
             kind => kind,
         },
     }

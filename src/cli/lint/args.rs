@@ -306,6 +306,7 @@ impl Args {
             } else {
                 Exclusion::Found
             },
+            paths: self.paths(),
         }
     }
 }

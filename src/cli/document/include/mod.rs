@@ -1,0 +1,405 @@
+//! `#include` and its kin, as bundlers resolve them: the files that a shader names stand in the place
+//! of the directives that name them.
+
+mod common;
+mod find;
+mod module;
+mod scan;
+
+pub use common::is_common;
+pub use find::{Absence, Files, Includes};
+
+use super::{Options, Read};
+use crate::diagnostic::{Diagnostic, Severity, error};
+use crate::text::{FileId, Role, Sources, Span};
+use find::{Absent, Found, Text, is_of_package, tidy};
+use module::Modules;
+use scan::{Directive, Form, Manner, Wanted};
+use std::collections::{BTreeSet, HashMap};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Most files that one shader may include, each time counted.
+const MAX_INCLUDES: usize = 256;
+/// Most times that a file is looked for in one shader.
+const MAX_LOOKUPS: usize = 4_096;
+/// Most macros that are taken for arguments of files.
+const MAX_ARGUMENTS: usize = 64;
+
+/// A shader with what it includes.
+pub struct Spread {
+    /// What is compiled, in order.
+    pub files: Vec<FileId>,
+    /// Whether something that is put in is not at hand.
+    pub is_open: bool,
+    /// What is not found.
+    pub missing: Vec<Missing>,
+}
+
+/// A file that is named and not put in.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Missing {
+    /// The directive.
+    pub span: Span,
+    /// The path, as it is written.
+    pub path: String,
+    /// The folders that it was looked for in.
+    pub looked_in: Vec<String>,
+    /// Why it is not put in.
+    pub why: Absence,
+}
+
+/// The files whose findings are told elsewhere, or are nobody's business here.
+#[derive(Default)]
+pub struct Hushed(HashMap<FileId, Hush>);
+
+/// What of a file is not told.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Hush {
+    /// What rules find: it is the file of a package.
+    Rules,
+    /// Anything.
+    All,
+}
+
+impl Hushed {
+    /// Whether a finding is told.
+    pub fn admits(&self, sources: &Sources, diagnostic: &Diagnostic) -> bool {
+        if self.0.is_empty() {
+            return true;
+        }
+        let file = sources.file_id_at(diagnostic.span.start);
+        match file.and_then(|id| self.0.get(&id)) {
+            None => true,
+            Some(Hush::Rules) => diagnostic.severity == Severity::Error,
+            Some(Hush::All) => false,
+        }
+    }
+}
+
+/// Puts files in the place of the directives that name them, and the Common file of a ShaderToy
+/// project before its passes.
+pub(super) fn spread(
+    read: &mut Read,
+    name: &str,
+    file: FileId,
+    text: &str,
+    options: &Options,
+) -> Option<Spread> {
+    let common = common::common_of(name, text, options);
+    let common = common.and_then(|path| options.includes.load_inside(&path));
+    let words = ["include", "import", "glslify"];
+    let own = words.iter().any(|w| text.contains(w));
+    let own = own.then(|| Arc::new(Text::new(text.into())));
+    let own = own.filter(|own| !own.scan.directives.is_empty());
+    let mut spreader = Spreader {
+        read,
+        options,
+        found: Spread {
+            files: Vec::new(),
+            is_open: false,
+            missing: Vec::new(),
+        },
+        open: Vec::new(),
+        seen: HashMap::new(),
+        undefined: BTreeSet::new(),
+        known: HashMap::new(),
+        lookups: MAX_LOOKUPS,
+        modules: Modules::default(),
+        is_in_package: is_of_package(Path::new(name)),
+        budget: MAX_INCLUDES,
+    };
+    if let Some(found) = common {
+        spreader.common(found)?;
+    }
+    match own {
+        None => spreader.found.files.push(file),
+        Some(own) => {
+            let directives = &own.scan.directives;
+            spreader.modules.expect(name, options.includes, directives);
+            let name = tidy(Path::new(name)).to_string_lossy().replace('\\', "/");
+            let real = Path::new(&name).canonicalize();
+            let real = real.unwrap_or_else(|_| PathBuf::from(&name));
+            spreader.open(name, real, file, own);
+            spreader.run()?;
+        }
+    }
+    Some(spreader.found)
+}
+
+/// Puts a shader together.
+struct Spreader<'r, 'o> {
+    read: &'r mut Read,
+    options: &'r Options<'o>,
+    found: Spread,
+    /// The files that are being put in, each named by the one before.
+    open: Vec<Open>,
+    /// The files that were put in.
+    seen: HashMap<PathBuf, Seen>,
+    /// The macros that some file takes away.
+    undefined: BTreeSet<String>,
+    /// What was found, by the file that names it and its path.
+    known: HashMap<(String, String), Found>,
+    lookups: usize,
+    modules: Modules,
+    /// Whether the shader itself is a file of a package.
+    is_in_package: bool,
+    budget: usize,
+}
+
+/// A file that is being put in.
+struct Open {
+    name: String,
+    real: PathBuf,
+    file: FileId,
+    text: Arc<Text>,
+    /// What of it has been put in.
+    done: usize,
+    /// The number of its next directive.
+    next: usize,
+    /// Whether it stands under a condition.
+    is_conditional: bool,
+    /// How many braces are open around it.
+    depth: u32,
+    /// What stands behind it.
+    close: Option<FileId>,
+}
+
+/// Where a file was put in.
+#[derive(Clone, Copy)]
+struct Seen {
+    is_conditional: bool,
+    is_inside: bool,
+    /// Number of its guard, where it got one.
+    number: usize,
+}
+
+/// What is done with a file that is found.
+enum Way {
+    Put,
+    /// Behind a guard of this number.
+    Guard(usize),
+    /// It stands there already.
+    Leave,
+    Circle,
+}
+
+impl Spreader<'_, '_> {
+    /// Puts the Common file in. What is wrong with it is told of itself where it is checked too.
+    fn common(&mut self, found: Found) -> Option<()> {
+        let text = found.file.text.clone();
+        let id = self.add(&found.name, text)?;
+        if self.options.partners.checks(&found.name) {
+            self.read.hushed.0.insert(id, Hush::All);
+        }
+        self.open(found.name, found.real, id, found.file);
+        self.run()
+    }
+
+    fn add(&mut self, path: &str, text: impl Into<Arc<str>>) -> Option<FileId> {
+        self.read.sources.add(path, None, Role::User, text)
+    }
+
+    fn open(&mut self, name: String, real: PathBuf, file: FileId, text: Arc<Text>) {
+        let room = MAX_ARGUMENTS.saturating_sub(self.undefined.len());
+        let more = text.scan.undefined.iter().take(room);
+        self.undefined.extend(more.cloned());
+        self.open.push(Open {
+            name,
+            real,
+            file,
+            text,
+            done: 0,
+            next: 0,
+            is_conditional: false,
+            depth: 0,
+            close: None,
+        });
+    }
+
+    /// Puts in all that is open. `None` where it is too large.
+    fn run(&mut self) -> Option<()> {
+        while let Some(last) = self.open.last_mut() {
+            let directive = last.text.scan.directives.get(last.next).cloned();
+            last.next += 1;
+            let Some(directive) = directive else {
+                let rest = last.text.text.get(last.done..)?;
+                let piece = self.read.sources.embed(last.file, last.done, rest)?;
+                self.found.files.push(piece);
+                self.found.files.extend(last.close);
+                self.open.pop();
+                continue;
+            };
+            let before = last.text.text.get(last.done..directive.start)?;
+            let piece = self.read.sources.embed(last.file, last.done, before)?;
+            self.found.files.push(piece);
+            last.done = directive.end;
+            let base = self.read.sources.file(last.file)?.base;
+            let span = Span::new(base + directive.start as u32, base + directive.end as u32);
+            let from = last.name.clone();
+            self.directive(&from, &directive, span)?;
+        }
+        Some(())
+    }
+
+    fn directive(&mut self, from: &str, directive: &Directive, span: Span) -> Option<()> {
+        let wanted = &directive.wanted;
+        let is_chunk = wanted.manner == Manner::Chunk && self.options.host.preset.is_some();
+        if is_chunk && !wanted.path.contains(['/', '.']) {
+            self.found.is_open = true;
+            return Some(());
+        }
+        let found = match self.find(from, wanted) {
+            Ok(found) => found,
+            Err(_) if is_chunk => {
+                self.found.is_open = true;
+                return Some(());
+            }
+            Err(absent) => {
+                self.miss(span, &wanted.path, absent);
+                return Some(());
+            }
+        };
+        match &directive.form {
+            Form::Put => self.put(found, directive, span),
+            Form::Require(name, arguments) => self.require(found, name, arguments, span),
+        }
+    }
+
+    fn find(&mut self, from: &str, wanted: &Wanted) -> Result<Found, Absent> {
+        let key = (from.to_string(), wanted.path.clone());
+        if let Some(known) = self.known.get(&key) {
+            return Ok(known.clone());
+        }
+        if self.budget == 0 || self.lookups == 0 {
+            return Err(Absent::too_many());
+        }
+        self.lookups -= 1;
+        let found = self.options.includes.find(from, wanted)?;
+        self.known.insert(key, found.clone());
+        Ok(found)
+    }
+
+    fn miss(&mut self, span: Span, path: &str, absent: Absent) {
+        self.found.is_open = true;
+        self.found.missing.push(Missing {
+            span,
+            path: path.to_string(),
+            looked_in: absent.looked_in,
+            why: absent.why,
+        });
+    }
+
+    fn put(&mut self, found: Found, directive: &Directive, span: Span) -> Option<()> {
+        let (is_conditional, depth) = self.open.last().map_or((false, 0), |last| {
+            let is_conditional = last.is_conditional || directive.is_conditional;
+            (is_conditional, last.depth + directive.depth)
+        });
+        let mut close = None;
+        let way = self.way(&found, is_conditional, depth);
+        match way {
+            Way::Leave => return Some(()),
+            Way::Put | Way::Guard(_) if self.budget == 0 => {
+                self.miss(span, &directive.wanted.path, Absent::too_many());
+                return Some(());
+            }
+            Way::Circle => {
+                let message = format!("`{}` includes itself", directive.wanted.path);
+                let problem = Diagnostic::error(error::BAD_DIRECTIVE, span, message);
+                self.read.problems.push(problem);
+                return Some(());
+            }
+            Way::Put => {}
+            Way::Guard(number) => {
+                let name = format!("shaderlint_once_{number}");
+                let open = format!("#ifndef {name}\n#define {name}\n");
+                let open = self.prelude(&open)?;
+                self.found.files.push(open);
+                close = Some(self.prelude("\n#endif\n")?);
+            }
+        }
+        self.budget -= 1;
+        let id = self.add(&found.name, found.file.text.clone())?;
+        if is_of_package(Path::new(&found.name)) && !self.is_in_package {
+            self.read.hushed.0.insert(id, Hush::Rules);
+        }
+        self.open(found.name, found.real, id, found.file);
+        let last = self.open.last_mut()?;
+        (last.is_conditional, last.depth, last.close) = (is_conditional, depth, close);
+        Some(())
+    }
+
+    fn prelude(&mut self, text: &str) -> Option<FileId> {
+        self.read.sources.add("", None, Role::Prelude, text)
+    }
+
+    /// Bundlers differ in what they do with a file that is named twice; what is certain is that a
+    /// second copy which would only declare the same again is not meant.
+    fn way(&mut self, found: &Found, is_conditional: bool, depth: u32) -> Way {
+        let scan = &found.file.scan;
+        let is_safe = scan.is_guarded || scan.is_once;
+        if self.open.iter().any(|o| o.real == found.real) {
+            return if is_safe { Way::Leave } else { Way::Circle };
+        }
+        let is_given = |name: &String| {
+            let is_own = scan.defined.contains(name);
+            !is_own && found.file.text.contains(name.as_str())
+        };
+        // Its text means something else each time.
+        let own = scan.undefined.iter().take(MAX_ARGUMENTS);
+        let takes = own.chain(&self.undefined);
+        let is_template = !is_safe && takes.into_iter().any(is_given);
+        let now = Seen {
+            is_conditional,
+            is_inside: depth > 0,
+            number: self.seen.len(),
+        };
+        let known = self.seen.entry(found.real.clone()).or_insert(now);
+        let seen = *known;
+        known.is_conditional &= is_conditional;
+        let is_first = seen.number == now.number;
+        let declares = scan.declares || !(seen.is_inside || now.is_inside);
+        if is_template || !(is_safe || declares) {
+            return Way::Put;
+        }
+        if !is_first && !seen.is_conditional {
+            return Way::Leave;
+        }
+        // Whether the first copy counts is not known before the text is read.
+        match scan.is_guarded || (is_first && !is_conditional) {
+            true => Way::Put,
+            false => Way::Guard(seen.number),
+        }
+    }
+
+    /// Puts in a module of glslify under a name.
+    fn require(
+        &mut self,
+        found: Found,
+        name: &str,
+        arguments: &[(String, String)],
+        span: Span,
+    ) -> Option<()> {
+        if self.budget == 0 {
+            self.found.is_open = true;
+            return Some(());
+        }
+        let includes = self.options.includes;
+        let made = self.modules.put(&found, arguments, Some(name), includes);
+        self.found.is_open |= self.modules.is_open || made.is_none();
+        for (path, absent) in std::mem::take(&mut self.modules.missing) {
+            self.miss(span, &path, absent);
+        }
+        match made {
+            Some((text, _)) if !text.is_empty() => {
+                self.budget -= 1;
+                let id = self.add(&found.name, text)?;
+                // Its text is not what stands in the file.
+                self.read.hushed.0.insert(id, Hush::All);
+                self.found.files.push(id);
+            }
+            _ => {}
+        }
+        Some(())
+    }
+}

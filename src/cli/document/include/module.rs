@@ -1,0 +1,302 @@
+//! Modules of glslify. Each has its names for itself: what it declares gets a number behind its
+//! name, as glslify does it, and what it exports the name under which it is asked for.
+
+use super::find::{Absent, Found, Includes};
+use super::scan::{Directive, Form};
+use crate::syntax::{Lexer, RawKind, TokenKind};
+use std::collections::{HashMap, HashSet};
+use std::path::PathBuf;
+
+/// Most bytes that the modules of a shader may have.
+const MAX_TEXT: usize = 16 * 1024 * 1024;
+/// Most modules of a shader, and most that are looked for.
+const MAX_MODULES: usize = 1_024;
+/// How deep modules may ask for others.
+const MAX_DEPTH: usize = 64;
+
+/// The modules of a shader.
+#[derive(Default)]
+pub struct Modules {
+    /// The names that the shader itself gives to what modules export.
+    asked: HashMap<PathBuf, String>,
+    made: Vec<Made>,
+    /// The modules that are being put in.
+    open: Vec<PathBuf>,
+    count: usize,
+    size: usize,
+    lookups: usize,
+    /// What is not found.
+    pub missing: Vec<(String, Absent)>,
+    /// Whether something of a module is not at hand.
+    pub is_open: bool,
+}
+
+/// A module that stands in the shader.
+struct Made {
+    real: PathBuf,
+    arguments: Vec<(String, String)>,
+    export: String,
+}
+
+impl Modules {
+    /// Notes what the shader itself asks for, so that modules which ask for the same can share it.
+    pub fn expect(&mut self, name: &str, includes: &Includes, directives: &[Directive]) {
+        for directive in directives.iter().take(MAX_MODULES) {
+            if let Form::Require(wanted, arguments) = &directive.form
+                && arguments.is_empty()
+                && let Ok(found) = includes.find(name, &directive.wanted)
+            {
+                self.asked
+                    .entry(found.real)
+                    .or_insert_with(|| wanted.clone());
+            }
+        }
+    }
+
+    /// The text of a module as it stands in the shader, empty where it is there already, and the
+    /// name of what it exports: `wanted`, where that is given. `None` where it cannot be put in.
+    pub fn put(
+        &mut self,
+        found: &Found,
+        arguments: &[(String, String)],
+        wanted: Option<&str>,
+        includes: &Includes,
+    ) -> Option<(String, String)> {
+        let is_same = |m: &&Made| {
+            m.real == found.real && m.arguments == arguments && wanted.is_none_or(|w| w == m.export)
+        };
+        if let Some(made) = self.made.iter().find(is_same) {
+            return Some((String::new(), made.export.clone()));
+        }
+        let export = found.file.scan.export.clone()?;
+        let is_circle = self.open.contains(&found.real) || self.open.len() >= MAX_DEPTH;
+        self.size += found.file.text.len();
+        if is_circle || self.size > MAX_TEXT || self.count >= MAX_MODULES {
+            return None;
+        }
+        self.count += 1;
+        let number = self.count;
+        let text = &*found.file.text;
+        let own = top_names(text).into_iter();
+        let mut names: HashMap<String, String> =
+            own.map(|n| (n.clone(), format!("{n}_{number}"))).collect();
+        names.extend(arguments.iter().cloned());
+        let asked = self.asked.get(&found.real).filter(|_| arguments.is_empty());
+        let wanted = wanted.map(str::to_string).or_else(|| asked.cloned());
+        let exported = match wanted {
+            Some(wanted) => {
+                names.insert(export, wanted.clone());
+                wanted
+            }
+            None => names.get(&export).unwrap_or(&export).clone(),
+        };
+        self.open.push(found.real.clone());
+        let text = self.rewrite(found, names, includes);
+        self.open.pop();
+        self.made.push(Made {
+            real: found.real.clone(),
+            arguments: arguments.to_vec(),
+            export: exported.clone(),
+        });
+        Some((text, exported))
+    }
+
+    /// A module with other names, and with the modules that it asks for.
+    fn rewrite(
+        &mut self,
+        found: &Found,
+        mut names: HashMap<String, String>,
+        includes: &Includes,
+    ) -> String {
+        let text = &*found.file.text;
+        let mut out = String::with_capacity(text.len());
+        let mut done = 0;
+        for directive in &found.file.scan.directives {
+            rename(text, done..directive.start, &names, &mut out);
+            done = directive.end;
+            let Form::Require(name, arguments) = &directive.form else {
+                self.is_open = true;
+                continue;
+            };
+            self.lookups += 1;
+            if self.lookups > MAX_MODULES {
+                self.is_open = true;
+                continue;
+            }
+            let renamed = |value: &String| names.get(value).unwrap_or(value).clone();
+            let arguments: Vec<_> = arguments
+                .iter()
+                .map(|(name, value)| (name.clone(), renamed(value)))
+                .collect();
+            match includes.find(&found.name, &directive.wanted) {
+                Ok(inner) => match self.put(&inner, &arguments, None, includes) {
+                    Some((text, export)) => {
+                        out.push_str(&text);
+                        names.insert(name.clone(), export);
+                    }
+                    None => self.is_open = true,
+                },
+                Err(absent) => self.missing.push((directive.wanted.path.clone(), absent)),
+            }
+        }
+        rename(text, done..text.len(), &names, &mut out);
+        out.push('\n');
+        out
+    }
+}
+
+/// Writes a part of a text with other names.
+fn rename(
+    text: &str,
+    part: std::ops::Range<usize>,
+    names: &HashMap<String, String>,
+    out: &mut String,
+) {
+    let part = text.get(part).unwrap_or("");
+    let mut lexer = Lexer::new(part, 0);
+    let mut behind_dot = false;
+    loop {
+        let token = lexer.next_token();
+        let range = token.span.start as usize..token.span.end as usize;
+        let word = part.get(range).unwrap_or("");
+        match token.kind {
+            RawKind::End => return,
+            RawKind::Word if !(behind_dot && is_swizzle(word)) => {
+                out.push_str(names.get(word).map_or(word, String::as_str));
+            }
+            _ => out.push_str(word),
+        }
+        behind_dot = token.kind == RawKind::Operator(TokenKind::Dot);
+    }
+}
+
+/// Whether a word behind a dot may mean components of a vector.
+fn is_swizzle(word: &str) -> bool {
+    word.len() <= 4 && word.chars().all(|c| "xyzwrgbastpq".contains(c))
+}
+
+/// Words that start what belongs to the whole shader, or names nothing.
+const SHARED: [&str; 7] = [
+    "uniform",
+    "attribute",
+    "varying",
+    "in",
+    "out",
+    "precision",
+    "layout",
+];
+
+/// The functions, structs, variables and constants that a text declares at its top.
+fn top_names(text: &str) -> HashSet<String> {
+    let mut reader = Reader::default();
+    let mut lexer = Lexer::new(text, 0);
+    let mut at_line_start = true;
+    let mut in_directive = false;
+    loop {
+        let token = lexer.next_token();
+        let range = token.span.start as usize..token.span.end as usize;
+        match token.kind {
+            RawKind::End => return reader.found,
+            RawKind::Newline => {
+                at_line_start = true;
+                in_directive = false;
+            }
+            RawKind::Whitespace
+            | RawKind::LineComment
+            | RawKind::BlockComment
+            | RawKind::OpenComment => {}
+            RawKind::Hash if at_line_start => in_directive = true,
+            kind => {
+                at_line_start = false;
+                if !in_directive {
+                    reader.token(kind, text.get(range).unwrap_or(""));
+                }
+            }
+        }
+    }
+}
+
+#[derive(Default)]
+struct Reader {
+    found: HashSet<String>,
+    /// How many braces and brackets are open.
+    depth: usize,
+    /// The words since the last `;`, as far as they tell whose the declaration is.
+    is_shared: bool,
+    is_initializer: bool,
+    /// The word that may be a name, and whether what stands before it lets it be one.
+    word: Option<String>,
+    may_follow: bool,
+    is_struct: bool,
+}
+
+impl Reader {
+    fn token(&mut self, kind: RawKind, text: &str) {
+        let at_top = self.depth == 0;
+        let ends_name = matches!(text, "(" | "=" | ";" | "," | "[");
+        if let Some(word) = self.word.take().filter(|_| ends_name && at_top)
+            && !self.is_shared
+            && !self.is_initializer
+        {
+            self.found.insert(word);
+        }
+        match text {
+            "(" | "[" | "{" => self.depth += 1,
+            ")" | "]" | "}" => {
+                self.depth = self.depth.saturating_sub(1);
+                self.may_follow = matches!(text, "]" | "}");
+                self.is_shared &= text != "}" || self.depth > 0;
+                return;
+            }
+            ";" if at_top => {
+                (self.is_shared, self.is_initializer) = (false, false);
+                self.may_follow = false;
+                return;
+            }
+            "," if at_top => {
+                self.is_initializer = false;
+                self.may_follow = true;
+                return;
+            }
+            "=" if at_top => self.is_initializer = true,
+            _ => {}
+        }
+        let is_word = kind == RawKind::Word;
+        if at_top && is_word {
+            self.is_shared |= SHARED.contains(&text);
+            if std::mem::take(&mut self.is_struct) {
+                self.found.insert(text.to_string());
+            }
+            self.is_struct = text == "struct";
+            let is_own = !text.starts_with("gl_");
+            self.word = (self.may_follow && is_own).then(|| text.to_string());
+        }
+        self.may_follow = is_word;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_module_owns_what_it_declares_at_its_top() {
+        let text = "precision highp float;\nuniform float time;\nvarying vec2 uv;\n#define K 1.\n\
+            struct Ray { vec3 from; } ray;\nconst float a = max(b, c), d[2] = float[2](1., 2.);\n\
+            float f(in vec2 p, float q) { float inner = p.x; return inner; }\nvec2 g(vec2 p);\n";
+        let mut found: Vec<_> = top_names(text).into_iter().collect();
+        found.sort();
+        assert_eq!(found, ["Ray", "a", "d", "f", "g", "ray"]);
+    }
+
+    #[test]
+    fn components_keep_their_names() {
+        let names = HashMap::from([
+            ("x".to_string(), "x_1".to_string()),
+            ("field".to_string(), "field_1".to_string()),
+        ]);
+        let mut out = String::new();
+        rename("ab field = v.x + s.field * x;", 3..29, &names, &mut out);
+        assert_eq!(out, "field_1 = v.x + s.field_1 * x_1;");
+    }
+}

@@ -1,0 +1,500 @@
+//! The directives of a text that name other files, and what decides whether it may stand in a
+//! shader twice.
+
+use crate::syntax::{Lexer, RawKind, TokenKind};
+
+/// Most times that reading starts anew behind a path with the signs of a comment in it.
+const MAX_STARTS: usize = 64;
+/// Words that stand before a bracket and are no function's name.
+const CONTROL: [&str; 4] = ["if", "for", "while", "switch"];
+/// Words that start what may be declared once.
+const ONCE: [&str; 7] = [
+    "struct",
+    "uniform",
+    "varying",
+    "attribute",
+    "in",
+    "out",
+    "layout",
+];
+
+/// How a path is written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Manner {
+    /// In quotes, or bare.
+    Path,
+    /// As `<name>`, which a host may stand for.
+    Chunk,
+}
+
+/// A file that is named.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Wanted {
+    /// The path, as it is written.
+    pub path: String,
+    /// How it is written.
+    pub manner: Manner,
+}
+
+/// What a directive does with the file that it names.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Form {
+    /// Puts it in as it is.
+    Put,
+    /// Puts in a module of glslify: what it exports has this name, and these of its names, to the
+    /// left, mean these.
+    Require(String, Vec<(String, String)>),
+}
+
+/// A directive that names a file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Directive {
+    /// Where it starts in the text.
+    pub start: usize,
+    /// Where it ends, the comment behind it left out.
+    pub end: usize,
+    /// The file.
+    pub wanted: Wanted,
+    /// What becomes of it.
+    pub form: Form,
+    /// Whether it stands under a condition other than an include guard.
+    pub is_conditional: bool,
+    /// How many braces are open there.
+    pub depth: u32,
+}
+
+/// What stands in a text.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Scan {
+    /// The directives, in order.
+    pub directives: Vec<Directive>,
+    /// Whether it says `#pragma once`.
+    pub is_once: bool,
+    /// Whether all its code stands in include guards.
+    pub is_guarded: bool,
+    /// Whether it declares what a shader may hold once.
+    pub declares: bool,
+    /// The macros that it defines.
+    pub defined: Vec<String>,
+    /// The macros that it takes away.
+    pub undefined: Vec<String>,
+    /// What glslify's `export` names.
+    pub export: Option<String>,
+}
+
+/// Reads a text.
+pub fn scan(text: &str) -> Scan {
+    let mut scanner = Scanner {
+        text,
+        found: Scan {
+            is_guarded: true,
+            ..Scan::default()
+        },
+        groups: Vec::new(),
+        guards: 0,
+        depth: 0,
+        brackets: 0,
+        last: "",
+        head: "",
+        is_behind_bracket: false,
+        line_end: 0,
+        starts: 0,
+    };
+    scanner.run();
+    scanner.found
+}
+
+/// `#if` to `#endif`.
+struct Group<'a> {
+    /// What `#ifndef` asks for.
+    guard: Option<&'a str>,
+    /// Whether that was defined right away.
+    is_guard: bool,
+}
+
+struct Scanner<'a> {
+    text: &'a str,
+    found: Scan,
+    groups: Vec<Group<'a>>,
+    /// How many of them are guards.
+    guards: usize,
+    depth: u32,
+    /// How many round brackets are open.
+    brackets: u32,
+    /// The last word.
+    last: &'a str,
+    /// The word before the outermost bracket.
+    head: &'a str,
+    is_behind_bracket: bool,
+    /// Where the line of the directive at hand ends.
+    line_end: usize,
+    starts: usize,
+}
+
+impl<'a> Scanner<'a> {
+    fn run(&mut self) {
+        let mut from = 0;
+        let mut lexer = Lexer::new(self.text, 0);
+        let mut at_line_start = true;
+        loop {
+            let token = lexer.next_token();
+            let (start, end) = (
+                from + token.span.start as usize,
+                from + token.span.end as usize,
+            );
+            let word = self.text.get(start..end).unwrap_or("");
+            match token.kind {
+                RawKind::End => return,
+                RawKind::Newline => at_line_start = true,
+                RawKind::Whitespace
+                | RawKind::LineComment
+                | RawKind::BlockComment
+                | RawKind::OpenComment => {}
+                // `@import` is what one loader of webpack reads.
+                RawKind::Hash | RawKind::Other if at_line_start && matches!(word, "#" | "@") => {
+                    let stop = self.directive(start, end);
+                    let reached = from + skip_line(&mut lexer, stop.saturating_sub(from));
+                    at_line_start = true;
+                    if stop > 0 && reached > stop && self.starts < MAX_STARTS {
+                        // What looked like a comment was part of the path.
+                        self.starts += 1;
+                        from = stop;
+                        lexer = Lexer::new(self.text.get(stop..).unwrap_or(""), 0);
+                        at_line_start = false;
+                    }
+                }
+                kind => {
+                    at_line_start = false;
+                    self.code(kind, word);
+                }
+            }
+        }
+    }
+
+    fn code(&mut self, kind: RawKind, word: &'a str) {
+        self.found.is_guarded &= self.guards > 0;
+        let was_behind_bracket = std::mem::take(&mut self.is_behind_bracket);
+        let at_top = self.depth == 0 && self.brackets == 0;
+        match kind {
+            RawKind::Word => {
+                self.found.declares |= at_top && ONCE.contains(&word);
+                self.last = word;
+            }
+            RawKind::Operator(TokenKind::LeftParen) => {
+                if at_top {
+                    self.head = self.last;
+                }
+                self.brackets += 1;
+            }
+            RawKind::Operator(TokenKind::RightParen) => {
+                self.brackets = self.brackets.saturating_sub(1);
+                self.is_behind_bracket = true;
+            }
+            RawKind::Operator(TokenKind::LeftBrace) => {
+                let is_body = at_top && was_behind_bracket && !CONTROL.contains(&self.head);
+                self.found.declares |= is_body;
+                self.depth += 1;
+            }
+            RawKind::Operator(TokenKind::RightBrace) => {
+                self.depth = self.depth.saturating_sub(1);
+                self.brackets = 0;
+            }
+            _ => {}
+        }
+    }
+
+    /// Reads the directive behind a `#`. Gives where it ends if it names a file, otherwise 0.
+    fn directive(&mut self, start: usize, behind: usize) -> usize {
+        let line = self.text.get(behind..).unwrap_or("");
+        let line = line.split(['\n', '\r']).next().unwrap_or("");
+        self.line_end = behind + line.len();
+        let (word, rest) = first_word(line);
+        let is_at = self.text.get(start..behind) == Some("@");
+        if is_at && word != "import" {
+            return 0;
+        }
+        match word {
+            "include" | "import" => return self.names(start, rest, Form::Put),
+            "pragma" => return self.pragma(start, rest),
+            "ifndef" => self.open(Some(first_word(rest).0)),
+            "if" => {
+                let asked = rest.trim_start().strip_prefix('!').map(str::trim_start);
+                let asked = asked.and_then(|r| r.strip_prefix("defined"));
+                let asked = asked.map(|r| r.trim_start_matches([' ', '\t', '(']));
+                let (name, more) = first_word(asked.unwrap_or(""));
+                let is_alone = !name.is_empty() && !more.contains(['&', '|']);
+                self.open(is_alone.then_some(name));
+            }
+            "ifdef" => self.open(None),
+            "else" | "elif" => {
+                self.close();
+                self.open(None);
+            }
+            "endif" => self.close(),
+            "define" => self.define(rest),
+            "undef" => self.found.undefined.push(first_word(rest).0.to_string()),
+            _ => {}
+        }
+        0
+    }
+
+    fn open(&mut self, guard: Option<&'a str>) {
+        self.groups.push(Group {
+            guard,
+            is_guard: false,
+        });
+    }
+
+    fn close(&mut self) {
+        let was_guard = self.groups.pop().is_some_and(|g| g.is_guard);
+        self.guards -= usize::from(was_guard);
+    }
+
+    /// A guard defines a macro that stands for nothing.
+    fn define(&mut self, rest: &'a str) {
+        let (name, body) = first_word(rest);
+        self.found.defined.push(name.to_string());
+        let body = body.split("//").next().unwrap_or("");
+        let body = body.split("/*").next().unwrap_or("").trim();
+        if let Some(group) = self.groups.last_mut()
+            && group.guard == Some(name)
+            && !name.is_empty()
+            && !group.is_guard
+        {
+            group.is_guard = body.is_empty() || body == "1";
+            self.guards += usize::from(group.is_guard);
+        }
+    }
+
+    fn pragma(&mut self, start: usize, rest: &'a str) -> usize {
+        let (word, rest) = first_word(rest);
+        match word {
+            "once" => self.found.is_once = true,
+            "include" => return self.names(start, rest, Form::Put),
+            "glslify" => {
+                let rest = rest.trim_start().strip_prefix(':').unwrap_or("");
+                return self.glslify(start, rest);
+            }
+            _ => {}
+        }
+        0
+    }
+
+    /// `export(name)`, `import(path)` or `name = require(path, a = b)`.
+    fn glslify(&mut self, start: usize, rest: &'a str) -> usize {
+        let (word, behind) = first_word(rest);
+        let inside = |text: &'a str| text.trim_start().strip_prefix('(')?.split_once(')');
+        match word {
+            "export" => {
+                let name = inside(behind).map(|(name, _)| name.trim().to_string());
+                self.found.export = name.filter(|n| !n.is_empty());
+                0
+            }
+            "import" => match inside(behind) {
+                Some((path, behind)) => {
+                    let end = self.end(behind);
+                    self.add(start, end, unquoted(path), Manner::Path, Form::Put)
+                }
+                None => 0,
+            },
+            name => {
+                let call = behind.trim_start().strip_prefix('=').map(str::trim_start);
+                let call = call.and_then(|c| c.strip_prefix("require"));
+                let Some((arguments, behind)) = call.and_then(inside) else {
+                    return 0;
+                };
+                let end = self.end(behind);
+                let mut arguments = arguments.split(',');
+                let path = unquoted(arguments.next().unwrap_or(""));
+                let pairs = arguments.filter_map(|a| {
+                    let (name, value) = a.split_once('=')?;
+                    Some((name.trim().to_string(), value.trim().to_string()))
+                });
+                let form = Form::Require(name.to_string(), pairs.collect());
+                self.add(start, end, path, Manner::Path, form)
+            }
+        }
+    }
+
+    /// A path in quotes, in `<` and `>` or bare, and what may stand behind it.
+    fn names(&mut self, start: usize, rest: &'a str, form: Form) -> usize {
+        let named = rest.trim_start();
+        let (path, behind, manner) = match named.chars().next() {
+            Some(quote @ ('"' | '\'' | '<')) => {
+                let close = if quote == '<' { '>' } else { quote };
+                let inside = named.get(1..).and_then(|n| n.split_once(close));
+                let Some((path, behind)) = inside else {
+                    return 0;
+                };
+                let is_chunk = quote == '<';
+                let manner = if is_chunk {
+                    Manner::Chunk
+                } else {
+                    Manner::Path
+                };
+                (path, behind, manner)
+            }
+            _ => {
+                let end = named.find(|c: char| c.is_whitespace() || c == ';');
+                let (path, behind) = named.split_at(end.unwrap_or(named.len()));
+                (path, behind, Manner::Path)
+            }
+        };
+        let end = self.end(behind);
+        self.add(start, end, path.trim(), manner, form)
+    }
+
+    /// Where a directive ends that has this behind it on its line. A comment may go on in the next
+    /// line, and stays.
+    fn end(&self, behind: &str) -> usize {
+        let comment = [behind.find("//"), behind.find("/*")];
+        let comment = comment.into_iter().flatten().min();
+        self.line_end - behind.len() + comment.unwrap_or(behind.len())
+    }
+
+    fn add(&mut self, start: usize, end: usize, path: &str, manner: Manner, form: Form) -> usize {
+        let is_path = |c: char| !c.is_control() && !"(){}\"<>|".contains(c);
+        if path.is_empty() || !path.chars().all(is_path) {
+            return 0;
+        }
+        self.found.directives.push(Directive {
+            start,
+            end,
+            wanted: Wanted {
+                path: path.to_string(),
+                manner,
+            },
+            form,
+            is_conditional: self.groups.len() > self.guards,
+            depth: self.depth,
+        });
+        end
+    }
+}
+
+/// The first word of a line, and what stands behind it.
+fn first_word(line: &str) -> (&str, &str) {
+    let line = line.trim_start();
+    let end = line.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+    line.split_at(end.unwrap_or(line.len()))
+}
+
+fn unquoted(path: &str) -> &str {
+    path.trim().trim_matches(['"', '\''])
+}
+
+/// Passes by the rest of a directive, its line break included. Gives where the last of its tokens
+/// that start before `stop` ends.
+fn skip_line(lexer: &mut Lexer, stop: usize) -> usize {
+    let mut reached = 0;
+    loop {
+        let token = lexer.next_token();
+        match token.kind {
+            RawKind::End | RawKind::Newline => return reached,
+            _ if (token.span.start as usize) < stop => reached = token.span.end as usize,
+            _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each directive as `path`, with what is left of the text.
+    fn read(text: &str) -> (Vec<String>, String) {
+        let mut left = String::new();
+        let mut done = 0;
+        let mut paths = Vec::new();
+        for directive in scan(text).directives {
+            left += &text[done..directive.start];
+            done = directive.end;
+            paths.push(directive.wanted.path);
+        }
+        (paths, left + &text[done..])
+    }
+
+    #[track_caller]
+    fn one(text: &str, path: &str) {
+        assert_eq!(read(text), (vec![path.to_string()], String::new()));
+    }
+
+    #[test]
+    fn all_spellings_are_read() {
+        one("#include \"a.glsl\"", "a.glsl");
+        one("  # include 'a.glsl' ;".trim_start(), "a.glsl");
+        one("#include <common>", "common");
+        one("#include ./a.glsl;", "./a.glsl");
+        one("#include a/b.glsl", "a/b.glsl");
+        one("#import \"~pkg/a.glsl\"", "~pkg/a.glsl");
+        one("@import ./a;", "./a");
+        one("#pragma include \"a.glsl\"", "a.glsl");
+        one("#pragma glslify: import('./a.glsl')", "./a.glsl");
+        one(
+            "#pragma glslify: noise = require(glsl-noise/simplex/3d)",
+            "glsl-noise/simplex/3d",
+        );
+    }
+
+    #[test]
+    fn what_is_no_directive_stays() {
+        for text in [
+            "// #include \"a.glsl\"\n",
+            "/*\n#include \"a.glsl\"\n*/",
+            "#include MACRO(x)\n",
+            "#include \"a.glsl\n",
+            "#pragma glslify: export(noise)\n",
+            "#pragma debug(on)\n",
+            "float a; #include \"b\"\n",
+        ] {
+            assert_eq!(read(text), (Vec::new(), text.to_string()));
+        }
+    }
+
+    #[test]
+    fn comments_behind_stay() {
+        let (paths, left) =
+            read("#include \"a\" // first\n#include ./b; /* two\nlines */ float c;\n");
+        assert_eq!(paths, ["a", "./b"]);
+        assert_eq!(left, "// first\n/* two\nlines */ float c;\n");
+        let (paths, left) = read("#include \"../*/a\"\n#include \"b\"\n");
+        assert_eq!((paths.len(), left.as_str()), (2, "\n\n"));
+    }
+
+    #[test]
+    fn arguments_of_modules_are_read() {
+        let found = scan("#pragma glslify: trace = require('./t', map = doModel, steps = 90)");
+        let pair = |a: &str, b: &str| (a.to_string(), b.to_string());
+        let pairs = vec![pair("map", "doModel"), pair("steps", "90")];
+        let form = Form::Require("trace".to_string(), pairs);
+        assert_eq!(found.directives[0].form, form);
+        let found = scan("float f() { return 1.; }\n#pragma glslify:export( f )");
+        assert_eq!(found.export.as_deref(), Some("f"));
+    }
+
+    #[test]
+    fn guards_are_no_conditions() {
+        let guarded = "#include \"a\"\n#ifndef FNC_F\n#define FNC_F\n#include \"b\"\nfloat f() { return 1.; }\n#endif\n";
+        let found = scan(guarded);
+        assert!(found.is_guarded && found.declares);
+        assert!(found.directives.iter().all(|d| !d.is_conditional));
+        let asked = scan("#if !defined(A)\n#define A 1\nint a;\n#endif");
+        assert!(asked.is_guarded);
+        let open = scan("#ifndef K\n#define K 3.\n#include \"a\"\n#endif\nfloat f();");
+        assert!(!open.is_guarded && open.directives[0].is_conditional);
+        assert!(!scan("#ifndef A\n#define A\n#else\nint a;\n#endif").is_guarded);
+        assert!(scan("#pragma once\nint a;").is_once);
+    }
+
+    #[test]
+    fn bodies_are_told_from_declarations() {
+        assert!(scan("float f(vec2 p) {\n}").declares);
+        assert!(scan("uniform float a;").declares);
+        assert!(!scan("if (a < b) { c = d; } else if (e) { for (;;) { } }").declares);
+        assert!(!scan("const float PI = 3.14;").declares);
+        assert_eq!(
+            scan("void f() {\n#include \"body\"\n}").directives[0].depth,
+            1
+        );
+    }
+}
