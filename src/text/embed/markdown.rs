@@ -141,7 +141,10 @@ mod tests {
 
     #[test]
     fn scripts_in_fences() {
-        let text = "```js\nconst a = `#version 300 es\n`;\n```\n```glsl\nconst b = `#version 300 es\n`;\n```\n";
-        assert_eq!(codes(text), ["#version 300 es\n", "#version 300 es\n"]);
+        let text = "```js\nconst a = `#version 300 es\nx\n`;\n```\n```glsl\nconst b = `#version 300 es\nx\n`;\n```\n";
+        assert_eq!(
+            codes(text),
+            ["#version 300 es\nx\n", "#version 300 es\nx\n"]
+        );
     }
 }

@@ -4,11 +4,13 @@
 //! believed unless the text is clearly something else; a name that says nothing asks for a text that
 //! is GLSL beyond doubt; a name of another language is believed.
 
+mod chunk;
 mod evidence;
 mod scan;
 mod signs;
 
-pub use evidence::{Evidence, VersionLine};
+pub use chunk::{Chunk, chunk, is_bare};
+pub use evidence::{Evidence, VersionLine, is_type};
 
 use super::embed::Language;
 use std::fmt;
@@ -298,7 +300,8 @@ fn has_main(code: &str) -> bool {
         let rest = name
             .strip_prefix("mainImage")
             .or_else(|| name.strip_prefix("main"));
-        name.len() < behind.len() && rest.is_some_and(|r| r.trim_start().starts_with('('))
+        name.len() < behind.len()
+            && rest.is_some_and(|r| r.trim_start().starts_with('(') && r.contains('{'))
     })
 }
 
