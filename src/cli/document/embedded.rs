@@ -7,6 +7,7 @@ use crate::semantic::snippet::{Item, items};
 use crate::semantic::{Dialect, Kind, Pass, Stage, guess, shadertoy_header, three_header};
 use crate::syntax::{Version, WordClass, classify};
 use crate::text::embed::{Embedded, Host, Language, Wrapping};
+use crate::text::kind::has_main;
 use crate::text::{FileId, Role};
 use std::collections::BTreeMap;
 
@@ -55,8 +56,13 @@ fn part(
 ) -> Option<Part> {
     let code = embedded.code.as_str();
     let told = guess(code);
-    let is_whole = code.trim_start().starts_with("#version") && !embedded.has_holes;
-    let is_excerpt = embedded.wrapping == Wrapping::Fence && !is_whole;
+    // What a script holds without a `main` is put before something else.
+    let is_string = matches!(embedded.wrapping, Wrapping::Template | Wrapping::Quotes);
+    let is_whole = code.trim_start().starts_with("#version")
+        && !embedded.has_holes
+        && (!is_string || has_main(code));
+    let is_shown = matches!(embedded.wrapping, Wrapping::Fence | Wrapping::Listing);
+    let is_excerpt = is_shown && !is_whole;
     let kind = match (options.dialect, told.kind) {
         (DialectChoice::Shadertoy, Some(Kind::ShaderToy(pass))) => Kind::ShaderToy(pass),
         (DialectChoice::Shadertoy, _) => Kind::ShaderToy(Pass::Common),

@@ -10,7 +10,7 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let front = front_matter(text);
     script::extract(text.get(..front).unwrap_or(""), base, false, found);
     let rest = text.get(front..).unwrap_or("");
-    html::extract(rest, base + front, found);
+    html::elements(rest, base + front, found);
     let lower = rest.to_ascii_lowercase();
     let mut at = 0;
     loop {

@@ -14,6 +14,8 @@ pub struct Context {
     pub is_pattern: bool,
     /// It is told to somebody.
     pub is_message: bool,
+    /// The variable that it is given to, if it is given to one.
+    target: Option<String>,
 }
 
 impl Context {
@@ -30,7 +32,20 @@ impl Context {
             is_vertex: has(&["vert", "vertex", "vs", "vsh"]) || read.is_named_vertex(literal),
             is_pattern: call.is_some_and(|c| PATTERNS.contains(&c)) || read.is_compared(literal),
             is_message: call.is_some_and(|c| c.ends_with("Error") || MESSAGES.contains(&c)),
+            target: target.map(str::to_string),
         }
+    }
+
+    /// Whether more is put behind the literal somewhere: `NAME += ...`.
+    pub fn goes_on(&self, text: &str, tokens: &[Token]) -> bool {
+        let is_name =
+            |t: &Token| t.kind == Kind::Word && text.get(t.range.clone()) == self.target.as_deref();
+        self.target.is_some()
+            && (0..tokens.len()).any(|at| {
+                is_mark(tokens, at + 1, b'+')
+                    && is_mark(tokens, at + 2, b'=')
+                    && tokens.get(at).is_some_and(is_name)
+            })
     }
 }
 

@@ -192,6 +192,10 @@ impl<'a> Place<'a> {
             Sign::Word(word) if !is_keyword(word) && !self.is_declaration(word) => {
                 self.behind_operand(next)
             }
+            // The rest of the statement, with its end.
+            Sign::Word("return") | Sign::Mark(b'=') if self.is_done(next) => {
+                words.word(key, self.length - 1) + ";"
+            }
             _ => words.word(key, self.length),
         }
     }
@@ -413,6 +417,7 @@ mod tests {
             "x = 1111.0 + 0.1111 + 11111;",
         );
         check("v.${a}; f(v.x ${b}, 1)", "v.hhhh; f(v.x     , 1)");
+        check("x = ${a}\ny = ${b}\n+ c;", "x = hhh;\ny = hhhh\n+ c;");
         check("x = a ${op} b;", "x = a  +    b;");
         check("if (a) ${b}\n", "if (a) {}  \n");
         check("precision ${a} float;", "precision lowp float;");

@@ -11,6 +11,7 @@ mod constants;
 mod context;
 mod holes;
 mod html;
+mod listing;
 mod literal;
 mod markdown;
 mod script;
@@ -73,6 +74,8 @@ pub enum Wrapping {
     Quotes,
     /// A fence of a Markdown text.
     Fence,
+    /// An element of a page that shows code.
+    Listing,
 }
 
 /// A shader inside a file.
@@ -112,6 +115,7 @@ impl Embedded {
             Wrapping::Template => !text.contains(['`', '\\', '$']),
             Wrapping::Quotes => !text.contains(['"', '\'', '\\', '\n', '\r']),
             Wrapping::Fence => !text.contains("```"),
+            Wrapping::Listing => !text.contains(['<', '&']),
         };
         fits && read.is_some() && read == outer.get(from..to)
     }

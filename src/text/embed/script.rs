@@ -57,7 +57,7 @@ fn shader(
     let masked = mask(&code.text);
     let mut shader = Embedded {
         start: code.start,
-        has_holes: code.has_holes || masked.is_some(),
+        has_holes: code.has_holes || masked.is_some() || context.goes_on(text, tokens),
         code: masked.unwrap_or(code.text),
         wrapping: if is_template {
             Wrapping::Template
@@ -191,6 +191,42 @@ mod tests {
             "s = `void main() {\n${a}\nx = ${b};y = ${c}.0; z = vec${d}(1);}`",
             &["void main() {\n    \nx = hhhh;y = 1111.0; z = vechhh1(1);}"],
         );
+    }
+
+    #[test]
+    fn what_is_put_in_is_known_or_a_hole() {
+        let holes = |text: &str| {
+            let mut found = Vec::new();
+            extract(text, 0, false, &mut found);
+            found.iter().map(|s| s.has_holes).collect::<Vec<_>>()
+        };
+        let constant = "const PR = 'highp'; const s = `precision ${PR} float; void main() {}`;";
+        check(constant, &["precision highp float; void main() {}"]);
+        assert_eq!(holes(constant), [false]);
+        assert_eq!(holes("s = 'void main() {}' + x;"), [true]);
+        assert_eq!(holes("let s = 'void main() {'; s += x;"), [true]);
+        assert_eq!(holes("s = 'float a = {{ b }}; void main() {}'"), [true]);
+        check(
+            "s = 'float a[' + n + ']; void main() {}'.concat(b, 'float c;')",
+            &["float a[hhhhhhhhh]; void main() {}             float c;"],
+        );
+        check(
+            "s = ['void main() {', a ? 'b' : '', '}'].filter(c).join('\\n')",
+            &["void main() {\n                \n}"],
+        );
+    }
+
+    #[test]
+    fn what_is_no_shader_is_left() {
+        check("s.replace('void main() {', 'void main() {\\n x;')", &[]);
+        check("if (s === '#version 300 es') {}", &[]);
+        check("s = '#version 300 es\\n' + x;", &[]);
+        check("throw new Error('no void main() { in it')", &[]);
+        check("const a = 'float f(float b) { return b; }';", &[]);
+        let part = "float f(float b) { return b; }";
+        check(&format!("const aFrag = '{part}';"), &[part]);
+        let clear = "vec3 f(vec2 b) { return vec3(b, 1.); }";
+        check(&format!("a('{clear}');"), &[clear]);
     }
 
     #[test]

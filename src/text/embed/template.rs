@@ -1,5 +1,5 @@
 //! Where the template languages of other programs put something into a shader: `${x}`, `{{ x }}`,
-//! `{x}`, `<%= x %>`, `{% if x %}`, `@X@`, `%s`, `$x` and `__X__`.
+//! `{x}`, `[[x]]`, `<%= x %>`, `{% if x %}`, `@X@`, `%s`, `$x` and `__X__`.
 
 use super::holes::{Content, Hole};
 use std::collections::HashSet;
@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// The holes in a text, in its order. What can be GLSL is none.
 pub(super) fn holes(code: &str) -> Vec<Hole> {
-    let marks = ["$", "{{", "{%", "{#", "<%", "@", "%", "__"];
+    let marks = ["$", "{{", "{%", "{#", "<%", "@", "%", "__", "[["];
     let is_candidate = marks.iter().any(|m| code.contains(m)) || has_braced(code);
     if !is_candidate {
         return Vec::new();
@@ -38,13 +38,13 @@ fn defined(code: &str) -> HashSet<&str> {
     let lines = code.lines().map(str::trim_start);
     let directives = lines.filter_map(|l| l.strip_prefix('#'));
     let directives = directives.filter(|d| !d.trim_start().starts_with("include"));
-    let words = directives.filter_map(|d| {
+    let words = directives.map(|d| {
         let rest = d.trim_start();
         let is_test = rest.starts_with("if") || rest.starts_with("elif");
         // What a macro stands for may be put in.
         let count = if is_test { usize::MAX } else { 2 };
         let split = rest.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-        Some(split.filter(|w| !w.is_empty()).take(count))
+        split.filter(|w| !w.is_empty()).take(count)
     });
     words.flatten().collect()
 }
@@ -132,6 +132,14 @@ impl<'a> Scan<'a> {
                 is_hole.then(|| (length, expression(name)))
             }
             b'%' => self.percent(rest),
+            b'[' => {
+                // Nothing else is on its line.
+                let line = rest.split('\n').next()?.trim_end();
+                let name = line.strip_prefix("[[")?.strip_suffix("]]")?;
+                let before = self.code.get(..at)?.rsplit('\n').next()?;
+                let is_hole = before.trim().is_empty() && word(name.trim()) == name.trim();
+                is_hole.then(|| (line.len(), expression(name)))
+            }
             b'_' => {
                 let name = word(rest);
                 let inner = name.strip_prefix("__")?.strip_suffix("__")?;
