@@ -10,7 +10,7 @@ pub struct Context {
     pub names_shader: bool,
     /// It is given to something with "vert" in its name.
     pub is_vertex: bool,
-    /// It is looked for in a text, or put in the place of another.
+    /// It is looked for in a text, or put in the place of a stretch of one.
     pub is_pattern: bool,
     /// It is told to somebody.
     pub is_message: bool,

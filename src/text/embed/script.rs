@@ -57,7 +57,10 @@ fn shader(
     let masked = mask(&code.text);
     let mut shader = Embedded {
         start: code.start,
-        has_holes: code.has_holes || masked.is_some() || context.goes_on(text, tokens),
+        has_holes: code.has_holes
+            || masked.is_some()
+            || context.is_pattern
+            || context.goes_on(text, tokens),
         code: masked.unwrap_or(code.text),
         wrapping: if is_template {
             Wrapping::Template
@@ -74,11 +77,11 @@ fn shader(
 /// Whether a text is a shader, or a part of one that can be judged.
 fn is_taken(code: &str, context: &Context, is_named: bool) -> bool {
     // A stretch that is looked for, or put in the place of another.
-    if context.is_pattern && !is_balanced(code) {
-        return false;
-    }
     if context.is_introduced {
         return true;
+    }
+    if context.is_pattern && !is_balanced(code) {
+        return false;
     }
     let chunk = || chunk(code);
     if context.is_message || is_bare(code) || context.is_pattern && chunk() == Chunk::No {
@@ -205,6 +208,7 @@ mod tests {
         assert_eq!(holes(constant), [false]);
         assert_eq!(holes("s = 'void main() {}' + x;"), [true]);
         assert_eq!(holes("let s = 'void main() {'; s += x;"), [true]);
+        assert_eq!(holes("s.replace(a, /* glsl */ 'void main() { b;')"), [true]);
         assert_eq!(holes("s = 'float a = {{ b }}; void main() {}'"), [true]);
         check(
             "s = 'float a[' + n + ']; void main() {}'.concat(b, 'float c;')",
