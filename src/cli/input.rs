@@ -1,12 +1,13 @@
 //! Finding and reading input files.
 
 use super::config::Configs;
-use crate::text::kind::{Claim, is_searched};
+use crate::text::kind::{Claim, is_script, is_searched, made};
 use ignore::WalkBuilder;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
 
 /// Largest file that is read, in bytes.
 const MAX_FILE: u64 = 256 * 1024 * 1024;
@@ -39,6 +40,10 @@ pub struct Collected {
 pub struct PassedOver {
     /// Files that the configuration leaves out.
     pub excluded: Vec<String>,
+    /// Folders of what programs have put there.
+    pub folders: Vec<String>,
+    /// Scripts that programs have written, each with how that is known.
+    pub made: Vec<(String, &'static str)>,
     /// How many files have other endings.
     pub others: usize,
     /// Some of those endings.
@@ -112,9 +117,18 @@ fn folder(
     passed_over: &mut PassedOver,
 ) -> Vec<InputFile> {
     let mut found = Vec::new();
+    let left_out = Arc::new(Mutex::new(Vec::new()));
     let mut walk = WalkBuilder::new(path);
-    walk.require_git(false)
-        .filter_entry(|e| e.depth() == 0 || e.file_name() != "node_modules");
+    let folders = left_out.clone();
+    walk.require_git(false).filter_entry(move |entry| {
+        let is_folder = entry.file_type().is_some_and(|t| t.is_dir());
+        let name = entry.file_name().to_str().unwrap_or("");
+        let is_left_out = entry.depth() > 0 && is_folder && BUILT.contains(&name);
+        if let (true, Ok(mut folders)) = (is_left_out, folders.lock()) {
+            folders.push(shown(entry.path()));
+        }
+        !is_left_out
+    });
     for entry in walk.build() {
         match entry {
             Ok(entry) => {
@@ -122,9 +136,14 @@ fn folder(
                 if is_file && !is_taken(entry.path(), configs) {
                     passed_over.add(entry.path());
                 } else if is_file {
+                    let claim = claim(entry.path(), configs);
+                    if let Some(reason) = made_by_a_program(entry.path(), claim) {
+                        passed_over.made.push((shown(entry.path()), reason));
+                        continue;
+                    }
                     found.push(InputFile {
                         name: shown(entry.path()),
-                        claim: claim(entry.path(), configs),
+                        claim,
                         path: Some(entry.into_path()),
                         is_explicit: false,
                     });
@@ -133,8 +152,27 @@ fn folder(
             Err(error) => problems.push(error.to_string()),
         }
     }
+    if let Ok(mut folders) = left_out.lock() {
+        folders.sort();
+        passed_over.folders.append(&mut folders);
+    }
+    passed_over.made.sort();
     found.sort();
     found
+}
+
+/// Folders that programs fill, whatever git says of them.
+const BUILT: [&str; 2] = ["node_modules", "dist"];
+
+/// How it is known that a script found in a folder was written by a program, unless the configuration
+/// names it.
+fn made_by_a_program(path: &Path, claim: Claim) -> Option<&'static str> {
+    if claim == Claim::Shader || !is_script(&path.to_string_lossy()) {
+        return None;
+    }
+    let size = fs::metadata(path).ok()?.len();
+    let bytes = (size <= MAX_FILE).then(|| fs::read(path).ok()).flatten()?;
+    made(&String::from_utf8_lossy(&bytes))
 }
 
 /// Whether the configuration names a file as one to check.

@@ -75,16 +75,19 @@ impl Project {
         if text.len() > MAX_EXPORT {
             return Err(ProjectError::TooLarge(text.len()));
         }
-        let json: Value = serde_json::from_str(text).map_err(|e| ProjectError::Json {
-            line: e.line(),
-            column: e.column(),
-            message: e
-                .to_string()
-                .split(" at line ")
-                .next()
-                .unwrap_or("")
-                .to_string(),
-        })?;
+        let json: Value =
+            serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
+                ProjectError::Json {
+                    line: e.line(),
+                    column: e.column(),
+                    message: e
+                        .to_string()
+                        .split(" at line ")
+                        .next()
+                        .unwrap_or("")
+                        .to_string(),
+                }
+            })?;
         let shader = match &json {
             Value::Array(all) if all.len() == 1 => &json[0],
             Value::Array(all)

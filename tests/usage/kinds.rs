@@ -392,3 +392,70 @@ fn desktop_shaders_are_passed_over_or_ported_on_demand() {
     let ported = code.replace("330", "300 es").replace("a = 1;", "a = 1.0;");
     assert_eq!(scratch.read("a.frag"), ported);
 }
+
+#[test]
+fn what_programs_write_is_passed_over_in_folders() {
+    let script = format!("const fragmentShader = `{SHADER}`;\n");
+    let scratch = Scratch::new(&[]);
+    let mapped = format!("{script}//# sourceMappingURL=a.js.map\n");
+    for (name, text) in [
+        ("src/a.js", script.clone()),
+        ("src/b.js", mapped),
+        ("src/c.d.ts", script.clone()),
+        ("dist/d.js", script.clone()),
+        ("src/node_modules/e/e.js", script),
+    ] {
+        scratch.write(name, text);
+    }
+    let fixed = |args: &[&str]| scratch.run(args).out.contains(" fixed; ");
+    let told = scratch.run(&["-v", "."]);
+    let said = [
+        "src/node_modules: skipped: a folder that programs fill",
+        "dist: skipped: a folder that programs fill",
+        "src/b.js: skipped: it names the map to its sources",
+    ];
+    for line in said {
+        assert!(told.err.contains(line), "{}", told.err);
+    }
+    assert!(
+        told.err.contains("1 file skipped for the ending"),
+        "{}",
+        told.err
+    );
+    assert!(fixed(&["--fix", "."]) && !fixed(&["--fix", "."]));
+    // What is named itself is read.
+    for name in ["dist", "src/b.js", "src/c.d.ts", "src/node_modules"] {
+        assert!(fixed(&["--fix", name]), "{name}");
+    }
+}
+
+#[test]
+fn a_byte_order_mark_of_a_file_is_a_warning() {
+    let shader = "#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() {\n    c = vec4(1.0);\n}\n";
+    let scratch = Scratch::new(&[]);
+    scratch.write("a.frag", format!("\u{feff}{shader}"));
+    let told = scratch.run(&["a.frag", "--format", "short"]);
+    assert!(
+        told.out.contains("warning[invalid-character]"),
+        "{}",
+        told.out
+    );
+    assert!(!told.out.contains("error["), "{}", told.out);
+    scratch.run(&["--fix", "a.frag"]);
+    assert_eq!(scratch.read("a.frag"), shader);
+    // In a string it reaches the compiler.
+    scratch.write(
+        "a.js",
+        format!("const fragmentShader = `\u{feff}{shader}`;\n"),
+    );
+    let told = scratch.run(&["a.js", "--format", "short"]);
+    assert!(
+        told.out.contains("error[version-placement]"),
+        "{}",
+        told.out
+    );
+    let export = r#"{"ver": "0.1", "info": {"name": "n"}, "renderpass": [{"inputs": [], "outputs": [], "code": "void mainImage(out vec4 c, in vec2 p) {\n    float a = 1;\n    c = vec4(a);\n}\n", "type": "image"}]}"#;
+    scratch.write("a.json", format!("\u{feff}{export}\n"));
+    scratch.run(&["--fix", "a.json"]);
+    assert!(scratch.read("a.json").contains("float a = 1.0;"));
+}

@@ -51,7 +51,8 @@ fn part(
 ) -> Option<Part> {
     let code = embedded.code.as_str();
     let is_whole = code.trim_start().starts_with("#version") && !embedded.has_holes;
-    let is_excerpt = embedded.wrapping == Wrapping::Fence && !is_whole;
+    let is_shown = matches!(embedded.wrapping, Wrapping::Fence | Wrapping::Listing);
+    let is_excerpt = is_shown && !is_whole;
     let files = if is_excerpt {
         excerpt(read, file, embedded, known)?
     } else {

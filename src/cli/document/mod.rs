@@ -16,7 +16,7 @@ use crate::lint::{Allow, Allows, Fixed, Judged, Look, Settings, count_fixes, fix
 use crate::port::{Project, ProjectError, compose};
 use crate::rules::RULES;
 pub use crate::semantic::Extent;
-use crate::text::embed::{Embedded, extract};
+use crate::text::embed::{Embedded, extract_named};
 use crate::text::kind::{Claim, Decision, FileKind, Tongue, decide};
 use crate::text::{FileId, Role, Sources, Span};
 use export::Written;
@@ -300,7 +300,7 @@ fn read(
     read.file = Some(file);
     match decision.kind {
         FileKind::Holds(language) => {
-            read.embedded = extract(language, &text);
+            read.embedded = extract_named(name, language, &text);
             embedded::parts(&mut read, language, file, &text, options)
         }
         FileKind::Foreign(tongue) if !foreign::is_ported(tongue, options) => {

@@ -10,7 +10,7 @@ use crate::port::PassUnit;
 use crate::rules::RULES;
 use crate::semantic::{Dialect, Extent, Stage};
 use crate::syntax::{Lexer, RawKind, Version};
-use crate::text::embed::Host;
+use crate::text::embed::{Host, mask};
 use crate::text::kind::ending;
 use crate::text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
@@ -204,17 +204,25 @@ pub(super) fn shader_part(
         "frag" | "fs" | "fsh" => Some(Stage::Fragment),
         _ => None,
     };
-    let own = spread(read, name, file, text, options)?;
+    let masked = mask(text).filter(|_| options.dialect == DialectChoice::Auto);
+    let has_holes = masked.is_some();
+    let (files, is_open) = match masked {
+        Some(code) => (vec![read.sources.embed(file, 0, code)?], true),
+        None => {
+            let own = spread(read, name, file, text, options)?;
+            (own.files, own.is_open)
+        }
+    };
     let about = Text {
-        files: own.files,
+        files,
         stage,
         place: match stage {
             _ if is_common(name, text, options) => Place::CommonFile,
             Some(_) => Place::StageFile,
             None => Place::File,
         },
-        is_open: own.is_open,
-        has_holes: false,
+        is_open,
+        has_holes,
     };
     let readings = Readings::of(&mut read.sources, text, about, options)?;
     let first = readings.all.first()?;

@@ -12,6 +12,7 @@ use crate::semantic::{
     guess, needs_300, part_declarations, shadertoy_header,
 };
 use crate::syntax::Version;
+use crate::text::kind::has_main;
 use crate::text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 
@@ -384,7 +385,7 @@ fn standing(
         _ if choice != DialectChoice::Auto => Standing::Whole,
         _ if text.is_open || told.is_completed => Standing::Part,
         // A literal with nothing but the head of a shader is put together with others.
-        Some(Kind::Versioned) if is_embedded && !code.contains("main") => Standing::Part,
+        Some(Kind::Versioned) if is_embedded && !has_main(code) => Standing::Part,
         Some(Kind::ShaderToy(_) | Kind::Versioned) => Standing::Whole,
         // Words of both versions: the host makes one of them.
         Some(Kind::WebGl1) if told.has_main && !needs_300(code) => match told.is_supplied {

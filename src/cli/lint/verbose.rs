@@ -82,6 +82,12 @@ pub fn passed_over(passed: &PassedOver) {
     for path in &passed.excluded {
         complain(&format!("{path}: skipped: the configuration leaves it out"));
     }
+    for path in &passed.folders {
+        complain(&format!("{path}: skipped: a folder that programs fill"));
+    }
+    for (path, reason) in &passed.made {
+        complain(&format!("{path}: skipped: {reason}"));
+    }
     if passed.others > 0 {
         let noun = if passed.others == 1 { "file" } else { "files" };
         let endings: Vec<&str> = passed.endings.iter().map(String::as_str).collect();

@@ -8,15 +8,16 @@ use super::{Embedded, script};
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let count = found.len();
     let front = front_matter(text);
-    script::extract(text.get(..front).unwrap_or(""), base, found);
+    script::extract(text.get(..front).unwrap_or(""), base, false, found);
     let rest = text.get(front..).unwrap_or("");
-    html::extract(rest, base + front, found);
+    html::elements(rest, base + front, found);
     let lower = rest.to_ascii_lowercase();
     let mut at = 0;
     loop {
         let element = next_script(&lower, at);
         let end = element.as_ref().map_or(rest.len(), |e| e.start);
-        script::extract(rest.get(at..end).unwrap_or(""), base + front + at, found);
+        let between = rest.get(at..end).unwrap_or("");
+        script::extract(between, base + front + at, false, found);
         let Some(element) = element else { break };
         at = element.end;
     }

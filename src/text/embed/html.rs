@@ -1,10 +1,20 @@
-//! Shaders in the script elements of a page.
+//! Shaders in the elements of a page.
 
-use super::{Embedded, Language, Wrapping, extract_into, is_shader};
+use super::{Embedded, Language, Wrapping, extract_into, holes::mask, is_shader, listing};
 use std::ops::Range;
 
-/// Finds them.
+/// Finds those of a page.
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
+    let count = found.len();
+    elements(text, base, found);
+    listing::extract(text, &text.to_ascii_lowercase(), base, found);
+    if let Some(own) = found.get_mut(count..) {
+        own.sort_by_key(|e| e.start);
+    }
+}
+
+/// Finds those in script elements.
+pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let lower = text.to_ascii_lowercase();
     let trims = text.contains(".trim()");
     let mut at = 0;
@@ -20,11 +30,12 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
             && (kind.contains("shader") || kind.contains("glsl") || is_shader(content))
         {
             let id = attribute(element.head, "id").unwrap_or("");
+            let masked = mask(content);
             let mut shader = Embedded {
                 start: base + element.start,
-                code: content.to_string(),
+                has_holes: masked.is_some(),
+                code: masked.unwrap_or_else(|| content.to_string()),
                 wrapping: Wrapping::Element,
-                has_holes: false,
                 is_vertex: [kind, id]
                     .iter()
                     .any(|w| w.contains("vert") || w.contains("vs")),
@@ -97,7 +108,7 @@ pub(super) fn next_script(lower: &str, mut at: usize) -> Option<Element<'_>> {
 }
 
 /// Length of a tag up to its `>`, which may stand in quotes too.
-fn tag_length(head: &str) -> Option<usize> {
+pub(super) fn tag_length(head: &str) -> Option<usize> {
     let mut quote = None;
     head.char_indices().find_map(|(i, c)| {
         match quote {
@@ -112,7 +123,7 @@ fn tag_length(head: &str) -> Option<usize> {
 }
 
 /// The value of an attribute.
-fn attribute<'a>(head: &'a str, name: &str) -> Option<&'a str> {
+pub(super) fn attribute<'a>(head: &'a str, name: &str) -> Option<&'a str> {
     let named = head.match_indices(name).find_map(|(at, _)| {
         let before = head.get(..at)?;
         let behind = head

@@ -1,6 +1,6 @@
 //! Shaders in the fences of a Markdown text.
 
-use super::{Embedded, Language, Wrapping, extract_into};
+use super::{Embedded, Language, Wrapping, extract_into, holes};
 use crate::text::kind::Evidence;
 
 /// Finds them.
@@ -68,9 +68,16 @@ fn take(text: &str, fence: &Fence, end: usize, base: usize, found: &mut Vec<Embe
     if let Some(language) = language_of(label) {
         return extract_into(language, content, start, found);
     }
+    let is_named = matches!(
+        label,
+        "glsl" | "frag" | "vert" | "fragment" | "vertex" | "webgl" | "shadertoy"
+    );
+    let is_diff = label == "diff" || is_named && is_diff(content);
+    let changed = is_diff.then(|| renewed(content));
+    let content = changed.as_deref().unwrap_or(content);
     let is_glsl = match label {
-        "glsl" | "frag" | "vert" | "fragment" | "vertex" | "webgl" | "shadertoy" => true,
-        "" | "c" | "cpp" | "c++" | "shader" | "text" => Evidence::of(content).is_glsl(),
+        _ if is_named => true,
+        "" | "c" | "cpp" | "c++" | "shader" | "text" | "diff" => Evidence::of(content).is_glsl(),
         _ => false,
     };
     if !is_glsl || content.trim().is_empty() {
@@ -84,11 +91,13 @@ fn take(text: &str, fence: &Fence, end: usize, base: usize, found: &mut Vec<Embe
             return;
         }
     }
+    let code = mask(content);
+    let masked = holes::mask(&code);
     found.push(Embedded {
         start,
-        code: mask(content),
+        has_holes: masked.is_some(),
+        code: masked.unwrap_or(code),
         wrapping: Wrapping::Fence,
-        has_holes: false,
         is_vertex: label.starts_with("vert"),
         chapter: fence.chapter,
     });
@@ -100,6 +109,43 @@ fn language_of(label: &str) -> Option<Language> {
         "md" | "markdown" => None,
         _ => Language::of_extension(label),
     }
+}
+
+/// Whether a fence of GLSL shows a change: lines start with `+` or `-` where no expression goes on.
+fn is_diff(content: &str) -> bool {
+    let mut is_open = false;
+    let mut changes = 0;
+    for line in content.lines() {
+        let code = line.split("//").next().unwrap_or("").trim_end();
+        let mark = line.chars().next().filter(|c| matches!(c, '+' | '-'));
+        if let Some(mark) = mark {
+            // `++i;` is a statement.
+            if is_open || line.chars().nth(1) == Some(mark) {
+                return false;
+            }
+            changes += 1;
+        } else if !code.is_empty() {
+            let ends = code.ends_with([';', '{', '}', '/', ':']) || line.trim().starts_with('#');
+            is_open = !ends;
+        }
+    }
+    changes > 0
+}
+
+/// The text that a change leaves, byte for byte: what it takes away is blank.
+fn renewed(content: &str) -> String {
+    let mut text = String::with_capacity(content.len());
+    for line in content.split_inclusive('\n') {
+        if line.starts_with(['-', '@']) || line.starts_with("+++") {
+            text.extend(line.bytes().map(|b| if b == b'\n' { '\n' } else { ' ' }));
+        } else if let Some(rest) = line.strip_prefix('+') {
+            text.push(' ');
+            text.push_str(rest);
+        } else {
+            text.push_str(line);
+        }
+    }
+    text
 }
 
 /// Puts blanks in the place of quotation marks at the start of lines, and of `...`.
@@ -140,8 +186,31 @@ mod tests {
     }
 
     #[test]
+    fn changes_are_read_as_what_they_leave() {
+        assert_eq!(
+            codes("```diff\n vec3 a;\n-vec3 b = vec3(1);\n+vec3 c = vec3(1);\n```\n"),
+            [" vec3 a;\n                  \n vec3 c = vec3(1);\n"]
+        );
+        assert_eq!(
+            codes("```glsl\nfloat a;\n-b;\n+c;\n```\n```glsl\nfloat a = b\n+ c;\n++a;\n```\n"),
+            ["float a;\n   \n c;\n", "float a = b\n+ c;\n++a;\n"]
+        );
+        assert_eq!(codes("```diff\n-npm i a\n+npm i b\n```\n"), [""; 0]);
+    }
+
+    #[test]
+    fn fences_with_templates_have_holes() {
+        let mut found = Vec::new();
+        extract("```glsl\nfloat a = {{ b }};\n```\n", 0, &mut found);
+        assert!(found[0].has_holes && found[0].code == "float a = hhhhhhh;\n");
+    }
+
+    #[test]
     fn scripts_in_fences() {
-        let text = "```js\nconst a = `#version 300 es\n`;\n```\n```glsl\nconst b = `#version 300 es\n`;\n```\n";
-        assert_eq!(codes(text), ["#version 300 es\n", "#version 300 es\n"]);
+        let text = "```js\nconst a = `#version 300 es\nx\n`;\n```\n```glsl\nconst b = `#version 300 es\nx\n`;\n```\n";
+        assert_eq!(
+            codes(text),
+            ["#version 300 es\nx\n", "#version 300 es\nx\n"]
+        );
     }
 }

@@ -5,13 +5,21 @@
 //! the file that holds it. Escapes of strings are read (`\n` is a line break), `${...}` becomes a
 //! name that nothing declares.
 
+mod chain;
 mod component;
+mod constants;
+mod context;
+mod holes;
 mod html;
+mod listing;
+mod literal;
 mod markdown;
 mod script;
+mod template;
 mod together;
 mod token;
 
+pub use holes::mask;
 pub use together::{Asked, asked, together};
 
 use super::Edit;
@@ -66,6 +74,8 @@ pub enum Wrapping {
     Quotes,
     /// A fence of a Markdown text.
     Fence,
+    /// An element of a page that shows code.
+    Listing,
 }
 
 /// A shader inside a file.
@@ -105,6 +115,7 @@ impl Embedded {
             Wrapping::Template => !text.contains(['`', '\\', '$']),
             Wrapping::Quotes => !text.contains(['"', '\'', '\\', '\n', '\r']),
             Wrapping::Fence => !text.contains("```"),
+            Wrapping::Listing => !text.contains(['<', '&']),
         };
         fits && read.is_some() && read == outer.get(from..to)
     }
@@ -142,10 +153,24 @@ impl Host {
 
 /// Finds the shaders in a file, in the order of the text.
 pub fn extract(language: Language, text: &str) -> Vec<Embedded> {
+    extract_named("", language, text)
+}
+
+/// Finds the shaders in a file of this name, which may speak of shaders itself.
+pub fn extract_named(name: &str, language: Language, text: &str) -> Vec<Embedded> {
     let mut found = Vec::new();
-    let words = ["void", "#version", "glsl", "GLSL", "x-shader", "```", "~~~"];
-    if words.iter().any(|w| text.contains(w)) {
-        extract_into(language, text, 0, &mut found);
+    let words = [
+        "void", "#version", "glsl", "GLSL", "shader", "```", "~~~", "uniform", "varying", "vec",
+        "float",
+    ];
+    if !words.iter().any(|w| text.contains(w)) {
+        return found;
+    }
+    match language {
+        Language::Script => {
+            script::extract(text, 0, context::is_file_of_shaders(name), &mut found);
+        }
+        _ => extract_into(language, text, 0, &mut found),
     }
     found
 }
@@ -154,7 +179,7 @@ pub fn extract(language: Language, text: &str) -> Vec<Embedded> {
 fn extract_into(language: Language, text: &str, base: usize, found: &mut Vec<Embedded>) {
     match language {
         Language::Html => html::extract(text, base, found),
-        Language::Script => script::extract(text, base, found),
+        Language::Script => script::extract(text, base, false, found),
         Language::Component => component::extract(text, base, found),
         Language::Markdown => markdown::extract(text, base, found),
     }

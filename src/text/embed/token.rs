@@ -26,6 +26,24 @@ pub struct Token {
     pub range: Range<usize>,
 }
 
+/// Whether a token is a string or a template literal.
+pub fn is_literal(token: &Token) -> bool {
+    matches!(token.kind, Kind::Quoted | Kind::Template(_))
+}
+
+/// Whether a token is this mark.
+pub fn is_mark(tokens: &[Token], at: usize, mark: u8) -> bool {
+    tokens.get(at).is_some_and(|t| t.kind == Kind::Mark(mark))
+}
+
+/// The first token from `at` on that is no comment.
+pub fn skip_comments(tokens: &[Token], mut at: usize) -> usize {
+    while tokens.get(at).is_some_and(|t| t.kind == Kind::Comment) {
+        at += 1;
+    }
+    at
+}
+
 /// The tokens of a script. What cannot be read ends it.
 pub fn tokens(text: &str) -> Vec<Token> {
     let bytes = text.as_bytes();

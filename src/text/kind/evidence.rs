@@ -297,6 +297,12 @@ impl<'a> Evidence<'a> {
         self.other().is_none() && self.tags == 0 && (self.speaks_glsl() || !self.has_quotes)
     }
 
+    /// Whether a text that declares something as GLSL does can be a part of a shader.
+    pub fn may_be_part(&self) -> bool {
+        let is_plain = !self.has_quotes && !self.has_prose && self.changes <= 1 && self.tags == 0;
+        is_plain && self.has_glsl() && self.other().is_none() && self.foreign().is_none()
+    }
+
     /// Whether anything in it could be GLSL.
     pub fn has_glsl(&self) -> bool {
         self.version.is_some() || self.speaks_glsl() || self.has_types
@@ -384,7 +390,8 @@ fn is_name(word: &str) -> bool {
     !is_keyword && !word.starts_with(|c: char| c.is_ascii_digit())
 }
 
-fn is_type(word: &str) -> bool {
+/// Whether a word is a type of GLSL.
+pub fn is_type(word: &str) -> bool {
     let Some(digit) = word.bytes().position(|b| b.is_ascii_digit()) else {
         return matches!(
             word,

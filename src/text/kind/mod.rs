@@ -4,11 +4,15 @@
 //! believed unless the text is clearly something else; a name that says nothing asks for a text that
 //! is GLSL beyond doubt; a name of another language is believed.
 
+mod chunk;
 mod evidence;
+mod made;
 mod scan;
 mod signs;
 
-pub use evidence::{Evidence, VersionLine};
+pub use chunk::{Chunk, chunk, is_bare};
+pub use evidence::{Evidence, VersionLine, is_type};
+pub use made::made;
 
 use super::embed::Language;
 use std::fmt;
@@ -274,7 +278,19 @@ pub fn is_searched(name: &str) -> bool {
         ending_of(name),
         Ending::Shader | Ending::Shared | Ending::Export | Ending::Holds(_)
     );
-    is_known && !is_packed(name)
+    is_known && !is_packed(name) && !is_declarations(name)
+}
+
+/// Whether a file of this name holds a script.
+pub fn is_script(name: &str) -> bool {
+    matches!(ending_of(name), Ending::Holds(Language::Script))
+}
+
+/// Whether a file of TypeScript holds declarations alone, as the compiler writes them.
+fn is_declarations(name: &str) -> bool {
+    [".d.ts", ".d.mts", ".d.cts"]
+        .iter()
+        .any(|e| name.ends_with(e))
 }
 
 /// Whether a script is one that a program has made of others.
@@ -291,14 +307,16 @@ pub fn is_shader(code: &str) -> bool {
     is_candidate && Evidence::of(code).may_be_glsl()
 }
 
-fn has_main(code: &str) -> bool {
+/// Whether a text defines `main` or `mainImage`.
+pub fn has_main(code: &str) -> bool {
     code.match_indices("void").any(|(at, word)| {
         let behind = code.get(at + word.len()..).unwrap_or("");
         let name = behind.trim_start();
         let rest = name
             .strip_prefix("mainImage")
             .or_else(|| name.strip_prefix("main"));
-        name.len() < behind.len() && rest.is_some_and(|r| r.trim_start().starts_with('('))
+        name.len() < behind.len()
+            && rest.is_some_and(|r| r.trim_start().starts_with('(') && r.contains('{'))
     })
 }
 

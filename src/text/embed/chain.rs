@@ -1,0 +1,202 @@
+//! Literals of a script that are put together into one text: by `+`, by `.concat(...)`, or as the
+//! elements of an array that is joined.
+
+use super::token::{Kind, Token, is_literal, is_mark, skip_comments};
+use std::ops::Range;
+
+/// Literals that are put together.
+pub struct Chain {
+    /// Their indexes.
+    pub parts: Vec<usize>,
+    /// What else is put between them: the tokens of each, and the index of the literal before.
+    pub others: Vec<(usize, Range<usize>)>,
+    /// The last token that belongs to it.
+    pub last: usize,
+    /// Whether each stands on a line of its own: `[...].join('\n')`.
+    pub has_lines: bool,
+    /// Whether something is put before or behind them.
+    pub goes_on: bool,
+}
+
+impl Chain {
+    fn new(first: usize) -> Chain {
+        Chain {
+            parts: vec![first],
+            others: Vec::new(),
+            last: first,
+            has_lines: false,
+            goes_on: false,
+        }
+    }
+
+    /// Goes on with a literal, behind tokens that are none.
+    fn add(&mut self, others: Range<usize>, literal: usize) {
+        if !others.is_empty() {
+            let before = self.parts.last().copied().unwrap_or(literal);
+            self.others.push((before, others));
+        }
+        self.parts.push(literal);
+        self.last = literal;
+    }
+
+    /// The literals that are put together with that at `first`.
+    pub fn of(text: &str, tokens: &[Token], first: usize) -> Chain {
+        let before = first.checked_sub(1);
+        let starts_array = before.is_some_and(|b| is_mark(tokens, b, b'['));
+        let joined = starts_array.then(|| joined(text, tokens, first)).flatten();
+        joined.unwrap_or_else(|| added(text, tokens, first))
+    }
+}
+
+/// `"..." + x + "..."`, `"...".concat(x, "...")`
+fn added(text: &str, tokens: &[Token], first: usize) -> Chain {
+    let mut chain = Chain::new(first);
+    let before = first.checked_sub(1);
+    chain.goes_on = before.is_some_and(|b| is_mark(tokens, b, b'+'));
+    loop {
+        let sign = skip_comments(tokens, chain.last + 1);
+        if is_mark(tokens, sign, b'.') {
+            if !concat(text, tokens, sign, &mut chain) {
+                return chain;
+            }
+            continue;
+        }
+        if !is_mark(tokens, sign, b'+') {
+            return chain;
+        }
+        let next = skip_comments(tokens, sign + 1);
+        if tokens.get(next).is_some_and(is_literal) {
+            chain.add(0..0, next);
+            continue;
+        }
+        let Some(behind) = behind_operand(tokens, next) else {
+            chain.goes_on = true;
+            return chain;
+        };
+        chain.add(next..behind, behind);
+    }
+}
+
+/// Goes on with the arguments of `.concat(...)`. Says whether the last of them is a literal, behind
+/// which it may go on.
+fn concat(text: &str, tokens: &[Token], dot: usize, chain: &mut Chain) -> bool {
+    let name = tokens.get(dot + 1).map_or(0..0, |t| t.range.clone());
+    if text.get(name) != Some("concat") || !is_mark(tokens, dot + 2, b'(') {
+        return false;
+    }
+    let mut from = dot + 3;
+    let mut others = from..from;
+    loop {
+        let at = skip_comments(tokens, from);
+        let end = argument_end(tokens, at);
+        let is_whole = end == skip_comments(tokens, at + 1);
+        if tokens.get(at).is_some_and(is_literal) && is_whole {
+            let between = if others.end > others.start {
+                others.clone()
+            } else {
+                0..0
+            };
+            chain.add(between, at);
+            others = end + 1..end + 1;
+        } else {
+            others.end = end;
+        }
+        if !is_mark(tokens, end, b',') {
+            chain.goes_on |= !others.is_empty();
+            if is_mark(tokens, end, b')') && others.is_empty() {
+                chain.last = end;
+                return true;
+            }
+            return false;
+        }
+        from = end + 1;
+    }
+}
+
+/// The mark that ends an argument or an element, or the end of the tokens.
+fn argument_end(tokens: &[Token], mut at: usize) -> usize {
+    let mut depth = 0_u32;
+    while let Some(token) = tokens.get(at) {
+        match token.kind {
+            Kind::Mark(b'(' | b'[' | b'{') => depth += 1,
+            Kind::Mark(b')' | b']' | b'}') if depth == 0 => return at,
+            Kind::Mark(b')' | b']' | b'}') => depth -= 1,
+            Kind::Mark(b',' | b';') if depth == 0 => return at,
+            _ => {}
+        }
+        at += 1;
+    }
+    at
+}
+
+/// The literal that follows an operand which is none: `+ (x) + "..."`.
+fn behind_operand(tokens: &[Token], mut at: usize) -> Option<usize> {
+    /// Longest operand that is looked through, in tokens.
+    const MAX_OPERAND: usize = 64;
+    let mut depth = 0_u32;
+    for _ in 0..MAX_OPERAND {
+        match tokens.get(at)?.kind {
+            Kind::Mark(b'(' | b'[') => depth += 1,
+            Kind::Mark(b')' | b']') => depth = depth.checked_sub(1)?,
+            Kind::Mark(b'+') if depth == 0 => {
+                let next = skip_comments(tokens, at + 1);
+                if is_literal(tokens.get(next)?) {
+                    return Some(next);
+                }
+            }
+            Kind::Mark(b';' | b',' | b'{' | b'}') if depth == 0 => return None,
+            _ => {}
+        }
+        at += 1;
+    }
+    None
+}
+
+/// `["...", x, "..."].join("\n")`
+fn joined(text: &str, tokens: &[Token], first: usize) -> Option<Chain> {
+    let mut chain = Chain::new(first);
+    let mut at = first;
+    let mut from = first;
+    loop {
+        let end = argument_end(tokens, at);
+        let is_whole = end == skip_comments(tokens, at + 1);
+        if at > first && tokens.get(at).is_some_and(is_literal) && is_whole {
+            let others = if from < at { from..at } else { 0..0 };
+            chain.add(others, at);
+            from = end + 1;
+        } else if at == first {
+            // The first element may be put together itself.
+            if !is_whole {
+                return None;
+            }
+            from = end + 1;
+        }
+        if !is_mark(tokens, end, b',') {
+            at = end;
+            break;
+        }
+        at = skip_comments(tokens, end + 1);
+        if at == from || from > at {
+            from = at;
+        }
+    }
+    let word = |at: usize| {
+        let range = tokens.get(at).map_or(0..0, |t| t.range.clone());
+        text.get(range).unwrap_or("")
+    };
+    chain.goes_on = from < at;
+    let is_list = is_mark(tokens, at, b']');
+    // Elements that are left out are none that count.
+    if is_mark(tokens, at + 1, b'.') && word(at + 2) == "filter" && is_mark(tokens, at + 3, b'(') {
+        at = argument_end(tokens, at + 4);
+    }
+    let is_join = is_list
+        && is_mark(tokens, at + 1, b'.')
+        && word(at + 2) == "join"
+        && is_mark(tokens, at + 3, b'(')
+        && tokens.get(at + 4).is_some_and(is_literal);
+    chain.last = at + 4;
+    let parting = word(at + 4);
+    chain.has_lines = parting.contains("\\n") || parting.contains('\n');
+    is_join.then_some(chain)
+}

@@ -1,0 +1,98 @@
+//! The constants of a script that are short texts or numbers.
+
+use super::token::{Kind, Token, is_mark};
+use std::collections::HashMap;
+
+/// Values by name.
+#[derive(Default)]
+pub struct Constants {
+    values: HashMap<String, Option<String>>,
+}
+
+impl Constants {
+    /// Those that `const NAME = ...` declares, each once.
+    pub fn of(text: &str, tokens: &[Token]) -> Constants {
+        let word = |at: usize| {
+            let range = tokens.get(at).map_or(0..0, |t| t.range.clone());
+            text.get(range).unwrap_or("")
+        };
+        let mut constants = Constants::default();
+        for (at, token) in tokens.iter().enumerate() {
+            let is_declared = token.kind == Kind::Word
+                && matches!(word(at), "const" | "let" | "var")
+                && tokens.get(at + 1).is_some_and(|t| t.kind == Kind::Word);
+            if !is_declared {
+                continue;
+            }
+            let mut equals = at + 2;
+            // A type of TypeScript.
+            if is_mark(tokens, equals, b':') {
+                equals += 2;
+            }
+            let is_value = word(at) == "const" && is_mark(tokens, equals, b'=');
+            let value = is_value.then(|| value(text, tokens, equals + 1)).flatten();
+            let known = constants.values.entry(word(at + 1).to_string());
+            known.and_modify(|v| *v = None).or_insert(value);
+        }
+        constants
+    }
+
+    /// The value of an expression that is the name of one.
+    pub fn value(&self, expression: &str) -> Option<&str> {
+        self.values.get(expression)?.as_deref()
+    }
+}
+
+/// The text of a literal that is all there is of a value.
+fn value(text: &str, tokens: &[Token], at: usize) -> Option<String> {
+    let first = tokens.get(at)?;
+    let start = first.range.start;
+    let (value, end) = match &first.kind {
+        Kind::Quoted => (text.get(first.range.clone())?, first.range.end + 1),
+        Kind::Template(holes) if holes.is_empty() => {
+            (text.get(first.range.clone())?, first.range.end + 1)
+        }
+        Kind::Word | Kind::Mark(b'-' | b'.') => {
+            let rest = text.get(start..)?;
+            let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-');
+            let end = rest.find(|c: char| !is_part(c)).unwrap_or(rest.len());
+            let number = rest.get(..end)?;
+            number.parse::<f64>().ok().filter(|n| n.is_finite())?;
+            (number, start + end)
+        }
+        _ => return None,
+    };
+    let rest = text.get(end..)?;
+    let line = rest.split('\n').next().unwrap_or("").trim_start();
+    let is_all = line.is_empty() || line.starts_with([';', ',', '\r']) || line.starts_with("//");
+    let goes_on = rest
+        .trim_start()
+        .starts_with(['+', '.', '-', '*', '/', '?', '[', '(']);
+    let is_plain = !value.contains(['\\', '\n', '\r']) && value.is_ascii();
+    (is_all && !(line.is_empty() && goes_on) && is_plain).then(|| value.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        let constants = Constants::of(text, &tokens(text));
+        assert_eq!(constants.value("A").unwrap_or("none"), expected, "{text}");
+    }
+
+    #[test]
+    fn constants_have_values() {
+        check("const A = 'highp';", "highp");
+        check("const A: number = 0.5, b = 1", "0.5");
+        check("const A = `a`\nlet b", "a");
+        check("const A = -1;", "-1");
+        check("let A = 'a';", "none");
+        check("const A = 'a' + b;", "none");
+        check("const A = x;", "none");
+        check("const A = 'a'; function f() { const A = 'b'; }", "none");
+        check("const A = 'a'\n  .trim();", "none");
+    }
+}

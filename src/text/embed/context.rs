@@ -1,0 +1,287 @@
+//! What a script says of a literal: what it is given to, and by what.
+
+use super::token::{Kind, Token, is_literal, is_mark};
+
+/// What stands before a literal.
+pub struct Context {
+    /// A tag or a comment says that it is GLSL.
+    pub is_introduced: bool,
+    /// It is given to something whose name speaks of shaders, or to a call that compiles it.
+    pub names_shader: bool,
+    /// It is given to something with "vert" in its name.
+    pub is_vertex: bool,
+    /// It is looked for in a text, or put in the place of a stretch of one.
+    pub is_pattern: bool,
+    /// It is told to somebody.
+    pub is_message: bool,
+    /// The variable that it is given to, if it is given to one.
+    target: Option<String>,
+}
+
+impl Context {
+    /// Reads what stands before a literal.
+    pub fn of(text: &str, tokens: &[Token], literal: usize) -> Context {
+        let read = Reader { text, tokens };
+        let target = read.target(literal);
+        let call = read.call(literal);
+        let words = target.map_or(Vec::new(), words);
+        let has = |all: &[&str]| words.iter().any(|w| all.contains(&w.as_str()));
+        Context {
+            is_introduced: read.is_introduced(literal),
+            names_shader: has(&SHADERS) || call == Some("shaderSource"),
+            is_vertex: has(&["vert", "vertex", "vs", "vsh"]) || read.is_named_vertex(literal),
+            is_pattern: call.is_some_and(|c| PATTERNS.contains(&c)) || read.is_compared(literal),
+            is_message: call.is_some_and(|c| c.ends_with("Error") || MESSAGES.contains(&c)),
+            target: target.map(str::to_string),
+        }
+    }
+
+    /// Whether more is put behind the literal somewhere: `NAME += ...`.
+    pub fn goes_on(&self, text: &str, tokens: &[Token]) -> bool {
+        let is_name =
+            |t: &Token| t.kind == Kind::Word && text.get(t.range.clone()) == self.target.as_deref();
+        self.target.is_some()
+            && (0..tokens.len()).any(|at| {
+                is_mark(tokens, at + 1, b'+')
+                    && is_mark(tokens, at + 2, b'=')
+                    && tokens.get(at).is_some_and(is_name)
+            })
+    }
+}
+
+/// Words of names that are given to shaders.
+const SHADERS: [&str; 13] = [
+    "shader", "shaders", "vert", "vertex", "frag", "fragment", "vs", "fs", "vsh", "fsh", "glsl",
+    "webgl", "chunk",
+];
+/// Methods of texts that look for a stretch.
+const PATTERNS: [&str; 13] = [
+    "replace",
+    "replaceAll",
+    "indexOf",
+    "lastIndexOf",
+    "includes",
+    "startsWith",
+    "endsWith",
+    "split",
+    "match",
+    "matchAll",
+    "search",
+    "test",
+    "RegExp",
+];
+/// Calls that show a text to a person.
+const MESSAGES: [&str; 8] = [
+    "log", "warn", "error", "info", "debug", "assert", "describe", "alert",
+];
+
+/// Whether the name of a file, or of the folder that holds it, says that it holds shaders.
+pub fn is_file_of_shaders(name: &str) -> bool {
+    let mut parts = name.rsplit(['/', '\\']);
+    let file = parts.next().unwrap_or("");
+    let file = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+    let is_shader = |w: &String| SHADERS.contains(&w.as_str()) && w != "webgl" && w != "chunk";
+    words(file).last().is_some_and(is_shader)
+        || parts
+            .next()
+            .is_some_and(|f| words(f).iter().all(is_shader) && !words(f).is_empty())
+}
+
+/// The words of a name, in lower case: those of `aVertexShader_FS2` are a, vertex, shader and fs.
+fn words(name: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut before = ' ';
+    for c in name.chars() {
+        if c.is_ascii_alphabetic() {
+            let starts = !before.is_ascii_alphabetic()
+                || c.is_ascii_uppercase() && before.is_ascii_lowercase();
+            match words.last_mut().filter(|_| !starts) {
+                Some(word) => word.push(c.to_ascii_lowercase()),
+                None => words.push(c.to_ascii_lowercase().to_string()),
+            }
+        }
+        before = c;
+    }
+    words
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    tokens: &'a [Token],
+}
+
+impl<'a> Reader<'a> {
+    fn word(&self, at: usize) -> &'a str {
+        let range = self.tokens.get(at).map_or(0..0, |t| t.range.clone());
+        self.text.get(range).unwrap_or("")
+    }
+
+    fn kind(&self, at: usize) -> Option<&Kind> {
+        self.tokens.get(at).map(|t| &t.kind)
+    }
+
+    /// Whether a tag or a comment says that a literal is GLSL.
+    fn is_introduced(&self, literal: usize) -> bool {
+        let Some(before) = literal.checked_sub(1) else {
+            return false;
+        };
+        let words = self.word(before);
+        match self.kind(before) {
+            Some(Kind::Word) => {
+                let starts = self.tokens.get(literal).map_or(0, |t| t.range.start);
+                let touches = self
+                    .tokens
+                    .get(before)
+                    .is_some_and(|t| t.range.end + 1 == starts);
+                let tags = ["frag", "vert", "shader", "fs", "vs", "fragment", "vertex"];
+                let tag = words.to_ascii_lowercase();
+                touches && (tag.contains("glsl") || tags.contains(&tag.as_str()))
+            }
+            Some(Kind::Comment) => {
+                let words = words
+                    .trim_matches(['/', '*', ' ', '\t', '@'])
+                    .to_ascii_lowercase();
+                let words = words.strip_prefix("language=").unwrap_or(&words).trim();
+                words == "glsl" || words.starts_with("glsl ") && words.len() < 20
+            }
+            _ => false,
+        }
+    }
+
+    /// The name of the variable or the property that a literal is given to.
+    fn target(&self, literal: usize) -> Option<&'a str> {
+        /// How far is looked back, in tokens.
+        const FAR: usize = 12;
+        let mut at = literal;
+        for _ in 0..FAR {
+            at = at.checked_sub(1)?;
+            match self.kind(at)? {
+                // The other case of a condition.
+                Kind::Mark(b':') if self.is_case(at) => {}
+                Kind::Mark(b'=' | b':') => break,
+                Kind::Mark(b';' | b',' | b'{' | b'}' | b')') => return None,
+                _ => {}
+            }
+        }
+        let mut name = at.checked_sub(1)?;
+        if is_mark(self.tokens, name, b'+') {
+            name = name.checked_sub(1)?;
+        }
+        // `const name: string = "..."`
+        let before = name.checked_sub(1)?;
+        if is_mark(self.tokens, at, b'=') && is_mark(self.tokens, before, b':') {
+            name = before.checked_sub(1)?;
+        }
+        if is_mark(self.tokens, name, b']') {
+            name = name.checked_sub(1)?;
+        }
+        matches!(self.kind(name)?, Kind::Word | Kind::Quoted).then(|| self.word(name))
+    }
+
+    /// Whether a `:` stands behind one literal or word and a `?`.
+    fn is_case(&self, colon: usize) -> bool {
+        colon
+            .checked_sub(2)
+            .is_some_and(|at| is_mark(self.tokens, at, b'?'))
+    }
+
+    /// What is called with a literal as one of the arguments.
+    fn call(&self, literal: usize) -> Option<&'a str> {
+        /// How far is looked back, in tokens.
+        const FAR: usize = 40;
+        let mut depth = 0_u32;
+        for at in (literal.saturating_sub(FAR)..literal).rev() {
+            match self.kind(at)? {
+                Kind::Mark(b')' | b']' | b'}') => depth += 1,
+                Kind::Mark(b'(') if depth == 0 => return Some(self.word(at.checked_sub(1)?)),
+                Kind::Mark(b'[' | b'{' | b';') if depth == 0 => return None,
+                Kind::Mark(b'(' | b'[' | b'{') => depth = depth.checked_sub(1)?,
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// Whether a literal is compared: `a === "..."`, or is an expression in a list of such.
+    fn is_compared(&self, literal: usize) -> bool {
+        let mark = |back: usize, mark: u8| {
+            literal
+                .checked_sub(back)
+                .is_some_and(|at| is_mark(self.tokens, at, mark))
+        };
+        mark(1, b'=') && (mark(2, b'=') || mark(2, b'!'))
+    }
+
+    /// Whether a literal is given to something with "vert" in its name.
+    fn is_named_vertex(&self, literal: usize) -> bool {
+        let from = literal.saturating_sub(6);
+        let behind = |at: &usize| {
+            !matches!(
+                self.kind(*at),
+                None | Some(Kind::Mark(b';' | b',' | b'{' | b'(' | b')'))
+            ) && !self.tokens.get(*at).is_some_and(is_literal)
+        };
+        let mut all = (from..literal).rev().take_while(behind);
+        all.any(|at| {
+            let word = self.word(at).to_ascii_lowercase();
+            self.kind(at) == Some(&Kind::Word) && (word.contains("vert") || word == "vs")
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    /// What is said of the last literal of a script.
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        let all = tokens(text);
+        let literal = all.iter().rposition(is_literal).unwrap();
+        let context = Context::of(text, &all, literal);
+        let told = [
+            (context.is_introduced, "introduced"),
+            (context.names_shader, "named"),
+            (context.is_vertex, "vertex"),
+            (context.is_pattern, "pattern"),
+            (context.is_message, "message"),
+        ];
+        let told: Vec<&str> = told.iter().filter(|t| t.0).map(|t| t.1).collect();
+        assert_eq!(told.join(" "), expected, "{text}");
+    }
+
+    #[test]
+    fn names_of_files_speak() {
+        let all = [
+            "a/blur.frag.js",
+            "BlurShader.ts",
+            "src/shaders/blur.js",
+            "vs2.js",
+        ];
+        assert!(all.iter().all(|n| is_file_of_shaders(n)));
+        let none = [
+            "shader-park.js",
+            "a.js",
+            "shader_tools/a.js",
+            "fragments.js",
+        ];
+        assert!(!none.iter().any(|n| is_file_of_shaders(n)));
+    }
+
+    #[test]
+    fn scripts_tell_what_their_literals_are() {
+        check("glsl`x`", "introduced");
+        check("/* glsl */ `x`", "introduced");
+        check("// language=GLSL\n`x`", "introduced");
+        check("const blurFragShader: string = `x`", "named");
+        check("a = { 'vertexShader': 'x'", "named vertex");
+        check("gl.shaderSource(f(a), 'x')", "named");
+        check("a.vs += 'x'", "named vertex");
+        check("shader.replace(/a/, 'x')", "pattern");
+        check("if (a === 'x')", "pattern");
+        check("throw new TypeError('x')", "message");
+        check("const a = { shaders: 1, b: 'x' }", "");
+        check("const shader = a ? '' : 'x'", "named");
+    }
+}

@@ -1,0 +1,435 @@
+//! The parts of a shader that are put in when the program runs: by `${...}` of a script, by `+`, or by
+//! the template language that the text is written in.
+//!
+//! Each becomes something that fits where it stands and is just as long: mostly a word that nothing
+//! declares, the same for the same expression; nothing between statements; a number beside digits.
+
+use crate::text::kind::is_type;
+use std::ops::Range;
+
+/// What stands in the bytes of holes that are not filled yet.
+pub(super) const OPEN: u8 = 1;
+
+/// A part of a shader that is put in.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Hole {
+    /// Where it stands.
+    pub range: Range<usize>,
+    /// What is put in.
+    pub content: Content,
+}
+
+/// What is put in.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Content {
+    /// What an expression says, whose text this is.
+    Expression(String),
+    /// This text.
+    Known(String),
+    /// Nothing: it steers the program that writes the shader.
+    Nothing,
+}
+
+/// Fills holes, in the order of the text. Says whether anything is put in that is not known.
+pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> bool {
+    for hole in holes {
+        write(bytes, hole.range.clone(), |_| OPEN);
+    }
+    let mut words = Words::default();
+    let mut is_unknown = false;
+    for hole in holes {
+        let range = hole.range.clone();
+        let known = match &hole.content {
+            Content::Known(value) => fitted(bytes, &range, value),
+            Content::Nothing => Some(String::new()),
+            Content::Expression(_) => None,
+        };
+        is_unknown |= known.is_none() || hole.content == Content::Nothing;
+        let text = known.unwrap_or_else(|| match &hole.content {
+            Content::Expression(key) | Content::Known(key) => {
+                Place::of(bytes, &range).text(&mut words, key)
+            }
+            Content::Nothing => String::new(),
+        });
+        let text = text.as_bytes();
+        write(bytes, range, |i| text.get(i).copied().unwrap_or(b' '));
+    }
+    is_unknown
+}
+
+fn write(bytes: &mut [u8], range: Range<usize>, byte: impl Fn(usize) -> u8) {
+    let places = bytes.get_mut(range).unwrap_or(&mut []);
+    for (i, place) in places.iter_mut().enumerate() {
+        *place = byte(i);
+    }
+}
+
+fn is_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_'
+}
+
+fn touches(byte: Option<&u8>) -> bool {
+    byte.is_some_and(|b| is_word(*b) || *b == OPEN)
+}
+
+/// A value with blanks on the side where they part nothing; `None` where it does not fit.
+fn fitted(bytes: &[u8], range: &Range<usize>, value: &str) -> Option<String> {
+    let length = range.len();
+    if value.len() > length {
+        return None;
+    }
+    let before = range.start.checked_sub(1).and_then(|b| bytes.get(b));
+    let behind = bytes.get(range.end);
+    let is_tight = |byte: Option<&u8>| touches(byte) || byte == Some(&b'.');
+    match (is_tight(before), is_tight(behind)) {
+        (true, true) if value.len() < length => None,
+        (false, true) => Some(format!("{value:>length$}")),
+        _ => Some(value.to_string()),
+    }
+}
+
+/// The words that stand for expressions.
+#[derive(Default)]
+struct Words {
+    /// The expressions, each with the length of its hole.
+    keys: Vec<(usize, String)>,
+}
+
+impl Words {
+    /// The word for an expression.
+    fn word(&mut self, key: &str, length: usize) -> String {
+        let entry = (length, key.to_string());
+        let of_length = self.keys.iter().filter(|(l, _)| *l == length);
+        let mut number = match of_length.clone().position(|k| *k == entry) {
+            Some(at) => at,
+            None => {
+                let count = of_length.count();
+                self.keys.push(entry);
+                count
+            }
+        };
+        let mut word = vec![b'h'; length];
+        // The number in letters and digits, from the end; the first keeps the plain word.
+        for place in word.iter_mut().skip(1).rev() {
+            if number == 0 {
+                break;
+            }
+            let digit = (number % 10) as u8;
+            *place = b'0' + digit;
+            number /= 10;
+        }
+        String::from_utf8(word).unwrap_or_default()
+    }
+
+    /// A number that differs from those of other expressions, for where there is only room for one.
+    fn number(&mut self, key: &str) -> usize {
+        let entry = (0, key.to_string());
+        let all = || self.keys.iter().filter(|(l, _)| *l == 0);
+        let known = all().position(|k| *k == entry);
+        let count = all().count();
+        if known.is_none() {
+            self.keys.push(entry);
+        }
+        known.unwrap_or(count)
+    }
+}
+
+/// What stands around a hole.
+struct Place<'a> {
+    length: usize,
+    before: &'a [u8],
+    behind: &'a [u8],
+}
+
+impl<'a> Place<'a> {
+    fn of(bytes: &'a [u8], range: &Range<usize>) -> Place<'a> {
+        /// How far is looked back, in bytes.
+        const NEAR: usize = 2048;
+        let from = range.start.saturating_sub(NEAR);
+        Place {
+            length: range.len(),
+            before: bytes.get(from..range.start).unwrap_or(&[]),
+            behind: bytes.get(range.end..).unwrap_or(&[]),
+        }
+    }
+
+    /// What fits there.
+    fn text(&self, words: &mut Words, key: &str) -> String {
+        /// Longest word.
+        const MAX_WORD: usize = 512;
+        if self.length > MAX_WORD {
+            return String::new();
+        }
+        if let Some(text) = self.in_directive(words, key) {
+            return text;
+        }
+        if self.is_number() {
+            return "1".repeat(self.length);
+        }
+        if touches(self.before.last()) {
+            return words.word(key, self.length);
+        }
+        let (last, next) = (self.last_sign(), self.next_sign());
+        let is_start = matches!(last, Sign::Start | Sign::Mark(b';' | b'{' | b'}'));
+        let behind = self.word_behind();
+        let is_declared = next == Some(OPEN) || is_keyword(behind);
+        match last {
+            _ if is_start && self.is_done(next) => String::new(),
+            Sign::Word(word) if word == "precision" && self.length >= 4 => {
+                let precision = if self.length >= 5 { "highp" } else { "lowp" };
+                precision.to_string()
+            }
+            // A qualifier, or none.
+            Sign::Word(word) if is_declared && is_keyword(word) && word != "return" => {
+                String::new()
+            }
+            Sign::Mark(b'(' | b',') if is_declared => String::new(),
+            _ if is_start && is_declared => String::new(),
+            Sign::Word("case") => words.number(key).to_string(),
+            Sign::Mark(b'=') if self.is_layout() => words.number(key).to_string(),
+            Sign::Mark(b')') if self.is_done(next) || is_declared => "{}".to_string(),
+            Sign::Mark(b')' | b']') => self.behind_operand(next),
+            Sign::Word(word) if !is_keyword(word) && !self.is_declaration(word) => {
+                self.behind_operand(next)
+            }
+            // The rest of the statement, with its end.
+            Sign::Word("return") | Sign::Mark(b'=') if self.is_done(next) => {
+                words.word(key, self.length - 1) + ";"
+            }
+            _ => words.word(key, self.length),
+        }
+    }
+
+    /// What fits behind an operand: an operator, or nothing.
+    fn behind_operand(&self, next: Option<u8>) -> String {
+        match next {
+            Some(byte) if is_word(byte) || byte == b'(' || byte == b'.' => " +".to_string(),
+            _ => String::new(),
+        }
+    }
+
+    /// The line that the hole stands on, before it.
+    fn line(&self) -> &'a str {
+        let from = self.before.iter().rposition(|b| *b == b'\n');
+        let line = self.before.get(from.map_or(0, |f| f + 1)..);
+        std::str::from_utf8(line.unwrap_or(&[])).unwrap_or("")
+    }
+
+    fn in_directive(&self, words: &mut Words, key: &str) -> Option<String> {
+        let rest = self.line().trim_start().strip_prefix('#')?.trim_start();
+        let name = rest.split(|c: char| !c.is_ascii_alphabetic()).next()?;
+        let is_parted = !touches(self.before.last()) && !touches(self.behind.first());
+        Some(match name {
+            "version" => {
+                let is_es = self.word_behind() == "es";
+                let room = self.length >= 6 && !is_es;
+                (if room { "300 es" } else { "300" }).to_string()
+            }
+            "if" | "elif" if is_parted => "1".to_string(),
+            "extension" if self.length >= 3 && is_parted => "all".to_string(),
+            _ if self.is_number() => "1".repeat(self.length),
+            _ => words.word(key, self.length),
+        })
+    }
+
+    /// Whether digits or a decimal point stand beside it.
+    fn is_number(&self) -> bool {
+        let is_point = |b: Option<&u8>| b == Some(&b'.');
+        let behind = is_point(self.behind.first())
+            && !self.behind.get(1).is_some_and(u8::is_ascii_alphabetic);
+        let before = match self.before.split_last() {
+            Some((b'.', rest)) => starts_with_digit(rest) || !rest.last().is_some_and(ends_operand),
+            _ => starts_with_digit(self.before),
+        };
+        before || (behind && !touches(self.before.last()))
+    }
+
+    /// The last sign before the hole, comments left out.
+    fn last_sign(&self) -> Sign<'a> {
+        let text = match std::str::from_utf8(self.before) {
+            Ok(text) => text,
+            Err(error) => {
+                // Looking back may start inside a character.
+                let rest = self.before.get(error.valid_up_to() + 1..).unwrap_or(&[]);
+                std::str::from_utf8(rest).unwrap_or("")
+            }
+        };
+        for line in text.rsplit('\n') {
+            let code = line.split("//").next().unwrap_or("").trim();
+            let is_own = line.len() == self.line().len();
+            if code.starts_with('#') && !is_own || code.ends_with("*/") {
+                return Sign::Start;
+            }
+            let Some(last) = code.bytes().next_back() else {
+                continue;
+            };
+            if !is_word(last) {
+                return Sign::Mark(last);
+            }
+            let from = code.rfind(|c: char| !c.is_ascii() || !is_word(c as u8));
+            return Sign::Word(code.get(from.map_or(0, |f| f + 1)..).unwrap_or(""));
+        }
+        Sign::Start
+    }
+
+    /// The first byte behind it that is no blank.
+    fn next_sign(&self) -> Option<u8> {
+        let mut all = self.behind.iter();
+        all.find(|b| !b.is_ascii_whitespace()).copied()
+    }
+
+    /// The word that is the next on the same line.
+    fn word_behind(&self) -> &'a str {
+        let is_blank = |b: &u8| matches!(b, b' ' | b'\t');
+        let from = self.behind.iter().position(|b| !is_blank(b));
+        let rest = self.behind.get(from.unwrap_or(0)..).unwrap_or(&[]);
+        let end = rest.iter().position(|b| !is_word(*b));
+        let word = rest.get(..end.unwrap_or(rest.len())).unwrap_or(&[]);
+        std::str::from_utf8(word).unwrap_or("")
+    }
+
+    /// Whether a statement can be over behind it.
+    fn is_done(&self, next: Option<u8>) -> bool {
+        let mut line = self.behind.iter().take_while(|b| **b != b'\n');
+        let is_last = line.all(|b| b.is_ascii_whitespace());
+        match next {
+            None | Some(b'}' | b'#') => true,
+            Some(byte) => is_last && (is_word(byte) || matches!(byte, OPEN | b'/' | b'{')),
+        }
+    }
+
+    /// Whether the word before it is all that there is of its statement, which makes it a type.
+    fn is_declaration(&self, word: &str) -> bool {
+        let text = std::str::from_utf8(self.before).unwrap_or("").trim_end();
+        let rest = text.strip_suffix(word).unwrap_or("").trim_end();
+        let last = rest.bytes().next_back();
+        let before = rest.rsplit(|c: char| !c.is_ascii() || !is_word(c as u8));
+        let is_start = last.is_none_or(|b| matches!(b, b';' | b'{' | b'}' | b'(' | b',' | b'/'));
+        is_start
+            || before.take(1).any(is_keyword)
+            || self.line().trim_start().len() <= word.len() + 1
+    }
+
+    /// Whether it stands in `layout(...)`.
+    fn is_layout(&self) -> bool {
+        let line = self.line();
+        let behind = line.rsplit("layout").next().unwrap_or(line);
+        behind.len() < line.len() && !behind.contains(')')
+    }
+}
+
+/// What stands before a hole.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Sign<'a> {
+    /// Nothing, or what ends a line.
+    Start,
+    Word(&'a str),
+    Mark(u8),
+}
+
+fn ends_operand(byte: &u8) -> bool {
+    is_word(*byte) || matches!(*byte, b')' | b']' | OPEN)
+}
+
+/// Whether the word at the end of a text is a number.
+fn starts_with_digit(text: &[u8]) -> bool {
+    let length = text.iter().rev().take_while(|b| is_word(**b)).count();
+    let first = text.get(text.len() - length..).and_then(<[u8]>::first);
+    first.is_some_and(u8::is_ascii_digit)
+}
+
+/// Whether a word is one of those that declarations and statements begin with.
+pub(super) fn is_keyword(word: &str) -> bool {
+    let is_qualifier = matches!(
+        word,
+        "uniform"
+            | "in"
+            | "out"
+            | "inout"
+            | "varying"
+            | "attribute"
+            | "const"
+            | "flat"
+            | "smooth"
+            | "centroid"
+            | "highp"
+            | "mediump"
+            | "lowp"
+            | "precision"
+            | "layout"
+            | "invariant"
+    );
+    let is_statement = matches!(
+        word,
+        "struct"
+            | "if"
+            | "else"
+            | "for"
+            | "while"
+            | "do"
+            | "return"
+            | "break"
+            | "continue"
+            | "discard"
+            | "switch"
+    );
+    is_qualifier || is_statement || is_type(word)
+}
+
+/// A text in which the holes of templates are filled, byte for byte as long; `None` where there is
+/// none. What can be GLSL is none.
+pub fn mask(code: &str) -> Option<String> {
+    let holes = super::template::holes(code);
+    if holes.is_empty() {
+        return None;
+    }
+    let mut bytes = code.as_bytes().to_vec();
+    fill(&mut bytes, &holes);
+    String::from_utf8(bytes).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        assert_eq!(mask(text).as_deref().unwrap_or("none"), expected, "{text}");
+    }
+
+    #[test]
+    fn one_expression_is_one_word() {
+        check(
+            "float ${a}; vec3 ${b}; ${a} = 1.;",
+            "float hhhh; vec3 hhh1; hhhh = 1.;",
+        );
+        check("f(${ab}, ${a}, ${b})", "f(hhhhh, hhhh, hhh1)");
+    }
+
+    #[test]
+    fn what_fits_depends_on_the_place() {
+        check("a;\n${b}\nc;", "a;\n    \nc;");
+        check("a; ${b} vec3 c;", "a;      vec3 c;");
+        check("${a}in vec2 b;", "    in vec2 b;");
+        check("{ ${a} }", "{      }");
+        check(
+            "x = ${a}.0 + 0.${b} + 1${c};",
+            "x = 1111.0 + 0.1111 + 11111;",
+        );
+        check("v.${a}; f(v.x ${b}, 1)", "v.hhhh; f(v.x     , 1)");
+        check("x = ${a}\ny = ${b}\n+ c;", "x = hhh;\ny = hhhh\n+ c;");
+        check("x = a ${op} b;", "x = a  +    b;");
+        check("if (a) ${b}\n", "if (a) {}  \n");
+        check("precision ${a} float;", "precision lowp float;");
+        check(
+            "const in ${a} x, Light ${b};",
+            "const in hhhh x, Light hhh1;",
+        );
+        check("#if ${a} > ${bc}\n", "#if 1    > 1    \n");
+        check("#version ${abc}\n", "#version 300 es\n");
+        check(
+            "layout(location = ${a}) in vec2 x;",
+            "layout(location = 0   ) in vec2 x;",
+        );
+    }
+}

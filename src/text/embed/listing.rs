@@ -1,0 +1,233 @@
+//! Shaders in the text of a page: in elements that show code, and in those that it is edited in.
+//!
+//! A browser reads entities there. Each becomes its character at the place of its last byte, with
+//! blanks before it; of several in a row the characters stay together.
+
+use super::html::{attribute, tag_length};
+use super::{Embedded, Wrapping};
+use crate::text::kind::{Evidence, is_shader};
+
+/// Finds them. `lower` is the text in lower case.
+pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) {
+    let mut at = 0;
+    while let Some(element) = next(lower, at) {
+        at = element.start;
+        let Some(content) = text.get(element.start..element.end) else {
+            return;
+        };
+        // What is shown is inside.
+        if element.name == "pre"
+            && content
+                .trim_start()
+                .to_ascii_lowercase()
+                .starts_with("<code")
+        {
+            continue;
+        }
+        let code = decode(content);
+        if is_taken(&element, &code) {
+            let label = [
+                attribute(element.head, "id"),
+                attribute(element.head, "class"),
+            ];
+            found.push(Embedded {
+                start: base + element.start,
+                code,
+                wrapping: match element.name {
+                    "textarea" => Wrapping::Element,
+                    _ => Wrapping::Listing,
+                },
+                has_holes: false,
+                is_vertex: label.iter().flatten().any(|w| w.contains("vert")),
+                chapter: 0,
+            });
+            at = element.end;
+        }
+    }
+}
+
+/// An element of code.
+struct Element<'a> {
+    name: &'static str,
+    head: &'a str,
+    start: usize,
+    end: usize,
+}
+
+fn next(lower: &str, mut at: usize) -> Option<Element<'_>> {
+    loop {
+        let open = at + lower.get(at..)?.find('<')?;
+        let rest = lower.get(open..)?;
+        at = open + 1;
+        if rest.starts_with("<!--") {
+            at = open + rest.find("-->")? + 3;
+            continue;
+        }
+        let skipped = ["script", "style"].into_iter().find(|n| opens(rest, n));
+        if let Some(name) = skipped {
+            at = open + rest.find(&format!("</{name}"))?;
+            at += 1;
+            continue;
+        }
+        let name = ["pre", "code", "textarea"]
+            .into_iter()
+            .find(|n| opens(rest, n));
+        let Some(name) = name else { continue };
+        let head = rest.get(1 + name.len()..)?;
+        let length = tag_length(head)?;
+        let start = open + 1 + name.len() + length + 1;
+        let end = start + lower.get(start..)?.find(&format!("</{name}"))?;
+        let head = head.get(..length)?;
+        return Some(Element {
+            name,
+            head,
+            start,
+            end,
+        });
+    }
+}
+
+/// Whether an element of this name starts here.
+fn opens(rest: &str, name: &str) -> bool {
+    let behind = rest.get(1..).and_then(|r| r.strip_prefix(name));
+    behind.is_some_and(|b| b.starts_with(|c: char| c.is_ascii_whitespace() || c == '>'))
+}
+
+/// Whether an element holds a shader: one of its attributes says so, or its text beyond doubt.
+fn is_taken(element: &Element, code: &str) -> bool {
+    let names = ["class", "lang", "data-lang", "data-language", "id", "name"];
+    let values = names.iter().filter_map(|n| attribute(element.head, n));
+    let words = || {
+        let split = |v| str::split(v, |c: char| !c.is_ascii_alphanumeric());
+        values.clone().flat_map(split)
+    };
+    if words().any(|w| w == "glsl") {
+        return code.contains([';', '{', '#']);
+    }
+    // Another language is named.
+    let is_other = words().any(|w| matches!(w, "language" | "lang"));
+    let evidence = Evidence::of(code);
+    !is_other && is_shader(code) && (evidence.is_glsl() || element.name == "textarea")
+}
+
+/// What a browser shows of the text of an element, byte for byte.
+fn decode(content: &str) -> String {
+    let mut code = String::with_capacity(content.len());
+    let mut rest = content;
+    while let Some(c) = rest.chars().next() {
+        let taken = match c {
+            '<' => tag(rest, &mut code),
+            '&' => entities(rest, &mut code),
+            _ => 0,
+        };
+        let length = if taken > 0 {
+            taken
+        } else {
+            code.push(c);
+            c.len_utf8()
+        };
+        rest = rest.get(length..).unwrap_or("");
+    }
+    code
+}
+
+/// Passes over a tag, as programs that colour code put them in; 0 where there is none.
+fn tag(rest: &str, code: &mut String) -> usize {
+    let inner = rest.get(1..).unwrap_or("");
+    let inner = inner.strip_prefix('/').unwrap_or(inner);
+    let names = [
+        "span", "code", "b", "i", "em", "strong", "a", "mark", "br", "pre", "div",
+    ];
+    let name = inner.split(|c: char| !c.is_ascii_alphanumeric()).next();
+    let is_tag = names.contains(&name.unwrap_or("").to_ascii_lowercase().as_str());
+    let Some(end) = rest.find('>').filter(|_| is_tag) else {
+        return 0;
+    };
+    let tag = rest.get(..end + 1).unwrap_or("");
+    code.extend(tag.bytes().map(|b| if b == b'\n' { '\n' } else { ' ' }));
+    tag.len()
+}
+
+/// Reads entities in a row; gives their length, 0 where there is none.
+fn entities(rest: &str, code: &mut String) -> usize {
+    let mut length = 0;
+    let mut read = String::new();
+    while let Some((c, own)) = rest.get(length..).and_then(entity) {
+        read.push(c);
+        length += own;
+    }
+    code.extend(std::iter::repeat_n(' ', length - read.len()));
+    code.push_str(&read);
+    length
+}
+
+/// The character of an entity, of those that are a byte, and its length.
+fn entity(rest: &str) -> Option<(char, usize)> {
+    let inner = rest.strip_prefix('&')?;
+    let end = inner.bytes().take(8).position(|b| b == b';')?;
+    let name = inner.get(..end)?;
+    let number = name.strip_prefix('#').and_then(|n| {
+        let hex = n.strip_prefix(['x', 'X']);
+        hex.map_or(n.parse().ok(), |h| u8::from_str_radix(h, 16).ok())
+    });
+    let c = match name {
+        "lt" => '<',
+        "gt" => '>',
+        "amp" => '&',
+        "quot" => '"',
+        "apos" => '\'',
+        "nbsp" => ' ',
+        _ => char::from(number.filter(u8::is_ascii)?),
+    };
+    Some((c, end + 2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The shaders of a page, with `|` between them.
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        let mut found = Vec::new();
+        extract(text, &text.to_ascii_lowercase(), 0, &mut found);
+        for shader in &found {
+            assert!(text.get(shader.start..shader.end()).is_some());
+        }
+        let codes: Vec<String> = found.into_iter().map(|s| s.code).collect();
+        assert_eq!(codes.join("|"), expected, "{text}");
+    }
+
+    #[test]
+    fn entities_keep_their_place() {
+        check(
+            "<pre class='language-glsl'>a&lt;b&amp;&amp;c&gt;=d;</pre>",
+            "a   <b        &&c   >=d;",
+        );
+        check(
+            "<PRE><code lang=glsl>a&#39;&#x3C;&copy;;</code></PRE>",
+            "a         '<&copy;;",
+        );
+    }
+
+    #[test]
+    fn elements_that_say_or_show_glsl() {
+        check(
+            "<textarea>void main() { gl_FragColor = vec4(1 &lt; 2); }</textarea>",
+            "void main() { gl_FragColor = vec4(1    < 2); }",
+        );
+        check(
+            "<code class=\"glsl\"><span class='k'>float</span> a;</code>",
+            "                float        a;",
+        );
+        check(
+            "<code class='glsl'>vec3</code><pre>void main() in C</pre>",
+            "",
+        );
+        check(
+            "<pre class='language-c'>void main() { vec3(vec2(1)); }</pre>",
+            "",
+        );
+        check("<script><pre class='glsl'>a;</pre></script>", "");
+    }
+}

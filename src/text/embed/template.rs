@@ -1,0 +1,361 @@
+//! Where the template languages of other programs put something into a shader: `${x}`, `{{ x }}`,
+//! `{x}`, `[[x]]`, `<%= x %>`, `{% if x %}`, `@X@`, `%s`, `$x` and `__X__`.
+
+use super::holes::{Content, Hole};
+use std::collections::HashSet;
+use std::ops::Range;
+
+/// The holes in a text, in its order. What can be GLSL is none.
+pub(super) fn holes(code: &str) -> Vec<Hole> {
+    let marks = ["$", "{{", "{%", "{#", "<%", "@", "%", "__", "[["];
+    let is_candidate = marks.iter().any(|m| code.contains(m)) || has_braced(code);
+    if !is_candidate {
+        return Vec::new();
+    }
+    let mut scan = Scan {
+        code,
+        known: defined(code),
+        last: None,
+        before_last: None,
+        in_list: false,
+        found: Vec::new(),
+    };
+    scan.run();
+    scan.found
+}
+
+/// Whether a word stands between braces, with no blank.
+fn has_braced(code: &str) -> bool {
+    code.match_indices('{').any(|(at, _)| {
+        let rest = code.get(at + 1..).unwrap_or("");
+        let word = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        word.is_some_and(|w| w > 0 && rest.get(w..).is_some_and(|r| r.starts_with(['}', '{'])))
+    })
+}
+
+/// The words of directives, which are macros and no holes.
+fn defined(code: &str) -> HashSet<&str> {
+    let lines = code.lines().map(str::trim_start);
+    let directives = lines.filter_map(|l| l.strip_prefix('#'));
+    let directives = directives.filter(|d| !d.trim_start().starts_with("include"));
+    let words = directives.map(|d| {
+        let rest = d.trim_start();
+        let is_test = rest.starts_with("if") || rest.starts_with("elif");
+        // What a macro stands for may be put in.
+        let count = if is_test { usize::MAX } else { 2 };
+        let split = rest.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        split.filter(|w| !w.is_empty()).take(count)
+    });
+    words.flatten().collect()
+}
+
+struct Scan<'a> {
+    code: &'a str,
+    /// Macros.
+    known: HashSet<&'a str>,
+    /// The last token.
+    last: Option<Range<usize>>,
+    /// The one before it.
+    before_last: Option<Range<usize>>,
+    /// Whether a list of values is open.
+    in_list: bool,
+    found: Vec<Hole>,
+}
+
+impl<'a> Scan<'a> {
+    fn run(&mut self) {
+        let bytes = self.code.as_bytes();
+        let mut at = 0;
+        while let Some(&byte) = bytes.get(at) {
+            let rest = self.code.get(at..).unwrap_or("");
+            if rest.starts_with("//") {
+                at += rest.find('\n').unwrap_or(rest.len());
+            } else if rest.starts_with("/*") {
+                let end = rest.get(2..).and_then(|r| r.find("*/"));
+                at += end.map_or(rest.len(), |e| e + 4);
+            } else if let Some((length, content)) = self.hole(at, rest) {
+                self.found.push(Hole {
+                    range: at..at + length,
+                    content,
+                });
+                self.passed(at..at + length);
+                at += length;
+            } else if is_word(byte) {
+                let length = word(rest).len();
+                self.passed(at..at + length);
+                at += length;
+            } else {
+                if !byte.is_ascii_whitespace() {
+                    match byte {
+                        b'{' => self.in_list |= self.text(&self.last) == "=",
+                        b';' => self.in_list = false,
+                        _ => {}
+                    }
+                    self.passed(at..at + 1);
+                }
+                at += 1;
+            }
+        }
+    }
+
+    fn passed(&mut self, token: Range<usize>) {
+        self.before_last = self.last.replace(token);
+    }
+
+    fn text(&self, token: &Option<Range<usize>>) -> &'a str {
+        let range = token.clone().unwrap_or(0..0);
+        self.code.get(range).unwrap_or("")
+    }
+
+    /// The hole that starts here: its length, and what is put in.
+    fn hole(&self, at: usize, rest: &str) -> Option<(usize, Content)> {
+        match rest.as_bytes().first()? {
+            b'$' => dollar(rest),
+            b'{' => self.braces(at, rest),
+            b'<' => {
+                let inner = rest.strip_prefix("<%")?;
+                let end = inner.find("%>")?;
+                let inner = inner.get(..end)?;
+                let content = match inner.strip_prefix(['=', '-']) {
+                    Some(value) => expression(value.trim_end_matches('-')),
+                    None => Content::Nothing,
+                };
+                Some((end + 4, content))
+            }
+            b'@' => {
+                let name = rest.trim_start_matches('@');
+                let marks = rest.len() - name.len();
+                let name = word(name);
+                let closed = rest.get(marks + name.len()..)?.starts_with('@');
+                let is_hole = !name.is_empty() && (marks == 2 || marks == 1 && closed);
+                let length = marks + name.len() + usize::from(closed);
+                is_hole.then(|| (length, expression(name)))
+            }
+            b'%' => self.percent(rest),
+            b'[' => {
+                // Nothing else is on its line.
+                let line = rest.split('\n').next()?.trim_end();
+                let name = line.strip_prefix("[[")?.strip_suffix("]]")?;
+                let before = self.code.get(..at)?.rsplit('\n').next()?;
+                let is_hole = before.trim().is_empty() && word(name.trim()) == name.trim();
+                is_hole.then(|| (line.len(), expression(name)))
+            }
+            b'_' => {
+                let name = word(rest);
+                let inner = name.strip_prefix("__")?.strip_suffix("__")?;
+                let is_shout = |b: u8| b.is_ascii_uppercase() || b.is_ascii_digit() || b == b'_';
+                let is_named = !inner.is_empty() && inner.bytes().all(is_shout);
+                let is_own = matches!(name, "__LINE__" | "__FILE__" | "__VERSION__");
+                let is_hole = is_named && !is_own && !self.known.contains(name);
+                is_hole.then(|| (name.len(), expression(name)))
+            }
+            _ => None,
+        }
+    }
+
+    /// `{{ x }}`, `{% ... %}`, `{# ... #}`, `{x}`.
+    fn braces(&self, at: usize, rest: &str) -> Option<(usize, Content)> {
+        let line = rest.split('\n').next().unwrap_or("");
+        let closed = |text: &str, close: &str| text.get(2..)?.find(close);
+        if rest.starts_with("{%") {
+            return Some((closed(rest, "%}")? + 4, Content::Nothing));
+        }
+        if rest.starts_with("{#") {
+            return Some((closed(line, "#}")? + 4, Content::Nothing));
+        }
+        if rest.starts_with("{{{") {
+            let inner = line.get(3..line.find("}}}")?)?;
+            return is_expression(inner).then(|| (inner.len() + 6, expression(inner)));
+        }
+        if let Some(end) = line.starts_with("{{").then(|| line.find("}}")).flatten() {
+            let inner = line.get(2..end)?;
+            let is_mark = inner.trim_start().starts_with(['#', '/', '!', '>', '^']);
+            if is_mark || inner.trim() == "else" {
+                return Some((end + 2, Content::Nothing));
+            }
+            let is_hole = is_expression(inner) && !self.known.contains(inner.trim());
+            return is_hole.then(|| (end + 2, expression(inner)));
+        }
+        self.brace(at, line)
+    }
+
+    /// `{x}`, with no blank; in GLSL that is a block only where `x` is a macro.
+    fn brace(&self, at: usize, line: &str) -> Option<(usize, Content)> {
+        let length = braced(line)?;
+        let inner = line.get(1..length - 1)?;
+        let next = line.get(length..)?.trim_start();
+        let touches = at.checked_sub(1).and_then(|b| self.code.as_bytes().get(b));
+        let touches = touches.is_some_and(|b| is_word(*b));
+        let owner = matches!(self.text(&self.before_last), "struct" | "uniform");
+        let last = self.text(&self.last);
+        let is_block = matches!(last, ")" | "else" | "do" | "]") || (touches && owner);
+        let is_list = self.in_list || last == "=" && next.starts_with([';', ',', '}']);
+        let is_hole = !is_block && !is_list && !self.known.contains(inner);
+        is_hole.then(|| (length, expression(inner)))
+    }
+
+    /// `%s`, `%NAME%` and `%(name)s`, where no remainder can be taken.
+    fn percent(&self, rest: &str) -> Option<(usize, Content)> {
+        let last = self.text(&self.last);
+        let line_start = self.last.as_ref().is_none_or(|l| l.end == 0);
+        let is_operand = match last.bytes().next_back() {
+            None => false,
+            // The sign of a format stands behind a hole too.
+            Some(byte) if is_word(byte) => {
+                let is_macro = self.text(&self.before_last) == "define";
+                !is_macro && !super::holes::is_keyword(last)
+            }
+            Some(byte) => matches!(byte, b')' | b']' | b'%' | b'}') && !self.ends_statement(byte),
+        };
+        if is_operand && !line_start {
+            return None;
+        }
+        let inner = rest.get(1..)?;
+        if let Some(named) = inner.strip_prefix('(') {
+            let name = word(named);
+            let behind = named.get(name.len()..)?.strip_prefix(')')?;
+            let is_format = behind.starts_with(['s', 'd', 'f', 'i', 'g']);
+            return (is_format && !name.is_empty()).then(|| (name.len() + 4, expression(name)));
+        }
+        let name = word(inner);
+        if !name.is_empty() && inner.get(name.len()..)?.starts_with('%') {
+            return Some((name.len() + 2, expression(name)));
+        }
+        let digits = inner.find(|c: char| !c.is_ascii_digit() && c != '.')?;
+        let format = inner.get(digits..)?;
+        let is_format = format.starts_with(['s', 'd', 'f', 'i', 'g', 'u', 'x'])
+            && !format
+                .get(1..)?
+                .starts_with(|c: char| c.is_ascii() && is_word(c as u8));
+        let number = self.found.len();
+        is_format.then(|| (digits + 2, Content::Expression(format!("%{number}"))))
+    }
+
+    /// Whether a brace closes a block, behind which no operator stands.
+    fn ends_statement(&self, byte: u8) -> bool {
+        byte == b'}' && self.last.as_ref().is_some_and(|l| l.len() == 1)
+    }
+}
+
+fn expression(text: &str) -> Content {
+    Content::Expression(text.trim().to_string())
+}
+
+/// `${x}`, `$x` and `$x$`; no sign of GLSL.
+fn dollar(rest: &str) -> Option<(usize, Content)> {
+    /// Longest expression, in bytes.
+    const MAX: usize = 2000;
+    if let Some(inner) = rest.strip_prefix("${") {
+        let mut depth = 1_u32;
+        let end = inner.bytes().take(MAX).position(|b| {
+            match b {
+                b'{' => depth += 1,
+                b'}' => depth -= 1,
+                _ => {}
+            }
+            depth == 0
+        })?;
+        return Some((end + 3, expression(inner.get(..end)?)));
+    }
+    let name = rest.trim_start_matches('$');
+    let marks = rest.len() - name.len();
+    let name = word(name);
+    if !name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
+        return None;
+    }
+    let behind = rest.get(marks + name.len()..)?;
+    let closing = behind.len() - behind.trim_start_matches('$').len();
+    Some((marks + name.len() + closing, expression(name)))
+}
+
+/// Length of a word between braces that may hold others: `{A_{i}}`.
+fn braced(line: &str) -> Option<usize> {
+    let mut depth = 0_u32;
+    for (at, byte) in line.bytes().enumerate() {
+        match byte {
+            b'{' => depth += 1,
+            b'}' if depth == 1 => return (at > 1).then_some(at + 1),
+            b'}' => depth -= 1,
+            b'.' if depth > 0 && at > 1 => {}
+            _ if is_word(byte) && (at > 1 || !byte.is_ascii_digit()) => {}
+            _ => return None,
+        }
+    }
+    None
+}
+
+/// Whether what stands between two braces is a value: no statement ends in it, and no block.
+fn is_expression(inner: &str) -> bool {
+    let is_bad = |c: char| matches!(c, ';' | '{' | '}' | '=' | '\n');
+    let start = inner.trim().chars().next();
+    let starts =
+        |c: char| c.is_ascii_alphabetic() || matches!(c, '_' | '$' | '&' | '@' | '~' | '"');
+    start.is_some_and(starts) && !inner.contains(is_bad)
+}
+
+fn word(text: &str) -> &str {
+    let end = text.bytes().position(|b| !is_word(b));
+    text.get(..end.unwrap_or(text.len())).unwrap_or("")
+}
+
+fn is_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_'
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The holes of a text, each with what is put in.
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        let all = holes(text);
+        let told = all.iter().map(|h| match &h.content {
+            Content::Expression(key) => format!("{}={key}", &text[h.range.clone()]),
+            _ => text[h.range.clone()].to_string(),
+        });
+        assert_eq!(told.collect::<Vec<_>>().join(" | "), expected, "{text}");
+    }
+
+    #[test]
+    fn templates_put_something_in() {
+        check("${a + {b}} $cd$ $e", "${a + {b}}=a + {b} | $cd$=cd | $e=e");
+        check(
+            "{{ a.b }} {{{c}}} {{#if d}} {{> e}}",
+            "{{ a.b }}=a.b | {{{c}}}=c | {{#if d}} | {{> e}}",
+        );
+        check(
+            "{% if a %} {# b #} <%= c %> <% d(); %>",
+            "{% if a %} | {# b #} | <%= c %>=c | <% d(); %>",
+        );
+        check("@@A @B@ __C_D__", "@@A=A | @B@=B | __C_D__=__C_D__");
+        check(
+            "v[%size%]; %blur%\nx = %s; y = %.2f;",
+            "%size%=size | %blur%=blur | %s=%2 | %.2f=%3",
+        );
+        check(
+            "vec2 uv{UV_{i}} = f({A}, {b.c}());",
+            "{UV_{i}}=UV_{i} | {A}=A | {b.c}=b.c",
+        );
+        check(
+            "a;\n{FUNCTIONS}\nvec3 t = {F}();",
+            "{FUNCTIONS}=FUNCTIONS | {F}=F",
+        );
+    }
+
+    #[test]
+    fn what_can_be_glsl_is_none() {
+        check("x = a %b; y = (a)%s; a[1]%s; c = a%b%c; x %= s;", "");
+        check(
+            "void f() {{ x = 1.; }} void g() {A} if (a) {B} else {C} do {D} while (e);",
+            "",
+        );
+        check(
+            "struct S{FIELDS}; float a[2] = {x, {y}, {z}}; float b = {x};",
+            "",
+        );
+        check("#define A x = 1.;\nvoid f() { {A} {{A}} }", "");
+        check("#ifdef __A__\n#endif\n__LINE__ __x__ a__B__c", "");
+        check("// ${a} %s\n/* {{ b }} <%= c %> */ @a # $1", "");
+    }
+}

@@ -1,0 +1,123 @@
+//! Parts of shaders without a `main`, in the strings of programs: what is certain enough to be one.
+
+use super::evidence::{Evidence, is_type};
+use super::scan::{Kind, Token, tokens};
+
+/// How much speaks for a text being a part of a shader.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Chunk {
+    /// It defines functions or declares an interface as only GLSL does.
+    Clear,
+    /// It does, and may be GLSL, where a name says so too.
+    Likely,
+    /// Anything else.
+    No,
+}
+
+/// How much speaks for a text being a part of a shader that stands for itself: functions and
+/// declarations, no statements.
+pub fn chunk(text: &str) -> Chunk {
+    if !text.contains([';', '{']) {
+        return Chunk::No;
+    }
+    let all = tokens(text);
+    let (functions, interface) = (has_function(&all), has_interface(&all));
+    if !functions && !interface {
+        return Chunk::No;
+    }
+    let evidence = Evidence::of(text);
+    match () {
+        () if functions && evidence.is_glsl() => Chunk::Clear,
+        () if evidence.may_be_part() => Chunk::Likely,
+        () => Chunk::No,
+    }
+}
+
+/// Whether there is nothing in a text but directives and comments.
+pub fn is_bare(text: &str) -> bool {
+    let mut goes_on = false;
+    let mut in_directive = false;
+    tokens(text).iter().all(|token| {
+        if token.is_first && !goes_on {
+            in_directive = token.text == "#";
+        }
+        goes_on = token.text == "\\";
+        in_directive
+    })
+}
+
+/// The tokens outside of directives, with how many brackets are open.
+fn outside<'t, 'a>(all: &'t [Token<'a>]) -> impl Iterator<Item = (usize, u32, &'t Token<'a>)> {
+    let mut depth = 0_u32;
+    let mut in_directive = false;
+    all.iter().enumerate().filter_map(move |(at, token)| {
+        if token.is_first {
+            in_directive = token.text == "#";
+        }
+        if in_directive {
+            return None;
+        }
+        match token.text {
+            "{" | "(" => depth += 1,
+            "}" | ")" => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        Some((at, depth, token))
+    })
+}
+
+/// Whether a function is defined: `type name(...) {`.
+fn has_function(all: &[Token]) -> bool {
+    let text = |at: usize| all.get(at).map_or("", |t| t.text);
+    let is_word = |at: usize| all.get(at).is_some_and(|t| t.kind == Kind::Word);
+    outside(all).any(|(at, depth, token)| {
+        let is_head = depth == 0 && is_type(token.text) && is_word(at + 1) && text(at + 2) == "(";
+        if !is_head {
+            return false;
+        }
+        let close = (at + 3..all.len()).find(|i| matches!(text(*i), ")" | ";" | "{"));
+        close.is_some_and(|c| text(c) == ")" && text(c + 1) == "{")
+    })
+}
+
+/// Whether anything is taken from outside, or handed on.
+fn has_interface(all: &[Token]) -> bool {
+    let text = |at: usize| all.get(at).map_or("", |t| t.text);
+    let is_precision = |word: &str| matches!(word, "highp" | "mediump" | "lowp");
+    outside(all).any(|(at, depth, token)| {
+        let is_qualifier = matches!(
+            token.text,
+            "uniform" | "varying" | "attribute" | "in" | "out"
+        );
+        let behind = at + 1 + usize::from(is_precision(text(at + 1)));
+        depth == 0 && token.is_first && is_qualifier && is_type(text(behind))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, expected: Chunk) {
+        assert_eq!(chunk(text), expected, "{text}");
+    }
+
+    #[test]
+    fn parts_are_told_apart() {
+        check("vec3 f(vec2 p) { return vec3(p, 1.); }", Chunk::Clear);
+        check("#define A 1\nuniform vec3 a;\n", Chunk::Likely);
+        check("float f(float p) { return p; }", Chunk::Likely);
+        check("float a = 1.;\nvec3 b = vec3(a);", Chunk::No);
+        check("int main(int a) { printf(\"x\"); }", Chunk::No);
+        check("function f(a) { return a; }", Chunk::No);
+        check("in vec2 of the text there; are words", Chunk::No);
+    }
+
+    #[test]
+    fn directives_alone_are_bare() {
+        assert!(is_bare("#version 300 es\n// x\n#define A \\\n 1\n"));
+        assert!(is_bare(""));
+        assert!(!is_bare("#version 300 es\nfloat a;"));
+    }
+}
