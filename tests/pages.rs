@@ -10,12 +10,25 @@ use shaderlint::diagnostic::{Diagnostic, ERRORS, error_page};
 use shaderlint::lint::{Allow, Fence, FenceKind, Page, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
+use shaderlint::semantic::{Kind, guess};
 use shaderlint::text::Sources;
 use std::fs;
 use std::path::Path;
 
+/// What an example is written for: a shader of its own, or common code of ShaderToy.
+fn choice(name: &str, code: &str) -> DialectChoice {
+    let is_glsl = name.ends_with(".glsl");
+    match guess(code).kind {
+        None if is_glsl => DialectChoice::Shadertoy,
+        Some(Kind::WebGl1 | Kind::WebGl2) if is_glsl && !guess(code).has_main => {
+            DialectChoice::Webgl2
+        }
+        _ => DialectChoice::Auto,
+    }
+}
+
 fn judge(name: &str, code: &str, settings: &Settings) -> (Sources, Vec<Diagnostic>) {
-    match check(name, Content::utf8(code), DialectChoice::Auto, settings) {
+    match check(name, Content::utf8(code), choice(name, code), settings) {
         Ok(findings) => (findings.sources, findings.diagnostics),
         Err(_) => panic!("{name} cannot be judged"),
     }
@@ -54,8 +67,8 @@ impl Example<'_> {
         };
         let fixed = |allow| {
             let bad = bad()?;
-            let choice = DialectChoice::Auto;
-            let fixed = fix_text(bad.file, self.content(bad), choice, &settings, allow);
+            let code = self.content(bad);
+            let fixed = fix_text(bad.file, code, choice(bad.file, code), &settings, allow);
             let (sources, left) = judge(bad.file, &fixed.text, &settings);
             match left.first() {
                 Some(d) => Err(format!("left over:\n{}", render(&sources, d))),

@@ -285,10 +285,17 @@ pub fn needs_300(text: &str) -> bool {
         };
         is_word(Version::Es300) && !is_word(Version::Es100)
     };
+    let is_type_or_name = |word: &str| {
+        let class = classify(word, Version::Es300);
+        !word.is_empty() && matches!(class, WordClass::Type(_) | WordClass::Plain)
+    };
     let mut lexer = Lexer::new(text, 0);
     let mut depth = 0_u32;
     let mut in_directive = false;
     let mut starts = true;
+    // Words that the text itself declares, in which GLSL ES 1.00 leaves it free.
+    let mut own: Vec<&str> = Vec::new();
+    let mut last = "";
     loop {
         let token = lexer.next_token();
         let range = token.span.start as usize..token.span.end as usize;
@@ -303,7 +310,8 @@ pub fn needs_300(text: &str) -> bool {
             }
             RawKind::Hash => in_directive = true,
             RawKind::Word if in_directive => {}
-            RawKind::Word if is_new(word) => return true,
+            RawKind::Word if is_new(word) && is_type_or_name(last) => own.push(word),
+            RawKind::Word if is_new(word) && !own.contains(&word) => return true,
             RawKind::Word if depth == 0 && starts && matches!(word, "in" | "out") => return true,
             RawKind::Integer if word.ends_with(['u', 'U']) => return true,
             RawKind::Operator(TokenKind::LeftParen | TokenKind::LeftBrace) => depth += 1,
@@ -312,6 +320,10 @@ pub fn needs_300(text: &str) -> bool {
             }
             _ => {}
         }
+        last = match token.kind {
+            RawKind::Word if !in_directive => word,
+            _ => "",
+        };
         let ends = [TokenKind::Semicolon, TokenKind::RightBrace].map(RawKind::Operator);
         starts = ends.contains(&token.kind);
     }
@@ -332,6 +344,8 @@ struct Seen {
     precision: bool,
     attribute: bool,
     is_300: bool,
+    /// How often `mainImage` stands there.
+    entries: u32,
 }
 
 impl Seen {
@@ -357,8 +371,8 @@ impl Seen {
             }
             behind_hash = token.kind == RawKind::Hash;
         }
-        // A text with a `main` of its own calls ShaderToy's entry itself.
-        if self.defines_main {
+        // A text with a `main` of its own may call ShaderToy's entry itself.
+        if self.defines_main && self.entries > 1 {
             self.pass = None;
         }
     }
@@ -369,7 +383,10 @@ impl Seen {
                 self.version = true;
                 self.is_300 = behind.trim_start_matches([' ', '\t']).starts_with("300");
             }
-            "mainImage" if may_be_entry(behind) => self.pass = Some(Pass::Image),
+            "mainImage" if may_be_entry(behind) => {
+                self.pass = Some(Pass::Image);
+                self.entries += 1;
+            }
             "mainCubemap" if self.pass.is_none() => self.pass = Some(Pass::Cubemap),
             "mainSound" if self.pass.is_none() => self.pass = Some(Pass::Sound),
             "attribute" | "varying" | "gl_FragColor" | "gl_FragData" | "texture2D"

@@ -21,6 +21,8 @@ pub enum Extent {
     Whole,
     /// A part: something may stand before and behind it.
     Part,
+    /// A part that may be cut anywhere: others may close its braces.
+    Piece,
     /// A part in which something is left out, too.
     Excerpt,
 }
@@ -72,6 +74,7 @@ fn certainty(rule: &str) -> Certainty {
         | error::MACRO_ARGUMENTS
         | error::MACRO_REDEFINITION
         | error::BAD_DIRECTIVE
+        | error::UNBALANCED_CONDITIONAL
         | error::MISSING_RETURN
         | error::VOID_VALUE
         | error::INVALID_ARRAY => Certainty::Meaning,
@@ -96,7 +99,7 @@ pub(super) fn keep_certain(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> BTreeSet<String> {
     let mut holes = BTreeSet::new();
-    let part = Part::of(program);
+    let part = Part::of(program, extent);
     let slips = part.slips(diagnostics);
     let is_torn = extent == Extent::Excerpt
         || diagnostics
@@ -118,6 +121,7 @@ pub(super) fn keep_certain(
 /// What is known of a part.
 struct Part<'p, 'a> {
     program: &'p Program<'a>,
+    extent: Extent,
     /// Places of the tokens that the user sees, in the order of the text.
     places: Vec<(Span, u32)>,
     /// Names that the part or the language declares.
@@ -133,7 +137,7 @@ struct Part<'p, 'a> {
 }
 
 impl<'p, 'a> Part<'p, 'a> {
-    fn of(program: &'p Program<'a>) -> Part<'p, 'a> {
+    fn of(program: &'p Program<'a>, extent: Extent) -> Part<'p, 'a> {
         let tokens = program.tokens.tokens.iter().zip(0..);
         let mut places: Vec<(Span, u32)> = tokens.map(|(t, i)| (t.span, i)).collect();
         places.sort_by_key(|(span, _)| span.start);
@@ -144,6 +148,7 @@ impl<'p, 'a> Part<'p, 'a> {
         };
         Part {
             program,
+            extent,
             places,
             known: known_names(program),
             own_functions: program.functions.iter().filter_map(place).collect(),
@@ -175,7 +180,10 @@ impl<'p, 'a> Part<'p, 'a> {
         let is_open = d.rule == error::UNCLOSED_DELIMITER
             && !matches!(self.program.sources.text(d.span), "(" | ")" | "[" | "]");
         let is_outside = d.message.starts_with("statements can only stand");
-        is_outside || is_torn && (is_open || d.rule == error::LOCAL_FUNCTION)
+        let is_torn = is_torn || self.extent == Extent::Piece;
+        let is_cut =
+            matches!(self.extent, Extent::Piece | Extent::Excerpt) && self.is_at_end(d.span);
+        is_outside || is_cut || is_torn && (is_open || d.rule == error::LOCAL_FUNCTION)
     }
 
     /// Whether an error between types holds for every host.
@@ -199,9 +207,12 @@ impl<'p, 'a> Part<'p, 'a> {
                 let is_own = d.labels.iter().any(|l| self.is_user(l.span));
                 is_own && !is_torn && !d.labels.iter().any(|l| self.is_undecided(l.span))
             }
+            error::UNBALANCED_CONDITIONAL => self.extent == Extent::Part && !is_torn,
             error::MACRO_REDEFINITION => {
                 let is_sure = |span| self.is_user(span) && !self.is_undecided(span);
-                is_sure(d.span) && d.labels.iter().all(|l| is_sure(l.span))
+                self.extent != Extent::Excerpt
+                    && is_sure(d.span)
+                    && d.labels.iter().all(|l| is_sure(l.span))
             }
             // The word behind the point may be a macro, too.
             error::INVALID_SWIZZLE => {
@@ -225,7 +236,12 @@ impl<'p, 'a> Part<'p, 'a> {
         let word = line.strip_prefix('#').unwrap_or(line).trim_start();
         let end = word.find(|c: char| !c.is_ascii_alphabetic());
         let word = word.get(..end.unwrap_or(word.len())).unwrap_or("");
-        DIRECTIVES.contains(&word) && word != "version"
+        let rest = line.split('\n').next().unwrap_or("");
+        // Hosts with a preprocessor of their own take more conditions.
+        DIRECTIVES.contains(&word)
+            && !word.starts_with("if")
+            && !matches!(word, "version" | "elif")
+            && !rest.contains(['{', '$', '@'])
     }
 
     fn token(&self, index: usize) -> Option<Token> {
@@ -241,6 +257,16 @@ impl<'p, 'a> Part<'p, 'a> {
     fn is_user(&self, span: Span) -> bool {
         let file = self.program.sources.file_at(span.start);
         file.is_some_and(|f| f.role == Role::User)
+    }
+
+    /// Whether nothing of the user's text follows a place, but closing braces of its host.
+    fn is_at_end(&self, span: Span) -> bool {
+        let at = self.at(span.start);
+        let own = |i: usize| {
+            let token = self.token(i)?;
+            (token.kind != TokenKind::End && self.is_user(token.span)).then_some(token)
+        };
+        own(at).is_none() || own(at + 1).is_none()
     }
 
     /// The first token at or behind an address.

@@ -79,11 +79,26 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     {
         diagnostics.retain(|d| d.rule != error::MISSING_MAIN);
     }
+    if unit.extent != Extent::Whole {
+        keep_own(unit.sources, &mut diagnostics);
+    }
     limit(&mut diagnostics);
     Analysis {
         program,
         diagnostics,
         holes,
+    }
+}
+
+/// Keeps what is said of the user's text, without what it says of a host's.
+fn keep_own(sources: &Sources, diagnostics: &mut Vec<Diagnostic>) {
+    let is_user = |span: Span| {
+        let file = sources.file_at(span.start);
+        file.is_some_and(|f| f.role == Role::User && f.span().contains(span))
+    };
+    diagnostics.retain(|d| is_user(d.span));
+    for diagnostic in diagnostics {
+        diagnostic.labels.retain(|l| is_user(l.span));
     }
 }
 

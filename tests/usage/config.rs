@@ -188,11 +188,33 @@ fn the_host_declares_uniforms() {
 fn three_declares_its_names() {
     let code = "varying vec2 vUv;\nvoid main() {\n    vUv = uv;\n    \
         gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);\n}\n";
-    let scratch = Scratch::new(&[("a.vert", code)]);
-    assert_eq!(scratch.run(&["a.vert"]).code, 1);
-    scratch.write("shaderlint.toml", "host = \"three\"");
-    let ran = scratch.run(&["-q", "a.vert"]);
-    assert_eq!((ran.code, ran.out.as_str()), (0, ""));
+    let wrong = code.replace("vec4(position, 1.0)", "vec4(normal.xy, 1.0)");
+    let misspelt = code.replace("modelViewMatrix", "modelVeiwMatrix");
+    let files = [
+        ("a.vert", code),
+        ("wrong.vert", &wrong),
+        ("misspelt.vert", &misspelt),
+    ];
+    let scratch = Scratch::new(&files);
+    for config in ["", "host = \"three\""] {
+        scratch.write("shaderlint.toml", config);
+        let ran = scratch.run(&["-q", "a.vert"]);
+        assert_eq!((ran.code, ran.out.as_str()), (0, ""), "{config}");
+        let ran = scratch.run(&["-q", "--format", "short", "wrong.vert"]);
+        assert!(
+            ran.out
+                .starts_with("wrong.vert:4:56: error[constructor-arguments]"),
+            "{}",
+            ran.out
+        );
+        let ran = scratch.run(&["-q", "--format", "short", "misspelt.vert"]);
+        assert!(
+            ran.out
+                .starts_with("misspelt.vert:4:38: warning[undeclared-name]"),
+            "{}",
+            ran.out
+        );
+    }
 }
 
 #[test]

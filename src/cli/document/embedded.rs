@@ -8,6 +8,7 @@ use crate::semantic::Stage;
 use crate::semantic::snippet::{Item, items};
 use crate::syntax::{Version, WordClass, classify};
 use crate::text::embed::{Embedded, Host, Language, Wrapping};
+use crate::text::kind::own_directive;
 use crate::text::{FileId, Role};
 use std::collections::BTreeMap;
 
@@ -31,7 +32,8 @@ pub(super) fn parts(
     let mut known = Known::default();
     for embedded in &all {
         known.enter(embedded.chapter);
-        if foreign::inside(read, file, embedded, options)? {
+        let is_other = own_directive(&embedded.code).is_some();
+        if is_other || foreign::inside(read, file, embedded, options)? {
             continue;
         }
         let part = part(read, file, embedded, host, &mut known, options)?;
@@ -61,7 +63,11 @@ fn part(
     let text = Text {
         files,
         stage: embedded.is_vertex.then_some(Stage::Vertex),
-        place: Place::Embedded,
+        place: match embedded.wrapping {
+            Wrapping::Element => Place::Element,
+            Wrapping::Template | Wrapping::Quotes => Place::Literal,
+            Wrapping::Fence | Wrapping::Listing => Place::Shown,
+        },
         is_open: false,
         has_holes: is_excerpt || embedded.has_holes,
     };

@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
-use crate::semantic::{Dialect, Extent, Stage};
+use crate::semantic::{Dialect, Extent, Kind, Stage, guess};
 use crate::syntax::{Lexer, RawKind, Version};
 use crate::text::embed::{Host, mask};
 use crate::text::kind::ending;
@@ -204,7 +204,7 @@ pub(super) fn shader_part(
         "frag" | "fs" | "fsh" => Some(Stage::Fragment),
         _ => None,
     };
-    let masked = mask(text).filter(|_| options.dialect == DialectChoice::Auto);
+    let masked = mask(text).filter(|_| may_be_template(text, options));
     let has_holes = masked.is_some();
     let (files, is_open) = match masked {
         Some(code) => (vec![read.sources.embed(file, 0, code)?], true),
@@ -232,6 +232,15 @@ pub(super) fn shader_part(
         host: Host::default(),
     });
     Some(())
+}
+
+/// Whether a program may fill holes in a shader file. In a text that shows itself to be whole only
+/// what has no meaning in GLSL and two ends is one.
+fn may_be_template(text: &str, options: &Options) -> bool {
+    let kind = guess(text).kind;
+    let is_whole = matches!(kind, Some(Kind::Versioned | Kind::ShaderToy(_)));
+    let has_ends = ["${", "{{", "<%", "{%"].iter().any(|s| text.contains(s));
+    options.dialect == DialectChoice::Auto && (has_ends || !is_whole)
 }
 
 /// Puts what the host declares where it belongs: before the text, but behind `#version`.

@@ -64,8 +64,12 @@ pub enum Place {
     File,
     /// In the file that goes with ShaderToy passes of its folder.
     CommonFile,
-    /// In a page, a script or a text.
-    Embedded,
+    /// In an element of a page.
+    Element,
+    /// In a string of a script, which may put more around it.
+    Literal,
+    /// In a text that shows it.
+    Shown,
 }
 
 /// A text and the ways to read it.
@@ -111,7 +115,9 @@ impl Readings {
         // What the text includes is a part of it, and found includes are no directives any more.
         let joined = (text.files.len() > 1).then(|| code_of(sources, &text.files));
         let code = joined.as_deref().unwrap_or(code);
-        let told = guess(code);
+        let mut told = guess(code);
+        // Where directives were followed, what is missing is known.
+        told.is_completed &= joined.is_none();
         let kind = kind_of(&told, &text, code, options.dialect);
         let standing = standing(kind, &told, &text, code, options.dialect);
         let needs_300 = standing != Standing::Whole && needs_300(code);
@@ -148,6 +154,11 @@ impl Readings {
     /// Whether the text has a `#version`.
     pub fn has_version(&self) -> bool {
         self.told.kind == Some(Kind::Versioned)
+    }
+
+    /// Whether the text may be cut anywhere: scripts put shaders together of such pieces.
+    fn is_piece(&self) -> bool {
+        self.text.place == Place::Literal && !self.has_version()
     }
 
     /// Whether ShaderToy's player runs the text.
@@ -274,6 +285,7 @@ impl Readings {
     pub fn check<'a>(&'a self, sources: &'a Sources, infer_channels: bool) -> Option<Checked<'a>> {
         let extent = match self.standing {
             Standing::Whole | Standing::Complete => Extent::Whole,
+            Standing::Part if self.is_piece() => Extent::Piece,
             Standing::Part => Extent::Part,
             Standing::Excerpt => Extent::Excerpt,
         };
@@ -289,10 +301,10 @@ impl Readings {
         if extent == Extent::Whole {
             let (first, others) = all.split_first()?;
             let analysis = analyze(&unit(first, extent));
+            // What the text itself defines, however badly, no host has to.
             let is_macro = |name: &str| {
-                let name = analysis.program.names.get(name);
-                let macros = &analysis.program.tokens.macros;
-                name.is_some_and(|name| macros.iter().any(|m| m.name == name))
+                let files = &first.files;
+                !name.is_empty() && code_of(sources, files).contains(&format!("define {name}"))
             };
             let lacks = analysis
                 .diagnostics
@@ -304,6 +316,7 @@ impl Readings {
             all = others;
         }
         let extent = match extent {
+            Extent::Whole if self.is_piece() => Extent::Piece,
             Extent::Whole => Extent::Part,
             extent => extent,
         };
@@ -380,13 +393,15 @@ fn standing(
     if text.has_holes {
         return Standing::Excerpt;
     }
-    let is_embedded = text.place == Place::Embedded;
+    let is_literal = text.place == Place::Literal;
     match kind {
         _ if choice != DialectChoice::Auto => Standing::Whole,
         _ if text.is_open || told.is_completed => Standing::Part,
         // A literal with nothing but the head of a shader is put together with others.
-        Some(Kind::Versioned) if is_embedded && !has_main(code) => Standing::Part,
+        Some(Kind::Versioned) if is_literal && !has_main(code) => Standing::Part,
+        Some(Kind::Versioned) if text.place == Place::Shown => Standing::Complete,
         Some(Kind::ShaderToy(_) | Kind::Versioned) => Standing::Whole,
+        Some(Kind::WebGl1) if is_literal => Standing::Part,
         // Words of both versions: the host makes one of them.
         Some(Kind::WebGl1) if told.has_main && !needs_300(code) => match told.is_supplied {
             true => Standing::Whole,

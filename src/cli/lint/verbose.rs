@@ -69,7 +69,7 @@ fn told(shader: &Shader, findings: &Findings) -> String {
             names.join("`, `")
         ),
         (Extent::Excerpt, Unrun::Everywhere) => ", an excerpt: rules not run".to_string(),
-        (Extent::Part, Unrun::Everywhere) => {
+        (Extent::Part | Extent::Piece, Unrun::Everywhere) => {
             ", parts of which are elsewhere: rules not run".to_string()
         }
         (Extent::Whole, Unrun::Everywhere) => ", rules not run for its errors".to_string(),

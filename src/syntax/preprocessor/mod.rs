@@ -19,7 +19,7 @@ pub use macros::{Expansion, Macro, MacroId, Piece};
 use super::lexer::{Lexer, unsplice};
 use super::names::{Name, Names, Version, WordClass};
 use super::token::{RawKind, RawToken, Token, TokenKind};
-use crate::diagnostic::{Diagnostic, Fix, MacroUse, Origin, Severity, error};
+use crate::diagnostic::{Diagnostic, Fix, MacroUse, error};
 use crate::text::{Edit, FileId, Role, Sources, Span};
 use input::{Input, List};
 use macros::Expander;
@@ -314,48 +314,6 @@ impl<'a> Preprocessor<'a> {
             self.out.inactive.push(Span::new(from, end));
         }
         self.next_file()
-    }
-
-    fn is_byte_order_mark(&self, span: Span) -> bool {
-        span.start == self.base && self.raw_text(span) == "\u{feff}"
-    }
-
-    /// A byte order mark at the start of the text, which the browser takes for code. That of a file
-    /// is left out by a page that fetches the file as text.
-    #[cold]
-    fn byte_order_mark(&mut self, span: Span) {
-        let file = self.sources.file_at(span.start);
-        if file.is_some_and(|f| f.base == span.start && f.part.is_none()) {
-            let message = "the file starts with a byte order mark";
-            let rule = error::INVALID_CHARACTER;
-            let d = Diagnostic::new(rule, Origin::Compiler, Severity::Warning, span, message);
-            return self.report(
-                d.note("the invisible character U+FEFF is no part of GLSL; `fetch` leaves it out, other ways to load a file may not")
-                    .fix(Fix::safe("take it out", vec![Edit::delete(span)])),
-            );
-        }
-        let before_version = self.text.get(span.len() as usize..).is_some_and(|rest| {
-            rest.trim_start()
-                .strip_prefix('#')
-                .is_some_and(|r| r.trim_start().starts_with("version"))
-        });
-        let d = if before_version {
-            error_at(
-                error::VERSION_PLACEMENT,
-                span,
-                "a byte order mark stands before `#version`",
-            )
-        } else {
-            error_at(
-                error::INVALID_CHARACTER,
-                span,
-                "the shader starts with a byte order mark",
-            )
-        };
-        self.report(
-            d.note("the invisible character U+FEFF is no part of GLSL; save the file as UTF-8 without BOM")
-                .fix(Fix::safe("take it out", vec![Edit::delete(span)])),
-        );
     }
 
     #[inline(never)]

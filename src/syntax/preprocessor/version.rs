@@ -3,7 +3,7 @@
 use super::directive::KNOWN_EXTENSIONS;
 use super::macros::Piece;
 use super::{Preprocessor, error_at};
-use crate::diagnostic::{Fix, error};
+use crate::diagnostic::{Diagnostic, Fix, Origin, Severity, error};
 use crate::syntax::names::Version;
 use crate::syntax::token::TokenKind;
 use crate::text::{Edit, Span};
@@ -186,5 +186,47 @@ impl Preprocessor<'_> {
                 Edit::delete(Span::new(span.start, span.end + newline)),
             ],
         )
+    }
+
+    pub(super) fn is_byte_order_mark(&self, span: Span) -> bool {
+        span.start == self.base && self.raw_text(span) == "\u{feff}"
+    }
+
+    /// A byte order mark at the start of the text, which the browser takes for code. That of a file
+    /// is left out by a page that fetches the file as text.
+    #[cold]
+    pub(super) fn byte_order_mark(&mut self, span: Span) {
+        let file = self.sources.file_at(span.start);
+        if file.is_some_and(|f| f.base == span.start && f.part.is_none()) {
+            let message = "the file starts with a byte order mark";
+            let rule = error::INVALID_CHARACTER;
+            let d = Diagnostic::new(rule, Origin::Compiler, Severity::Warning, span, message);
+            return self.report(
+                d.note("the invisible character U+FEFF is no part of GLSL; `fetch` leaves it out, other ways to load a file may not")
+                    .fix(Fix::safe("take it out", vec![Edit::delete(span)])),
+            );
+        }
+        let before_version = self.text.get(span.len() as usize..).is_some_and(|rest| {
+            rest.trim_start()
+                .strip_prefix('#')
+                .is_some_and(|r| r.trim_start().starts_with("version"))
+        });
+        let d = if before_version {
+            error_at(
+                error::VERSION_PLACEMENT,
+                span,
+                "a byte order mark stands before `#version`",
+            )
+        } else {
+            error_at(
+                error::INVALID_CHARACTER,
+                span,
+                "the shader starts with a byte order mark",
+            )
+        };
+        self.report(
+            d.note("the invisible character U+FEFF is no part of GLSL; save the file as UTF-8 without BOM")
+                .fix(Fix::safe("take it out", vec![Edit::delete(span)])),
+        );
     }
 }

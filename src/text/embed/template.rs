@@ -5,6 +5,9 @@ use super::holes::{Content, Hole};
 use std::collections::HashSet;
 use std::ops::Range;
 
+/// Longest hole, in bytes.
+const MAX_HOLE: usize = 1_000;
+
 /// The holes in a text, in its order. What can be GLSL is none.
 pub(super) fn holes(code: &str) -> Vec<Hole> {
     let marks = ["$", "{{", "{%", "{#", "<%", "@", "%", "__", "[["];
@@ -109,6 +112,9 @@ impl<'a> Scan<'a> {
 
     /// The hole that starts here: its length, and what is put in.
     fn hole(&self, at: usize, rest: &str) -> Option<(usize, Content)> {
+        let end = (0..=rest.len().min(MAX_HOLE)).rev();
+        let end = end.into_iter().find(|end| rest.is_char_boundary(*end));
+        let rest = rest.get(..end.unwrap_or(0)).unwrap_or("");
         match rest.as_bytes().first()? {
             b'$' => dollar(rest),
             b'{' => self.braces(at, rest),
@@ -136,8 +142,9 @@ impl<'a> Scan<'a> {
                 // Nothing else is on its line.
                 let line = rest.split('\n').next()?.trim_end();
                 let name = line.strip_prefix("[[")?.strip_suffix("]]")?;
-                let before = self.code.get(..at)?.rsplit('\n').next()?;
-                let is_hole = before.trim().is_empty() && word(name.trim()) == name.trim();
+                let before = self.code.get(..at)?.trim_end_matches([' ', '\t']);
+                let is_first = before.is_empty() || before.ends_with('\n');
+                let is_hole = is_first && word(name.trim()) == name.trim();
                 is_hole.then(|| (line.len(), expression(name)))
             }
             b'_' => {

@@ -233,6 +233,10 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
     if let Some(tongue) = evidence.other() {
         return Decision::new(FileKind::Other, format!("it holds {tongue}"));
     }
+    if let Some(word) = own_directive(text) {
+        let reason = format!("`{word}` belongs to a program that makes GLSL of it");
+        return Decision::new(FileKind::Other, reason);
+    }
     match (kind, claim) {
         (Ending::Stage, _) if evidence.version.is_none() => Decision::new(
             FileKind::Foreign(Tongue::Desktop),
@@ -298,6 +302,23 @@ fn is_packed(name: &str) -> bool {
     [".min.js", ".min.mjs", ".min.cjs"]
         .iter()
         .any(|e| name.ends_with(e))
+}
+
+/// A word behind an `@` at the start of a line, by which a program takes shaders out of a text. What
+/// it imports is a file like any other.
+pub fn own_directive(text: &str) -> Option<&str> {
+    if !text.contains('@') {
+        return None;
+    }
+    text.lines().find_map(|line| {
+        let line = line.trim();
+        let behind = line.strip_prefix('@')?;
+        let end = behind.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let word = behind.get(..end.unwrap_or(behind.len()))?;
+        let is_closed = behind.get(word.len()..).is_some_and(|b| b.starts_with('@'));
+        let is_word = word.starts_with(|c: char| c.is_ascii_lowercase());
+        (is_word && word != "import" && !is_closed).then(|| line.get(..=word.len()))?
+    })
 }
 
 /// Whether a text that something else holds is a shader beyond doubt: it starts with `#version` or
