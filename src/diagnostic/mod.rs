@@ -5,6 +5,7 @@ mod code;
 pub use code::{ERRORS, error, error_page};
 
 use crate::text::{Edit, Span};
+use std::sync::Arc;
 
 /// How bad a finding is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -134,6 +135,8 @@ pub struct Diagnostic {
     pub macros: Vec<MacroUse>,
     /// How to mend it.
     pub fix: Option<Fix>,
+    /// Of a part of a shader: the hosts that are thought to complete it.
+    pub part: Option<Arc<[String]>>,
 }
 
 impl Diagnostic {
@@ -162,6 +165,7 @@ impl Diagnostic {
             help: Vec::new(),
             macros: Vec::new(),
             fix: None,
+            part: None,
         }
     }
 

@@ -101,6 +101,10 @@ struct JsonDiagnostic<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     fix: Option<JsonFix<'a>>,
     page: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    part: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    host: Option<String>,
 }
 
 fn convert<'a>(sources: &'a Sources, d: &'a Diagnostic) -> JsonDiagnostic<'a> {
@@ -141,6 +145,12 @@ fn convert<'a>(sources: &'a Sources, d: &'a Diagnostic) -> JsonDiagnostic<'a> {
             edits: f.edits.iter().map(edit).collect(),
         }),
         page: d.page(),
+        part: d.part.as_ref().map(|_| true),
+        host: d
+            .part
+            .as_ref()
+            .filter(|p| !p.is_empty())
+            .map(|p| p.join(", ")),
     }
 }
 
@@ -186,6 +196,8 @@ pub fn end(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
         "fixed": summary.fixed,
         "failing": summary.failing,
         "left_out": summary.left_out,
+        "parts": summary.parts,
+        "open_names": summary.open_names.len(),
         "unrun_shaders": summary.unrun_shaders,
         "unrun_functions": unrun
     });

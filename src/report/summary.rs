@@ -15,6 +15,8 @@ pub struct Scope {
     pub unrun_shaders: usize,
     /// The functions in which no rule ran, since they have errors.
     pub unrun_functions: Vec<String>,
+    /// The names that hosts have to declare for its parts of shaders.
+    pub open_names: BTreeSet<String>,
     /// Findings that are not handed on, since there are too many.
     pub left_out: usize,
     /// Errors that were not asked for.
@@ -56,6 +58,10 @@ pub struct Summary {
     pub failing: usize,
     /// The names of those rules.
     pub failing_rules: BTreeSet<&'static str>,
+    /// Files that hold parts of shaders which lack names.
+    pub parts: usize,
+    /// Those names.
+    pub open_names: BTreeSet<String>,
     /// Shaders in which no rule ran.
     pub unrun_shaders: usize,
     /// Functions in which no rule ran, in the order of the text, and the file of each.
@@ -80,6 +86,8 @@ impl Summary {
         self.hidden += scope.hidden;
         self.known += scope.known;
         self.unrun_shaders += scope.unrun_shaders;
+        self.parts += usize::from(!scope.open_names.is_empty());
+        self.open_names.extend(scope.open_names.iter().cloned());
         self.failing += scope.failing.len();
         self.failing_rules.extend(&scope.failing);
         // A function may stand in several passes.
@@ -194,6 +202,19 @@ impl Summary {
             lines.push(format!(
                 "rules did not run in {}, whose errors reach beyond one function",
                 count(self.unrun_shaders, "shader")
+            ));
+        }
+        if self.parts > 0 {
+            let files = match self.parts {
+                1 => "1 file is a part of a shader".to_string(),
+                n => format!("{n} files are parts of shaders"),
+            };
+            let names = match self.open_names.len() {
+                1 => "1 name comes".to_string(),
+                n => format!("{n} names come"),
+            };
+            lines.push(format!(
+                "{files}; {names} from what completes them: `[host]` in shaderlint.toml makes them checked"
             ));
         }
         lines

@@ -77,6 +77,7 @@ fn part(
         infer_channels: first.dialect.is_shadertoy(),
         readings,
         host,
+        missing: Vec::new(),
     })
 }
 

@@ -1,10 +1,11 @@
 //! One shader of an input.
 
+use super::foreign;
 use super::host::Hosts;
-use super::include::{is_common, spread};
+use super::include::{Missing, is_common, spread};
 use super::reading::{Checked, Place, Reading, Readings, Standing, Text};
 use super::{DialectChoice, HostUniform, Options, Read};
-use crate::diagnostic::{Diagnostic, Severity};
+use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
@@ -14,6 +15,7 @@ use crate::text::embed::{Host, mask};
 use crate::text::kind::ending;
 use crate::text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// One shader of an input.
 pub struct Part {
@@ -23,6 +25,8 @@ pub struct Part {
     pub infer_channels: bool,
     /// The page or script around it.
     pub host: Host,
+    /// What it includes and is not found.
+    pub missing: Vec<Missing>,
 }
 
 impl Part {
@@ -37,6 +41,7 @@ impl Part {
             readings: Readings::whole(reading),
             infer_channels: false,
             host: Host::default(),
+            missing: Vec::new(),
         }
     }
 
@@ -124,6 +129,10 @@ fn tell_part(
             file.is_some_and(|f| f.role == Role::User)
         };
         found.retain(is_user);
+        if extent != Extent::Whole {
+            // What a host makes of it is not known well enough to write anything unasked.
+            foreign::ask_first(&mut found);
+        }
         found.sort_by_key(|d| (d.span.start, d.span.end));
         left_out = found.len().saturating_sub(MAX_FINDINGS);
         found.truncate(MAX_FINDINGS);
@@ -132,8 +141,18 @@ fn tell_part(
     } else {
         Unrun::Everywhere
     };
+    if extent != Extent::Whole {
+        // The program around a part knows its names.
+        let names = analysis.diagnostics.iter_mut();
+        let renamed = names.filter(|d| d.rule == error::RESERVED_WORD);
+        renamed.for_each(|d| foreign::ask_first(std::slice::from_mut(d)));
+    }
     diagnostics.append(&mut analysis.diagnostics);
     let own = diagnostics.get_mut(known..).unwrap_or(&mut []);
+    if extent != Extent::Whole {
+        let hosts: Arc<[String]> = part.readings.hosts.as_slice().into();
+        own.iter_mut().for_each(|d| d.part = Some(hosts.clone()));
+    }
     if own.iter().any(|d| d.fix.is_some()) {
         let mut comments = analysis.program.tokens.comments.clone();
         comments.sort();
@@ -145,6 +164,7 @@ fn tell_part(
     let judged = (errors > 0).then(|| Judged::of(program));
     let own = |id: &&FileId| sources.code(**id).is_some_and(|c| c.role == Role::User);
     let shader = Shader {
+        missing: part.missing.clone(),
         file: part.reading()?.files.iter().rev().find(own).copied(),
         stage: program.stage,
         dialect: program.dialect,
@@ -185,6 +205,8 @@ pub struct Shader {
     pub holes: BTreeSet<String>,
     /// The hosts that are thought to complete it.
     pub hosts: Vec<String>,
+    /// What it includes and is not found.
+    pub missing: Vec<Missing>,
 }
 
 /// Most findings of the rules in one shader; whoever mends these sees the next.
@@ -206,11 +228,11 @@ pub(super) fn shader_part(
     };
     let masked = mask(text).filter(|_| may_be_template(text, options));
     let has_holes = masked.is_some();
-    let (files, is_open) = match masked {
-        Some(code) => (vec![read.sources.embed(file, 0, code)?], true),
+    let (files, is_open, missing) = match masked {
+        Some(code) => (vec![read.sources.embed(file, 0, code)?], true, Vec::new()),
         None => {
             let own = spread(read, name, file, text, options)?;
-            (own.files, own.is_open)
+            (own.files, own.is_open, own.missing)
         }
     };
     let about = Text {
@@ -230,6 +252,7 @@ pub(super) fn shader_part(
         infer_channels: first.dialect.is_shadertoy(),
         readings,
         host: Host::default(),
+        missing,
     });
     Some(())
 }

@@ -137,7 +137,9 @@ impl Readings {
             found.host(sources, &[preset], options)?;
             let is_all = told.has_main && preset.is_complete && !found.text.is_open;
             let is_all = is_all && !told.is_completed && standing != Standing::Excerpt;
-            found.standing = if is_all { Standing::Whole } else { standing };
+            if is_all {
+                found.standing = Standing::Whole;
+            }
             return Some(found);
         }
         if !matches!(standing, Standing::Part | Standing::Excerpt)

@@ -23,6 +23,7 @@ use args::Talk;
 use baseline::Baseline;
 use examine::{Outcome, Work, examine_all};
 use mend::{Mend, Mended};
+use std::collections::HashSet;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::sync::Arc;
@@ -108,6 +109,7 @@ fn judge(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<(Su
         configs,
         baseline,
         told: Vec::new(),
+        said: HashSet::new(),
         all_well: true,
     };
     let mut work = Work {
@@ -155,6 +157,9 @@ fn reporter(args: &Args, format: Format, prints_text: bool) -> Reporter<BufWrite
     }
 }
 
+/// A finding: its file, the pass, where it starts, the rule and the message.
+type Said = ((String, Option<String>, u32), &'static str, String);
+
 /// Prints what became of inputs.
 struct Printer<'a> {
     reporter: Reporter<BufWriter<Box<dyn Write>>>,
@@ -163,6 +168,8 @@ struct Printer<'a> {
     baseline: Option<Baseline>,
     /// Mistakes in configurations that were told.
     told: Vec<Arc<str>>,
+    /// The findings that were printed: a file may be included by many.
+    said: HashSet<Said>,
     /// Whether all could be read and written.
     all_well: bool,
 }
@@ -242,6 +249,18 @@ impl Printer<'_> {
             found.retain(|d| settings.reports(d.rule));
             scope.hidden = before - found.iter().filter(is_error).count();
         }
+        let sources = &findings.sources;
+        found.retain(|d| {
+            let Some(file) = sources.file_at(d.span.start) else {
+                return true;
+            };
+            let place = (
+                file.path.clone(),
+                file.part.clone(),
+                d.span.start - file.base,
+            );
+            self.said.insert((place, d.rule, d.message.clone()))
+        });
         if let Some(baseline) = &mut self.baseline {
             let before = found.len();
             baseline.filter(&input.name, &findings.sources, found);
@@ -269,6 +288,7 @@ fn findings_scope(shaders: &[Shader]) -> Scope {
         ..Scope::default()
     };
     for shader in shaders {
+        scope.open_names.extend(shader.holes.iter().cloned());
         match &shader.unrun {
             Unrun::Functions { names, .. } => scope.unrun_functions.extend(names.iter().cloned()),
             Unrun::Everywhere if shader.has_errors && shader.extent == Extent::Whole => {

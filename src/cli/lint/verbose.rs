@@ -9,6 +9,9 @@ use crate::semantic::{Dialect, Pass, Stage};
 use crate::syntax::Version;
 use std::path::Path;
 
+/// Most names that are told of one shader.
+const MAX_NAMES: usize = 20;
+
 /// What one file was read as.
 pub fn read(input: &InputFile, findings: &Findings, configs: &Configs) -> String {
     let here = std::env::current_dir().unwrap_or_default();
@@ -74,7 +77,32 @@ fn told(shader: &Shader, findings: &Findings) -> String {
         }
         (Extent::Whole, Unrun::Everywhere) => ", rules not run for its errors".to_string(),
     };
-    format!("{kind}{part}{unrun}")
+    format!("{kind}{part}{unrun}{}", completed(shader))
+}
+
+/// Of a part: who completes it, and what it lacks.
+fn completed(shader: &Shader) -> String {
+    let mut told = String::new();
+    if !shader.hosts.is_empty() {
+        told.push_str(&format!(", for {}", shader.hosts.join(" or ")));
+    }
+    let names = &shader.holes;
+    if !names.is_empty() {
+        let first: Vec<&str> = names.iter().map(String::as_str).take(MAX_NAMES).collect();
+        let more = match names.len().saturating_sub(MAX_NAMES) {
+            0 => String::new(),
+            n => format!(" and {n} more"),
+        };
+        told.push_str(&format!(", which declares `{}`{more}", first.join("`, `")));
+    }
+    for missing in &shader.missing {
+        let places = missing.looked_in.join(", ");
+        told.push_str(&format!(", `{}` {}", missing.path, missing.why));
+        if !places.is_empty() {
+            told.push_str(&format!(" (looked in {places})"));
+        }
+    }
+    told
 }
 
 /// What folders hold that was not looked at.

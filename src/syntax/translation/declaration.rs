@@ -1,6 +1,7 @@
 //! Declarations that GLSL has not, or that it writes in another way.
 
 use super::*;
+use crate::diagnostic::Applicability;
 
 /// Words that start a function.
 const FUNCTIONS: &[&str] = &["def", "function", "fn", "func", "fun", "sub", "proc"];
@@ -420,10 +421,21 @@ impl Translator<'_> {
                 self.report(span, message, Self::write(span, "const"));
                 self.put(kind, 0, span);
             }
-            None => {
-                let fix = self.remove(0, 1);
-                self.report(span, message, fix);
-            }
+            None => match storage_near(word) {
+                Some((near, kind)) => {
+                    let title = format!("did you mean `{near}`?");
+                    let fix = Fix::suggestion(title, vec![Edit::replace(span, near)]);
+                    self.report(span, message, Some(fix));
+                    self.put(kind, 0, span);
+                }
+                None => {
+                    let fix = self.remove(0, 1).map(|fix| Fix {
+                        applicability: Applicability::Unsafe,
+                        ..fix
+                    });
+                    self.report(span, message, fix);
+                }
+            },
         }
         self.at += 1;
         true
@@ -506,4 +518,17 @@ impl Translator<'_> {
         self.at += end;
         true
     }
+}
+
+/// The word for a storage of which another is a slip.
+fn storage_near(word: &str) -> Option<(&'static str, TokenKind)> {
+    const WORDS: [(&str, TokenKind); 5] = [
+        ("varying", TokenKind::Varying),
+        ("attribute", TokenKind::Attribute),
+        ("uniform", TokenKind::Uniform),
+        ("const", TokenKind::Const),
+        ("flat", TokenKind::Flat),
+    ];
+    let is_near = |(near, _): &&(&str, TokenKind)| strsim::damerau_levenshtein(word, near) == 1;
+    WORDS.iter().find(is_near).copied()
 }

@@ -4,6 +4,7 @@ use super::super::super::config::absolute;
 use super::common::Passes;
 use super::scan::{Manner, Scan, Wanted, scan};
 use std::collections::HashMap;
+use std::fmt;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -82,6 +83,17 @@ pub enum Absence {
     Outside,
     /// Too many files are put in already.
     TooMany,
+}
+
+impl fmt::Display for Absence {
+    /// In words that go on behind the path.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Absence::NotFound => "not found",
+            Absence::Outside => "outside the project",
+            Absence::TooMany => "one file too many",
+        })
+    }
 }
 
 /// A file that is not found.
