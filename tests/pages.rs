@@ -7,6 +7,7 @@
 use shaderlint::cli::document::{DialectChoice, check, fix_text};
 use shaderlint::cli::input::Content;
 use shaderlint::diagnostic::{Diagnostic, ERRORS, error_page};
+use shaderlint::host::presets;
 use shaderlint::lint::{Allow, Fence, FenceKind, Page, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
@@ -224,6 +225,41 @@ fn pages_of_errors() {
     run(ERRORS
         .iter()
         .map(|name| (format!("rules/errors/{name}.md"), *name)));
+}
+
+#[test]
+fn pages_of_hosts() {
+    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("rules/hosts");
+    let mut list = String::from(
+        "# Hosts\n\nLibraries that complete shaders before a browser sees them. `[host] preset = \"NAME\"` in `shaderlint.toml` \
+        says that one does; without it they are found by themselves. Each is a file of GLSL in `src/host/presets`, and a host of \
+        your own is one like it: `[host] prelude = \"host.glsl\"`.\n\n| name | host | compiled as |\n|---|---|---|\n",
+    );
+    let mut expected = Vec::new();
+    for host in presets() {
+        let row = format!(
+            "| [{0}]({0}.md) | {1} | {2} |\n",
+            host.name, host.title, host.version
+        );
+        list.push_str(&row);
+        expected.push((format!("{}.md", host.name), host.page()));
+    }
+    expected.push(("README.md".to_string(), list));
+    let mut stale = Vec::new();
+    for (name, text) in &expected {
+        let path = folder.join(name);
+        if fs::read_to_string(&path).ok().as_ref() != Some(text) {
+            stale.push(name);
+            if accept {
+                fs::create_dir_all(&folder).unwrap();
+                fs::write(path, text).unwrap();
+            }
+        }
+    }
+    assert!(stale.is_empty(), "stale: {stale:?}");
+    let count = fs::read_dir(folder).unwrap().count();
+    assert_eq!(count, expected.len(), "pages of hosts that are not there");
 }
 
 /// A generated table, and what stands around it in a file.

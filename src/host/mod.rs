@@ -5,6 +5,7 @@
 //! and lines `key: value`. What follows is put before the shaders, with `VERTEX_SHADER` or
 //! `FRAGMENT_SHADER` defined.
 
+use std::fmt;
 use std::sync::OnceLock;
 
 /// What version of the language a host compiles as.
@@ -19,6 +20,17 @@ pub enum HostVersion {
     Es100,
     /// GLSL ES 3.00.
     Es300,
+}
+
+impl fmt::Display for HostVersion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            HostVersion::Any => "either version, as its user asks",
+            HostVersion::Own => "what the `#version` of the text says",
+            HostVersion::Es100 => "GLSL ES 1.00",
+            HostVersion::Es300 => "GLSL ES 3.00, whatever the text says",
+        })
+    }
 }
 
 /// A host.
@@ -121,6 +133,51 @@ pub fn preset(name: &str) -> Option<&'static Preset> {
 }
 
 impl Preset {
+    /// The page that describes it, in Markdown.
+    pub fn page(&self) -> String {
+        let mut text = format!("# {}\n\n{}\n\n", self.title, self.about);
+        let code = |words: &[String]| format!("`{}`", words.join("`, `"));
+        let mut facts = vec![
+            ("Compiled as", self.version.to_string()),
+            (
+                "Other names",
+                match self.is_complete {
+                    true => "are mistakes".to_string(),
+                    false => "may be there, too".to_string(),
+                },
+            ),
+        ];
+        for (what, words) in [
+            ("Calls", &self.entries),
+            ("Known by the packages", &self.packages),
+            ("Known by the names", &self.words),
+            ("Known in a page by", &self.globals),
+            ("Fills", &self.holes),
+        ] {
+            if !words.is_empty() {
+                facts.push((what, code(words)));
+            }
+        }
+        if !self.includes.is_empty() {
+            facts.push(("Includes", format!("`{}`", self.includes)));
+        }
+        if !self.source.is_empty() {
+            facts.push(("Source", self.source.clone()));
+        }
+        text.push_str("| | |\n|---|---|\n");
+        for (what, value) in facts {
+            text.push_str(&format!("| {what} | {value} |\n"));
+        }
+        text.push_str(&format!("\n```toml\nhost = \"{}\"\n```\n", self.name));
+        let prelude = self.prelude.trim();
+        if !prelude.is_empty() {
+            text.push_str("\nWhat it puts before a shader:\n\n```glsl\n");
+            text.push_str(prelude);
+            text.push_str("\n```\n");
+        }
+        text
+    }
+
     /// What is put before a shader of a stage.
     pub fn declarations(&self, is_vertex: bool) -> String {
         let stage = if is_vertex {

@@ -366,3 +366,32 @@ fn a_clean_file_needs_no_configuration() {
     let scratch = Scratch::new(&[("a.glsl", CLEAN)]);
     assert_eq!(scratch.run(&["a.glsl"]).code, 0);
 }
+
+#[test]
+fn a_host_of_ones_own_is_described_in_glsl() {
+    let host = "// My engine\n//\n// It puts its uniforms before every shader.\n// version: 300 es\n// names: all\n\
+        precision highp float;\nuniform mat4 uCamera;\n#ifdef VERTEX_SHADER\nin vec3 aPosition;\n#endif\n";
+    let good = "void main() { gl_Position = uCamera * vec4(aPosition, 1.0); }\n";
+    let bad = "void main() { gl_Position = uCamera * vec4(aPosition, 1.0) + uCameraa; }\n";
+    let scratch = Scratch::new(&[
+        (
+            "shaderlint.toml",
+            "host = { prelude = \"engine/host.glsl\" }\nexclude = [\"engine\"]",
+        ),
+        ("engine/host.glsl", host),
+        ("good.vert", good),
+        ("bad.vert", bad),
+    ]);
+    let ran = scratch.run(&["-q", "good.vert"]);
+    assert_eq!((ran.code, ran.out.as_str()), (0, ""));
+    // All its names are told, so that another one is a mistake.
+    assert_eq!(scratch.places(&["bad.vert"]), ["1:62 undeclared-name"]);
+    scratch.write("engine/host.glsl", "// My engine\n// names: many\n");
+    let ran = scratch.run(&["good.vert"]);
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err.contains("engine/host.glsl:2: `many`"),
+        "{}",
+        ran.err
+    );
+}

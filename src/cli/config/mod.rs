@@ -12,6 +12,7 @@ use super::document::include::{Files, Includes};
 use super::document::partner::NOBODY;
 use super::document::{Desktop, DialectChoice, HostNames, Options};
 use crate::diagnostic::Severity;
+use crate::host::{Preset, read as read_host};
 use crate::lint::{Failing, Rule, Settings, Target, UnknownRule};
 use crate::text::kind::Claim;
 use globset::GlobSet;
@@ -382,7 +383,32 @@ fn load(file: &Path, rules: &'static [&'static Rule]) -> Result<Arc<Config>, Arc
         .map_err(|e| format!("{shown}:{}:{}: {}", e.line, e.column, e.message))?;
     let folder = absolute(file);
     config.root = folder.parent().unwrap_or(Path::new("/")).to_path_buf();
+    let overrides = config.overrides.iter_mut().map(|(_, layer)| layer);
+    for layer in std::iter::once(&mut config.base).chain(overrides) {
+        if let Some(host) = &mut layer.host {
+            describe(host, &config.root).map_err(|e| format!("{shown}: {e}"))?;
+        }
+    }
     Ok(Arc::new(config))
+}
+
+/// Reads the file in which the user describes a host; a preset comes before it.
+fn describe(host: &mut HostNames, root: &Path) -> Result<(), String> {
+    let Some(path) = &host.prelude else {
+        return Ok(());
+    };
+    let text = fs::read_to_string(root.join(path)).map_err(|e| format!("{path}: {e}"))?;
+    let mut own = read_host(&text).map_err(|e| format!("{path}:{}: {}", e.line, e.message))?;
+    if let Some(preset) = &host.preset {
+        own = Preset {
+            prelude: format!("{}\n{}", preset.prelude, own.prelude),
+            is_complete: own.is_complete && preset.is_complete,
+            version: preset.version,
+            ..own
+        };
+    }
+    host.preset = Some(Arc::new(own));
+    Ok(())
 }
 
 /// A path from the root of the file system without `..`, as far as that can be told without asking it.

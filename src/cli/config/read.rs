@@ -36,7 +36,7 @@ pub const OVERRIDE_KEYS: [&str; 7] = [
     "rules",
 ];
 /// Keys of `host`.
-pub const HOST_KEYS: [&str; 2] = ["preset", "uniforms"];
+pub const HOST_KEYS: [&str; 3] = ["preset", "prelude", "uniforms"];
 /// Words for `target`.
 pub const TARGETS: [&str; 2] = ["swiftshader", "gpu"];
 /// Words for `dialect`.
@@ -281,6 +281,10 @@ fn host(value: &Value) -> Result<HostNames> {
     for (key, value) in table {
         if key.get_ref() == "preset" {
             host.preset = preset(word(value, PRESETS)?).cloned().map(Arc::new);
+            continue;
+        }
+        if key.get_ref() == "prelude" {
+            host.prelude = Some(string(value)?.to_string());
             continue;
         }
         for (name, ty) in table_of(value)? {

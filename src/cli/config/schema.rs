@@ -26,7 +26,11 @@ pub fn schema(rules: &[&'static Rule]) -> String {
                 {"enum": PRESETS},
                 {
                     "type": "object",
-                    "properties": {"preset": {"enum": PRESETS}, "uniforms": uniforms},
+                    "properties": {
+                        "preset": {"enum": PRESETS},
+                        "prelude": {"description": "A file of GLSL that describes a host, from the folder of this file", "type": "string"},
+                        "uniforms": uniforms
+                    },
                     "additionalProperties": false
                 }
             ]

@@ -47,6 +47,8 @@ pub enum DialectChoice {
 pub struct HostNames {
     /// The host that completes the shaders.
     pub preset: Option<Arc<Preset>>,
+    /// The file in which the user describes a host, as the configuration names it.
+    pub prelude: Option<String>,
     /// Further uniforms.
     pub uniforms: Vec<HostUniform>,
 }

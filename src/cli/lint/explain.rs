@@ -5,6 +5,7 @@ use super::super::{CLEAN, FAILED};
 use super::args::{Args, Command, ListFormat};
 use super::complain;
 use crate::diagnostic::{ERRORS, Severity, error_page};
+use crate::host::{PRESETS, Preset, preset};
 use crate::lint::Page;
 use crate::rules::RULES;
 use clap::CommandFactory;
@@ -37,7 +38,8 @@ pub fn run(command: &Command) -> io::Result<u8> {
 
 /// Prints a page and gives the exit code.
 pub fn explain(name: &str) -> io::Result<u8> {
-    let Some(page) = page(name) else {
+    let host = || preset(name).map(Preset::page);
+    let Some(page) = page(name).map(str::to_string).or_else(host) else {
         complain(&unknown(name));
         return Ok(FAILED);
     };
@@ -53,10 +55,11 @@ pub fn page(name: &str) -> Option<&'static str> {
 
 fn unknown(name: &str) -> String {
     let names = RULES.iter().map(|r| r.name).chain(ERRORS.iter().copied());
+    let names = names.chain(PRESETS.iter().copied());
     let distances = names.map(|n| (strsim::damerau_levenshtein(n, name), n));
     let near = distances.filter(|(d, _)| *d <= 3).min();
     let near = near.map_or(String::new(), |(_, n)| format!("; did you mean `{n}`?"));
-    format!("there is no rule or compile error `{name}`{near}")
+    format!("there is no rule, compile error or host `{name}`{near}")
 }
 
 /// A table of all rules: name, group, level, summary.
