@@ -2,7 +2,8 @@
 //!
 //! Behind code, it speaks of its line; alone on a line, of the next statement, declaration,
 //! function or directive; as `allow-file(rule)`, of the whole file. What allows nothing is itself
-//! reported. Compile errors cannot be allowed: the browser does not ask.
+//! reported. Compile errors cannot be allowed: the browser does not ask. A file that tests a compiler
+//! says `expect(error)` in the same ways: the error is right there, and its absence is reported.
 
 use super::misspelt::{self, Meant};
 use super::removal::remove_lines;
@@ -30,6 +31,8 @@ struct Allow {
     /// Where it allows findings to start.
     target: Span,
     names: Vec<Allowed>,
+    /// Whether the findings are expected, not allowed.
+    expects: bool,
     /// Text that is no `allow(...)`.
     problem: Option<Problem>,
 }
@@ -49,13 +52,35 @@ struct Allowed {
 }
 
 impl Allows {
-    /// Takes away the findings of one shader that are allowed in it.
-    pub fn apply(
+    /// Takes away the errors of one shader that its author expects.
+    pub fn expect(
         &mut self,
         program: &Program,
         rules: &[&'static Rule],
-        found: &mut Vec<Diagnostic>,
+        errors: &mut Vec<Diagnostic>,
     ) {
+        let mut comments = program.tokens.comments.iter();
+        if !comments.any(|c| program.sources.text(*c).contains("expect")) {
+            return;
+        }
+        for address in self.read(program, rules) {
+            let Some(allow) = self.found.get_mut(&address).filter(|a| a.expects) else {
+                continue;
+            };
+            let target = allow.target;
+            for name in &mut allow.names {
+                let is_meant = |d: &Diagnostic| {
+                    let start = d.span.start;
+                    d.rule == name.name && target.start <= start && start < target.end
+                };
+                name.used |= errors.iter().any(is_meant);
+                errors.retain(|d| !is_meant(d));
+            }
+        }
+    }
+
+    /// Reads the comments of a shader; gives the addresses of those that speak of findings.
+    fn read(&mut self, program: &Program, rules: &[&'static Rule]) -> Vec<u32> {
         let mut own = Vec::new();
         let mut reader: Option<Reader> = None;
         for &comment in &program.tokens.comments {
@@ -68,6 +93,17 @@ impl Allows {
                 });
             }
         }
+        own
+    }
+
+    /// Takes away the findings of one shader that are allowed in it.
+    pub fn apply(
+        &mut self,
+        program: &Program,
+        rules: &[&'static Rule],
+        found: &mut Vec<Diagnostic>,
+    ) {
+        let own = self.read(program, rules);
         if own.is_empty() {
             return;
         }
@@ -143,12 +179,24 @@ impl Allows {
                     let title = "take the comment out";
                     Fix::safe(title, vec![allow.removal.clone()])
                 });
-                if let Some(d) = judge(name, rules, settings, finding, fix) {
-                    out.push(d);
-                }
+                let told = match allow.expects {
+                    true => unmet(name, finding, fix),
+                    false => judge(name, rules, settings, finding, fix),
+                };
+                out.extend(told);
             }
         }
     }
+}
+
+/// What is wrong with one name in an `expect(...)`.
+fn unmet(
+    expected: &Allowed,
+    finding: impl Fn(Span, String) -> Diagnostic,
+    fix: Option<Fix>,
+) -> Option<Diagnostic> {
+    let message = format!("`{}` is expected here, and is not found", expected.name);
+    (!expected.used).then(|| finding(expected.span, message).fix(fix))
 }
 
 /// What is wrong with one name in an `allow(...)`.
@@ -291,6 +339,7 @@ impl<'a> Reader<'a> {
             removal: remove_lines(program, comment),
             target: Span::at(comment.end),
             names: Vec::new(),
+            expects: false,
             problem: None,
         };
         let found = text.find(MARK);
@@ -300,7 +349,10 @@ impl<'a> Reader<'a> {
         let order = order.trim_start();
         let (word, list) = order.split_once('(').unwrap_or((order, ""));
         let list = list.split_once(')').map(|(names, _)| names);
-        let (Some(names), "allow" | "allow-file") = (list, word.trim_end()) else {
+        allow.expects = word.starts_with("expect");
+        let (Some(names), "allow" | "allow-file" | "expect" | "expect-file") =
+            (list, word.trim_end())
+        else {
             let length = order.trim_end_matches(['*', '/']).trim_end().len();
             let meant = misspelt::read(text, rules);
             let range = meant.as_ref().map(|m| m.range.clone());
@@ -335,7 +387,7 @@ impl<'a> Reader<'a> {
                 found: Vec::new(),
             });
         }
-        allow.target = if word.trim_end() == "allow-file" {
+        allow.target = if word.trim_end().ends_with("-file") {
             let file = program.sources.file_at(comment.start);
             file.map_or(comment, |f| Span::new(f.base, f.span().end + 1))
         } else {

@@ -38,7 +38,7 @@ pub use dialect::{
     Channels, Dialect, Guess, Kind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
     shadertoy_header,
 };
-pub use part::Extent;
+pub use part::{Extent, Open};
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
     Variable, VariableId,

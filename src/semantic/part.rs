@@ -92,13 +92,23 @@ fn certainty(rule: &str) -> Certainty {
     }
 }
 
-/// Keeps what is wrong whatever the host of a part is, and gives the names of the holes.
+/// What a part leaves open.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Open {
+    /// The names that it does not declare itself, and its host has to.
+    pub names: BTreeSet<String>,
+    /// Whether anything in it hangs on what completes it.
+    pub is_any: bool,
+}
+
+/// Keeps what is wrong whatever the host of a part is, and says what is left open.
 pub(super) fn keep_certain(
     program: &Program,
     extent: Extent,
     diagnostics: &mut Vec<Diagnostic>,
-) -> BTreeSet<String> {
-    let mut holes = BTreeSet::new();
+) -> Open {
+    let mut names = BTreeSet::new();
+    let count = diagnostics.len();
     let part = Part::of(program, extent);
     let slips = part.slips(diagnostics);
     let is_torn = extent == Extent::Excerpt
@@ -111,11 +121,12 @@ pub(super) fn keep_certain(
                 d.severity = Severity::Warning;
                 return true;
             }
-            holes.insert(program.sources.text(d.span).to_string());
+            names.insert(program.sources.text(d.span).to_string());
         }
         part.is_certain(d, is_torn)
     });
-    holes
+    let is_any = diagnostics.len() < count || part.undecided.iter().any(|g| part.is_user(*g));
+    Open { names, is_any }
 }
 
 /// What is known of a part.

@@ -4,14 +4,13 @@ use super::blame::{attribute, gather};
 use super::builtins::Stage;
 use super::checker::{Parsed, check};
 use super::dialect::{Channels, Dialect};
-use super::part::{Extent, keep_certain};
+use super::part::{Extent, Open, keep_certain};
 use super::program::Program;
 use super::settle::Corrected;
 use super::types::Sampler;
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::syntax::{Language, Preprocessed, TokenKind, parse, preprocess};
 use crate::text::{FileId, Role, Sources, Span};
-use std::collections::BTreeSet;
 
 /// Most errors that are told of one shader.
 const MAX_ERRORS: usize = 200;
@@ -38,8 +37,8 @@ pub struct Analysis<'a> {
     pub program: Program<'a>,
     /// What the browser's compiler would refuse, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
-    /// What a part does not declare itself, and its host has to.
-    pub holes: BTreeSet<String>,
+    /// What a part leaves open.
+    pub open: Open,
 }
 
 /// Reads and checks a part of a shader in each way in which a host may take it, the likeliest first:
@@ -69,7 +68,7 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     let Analysis {
         program,
         diagnostics,
-        holes,
+        open,
     } = analyze_once(unit);
     let mut diagnostics = attribute(unit, &program, diagnostics);
     // An entry that stands behind an `#if` without its end is there, only not read.
@@ -86,7 +85,7 @@ pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     Analysis {
         program,
         diagnostics,
-        holes,
+        open,
     }
 }
 
@@ -157,8 +156,8 @@ pub(super) fn analyze_once<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     if let Some(cut) = program.tokens.cut {
         judge_cut(unit.sources, cut, &mut diagnostics);
     }
-    let holes = match unit.extent {
-        Extent::Whole => BTreeSet::new(),
+    let open = match unit.extent {
+        Extent::Whole => Open::default(),
         extent => keep_certain(&program, extent, &mut diagnostics),
     };
     let mut diagnostics = gather(&program, diagnostics);
@@ -167,7 +166,7 @@ pub(super) fn analyze_once<'a>(unit: &Unit<'a>) -> Analysis<'a> {
     Analysis {
         program,
         diagnostics,
-        holes,
+        open,
     }
 }
 

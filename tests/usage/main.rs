@@ -9,6 +9,7 @@ mod includes;
 mod kinds;
 mod links;
 mod outputs;
+mod parts;
 mod readme;
 mod saying;
 mod scratch;

@@ -148,3 +148,15 @@ fn the_fix_takes_an_idle_comment_out() {
     let fixed = "// kept\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1.0);\n}\n";
     assert_eq!(scratch.read("a.glsl"), fixed);
 }
+
+#[test]
+fn an_error_that_is_expected_is_not_told() {
+    let expected = "c = vec4(q); // shaderlint: expect(undeclared-name) this tests the compiler";
+    assert_eq!(found(expected), [""; 0]);
+    let over = "// shaderlint: expect(undeclared-name)\nc = vec4(q);\nc = vec4(r);";
+    assert_eq!(found(over), ["5:10 undeclared-name"]);
+    let gone = "c = vec4(1.0); // shaderlint: expect(undeclared-name)";
+    assert_eq!(found(gone), ["3:38 unused-allow"]);
+    let file = "// shaderlint: expect-file(undeclared-name)\nc = vec4(q) + vec4(r);";
+    assert_eq!(found(file), [""; 0]);
+}

@@ -112,9 +112,10 @@ fn tell_part(
     let known = diagnostics.len();
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
     let errors = analysis.diagnostics.iter().filter(is_error).count();
+    allows.expect(&analysis.program, RULES, &mut analysis.diagnostics);
     let mut left_out = 0;
     // Where something is open, no rule knows enough.
-    let unrun = if analysis.holes.is_empty() && extent != Extent::Excerpt {
+    let unrun = if !analysis.open.is_any && extent != Extent::Excerpt {
         let mut found = Vec::new();
         let (program, errors) = (&analysis.program, &analysis.diagnostics);
         let unrun = lint_within(program, part.host, errors, RULES, settings, &mut found);
@@ -174,7 +175,7 @@ fn tell_part(
         has_errors: errors > 0,
         left_out,
         size: program.size(),
-        holes: analysis.holes,
+        holes: analysis.open.names,
         hosts: part.readings.hosts.clone(),
     };
     Some((shader, judged))

@@ -342,17 +342,17 @@ impl Checked<'_> {
         let Analysis {
             program,
             diagnostics,
-            holes,
+            open,
         } = &self.analysis;
         let is_error = |d: &Diagnostic| d.severity == Severity::Error;
-        if holes.is_empty() && !diagnostics.iter().any(is_error) {
+        if !open.is_any && !diagnostics.iter().any(is_error) {
             return None;
         }
         let undeclared = diagnostics
             .iter()
             .filter(|d| matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE))
             .map(|d| program.sources.text(d.span).to_string());
-        Some(holes.iter().cloned().chain(undeclared).collect())
+        Some(open.names.iter().cloned().chain(undeclared).collect())
     }
 }
 

@@ -328,6 +328,16 @@ impl Case<'_> {
         if !(goes_on || is_open || is_long && is_indented) {
             return None;
         }
+        // One that stands for nothing and is never put in is a mark for `#ifdef`.
+        let is_put_in = || {
+            let expansions = self.program.tokens.expansions.iter();
+            let macros = &self.program.tokens.macros;
+            let mut of = expansions.filter_map(|e| macros.get(e.definition.0 as usize));
+            of.any(|m| m.name_span == d.of.name_span)
+        };
+        if d.last().is_none() && !is_put_in() {
+            return None;
+        }
         let found = d
             .faulty(
                 gap,

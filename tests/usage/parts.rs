@@ -1,0 +1,241 @@
+//! Parts of shaders: what is wrong whatever completes them, and what completes them.
+
+use crate::scratch::Scratch;
+
+/// The errors in one file.
+#[track_caller]
+fn check(name: &str, code: &str, expected: &[&str]) {
+    let scratch = Scratch::new(&[(name, code)]);
+    let ran = scratch.run(&["-q", "--format", "short", name]);
+    let errors = ran.out.lines().filter(|l| l.contains(": error["));
+    let places: Vec<String> = errors
+        .filter_map(|l| {
+            let (place, rest) = l
+                .strip_prefix(name)?
+                .strip_prefix(':')?
+                .split_once(": error[")?;
+            Some(format!("{place} {}", rest.split_once(']')?.0))
+        })
+        .collect();
+    assert_eq!(places, expected, "{code}\n{}", ran.out);
+}
+
+#[test]
+fn what_a_part_does_not_declare_fits_everywhere() {
+    check(
+        "a.glsl",
+        "float f(Light l) { vec3 a = l.colour * uSun + tint(vec2(1.0), l); return a.x + K[2].y; }",
+        &[],
+    );
+    check(
+        "a.glsl",
+        "vec3 f(vec3 p) { float d = host(p); return p.xz + vec3(d); }",
+        &["1:44 vector-size"],
+    );
+    check(
+        "a.glsl",
+        "float f(float x) { return x + 1; }",
+        &["1:31 int-float-mix"],
+    );
+    check(
+        "a.glsl",
+        "float f(float x) { if (x) { return 1.0; } return x; }",
+        &["1:24 condition-type"],
+    );
+    check(
+        "a.glsl",
+        "float a[COUNT] = float[COUNT](1.0, 2.0);\nfloat f() { return a[7]; }",
+        &[],
+    );
+}
+
+#[test]
+fn an_unknown_word_may_be_a_macro() {
+    check(
+        "a.glsl",
+        "IN vec2 uv;\nOUT_COLOR(vec4 c)\nPRECISE float f(float x) { return x; }",
+        &[],
+    );
+    check(
+        "a.glsl",
+        "float f(float x) { UNROLL for (int i = 0; i < 3; i++) { x += 1.0; } END return x; }",
+        &[],
+    );
+    check(
+        "a.glsl",
+        "float f(float x) { BEGIN(x) { x += 1.0; } return x; }",
+        &[],
+    );
+    check(
+        "a.glsl",
+        "float f(float x) { float y = x * 2.0 return y; }",
+        &["1:37 missing-semicolon"],
+    );
+}
+
+#[test]
+fn groups_that_a_host_decides_on_may_be_there_or_not() {
+    check(
+        "a.glsl",
+        "#ifdef USE_COLOR\nvec4 tint;\n#else\nfloat tint;\n#endif\nvec4 f() { return tint; }",
+        &[],
+    );
+    check(
+        "a.glsl",
+        "float f() {\n#ifdef FAST\nreturn 1.0;\n#endif\n}",
+        &[],
+    );
+    check(
+        "a.glsl",
+        "#if QUALITY > 2\n#define N 4\n#endif\nint f() { return N; }",
+        &[],
+    );
+    check(
+        "a.glsl",
+        "#ifndef SIZE\n#define SIZE 4\n#endif\nfloat f() { return 1.0 + SIZE; }",
+        &[],
+    );
+    check(
+        "a.glsl",
+        "#ifndef GUARD\n#define GUARD\nfloat f() { return 1.0 + vec2(2.0); }\n#endif",
+        &["3:13 vector-size"],
+    );
+}
+
+#[test]
+fn a_part_is_of_the_version_that_it_uses() {
+    check(
+        "a.frag",
+        "in vec2 uv;\nout vec4 c;\nvoid main() { c = texture(map, uv); }",
+        &[],
+    );
+    check(
+        "a.frag",
+        "varying vec2 uv;\nvoid main() { gl_FragColor = texture2D(map, uv); }",
+        &[],
+    );
+    check(
+        "a.frag",
+        "varying vec2 uv;\nvoid main() { uvec2 i = uvec2(uv); gl_FragColor = texture(map, uv); }",
+        &[],
+    );
+    check("a.glsl", "vec3 centroid(vec3 a) { return a; }", &[]);
+    check(
+        "a.glsl",
+        "uint f(uint x) { return x + 1; }",
+        &["1:29 int-float-mix"],
+    );
+}
+
+#[test]
+fn statements_of_a_part_stand_in_a_function_of_its_host() {
+    check(
+        "a.glsl",
+        "diffuse.rgb *= tint;\nfloat x = 1;\nif (x > 2.0) { discard; }",
+        &["2:11 int-float-mix"],
+    );
+}
+
+#[test]
+fn a_slip_of_one_letter_is_told() {
+    let code = "uniform vec3 lightColour;\nvec3 f(vec3 a) { return a * lightColour + lightColuor * lightColour; }";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    let ran = scratch.run(&["-q", "--format", "short", "a.glsl"]);
+    assert_eq!(
+        (ran.code, ran.out.as_str()),
+        (
+            0,
+            "a.glsl:2:43: warning[undeclared-name]: nothing declares `lightColuor`\n"
+        )
+    );
+}
+
+#[test]
+fn a_whole_shader_is_judged_as_it_stands() {
+    check(
+        "a.frag",
+        "precision highp float;\nvoid main() { gl_FragColor = x; }",
+        &["2:30 undeclared-name"],
+    );
+    check(
+        "a.frag",
+        "#version 300 es\nvoid main() { }\nint f() { return x; }",
+        &["3:18 undeclared-name"],
+    );
+    check(
+        "a.glsl",
+        "void mainImage(out vec4 c, in vec2 p) { c = x; }",
+        &["1:45 undeclared-name"],
+    );
+    // Another host's entry.
+    check(
+        "a.glsl",
+        "void mainImage(const in vec4 i, const in vec2 uv, out vec4 c) { c = i + x; }",
+        &[],
+    );
+    let scratch = Scratch::new(&[("a.glsl", "vec3 f() { return x; }")]);
+    assert_eq!(
+        scratch.places(&["-q", "--dialect", "shadertoy", "a.glsl"]),
+        ["1:19 undeclared-name"]
+    );
+}
+
+#[test]
+fn hosts_are_found_by_words_imports_and_packages() {
+    let code = "varying vec2 vUv;\nvoid main() { gl_Position = vec4(uv.xyz, 1.0); }\n";
+    let scratch = Scratch::new(&[
+        ("none/a.vert", code),
+        (
+            "words/a.vert",
+            &code.replace("1.0)", "1.0) * projectionMatrix"),
+        ),
+        (
+            "packages/package.json",
+            "{\"dependencies\": {\"three\": \"1\"}}",
+        ),
+        ("packages/src/a.vert", code),
+        (
+            "import/a.js",
+            &format!("import * as T from 'three';\nconst vertexShader = `{code}`;\n"),
+        ),
+    ]);
+    let out = scratch.run(&["-q", "--format", "short", "."]).out;
+    let places: Vec<&str> = out.lines().filter_map(|l| l.split(": ").next()).collect();
+    assert_eq!(
+        places,
+        [
+            "import/a.js:3:37",
+            "packages/src/a.vert:2:37",
+            "words/a.vert:2:37"
+        ],
+        "{out}"
+    );
+    let json = scratch.run(&["--format", "json", "words"]).out;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(json["diagnostics"][0]["part"], true);
+    assert_eq!(json["diagnostics"][0]["host"], "three.js");
+    let told = scratch.run(&["-v", "words"]).err;
+    assert!(told.contains("for three.js"), "{told}");
+}
+
+#[test]
+fn what_is_open_is_summed_up() {
+    let scratch = Scratch::new(&[
+        ("a.glsl", "float f() { return x + y; }"),
+        ("b.glsl", "float g() { return x; }"),
+    ]);
+    let ran = scratch.run(&["."]);
+    let last = "2 files are parts of shaders; 2 names come from what completes them: `[host]` in shaderlint.toml makes them checked";
+    assert!(ran.out.ends_with(&format!("{last}\n")), "{}", ran.out);
+    let told = scratch.run(&["-v", "a.glsl"]).err;
+    assert!(told.contains("which declares `x`, `y`"), "{told}");
+}
+
+#[test]
+fn fixes_of_parts_are_asked_for() {
+    let code = "uniform bool active;\nfloat f(float x) { return active ? x + 1 : vec2(x).x; }\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    scratch.run(&["--fix", "a.glsl"]);
+    // The mistake between known things is mended; the name, which a program sets, stays.
+    assert_eq!(scratch.read("a.glsl"), code.replace("x + 1", "x + 1.0"));
+}
