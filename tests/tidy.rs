@@ -8,8 +8,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each layer may name, besides itself.
-const LAYERS: [(&str, &[&str]); 9] = [
+const LAYERS: [(&str, &[&str]); 10] = [
     ("text", &[]),
+    ("host", &[]),
     ("diagnostic", &["text"]),
     ("syntax", &["text", "diagnostic"]),
     ("semantic", &["text", "diagnostic", "syntax"]),
@@ -24,6 +25,7 @@ const LAYERS: [(&str, &[&str]); 9] = [
         "cli",
         &[
             "text",
+            "host",
             "diagnostic",
             "syntax",
             "semantic",

@@ -58,6 +58,8 @@ pub struct Preset {
     pub version: HostVersion,
     /// Whether it declares nothing else, so that another unknown name is a mistake.
     pub is_complete: bool,
+    /// Whether it gives other names to what a text declares.
+    pub renames: bool,
     /// The functions that it calls.
     pub entries: Vec<String>,
     /// What it puts before the shaders.
@@ -263,8 +265,9 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
 }
 
 /// The keys of a head.
-const KEYS: [&str; 9] = [
+const KEYS: [&str; 10] = [
     "source", "package", "global", "word", "entry", "include", "hole", "version", "names",
+    "renames",
 ];
 
 /// Whether a word in front of a colon may be meant as a key.
@@ -294,6 +297,13 @@ impl Preset {
                             "`{value}` is none of `any`, `own`, `100`, `300 es`"
                         ));
                     }
+                }
+            }
+            "renames" => {
+                self.renames = match value {
+                    "yes" => true,
+                    "no" => false,
+                    _ => return Err(format!("`{value}` is neither `yes` nor `no`")),
                 }
             }
             "names" => {

@@ -330,7 +330,13 @@ pub fn needs_300(text: &str) -> bool {
 }
 
 /// Words that tell the stage. Behind a `#version` no other word tells anything.
-const VERTEX_WORDS: [&str; 2] = ["attribute", "gl_Position"];
+const VERTEX_WORDS: [&str; 5] = [
+    "attribute",
+    "gl_Position",
+    "gl_VertexID",
+    "gl_InstanceID",
+    "gl_PointSize",
+];
 
 #[derive(Default)]
 struct Seen {
@@ -383,9 +389,11 @@ impl Seen {
                 self.version = true;
                 self.is_300 = behind.trim_start_matches([' ', '\t']).starts_with("300");
             }
-            "mainImage" if may_be_entry(behind) => {
-                self.pass = Some(Pass::Image);
+            "mainImage" => {
                 self.entries += 1;
+                if last == "void" && may_be_entry(behind) {
+                    self.pass = Some(Pass::Image);
+                }
             }
             "mainCubemap" if self.pass.is_none() => self.pass = Some(Pass::Cubemap),
             "mainSound" if self.pass.is_none() => self.pass = Some(Pass::Sound),
@@ -398,7 +406,7 @@ impl Seen {
             "texture" | "texelFetch" | "textureLod" | "out" | "uint" | "flat" | "layout" => {
                 self.new = true
             }
-            "gl_Position" => self.vertex = true,
+            "gl_Position" | "gl_VertexID" | "gl_InstanceID" | "gl_PointSize" => self.vertex = true,
             "precision" => self.precision = true,
             "main" => {
                 self.main = true;

@@ -114,7 +114,7 @@ pub(super) fn keep_certain(
     let is_torn = extent == Extent::Excerpt
         || diagnostics
             .iter()
-            .any(|d| certainty(d.rule) == Certainty::Syntax && part.is_near_unknown(d.span));
+            .any(|d| certainty(d.rule) == Certainty::Syntax && part.is_excused(d));
     diagnostics.retain_mut(|d| {
         if matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE) {
             if slips.contains(&d.span) {
@@ -122,6 +122,12 @@ pub(super) fn keep_certain(
                 return true;
             }
             names.insert(program.sources.text(d.span).to_string());
+        }
+        if !is_torn && part.is_likely(d) {
+            d.severity = Severity::Warning;
+            d.notes
+                .push("its host may have another form of it".to_string());
+            return true;
         }
         part.is_certain(d, is_torn)
     });
@@ -180,31 +186,68 @@ impl<'p, 'a> Part<'p, 'a> {
             Certainty::Syntax if d.rule == error::INVALID_CHARACTER => {
                 !self.program.sources.text(d.span).is_ascii()
             }
-            Certainty::Syntax => !self.is_torn_apart(d, is_torn) && !self.is_near_unknown(d.span),
-            Certainty::Meaning => self.means_that(d, is_torn),
+            Certainty::Syntax => !self.is_torn_apart(d, is_torn) && !self.is_excused(d),
+            Certainty::Meaning => self.hangs_on_nothing(d) && self.means_that(d, is_torn),
         }
+    }
+
+    /// Whether an error is one in spite of what a host could do: a call does not fit the only form of
+    /// a function that the part itself defines.
+    fn is_likely(&self, d: &Diagnostic) -> bool {
+        let declared = |span: Span| self.own_functions.iter().find(|(_, own)| *own == span);
+        let Some((name, place)) = d.labels.iter().find_map(|l| declared(l.span)) else {
+            return false;
+        };
+        let forms = self.own_functions.iter().filter(|(own, _)| own == name);
+        certainty(d.rule) == Certainty::Meaning
+            && forms.count() == 1
+            && self.is_user(d.span)
+            && self.is_user(*place)
+            && !self.is_undecided(*place)
+            && self.hangs_on_nothing(d)
     }
 
     /// Whether an error of the syntax may come of what is left out, or of a macro elsewhere that
     /// holds a brace.
     fn is_torn_apart(&self, d: &Diagnostic, is_torn: bool) -> bool {
-        let is_open = d.rule == error::UNCLOSED_DELIMITER
-            && !matches!(self.program.sources.text(d.span), "(" | ")" | "[" | "]");
+        let is_brace = is_brace(d);
         let is_outside = d.message.starts_with("statements can only stand");
-        let is_torn = is_torn || self.extent == Extent::Piece;
-        let is_cut =
-            matches!(self.extent, Extent::Piece | Extent::Excerpt) && self.is_at_end(d.span);
-        is_outside || is_cut || is_torn && (is_open || d.rule == error::LOCAL_FUNCTION)
+        let is_piece = matches!(self.extent, Extent::Piece | Extent::Excerpt);
+        let is_cut = is_piece && (self.is_at_end(d.span) || is_brace && !self.is_inside(d));
+        is_outside || is_cut || is_torn && (is_brace || d.rule == error::LOCAL_FUNCTION)
+    }
+
+    /// Whether a brace is wrong whatever stands before and behind a piece: a function follows one
+    /// that is not closed, or ends before one that is not opened.
+    fn is_inside(&self, d: &Diagnostic) -> bool {
+        let functions = self
+            .program
+            .tree
+            .functions
+            .iter()
+            .filter(|f| f.body.is_some());
+        let mut places = functions.map(|f| self.program.span(f.extent));
+        let own = |span: Span| self.is_user(span);
+        match d.message.starts_with("missing `}`") {
+            true => places.any(|f| own(f) && f.start > d.span.start),
+            false => places.any(|f| own(f) && f.end < d.span.start),
+        }
+    }
+
+    /// Whether an error between types comes through no name or macro that the host decides on.
+    fn hangs_on_nothing(&self, d: &Diagnostic) -> bool {
+        let is_unsure = |i: usize| {
+            let token = self.token(i).filter(|t| t.kind == TokenKind::Identifier);
+            let before = i.checked_sub(1).and_then(|b| self.token(b));
+            // What is declared right here is known.
+            let is_declared = before.is_some_and(|b| b.kind == TokenKind::Type);
+            !is_declared && token.is_some_and(|t| self.is_ambiguous(t))
+        };
+        !self.statement(d.span).any(is_unsure) && !d.macros.iter().any(|m| self.is_open_macro(m))
     }
 
     /// Whether an error between types holds for every host.
     fn means_that(&self, d: &Diagnostic, is_torn: bool) -> bool {
-        let statement = self.statement(d.span);
-        let tokens = || statement.clone().filter_map(|i| self.token(i));
-        let is_unsure = |t: Token| t.kind == TokenKind::Identifier && self.is_ambiguous(t);
-        if tokens().any(is_unsure) || d.macros.iter().any(|m| self.is_open_macro(m)) {
-            return false;
-        }
         // There may be other overloads elsewhere.
         if self.is_of_own_call(d) {
             return false;
@@ -231,9 +274,21 @@ impl<'p, 'a> Part<'p, 'a> {
                 word.chars().all(|c| "xyzwrgbastpq".contains(c))
             }
             error::BAD_DIRECTIVE => self.is_bad_everywhere(d.span),
-            error::RETURN_TYPE | error::INVALID_PARAMETER => !is_torn,
+            // Its members may all stand in groups.
+            error::INVALID_STRUCT => self.undecided.is_empty(),
+            // Some hosts make a function of their own of `main`.
+            error::RETURN_TYPE => !is_torn && !self.is_in_main(d.span),
+            error::INVALID_PARAMETER => !is_torn,
             _ => true,
         }
+    }
+
+    fn is_in_main(&self, span: Span) -> bool {
+        let mut functions = self.program.tree.functions.iter();
+        functions.any(|f| {
+            self.program.names.text(f.ident.name) == "main"
+                && self.program.span(f.extent).contains(span)
+        })
     }
 
     /// Whether a directive that is not well formed is one of GLSL, and none that a host writes anew.
@@ -308,39 +363,104 @@ impl<'p, 'a> Part<'p, 'a> {
         })
     }
 
-    /// Whether a word that may be a macro stands at a place, beside it, or calls what holds it.
-    fn is_near_unknown(&self, span: Span) -> bool {
-        let at = self.at(span.start);
-        let end = self.at(span.end).max(at) + 1;
-        if self.is_foreign(span) || self.is_empty_call(at) {
+    /// Whether a word that may be a macro can mend an error of the syntax: it stands at the place or
+    /// beside it, or takes the place as an argument that no function can take.
+    fn is_excused(&self, d: &Diagnostic) -> bool {
+        use TokenKind as T;
+        let at = self.at(d.span.start);
+        let end = self.at(d.span.end).max(at) + 1;
+        if self.is_foreign(d.span) || self.is_empty_call(at) {
             return true;
         }
-        if (at.saturating_sub(2)..end.min(at + MAX_LOOK)).any(|i| self.is_unknown(i)) {
-            return true;
+        let is_delimiter = d.rule == error::UNCLOSED_DELIMITER && !is_brace(d);
+        if is_delimiter && self.is_unbalanced(at) {
+            return false;
         }
-        // `MACRO(...) here`, and `MACRO(here)`.
+        let kind = |i: usize| self.token(i).map_or(T::End, |t| t.kind);
+        let is_operand = |i: usize| matches!(kind(i), T::Identifier | T::RightParen);
+        let before = at.saturating_sub(1);
+        let callee = self.callee(before);
+        if d.rule == error::MISSING_SEMICOLON {
+            let word = callee.unwrap_or(before);
+            let starts = word.checked_sub(1).map_or(T::End, kind);
+            let is_alone = matches!(starts, T::Semicolon | T::LeftBrace | T::RightBrace | T::End);
+            return self.is_unknown(at) || self.is_unknown(word) && is_alone;
+        }
+        let is_near = (at.saturating_sub(2)..end.min(at + MAX_LOOK)).any(|i| self.is_unknown(i));
+        let touches = is_operand(before) || is_operand(at);
+        is_near && touches || callee.is_some_and(|c| self.is_unknown(c)) || self.is_of_macro(at)
+    }
+
+    /// The word before the parentheses that end at a token.
+    fn callee(&self, close: usize) -> Option<usize> {
+        let kind = |i: usize| self.token(i).map_or(TokenKind::End, |t| t.kind);
+        if kind(close) != TokenKind::RightParen {
+            return None;
+        }
         let mut depth = 0_u32;
-        let near = at.saturating_sub(1);
-        for i in (at.saturating_sub(MAX_LOOK)..at).rev() {
-            match self.token(i).map_or(TokenKind::End, |t| t.kind) {
+        for i in (close.saturating_sub(MAX_LOOK)..=close).rev() {
+            match kind(i) {
                 TokenKind::RightParen => depth += 1,
-                TokenKind::LeftParen => {
-                    let is_callee = i.checked_sub(1).is_some_and(|c| self.is_unknown(c));
-                    if is_callee && depth <= 1 {
+                TokenKind::LeftParen => depth -= 1,
+                _ => {}
+            }
+            if depth == 0 {
+                return i.checked_sub(1);
+            }
+        }
+        None
+    }
+
+    /// Whether a place lies in the arguments of an unknown word, beside a word of the language that
+    /// only a macro can take.
+    fn is_of_macro(&self, at: usize) -> bool {
+        use TokenKind as T;
+        let kind = |i: usize| self.token(i).map_or(T::End, |t| t.kind);
+        let is_word = |i: usize| {
+            let kind = kind(i);
+            matches!(
+                kind,
+                T::Type | T::In | T::Out | T::Inout | T::Const | T::Uniform
+            )
+        };
+        if !(at.saturating_sub(2)..=at + 1).any(is_word) {
+            return false;
+        }
+        let mut depth = 0_u32;
+        for i in (at.saturating_sub(MAX_LOOK)..at).rev() {
+            match kind(i) {
+                T::RightParen => depth += 1,
+                T::LeftParen if depth == 0 => {
+                    if i.checked_sub(1).is_some_and(|c| self.is_unknown(c)) {
                         return true;
                     }
-                    depth = depth.saturating_sub(1);
                 }
-                TokenKind::Semicolon | TokenKind::LeftBrace | TokenKind::RightBrace
-                    if depth == 0 && i < near =>
-                {
-                    return false;
-                }
-                TokenKind::End => return false,
+                T::LeftParen => depth -= 1,
+                T::Semicolon | T::LeftBrace | T::RightBrace | T::End => return false,
                 _ => {}
             }
         }
         false
+    }
+
+    /// Whether the statement around a token, as it is written, opens and closes different numbers of
+    /// parentheses and brackets. The head of a loop holds several.
+    fn is_unbalanced(&self, at: usize) -> bool {
+        use TokenKind as T;
+        let mut open = [0_i32; 2];
+        let statement = self.statement(self.places.get(at).map_or(Span::default(), |p| p.0));
+        for token in statement.filter_map(|i| self.token(i)) {
+            match token.kind {
+                T::For => return false,
+                _ if token.span.is_empty() => {}
+                T::LeftParen => open[0] += 1,
+                T::RightParen => open[0] -= 1,
+                T::LeftBracket => open[1] += 1,
+                T::RightBracket => open[1] -= 1,
+                _ => {}
+            }
+        }
+        open != [0, 0]
     }
 
     /// Whether the text at a place holds words that nothing declares, or what is no GLSL at all: a
@@ -418,7 +538,11 @@ impl<'p, 'a> Part<'p, 'a> {
                 && own.any(|(name, span)| name.0 == t.value && !self.is_user(*span))
         };
         let mut statement = self.statement(d.span).filter_map(|i| self.token(i));
-        d.rule == error::ARGUMENT_MISMATCH && statement.any(of_host)
+        let may_be_call = matches!(
+            d.rule,
+            error::ARGUMENT_MISMATCH | error::VECTOR_SIZE | error::INT_FLOAT_MIX
+        );
+        may_be_call && statement.any(of_host)
     }
 
     /// Names that nothing declares and that are slips of ones that the part declares: one letter is
@@ -497,6 +621,11 @@ fn known_names(program: &Program) -> FxHashSet<Name> {
     known
 }
 
+/// Whether an error is about braces.
+fn is_brace(d: &Diagnostic) -> bool {
+    d.rule == error::UNCLOSED_DELIMITER && (d.message.contains("`{`") || d.message.contains("`}`"))
+}
+
 /// The calls of macros that stand for nothing, as the user sees them.
 fn empty_calls(program: &Program) -> Vec<Span> {
     let is_empty = |e: &&Expansion| {
@@ -528,8 +657,12 @@ fn ambiguous_names(program: &Program, undecided: &[Span]) -> FxHashSet<Name> {
             names.insert(Name(name.value));
         }
     }
+    let is_user = |span: &Span| {
+        let file = program.sources.file_at(span.start);
+        file.is_some_and(|f| f.role == Role::User)
+    };
     let inactive = program.tokens.inactive.iter();
-    for span in inactive.filter(|s| holds(undecided, **s)) {
+    for span in inactive.filter(|s| is_user(s) && holds(undecided, **s)) {
         for (before, word) in word_pairs(program.sources.text(*span)) {
             let Some(name) = program.names.get(word) else {
                 continue;

@@ -334,7 +334,11 @@ fn unreadable(content: &Content) -> Option<Diagnostic> {
         ),
         Encoding::Binary => error(error::INVALID_ENCODING, "the file is no text"),
         _ if !content.text.trim().is_empty() => None,
-        _ => error(error::MISSING_MAIN, "the file is empty"),
+        // Others may include it, as a place for something.
+        _ => error(error::MISSING_MAIN, "the file is empty").map(|d| Diagnostic {
+            severity: Severity::Warning,
+            ..d
+        }),
     }
 }
 

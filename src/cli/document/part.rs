@@ -142,6 +142,11 @@ fn tell_part(
     } else {
         Unrun::Everywhere
     };
+    if part.readings.renames {
+        analysis
+            .diagnostics
+            .retain(|d| d.rule != error::RESERVED_WORD);
+    }
     if extent != Extent::Whole {
         // The program around a part knows its names.
         let names = analysis.diagnostics.iter_mut();

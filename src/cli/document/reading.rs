@@ -81,6 +81,8 @@ pub struct Readings {
     pub standing: Standing,
     /// The hosts that are thought to complete it.
     pub hosts: Vec<String>,
+    /// Whether a host gives other names to what the text declares.
+    pub renames: bool,
     text: Text,
     told: Guess,
     needs_300: bool,
@@ -100,6 +102,7 @@ impl Readings {
             all: vec![reading],
             standing: Standing::Whole,
             hosts: Vec::new(),
+            renames: false,
             told: Guess::default(),
             needs_300: false,
         }
@@ -125,6 +128,7 @@ impl Readings {
             all: Vec::new(),
             standing,
             hosts: Vec::new(),
+            renames: false,
             text,
             told,
             needs_300,
@@ -186,6 +190,7 @@ impl Readings {
         }
         for preset in presets {
             self.hosts.push(preset.title.clone());
+            self.renames |= preset.renames;
             self.complete(sources, Some(preset), options)?;
         }
         Some(())
@@ -235,6 +240,9 @@ impl Readings {
             (_, Some(Kind::Versioned)) => &[Version::Es100],
             (Some(HostVersion::Es100), _) => &[Version::Es100],
             (Some(HostVersion::Es300), _) => &[Version::Es300],
+            // Such a host turns one into the other.
+            (Some(HostVersion::Any), Some(Kind::WebGl1)) => &[Version::Es100, Version::Es300],
+            (Some(HostVersion::Any), _) => &[Version::Es300, Version::Es100],
             _ if self.needs_300 => &[Version::Es300],
             (_, Some(Kind::WebGl1)) => &[Version::Es100, Version::Es300],
             _ => &[Version::Es300, Version::Es100],

@@ -20,7 +20,7 @@
 // package: @babylonjs/ reactylon babylonjs babylonjs-materials babylonjs-post-process babylonjs-procedural-textures
 // word: finalWorld positionUpdated normalUpdated tangentUpdated uvUpdated
 // global: BABYLON
-// version: 300 es
+// version: any
 // names: all
 // entry: main
 // include: <...>

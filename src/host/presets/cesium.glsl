@@ -23,7 +23,7 @@
 // package: @cesium/ cesium resium
 // word: czm_*
 // global: Cesium
-// version: 300 es
+// version: any
 // names: some
 // entry: main czm_getMaterial vertexMain fragmentMain
 precision highp sampler3D;

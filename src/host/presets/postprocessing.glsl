@@ -17,6 +17,7 @@
 // word: inputBuffer getViewZ readDepth packFloatToRGBA unpackRGBAToFloat
 // version: 300 es
 // names: some
+// renames: yes
 // entry: mainImage mainUv mainSupport
 // include: <...>
 precision highp float;

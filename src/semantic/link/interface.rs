@@ -5,7 +5,7 @@ use super::live::named;
 use crate::semantic::{Base, Program, Scalar, Stage, Storage, Type, VariableId};
 use crate::syntax::ast::{self, *};
 use crate::syntax::{Name, Version};
-use crate::text::Role;
+use crate::text::{Role, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A precision, as it is written.
@@ -82,6 +82,15 @@ impl<'a> Interface<'a> {
             }
         }
         let mut found = reader.found;
+        // A host declares what it gives; it counts where it is used.
+        let is_user = |token: TokenId| {
+            let span = program.token(token).map_or(Span::default(), |t| t.span);
+            let file = program.sources.file_at(span.start);
+            file.is_none_or(|f| f.role == Role::User)
+        };
+        for list in [&mut found.inputs, &mut found.outputs, &mut found.uniforms] {
+            list.retain(|i| i.is_used || is_user(i.token));
+        }
         for item in found.inputs.iter_mut().chain(&mut found.outputs) {
             item.is_invariant |= found.invariant.contains(&item.name);
         }

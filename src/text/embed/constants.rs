@@ -47,6 +47,8 @@ impl Constants {
 fn value(text: &str, tokens: &[Token], at: usize) -> Option<String> {
     let first = tokens.get(at)?;
     let start = first.range.start;
+    // A number is put in as JavaScript writes it: `7` for 7.0.
+    let written;
     let (value, end) = match &first.kind {
         Kind::Quoted => (text.get(first.range.clone())?, first.range.end + 1),
         Kind::Template(holes) if holes.is_empty() => {
@@ -57,8 +59,10 @@ fn value(text: &str, tokens: &[Token], at: usize) -> Option<String> {
             let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-');
             let end = rest.find(|c: char| !is_part(c)).unwrap_or(rest.len());
             let number = rest.get(..end)?;
-            number.parse::<f64>().ok().filter(|n| n.is_finite())?;
-            (number, start + end)
+            let number = number.parse::<f64>().ok().filter(|n| n.is_finite())?;
+            let is_plain = number == 0.0 || (1e-6..1e21).contains(&number.abs());
+            written = is_plain.then(|| format!("{number}"))?;
+            (written.as_str(), start + end)
         }
         _ => return None,
     };
@@ -85,6 +89,8 @@ mod tests {
 
     #[test]
     fn constants_have_values() {
+        check("const A = 7.0;", "7");
+        check("const A = 1e3;", "1000");
         check("const A = 'highp';", "highp");
         check("const A: number = 0.5, b = 1", "0.5");
         check("const A = `a`\nlet b", "a");

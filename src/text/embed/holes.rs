@@ -407,6 +407,22 @@ mod tests {
     }
 
     #[test]
+    fn libraries_write_more_than_glsl() {
+        check("uniform float a : 1.0;", "uniform float a      ;");
+        check(
+            "uniform U { vec4 a: [1.0, 0]; float b : .5; };",
+            "uniform U { vec4 a          ; float b     ; };",
+        );
+        check("x = a ? b : 1.0;", "none");
+        check("switch (a) { case 1: x = 1; }", "none");
+        check("attribute vec3 p : POSITION;", "none");
+        check(
+            "import 'a/b.glsl';\nfloat x;",
+            "                  \nfloat x;",
+        );
+    }
+
+    #[test]
     fn what_fits_depends_on_the_place() {
         check("a;\n${b}\nc;", "a;\n    \nc;");
         check("a; ${b} vec3 c;", "a;      vec3 c;");

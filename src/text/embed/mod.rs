@@ -120,6 +120,28 @@ impl Embedded {
         fits && read.is_some() && read == outer.get(from..to)
     }
 
+    /// Takes `...` for something that is left out.
+    fn leave_out(&mut self) {
+        if !self.code.contains("...") {
+            return;
+        }
+        let mut at = 0;
+        while let Some(rest) = self.code.get(at..).filter(|r| !r.is_empty()) {
+            let length = if rest.starts_with("//") {
+                rest.find('\n').unwrap_or(rest.len())
+            } else if let Some(behind) = rest.strip_prefix("/*") {
+                behind.find("*/").map_or(rest.len(), |end| end + 4)
+            } else if rest.starts_with("...") {
+                self.code.replace_range(at..at + 3, "   ");
+                self.has_holes = true;
+                3
+            } else {
+                rest.chars().next().map_or(1, char::len_utf8)
+            };
+            at += length;
+        }
+    }
+
     /// Leaves out the blanks in front, as the program does before it hands the shader over.
     fn trim_start(&mut self) {
         let blanks = self.code.len() - self.code.trim_start().len();
@@ -172,6 +194,7 @@ pub fn extract_named(name: &str, language: Language, text: &str) -> Vec<Embedded
         }
         _ => extract_into(language, text, 0, &mut found),
     }
+    found.iter_mut().for_each(Embedded::leave_out);
     found
 }
 

@@ -11,7 +11,8 @@ const MAX_HOLE: usize = 1_000;
 /// The holes in a text, in its order. What can be GLSL is none.
 pub(super) fn holes(code: &str) -> Vec<Hole> {
     let marks = ["$", "{{", "{%", "{#", "<%", "@", "%", "__", "[["];
-    let is_candidate = marks.iter().any(|m| code.contains(m)) || has_braced(code);
+    let is_candidate =
+        marks.iter().any(|m| code.contains(m)) || has_braced(code) || has_lines(code);
     if !is_candidate {
         return Vec::new();
     }
@@ -21,10 +22,21 @@ pub(super) fn holes(code: &str) -> Vec<Hole> {
         last: None,
         before_last: None,
         in_list: false,
+        is_uniform: false,
+        depth: 0,
         found: Vec::new(),
     };
     scan.run();
     scan.found
+}
+
+/// Whether a line imports a file, or gives a uniform a value behind a colon.
+fn has_lines(code: &str) -> bool {
+    let is_one = |line: &str| {
+        let line = line.trim_start();
+        line.starts_with("import") || line.contains(':') && !line.contains('?')
+    };
+    (code.contains("import") || code.contains(':')) && code.lines().any(is_one)
 }
 
 /// Whether a word stands between braces, with no blank.
@@ -62,6 +74,10 @@ struct Scan<'a> {
     before_last: Option<Range<usize>>,
     /// Whether a list of values is open.
     in_list: bool,
+    /// Whether the declaration of a uniform or of a block of them is open.
+    is_uniform: bool,
+    /// How many braces are open.
+    depth: u32,
     found: Vec<Hole>,
 }
 
@@ -85,13 +101,21 @@ impl<'a> Scan<'a> {
                 at += length;
             } else if is_word(byte) {
                 let length = word(rest).len();
+                self.is_uniform |= self.depth == 0 && word(rest) == "uniform";
                 self.passed(at..at + length);
                 at += length;
             } else {
                 if !byte.is_ascii_whitespace() {
                     match byte {
-                        b'{' => self.in_list |= self.text(&self.last) == "=",
-                        b';' => self.in_list = false,
+                        b'{' => {
+                            self.in_list |= self.text(&self.last) == "=";
+                            self.depth += 1;
+                        }
+                        b'}' => self.depth = self.depth.saturating_sub(1),
+                        b';' => {
+                            self.in_list = false;
+                            self.is_uniform &= self.depth > 0;
+                        }
                         _ => {}
                     }
                     self.passed(at..at + 1);
@@ -138,6 +162,8 @@ impl<'a> Scan<'a> {
                 is_hole.then(|| (length, expression(name)))
             }
             b'%' => self.percent(rest),
+            b':' => self.annotation(rest),
+            b'i' => self.import(rest),
             b'[' => {
                 // Nothing else is on its line.
                 let line = rest.split('\n').next()?.trim_end();
@@ -236,6 +262,29 @@ impl<'a> Scan<'a> {
                 .starts_with(|c: char| c.is_ascii() && is_word(c as u8));
         let number = self.found.len();
         is_format.then(|| (digits + 2, Content::Expression(format!("%{number}"))))
+    }
+
+    /// The value of a uniform, as some libraries write it: `uniform float x : 1.0;`.
+    fn annotation(&self, rest: &str) -> Option<(usize, Content)> {
+        let line = rest.split(['\n', ';']).next()?;
+        let is_line = rest.get(line.len()..)?.starts_with(';');
+        let value = line.get(1..)?.trim();
+        let is_value =
+            value.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '[' | '-' | '.'));
+        let is_name = self.text(&self.last).bytes().all(is_word);
+        let is_declared = self.text(&self.before_last).bytes().all(is_word);
+        let may_be = is_line && is_value && is_name && is_declared && !self.in_list;
+        (may_be && self.is_uniform).then_some((line.len(), Content::Nothing))
+    }
+
+    /// `import 'file.glsl'`, alone on its line.
+    fn import(&self, rest: &str) -> Option<(usize, Content)> {
+        let path = rest.strip_prefix("import")?;
+        let line = rest.split('\n').next()?.trim_end();
+        let path = path.split('\n').next()?.trim().trim_end_matches(';');
+        let is_path =
+            path.len() > 2 && path.starts_with(['"', '\'']) && path.ends_with(['"', '\'']);
+        is_path.then_some((line.len(), Content::Nothing))
     }
 
     /// Whether a brace closes a block, behind which no operator stands.

@@ -162,6 +162,14 @@ fn may_be_regex(text: &str, before: Option<&Token>) -> bool {
     }
 }
 
+/// Whether a `/` in the code of a template starts a regular expression: it follows what ends no value.
+fn starts_regex(bytes: &[u8], at: usize) -> bool {
+    let before = bytes.get(..at).unwrap_or(&[]);
+    let last = before.iter().rev().find(|b| !b.is_ascii_whitespace());
+    let is_comment = matches!(bytes.get(at + 1), Some(b'/' | b'*'));
+    !is_comment && last.is_some_and(|b| b"(,=:[!&|?{};".contains(b))
+}
+
 fn regex_end(bytes: &[u8], at: usize) -> Option<usize> {
     let mut in_class = false;
     let mut at = at + 1;
@@ -239,6 +247,9 @@ fn template_end(text: &str, at: usize) -> Option<(usize, Vec<Range<usize>>)> {
                     }
                 }
                 b'"' | b'\'' => at = quoted_end(bytes, at).unwrap_or(at),
+                b'/' if starts_regex(bytes, at) => {
+                    at = regex_end(bytes, at).map_or(at, |end| end - 1);
+                }
                 b'/' if matches!(bytes.get(at + 1), Some(b'/' | b'*')) => {
                     at = comment_end(text, at).saturating_sub(1).max(at);
                 }
