@@ -107,7 +107,7 @@ impl<'a> Hosts<'a> {
     }
 
     /// The hosts that may complete a text which lacks some names: those that alone have one of them,
-    /// else those that the script uses, else those of the project.
+    /// else those that the script uses and those of the project.
     pub fn of(&self, lacking: &BTreeSet<String>, readings: &Readings) -> Vec<&'static Preset> {
         let some = |all: &mut dyn Iterator<Item = &'static Preset>| -> Vec<_> {
             all.filter(|p| readings.may_host(p))
@@ -119,11 +119,10 @@ impl<'a> Hosts<'a> {
         if !by_word.is_empty() {
             return by_word;
         }
-        let by_import = some(&mut self.imported().iter().copied());
-        if !by_import.is_empty() {
-            return by_import;
-        }
-        some(&mut self.installed().iter().copied())
+        let imported = self.imported().iter();
+        let installed = self.installed().iter();
+        let others = installed.filter(|p| !self.imported().iter().any(|i| i.name == p.name));
+        some(&mut imported.chain(others).copied())
     }
 
     fn imported(&self) -> &[&'static Preset] {

@@ -83,6 +83,10 @@ fn take(text: &str, fence: &Fence, end: usize, base: usize, found: &mut Vec<Embe
     if !is_glsl || content.trim().is_empty() {
         return;
     }
+    // A fence of GLSL that shows how a page holds it.
+    if content.trim_start().starts_with('<') {
+        return extract_into(Language::Html, content, start, found);
+    }
     // A fence of GLSL that shows how a script holds it.
     if content.contains("= `") || content.contains("glsl`") {
         let count = found.len();

@@ -310,9 +310,18 @@ pub fn own_directive(text: &str) -> Option<&str> {
     if !text.contains('@') {
         return None;
     }
+    let mut in_comment = false;
     text.lines().find_map(|line| {
+        let was_in_comment = in_comment;
+        // The last mark of a line says whether a comment goes on behind it.
+        in_comment = match (line.rfind("/*"), line.rfind("*/")) {
+            (Some(open), Some(close)) => open > close,
+            (Some(open), None) => line.find("//").is_none_or(|at| at > open),
+            (None, Some(_)) => false,
+            (None, None) => in_comment,
+        };
         let line = line.trim();
-        let behind = line.strip_prefix('@')?;
+        let behind = line.strip_prefix('@').filter(|_| !was_in_comment)?;
         let end = behind.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         let word = behind.get(..end.unwrap_or(behind.len()))?;
         let is_closed = behind.get(word.len()..).is_some_and(|b| b.starts_with('@'));
@@ -436,6 +445,14 @@ mod tests {
             "#version 300 es\nx = 1\n",
             "other: it is Python, by its ending",
         );
+    }
+
+    #[test]
+    fn programs_take_shaders_out_of_texts() {
+        assert_eq!(own_directive("@export a.b\nvoid main() {}\n@end"), Some("@export"));
+        assert_eq!(own_directive("/*\n@author me\n*/\nvoid main() {}"), None);
+        assert_eq!(own_directive("// @author\nx; /* a */\n@import 'b.glsl'"), None);
+        assert_eq!(own_directive("float f() { return @SCALE@; }\n@NAME@"), None);
     }
 
     #[test]
