@@ -214,7 +214,27 @@ impl<'p, 'a> Part<'p, 'a> {
         let is_outside = d.message.starts_with("statements can only stand");
         let is_piece = matches!(self.extent, Extent::Piece | Extent::Excerpt);
         let is_cut = is_piece && (self.is_at_end(d.span) || is_brace && !self.is_inside(d));
-        is_outside || is_cut || is_torn && (is_brace || d.rule == error::LOCAL_FUNCTION)
+        is_outside
+            || is_cut
+            || self.is_call(d)
+            || is_torn && (is_brace || d.rule == error::LOCAL_FUNCTION)
+    }
+
+    /// Whether what was taken for the head of a function without its type is a call: a statement that
+    /// a host puts into a function.
+    fn is_call(&self, d: &Diagnostic) -> bool {
+        let is_head = d.message.starts_with("the function") && d.message.ends_with("has no type");
+        let kind = |i: usize| self.token(i).map_or(TokenKind::End, |t| t.kind);
+        let at = self.at(d.span.start);
+        let close = (at..at + MAX_LOOK).find(|i| kind(*i) == TokenKind::RightParen);
+        let behind = (close.unwrap_or(at)..at + MAX_LOOK).find(|i| {
+            let kind = kind(*i);
+            matches!(
+                kind,
+                TokenKind::Semicolon | TokenKind::LeftBrace | TokenKind::End
+            )
+        });
+        is_head && behind.is_some_and(|i| kind(i) != TokenKind::LeftBrace)
     }
 
     /// Whether a brace is wrong whatever stands before and behind a piece: a function follows one

@@ -108,7 +108,12 @@ impl<'a> Hosts<'a> {
 
     /// The hosts that may complete a text which lacks some names: those that alone have one of them,
     /// else those that the script uses and those of the project.
-    pub fn of(&self, lacking: &BTreeSet<String>, readings: &Readings) -> Vec<&'static Preset> {
+    /// Tells, too, whether the names say it.
+    pub fn of(
+        &self,
+        lacking: &BTreeSet<String>,
+        readings: &Readings,
+    ) -> (Vec<&'static Preset>, bool) {
         let some = |all: &mut dyn Iterator<Item = &'static Preset>| -> Vec<_> {
             all.filter(|p| readings.may_host(p))
                 .take(MAX_HOSTS)
@@ -117,12 +122,12 @@ impl<'a> Hosts<'a> {
         let named = |p: &&Preset| lacking.iter().any(|name| p.has_word(name));
         let by_word = some(&mut presets().iter().filter(named));
         if !by_word.is_empty() {
-            return by_word;
+            return (by_word, true);
         }
         let imported = self.imported().iter();
         let installed = self.installed().iter();
         let others = installed.filter(|p| !self.imported().iter().any(|i| i.name == p.name));
-        some(&mut imported.chain(others).copied())
+        (some(&mut imported.chain(others).copied()), false)
     }
 
     fn imported(&self) -> &[&'static Preset] {

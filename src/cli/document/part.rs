@@ -10,7 +10,7 @@ use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
 use crate::semantic::{Dialect, Extent, Kind, Stage, guess};
-use crate::syntax::{Lexer, RawKind, Version};
+use crate::syntax::{Lexer, RawKind, Version, WordClass, classify};
 use crate::text::embed::{Host, mask};
 use crate::text::kind::ending;
 use crate::text::{FileId, Role, Sources};
@@ -72,7 +72,9 @@ pub fn check_part(
         && !part.readings.is_shadertoy();
     let checked = part.readings.check(sources, part.infer_channels)?;
     let lacking = checked.lacking().filter(|_| is_open);
-    let presets = lacking.map_or(Vec::new(), |lacking| hosts.of(&lacking, &part.readings));
+    let (presets, is_sure) = lacking.map_or((Vec::new(), true), |lacking| {
+        hosts.of(&lacking, &part.readings)
+    });
     if presets.is_empty() {
         return tell_part(
             sources,
@@ -85,6 +87,7 @@ pub fn check_part(
     }
     drop(checked);
     part.readings.host(sources, &presets, options)?;
+    part.readings.is_guessed = !is_sure;
     let checked = part.readings.check(sources, part.infer_channels)?;
     tell_part(
         sources,
@@ -142,11 +145,7 @@ fn tell_part(
     } else {
         Unrun::Everywhere
     };
-    if part.readings.renames {
-        analysis
-            .diagnostics
-            .retain(|d| d.rule != error::RESERVED_WORD);
-    }
+    keep_under_hosts(sources, &part.readings, &mut analysis.diagnostics);
     if extent != Extent::Whole {
         // The program around a part knows its names.
         let names = analysis.diagnostics.iter_mut();
@@ -184,6 +183,21 @@ fn tell_part(
         hosts: part.readings.hosts.clone(),
     };
     Some((shader, judged))
+}
+
+/// Keeps what is wrong even if the hosts give other names, or are not the ones that were guessed.
+fn keep_under_hosts(sources: &Sources, readings: &Readings, diagnostics: &mut Vec<Diagnostic>) {
+    if readings.renames {
+        diagnostics.retain(|d| d.rule != error::RESERVED_WORD);
+    }
+    if readings.is_guessed && !readings.needs_300() {
+        // Where only the project speaks for a host, the text may go by another way, as GLSL ES 1.00.
+        diagnostics.retain(|d| {
+            let word = classify(sources.text(d.span), Version::Es100);
+            let is_free = d.rule == error::RESERVED_WORD && word != WordClass::Reserved;
+            d.rule != error::BUILTIN_REDEFINITION && !is_free
+        });
+    }
 }
 
 /// What was read as one shader, and how far rules looked at it.

@@ -83,6 +83,8 @@ pub struct Readings {
     pub hosts: Vec<String>,
     /// Whether a host gives other names to what the text declares.
     pub renames: bool,
+    /// Whether the hosts are only those that the script or the project uses.
+    pub is_guessed: bool,
     text: Text,
     told: Guess,
     needs_300: bool,
@@ -103,6 +105,7 @@ impl Readings {
             standing: Standing::Whole,
             hosts: Vec::new(),
             renames: false,
+            is_guessed: false,
             told: Guess::default(),
             needs_300: false,
         }
@@ -129,6 +132,7 @@ impl Readings {
             standing,
             hosts: Vec::new(),
             renames: false,
+            is_guessed: false,
             text,
             told,
             needs_300,
@@ -165,6 +169,11 @@ impl Readings {
     /// Whether the text may be cut anywhere: scripts put shaders together of such pieces.
     fn is_piece(&self) -> bool {
         self.text.place == Place::Literal && !self.has_version()
+    }
+
+    /// Whether the text itself needs GLSL ES 3.00.
+    pub fn needs_300(&self) -> bool {
+        self.needs_300 || self.told.is_300
     }
 
     /// Whether ShaderToy's player runs the text.

@@ -1,6 +1,6 @@
 //! Shaders in the fences of a Markdown text.
 
-use super::{Embedded, Language, Wrapping, extract_into, holes};
+use super::{Embedded, Language, Wrapping, extract_into, holes, left_out};
 use crate::text::kind::Evidence;
 
 /// Finds them.
@@ -159,7 +159,18 @@ fn mask(content: &str) -> String {
         let quote = line.len() - line.trim_start_matches(['>', ' ', '\t']).len();
         let (before, rest) = line.split_at_checked(quote).unwrap_or(("", line));
         code.push_str(&before.replace('>', " "));
-        code.push_str(&rest.replace("...", "   ").replace('\u{2026}', "   "));
+        let mut rest = rest;
+        while let Some(at) = rest.find(['.', '\u{2026}']) {
+            let (before, behind) = rest.split_at_checked(at).unwrap_or((rest, ""));
+            code.push_str(before);
+            let is_left_out = behind.starts_with("...") || behind.starts_with('\u{2026}');
+            let length = if is_left_out { 3 } else { 1 };
+            let (dots, more) = behind.split_at_checked(length).unwrap_or((behind, ""));
+            let told = if is_left_out { left_out(&code) } else { dots };
+            code.push_str(told);
+            rest = more;
+        }
+        code.push_str(rest);
     }
     code
 }

@@ -132,7 +132,9 @@ impl Embedded {
             } else if let Some(behind) = rest.strip_prefix("/*") {
                 behind.find("*/").map_or(rest.len(), |end| end + 4)
             } else if rest.starts_with("...") {
-                self.code.replace_range(at..at + 3, "   ");
+                let before = self.code.get(..at).unwrap_or("");
+                let dots = left_out(before);
+                self.code.replace_range(at..at + 3, dots);
                 self.has_holes = true;
                 3
             } else {
@@ -170,6 +172,18 @@ impl Host {
         Host {
             is_webgl1: !text.contains("webgl2") && asks_for_webgl1(),
         }
+    }
+}
+
+/// What stands for `...` behind a text: a value behind an operator, nothing between statements.
+pub(super) fn left_out(before: &str) -> &'static str {
+    /// How far is looked back, in bytes.
+    const NEAR: usize = 64;
+    let mut near = before.bytes().rev().take(NEAR);
+    let last = near.find(|b| !b.is_ascii_whitespace());
+    match last.is_some_and(|b| b"=(,+-*<>?:&|!".contains(&b)) {
+        true => "hhh",
+        false => "   ",
     }
 }
 

@@ -244,6 +244,11 @@ impl<'a> Scan<'a> {
             return None;
         }
         let inner = rest.get(1..)?;
+        if let Some(doubled) = inner.strip_prefix('%') {
+            let name = word(doubled);
+            let is_closed = doubled.get(name.len()..)?.starts_with("%%");
+            return (is_closed && !name.is_empty()).then(|| (name.len() + 4, expression(name)));
+        }
         if let Some(named) = inner.strip_prefix('(') {
             let name = word(named);
             let behind = named.get(name.len()..)?.strip_prefix(')')?;
@@ -269,8 +274,8 @@ impl<'a> Scan<'a> {
         let line = rest.split(['\n', ';']).next()?;
         let is_line = rest.get(line.len()..)?.starts_with(';');
         let value = line.get(1..)?.trim();
-        let is_value =
-            value.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '[' | '-' | '.'));
+        let is_number = |c: char| c.is_ascii_digit() || matches!(c, '[' | '-' | '.');
+        let is_value = value.starts_with(is_number) || matches!(value, "true" | "false");
         let is_name = self.text(&self.last).bytes().all(is_word);
         let is_declared = self.text(&self.before_last).bytes().all(is_word);
         let may_be = is_line && is_value && is_name && is_declared && !self.in_list;

@@ -449,9 +449,15 @@ mod tests {
 
     #[test]
     fn programs_take_shaders_out_of_texts() {
-        assert_eq!(own_directive("@export a.b\nvoid main() {}\n@end"), Some("@export"));
+        assert_eq!(
+            own_directive("@export a.b\nvoid main() {}\n@end"),
+            Some("@export")
+        );
         assert_eq!(own_directive("/*\n@author me\n*/\nvoid main() {}"), None);
-        assert_eq!(own_directive("// @author\nx; /* a */\n@import 'b.glsl'"), None);
+        assert_eq!(
+            own_directive("// @author\nx; /* a */\n@import 'b.glsl'"),
+            None
+        );
         assert_eq!(own_directive("float f() { return @SCALE@; }\n@NAME@"), None);
     }
 
