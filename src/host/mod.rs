@@ -58,6 +58,8 @@ pub struct Preset {
     pub version: HostVersion,
     /// Whether it declares nothing else, so that another unknown name is a mistake.
     pub is_complete: bool,
+    /// Whether it takes texts with a `#version` and puts its own in the place of that.
+    pub takes_version: bool,
     /// Whether it gives other names to what a text declares.
     pub renames: bool,
     /// The functions that it calls.
@@ -265,9 +267,9 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
 }
 
 /// The keys of a head.
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 11] = [
     "source", "package", "global", "word", "entry", "include", "hole", "version", "names",
-    "renames",
+    "renames", "takes",
 ];
 
 /// Whether a word in front of a colon may be meant as a key.
@@ -297,6 +299,12 @@ impl Preset {
                             "`{value}` is none of `any`, `own`, `100`, `300 es`"
                         ));
                     }
+                }
+            }
+            "takes" => {
+                self.takes_version = match value {
+                    "version" => true,
+                    _ => return Err(format!("`{value}` is not `version`")),
                 }
             }
             "renames" => {

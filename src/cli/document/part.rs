@@ -194,7 +194,7 @@ fn keep_under_hosts(sources: &Sources, readings: &Readings, diagnostics: &mut Ve
         // Where only the project speaks for a host, the text may go by another way, as GLSL ES 1.00.
         diagnostics.retain(|d| {
             let word = classify(sources.text(d.span), Version::Es100);
-            let is_free = d.rule == error::RESERVED_WORD && word != WordClass::Reserved;
+            let is_free = d.rule == error::RESERVED_WORD && word == WordClass::Plain;
             d.rule != error::BUILTIN_REDEFINITION && !is_free
         });
     }

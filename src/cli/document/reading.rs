@@ -183,7 +183,8 @@ impl Readings {
 
     /// Whether a host takes texts like this one.
     pub fn may_host(&self, preset: &Preset) -> bool {
-        !self.has_version() || matches!(preset.version, HostVersion::Own | HostVersion::Any)
+        let takes_any = matches!(preset.version, HostVersion::Own | HostVersion::Any);
+        !self.has_version() || takes_any || preset.takes_version
     }
 
     /// Reads the text as one that one of these hosts completes.

@@ -20,7 +20,8 @@
 // package: @babylonjs/ reactylon babylonjs babylonjs-materials babylonjs-post-process babylonjs-procedural-textures
 // word: finalWorld positionUpdated normalUpdated tangentUpdated uvUpdated
 // global: BABYLON
-// version: any
+// version: 300 es
+// takes: version
 // names: all
 // entry: main
 // include: <...>

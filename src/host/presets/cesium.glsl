@@ -23,7 +23,8 @@
 // package: @cesium/ cesium resium
 // word: czm_*
 // global: Cesium
-// version: any
+// version: 300 es
+// takes: version
 // names: some
 // entry: main czm_getMaterial vertexMain fragmentMain
 precision highp sampler3D;
