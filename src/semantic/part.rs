@@ -450,12 +450,11 @@ impl<'p, 'a> Part<'p, 'a> {
         for i in (at.saturating_sub(MAX_LOOK)..at).rev() {
             match kind(i) {
                 T::RightParen => depth += 1,
-                T::LeftParen if depth == 0 => {
-                    if i.checked_sub(1).is_some_and(|c| self.is_unknown(c)) {
-                        return true;
-                    }
+                T::LeftParen if depth > 0 => depth -= 1,
+                T::LeftParen if i.checked_sub(1).is_some_and(|c| self.is_unknown(c)) => {
+                    return true;
                 }
-                T::LeftParen => depth -= 1,
+                T::LeftParen => {}
                 T::Semicolon | T::LeftBrace | T::RightBrace | T::End => return false,
                 _ => {}
             }

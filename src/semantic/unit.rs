@@ -44,14 +44,26 @@ pub struct Analysis<'a> {
 /// Reads and checks a part of a shader in each way in which a host may take it, the likeliest first:
 /// what is wrong in all of them is wrong.
 pub fn analyze_part<'a>(readings: &[Unit<'a>]) -> Option<Analysis<'a>> {
+    /// Most tokens that are read for it.
+    const MAX_READ: usize = 2_000_000;
     let (first, others) = readings.split_first()?;
     let mut analysis = analyze(first);
+    let mut read = 0;
     for other in others {
         if !analysis
             .diagnostics
             .iter()
             .any(|d| d.severity == Severity::Error)
         {
+            break;
+        }
+        read += analysis.program.size();
+        if read > MAX_READ {
+            // What the others would say is not known.
+            analysis.open.is_any = true;
+            analysis
+                .diagnostics
+                .retain(|d| d.severity != Severity::Error);
             break;
         }
         let found = analyze(other).diagnostics;

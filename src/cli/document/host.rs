@@ -14,6 +14,8 @@ use std::sync::{Arc, Mutex};
 const MAX_FILE: u64 = 1024 * 1024;
 /// Most folders above a file that are looked into.
 const MAX_FOLDERS: usize = 16;
+/// Longest path of an import, in bytes.
+const MAX_PATH: usize = 300;
 /// Most hosts that one text is read for.
 const MAX_HOSTS: usize = 4;
 
@@ -167,8 +169,10 @@ fn imports(script: &str) -> Vec<&str> {
             let Some(quote) = behind.chars().next().filter(|c| matches!(c, '"' | '\'')) else {
                 continue;
             };
-            let path = behind.get(1..).and_then(|b| b.split([quote, '\n']).next());
-            found.extend(path);
+            let path = behind.get(1..).unwrap_or("");
+            let mut near = path.bytes().take(MAX_PATH);
+            let end = near.position(|b| b == quote as u8 || b == b'\n');
+            found.extend(end.and_then(|end| path.get(..end)));
         }
     }
     found

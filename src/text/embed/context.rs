@@ -1,6 +1,7 @@
 //! What a script says of a literal: what it is given to, and by what.
 
 use super::token::{Kind, Token, is_literal, is_mark};
+use std::collections::HashSet;
 
 /// What stands before a literal.
 pub struct Context {
@@ -36,17 +37,20 @@ impl Context {
         }
     }
 
-    /// Whether more is put behind the literal somewhere: `NAME += ...`.
-    pub fn goes_on(&self, text: &str, tokens: &[Token]) -> bool {
-        let is_name =
-            |t: &Token| t.kind == Kind::Word && text.get(t.range.clone()) == self.target.as_deref();
-        self.target.is_some()
-            && (0..tokens.len()).any(|at| {
-                is_mark(tokens, at + 1, b'+')
-                    && is_mark(tokens, at + 2, b'=')
-                    && tokens.get(at).is_some_and(is_name)
-            })
+    /// Whether the literal is given to one of some names.
+    pub fn is_given_to(&self, names: &HashSet<&str>) -> bool {
+        self.target.as_deref().is_some_and(|t| names.contains(t))
     }
+}
+
+/// The names of a script behind whose texts more is put: `NAME += ...`.
+pub fn grown<'a>(text: &'a str, tokens: &[Token]) -> HashSet<&'a str> {
+    let name = |at: usize| {
+        let name = tokens.get(at).filter(|t| t.kind == Kind::Word)?;
+        let grows = is_mark(tokens, at + 1, b'+') && is_mark(tokens, at + 2, b'=');
+        text.get(name.range.clone()).filter(|_| grows)
+    };
+    (0..tokens.len()).filter_map(name).collect()
 }
 
 /// Words of names that are given to shaders.

@@ -2,17 +2,22 @@
 
 use super::chain::Chain;
 use super::constants::Constants;
-use super::context::Context;
+use super::context::{Context, grown};
 use super::holes::mask;
 use super::literal::read;
 use super::token::{Kind, Token, is_literal, is_mark, tokens};
 use super::{Embedded, Wrapping, is_shader};
 use crate::text::kind::{Chunk, chunk, is_bare};
+use std::collections::HashSet;
 
 /// Finds them. Where the name of the script speaks of shaders, its literals need less evidence.
 pub fn extract(text: &str, base: usize, is_named: bool, found: &mut Vec<Embedded>) {
     let tokens = tokens(text);
-    let constants = Constants::of(text, &tokens);
+    let script = Script {
+        constants: Constants::of(text, &tokens),
+        grown: grown(text, &tokens),
+        is_named,
+    };
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
         if !is_literal(token) {
@@ -21,7 +26,7 @@ pub fn extract(text: &str, base: usize, is_named: bool, found: &mut Vec<Embedded
         }
         let chain = Chain::of(text, &tokens, at);
         let last = chain.last;
-        let shader = shader(text, &tokens, at, &chain, &constants, is_named);
+        let shader = shader(text, &tokens, at, &chain, &script);
         if let Some(shader) = shader {
             found.push(Embedded {
                 start: shader.start + base,
@@ -32,14 +37,22 @@ pub fn extract(text: &str, base: usize, is_named: bool, found: &mut Vec<Embedded
     }
 }
 
+/// What is known of a script.
+struct Script<'a> {
+    constants: Constants,
+    /// The names behind whose texts more is put.
+    grown: HashSet<&'a str>,
+    /// Whether the file's name speaks of shaders.
+    is_named: bool,
+}
+
 /// The shader that a chain of literals holds, if it holds one.
 fn shader(
     text: &str,
     tokens: &[Token],
     first: usize,
     chain: &Chain,
-    constants: &Constants,
-    is_named: bool,
+    script: &Script,
 ) -> Option<Embedded> {
     /// Shortest text that is looked at where nothing introduces it.
     const SHORTEST: usize = 8;
@@ -48,8 +61,8 @@ fn shader(
     if !context.is_introduced && end - tokens.get(first)?.range.start < SHORTEST {
         return None;
     }
-    let code = read(text, tokens, chain, constants)?;
-    if code.text.trim().is_empty() || !is_taken(&code.text, &context, is_named) {
+    let code = read(text, tokens, chain, &script.constants)?;
+    if code.text.trim().is_empty() || !is_taken(&code.text, &context, script.is_named) {
         return None;
     }
     let literal = tokens.get(first)?;
@@ -60,7 +73,7 @@ fn shader(
         has_holes: code.has_holes
             || masked.is_some()
             || context.is_pattern
-            || context.goes_on(text, tokens),
+            || context.is_given_to(&script.grown),
         code: masked.unwrap_or(code.text),
         wrapping: if is_template {
             Wrapping::Template
