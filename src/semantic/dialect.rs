@@ -391,7 +391,7 @@ impl Seen {
             }
             "mainImage" => {
                 self.entries += 1;
-                if last == "void" && may_be_entry(behind) {
+                if may_be_entry(last, behind) {
                     self.pass = Some(Pass::Image);
                 }
             }
@@ -417,12 +417,13 @@ impl Seen {
     }
 }
 
-/// Whether what stands behind `mainImage` may be the parameters of ShaderToy's, or of one that is
-/// meant as such; other hosts have entries of this name with more of them.
-fn may_be_entry(behind: &str) -> bool {
+/// Whether what stands around `mainImage` makes it ShaderToy's, or one that is meant as such: others
+/// take more parameters, or give a value.
+fn may_be_entry(last: &str, behind: &str) -> bool {
     let params = behind.trim_start().strip_prefix('(');
     let params = params.and_then(|p| p.split(['(', ')', '{', ';']).next());
-    params.is_none_or(|p| p.matches(',').count() < 2)
+    let gives = last == "void" || params.is_some_and(|p| p.contains("out "));
+    gives && params.is_none_or(|p| p.matches(',').count() < 2)
 }
 
 #[cfg(test)]
@@ -446,6 +447,12 @@ mod tests {
             Some(Kind::ShaderToy(Pass::Image)),
         );
         check("// mainImage\nfloat f(){return 1.;}", None);
+        check(
+            "vec4 mainImage(out vec4 c, vec2 f){}",
+            Some(Kind::ShaderToy(Pass::Image)),
+        );
+        check("vec4 mainImage(vec2 uv){}", None);
+        check("void mainImage(in vec4 a, in vec2 b, out vec4 c){}", None);
         check("void main(){ gl_FragColor = vec4(1); }", Some(Kind::WebGl1));
         check(
             "out vec4 c; void main(){ c = vec4(1); }",

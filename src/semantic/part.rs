@@ -527,7 +527,14 @@ impl<'p, 'a> Part<'p, 'a> {
     /// asks for it.
     fn is_open_macro(&self, used: &MacroUse) -> bool {
         let definition = used.definition;
-        self.is_undecided(definition) || !definition.is_empty() && !self.is_user(definition)
+        let mut macros = self.program.tokens.macros.iter();
+        let own = macros.find(|m| m.name_span == definition);
+        // One name for another: hosts call what GLSL ES 1.00 has by its newer name.
+        let is_renaming = own.is_some_and(
+            |m| matches!(m.body.as_slice(), [one] if one.token.kind == TokenKind::Identifier),
+        );
+        let is_of_host = !definition.is_empty() && !self.is_user(definition);
+        self.is_undecided(definition) || is_of_host && !is_renaming
     }
 
     /// Whether a place lies in a group that the host may leave out.

@@ -119,6 +119,11 @@ fn a_part_is_of_the_version_that_it_uses() {
         "varying vec2 uv;\nvoid main() { uvec2 i = uvec2(uv); gl_FragColor = texture(map, uv); }",
         &[],
     );
+    check(
+        "a.frag",
+        "uniform sampler2D map;\nvarying vec2 uv;\nvoid main() { gl_FragColor = texture2D(map, uv).rgb + vec2(x); }",
+        &["3:30 vector-size"],
+    );
     check("a.glsl", "vec3 centroid(vec3 a) { return a; }", &[]);
     check(
         "a.glsl",
