@@ -4,8 +4,9 @@ use super::part::Part;
 use super::reading::{Place, Readings, Text};
 use super::{Options, Read, foreign};
 use crate::diagnostic::{Applicability, Diagnostic, error};
-use crate::semantic::Stage;
+use crate::host::preset;
 use crate::semantic::snippet::{Item, items};
+use crate::semantic::{Kind, Stage, guess, needs_300};
 use crate::syntax::{Version, WordClass, classify};
 use crate::text::embed::{Embedded, Host, Language, Wrapping};
 use crate::text::kind::own_directive;
@@ -29,6 +30,7 @@ pub(super) fn parts(
         Language::Html | Language::Script | Language::Component => Host::of(text),
     };
     let all = std::mem::take(&mut read.embedded);
+    let is_300 = language == Language::Markdown && speaks_of_300(&all);
     let mut known = Known::default();
     for embedded in &all {
         known.enter(embedded.chapter);
@@ -36,18 +38,40 @@ pub(super) fn parts(
         if is_other || foreign::inside(read, file, embedded, options)? {
             continue;
         }
-        let part = part(read, file, embedded, host, &mut known, options)?;
+        let around = Around { host, is_300 };
+        let part = part(read, file, embedded, around, &mut known, options)?;
         read.parts.push(part);
     }
     read.embedded = all;
     Some(())
 }
 
+/// What is known of the file around a shader.
+#[derive(Clone, Copy)]
+struct Around {
+    host: Host,
+    /// Whether it speaks of GLSL ES 3.00 only.
+    is_300: bool,
+}
+
+/// Whether the shaders of a text speak of GLSL ES 3.00, or of ShaderToy, and none of 1.00: then its
+/// excerpts are of that version too.
+fn speaks_of_300(all: &[Embedded]) -> bool {
+    let shadertoy = preset("shadertoy");
+    let words = shadertoy.map_or(&[][..], |p| p.words.as_slice());
+    let is_new = |e: &Embedded| {
+        let uses_player = words.iter().any(|w| e.code.contains(w.as_str()));
+        uses_player || guess(&e.code).is_shadertoy() || needs_300(&e.code)
+    };
+    let is_old = |e: &Embedded| guess(&e.code).kind == Some(Kind::WebGl1);
+    all.iter().any(is_new) && !all.iter().any(is_old)
+}
+
 fn part(
     read: &mut Read,
     file: FileId,
     embedded: &Embedded,
-    host: Host,
+    around: Around,
     known: &mut Known,
     options: &Options,
 ) -> Option<Part> {
@@ -69,6 +93,7 @@ fn part(
             Wrapping::Fence | Wrapping::Listing => Place::Shown,
         },
         is_open: false,
+        is_300: around.is_300,
         has_holes: is_excerpt || embedded.has_holes,
     };
     let readings = Readings::of(&mut read.sources, code, text, options)?;
@@ -76,7 +101,7 @@ fn part(
     Some(Part {
         infer_channels: first.dialect.is_shadertoy(),
         readings,
-        host,
+        host: around.host,
         missing: Vec::new(),
     })
 }

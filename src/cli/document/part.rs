@@ -264,6 +264,7 @@ pub(super) fn shader_part(
             None => Place::File,
         },
         is_open,
+        is_300: false,
         has_holes,
     };
     let readings = Readings::of(&mut read.sources, text, about, options)?;

@@ -51,6 +51,8 @@ pub struct Text {
     pub place: Place,
     /// Whether a host is seen that puts something in.
     pub is_open: bool,
+    /// Whether what stands around the text says that it is GLSL ES 3.00.
+    pub is_300: bool,
     /// Whether something is left out inside.
     pub has_holes: bool,
 }
@@ -99,6 +101,7 @@ impl Readings {
                 stage: Some(reading.stage),
                 place: Place::File,
                 is_open: false,
+                is_300: false,
                 has_holes: false,
             },
             all: vec![reading],
@@ -126,7 +129,7 @@ impl Readings {
         told.is_completed &= joined.is_none();
         let kind = kind_of(&told, &text, code, options.dialect);
         let standing = standing(kind, &told, &text, code, options.dialect);
-        let needs_300 = standing != Standing::Whole && needs_300(code);
+        let needs_300 = text.is_300 || standing != Standing::Whole && needs_300(code);
         let mut found = Readings {
             all: Vec::new(),
             standing,
