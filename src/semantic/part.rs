@@ -404,7 +404,8 @@ impl<'p, 'a> Part<'p, 'a> {
             let word = callee.unwrap_or(before);
             let starts = word.checked_sub(1).map_or(T::End, kind);
             let is_alone = matches!(starts, T::Semicolon | T::LeftBrace | T::RightBrace | T::End);
-            return self.is_unknown(at) || self.is_unknown(word) && is_alone;
+            let may_end = is_alone || self.extent == Extent::Excerpt;
+            return self.is_unknown(at) || self.is_unknown(word) && may_end;
         }
         let is_near = (at.saturating_sub(2)..end.min(at + MAX_LOOK)).any(|i| self.is_unknown(i));
         let touches = is_operand(before) || is_operand(at);

@@ -415,6 +415,11 @@ mod tests {
         );
         check("x = a ? b : 1.0;", "none");
         check("switch (a) { case 1: x = 1; }", "none");
+        check("if (a == {no-repeat}) {}", "if (a == hhhhhhhhhhh) {}");
+        check(
+            "{{= if (a) { }}\nx;\n{{= } }}",
+            "               \nx;\n        ",
+        );
         check("attribute vec3 p : POSITION;", "none");
         check(
             "import 'a/b.glsl';\nfloat x;",

@@ -43,7 +43,7 @@ fn has_lines(code: &str) -> bool {
 fn has_braced(code: &str) -> bool {
     code.match_indices('{').any(|(at, _)| {
         let rest = code.get(at + 1..).unwrap_or("");
-        let word = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let word = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_' && c != '-');
         word.is_some_and(|w| w > 0 && rest.get(w..).is_some_and(|r| r.starts_with(['}', '{'])))
     })
 }
@@ -202,7 +202,9 @@ impl<'a> Scan<'a> {
         }
         if let Some(end) = line.starts_with("{{").then(|| line.find("}}")).flatten() {
             let inner = line.get(2..end)?;
-            let is_mark = inner.trim_start().starts_with(['#', '/', '!', '>', '^']);
+            let is_mark = inner
+                .trim_start()
+                .starts_with(['#', '/', '!', '>', '^', '=']);
             if is_mark || inner.trim() == "else" {
                 return Some((end + 2, Content::Nothing));
             }
@@ -214,7 +216,9 @@ impl<'a> Scan<'a> {
 
     /// `{x}`, with no blank; in GLSL that is a block only where `x` is a macro.
     fn brace(&self, at: usize, line: &str) -> Option<(usize, Content)> {
-        let length = braced(line)?;
+        let Some(length) = braced(line) else {
+            return self.dashed(line);
+        };
         let inner = line.get(1..length - 1)?;
         let next = line.get(length..)?.trim_start();
         let touches = at.checked_sub(1).and_then(|b| self.code.as_bytes().get(b));
@@ -225,6 +229,17 @@ impl<'a> Scan<'a> {
         let is_list = self.in_list || last == "=" && next.starts_with([';', ',', '}']);
         let is_hole = !is_block && !is_list && !self.known.contains(inner);
         is_hole.then(|| (length, expression(inner)))
+    }
+
+    /// `{no-repeat}` as an operand.
+    fn dashed(&self, line: &str) -> Option<(usize, Content)> {
+        let end = line.find('}')?;
+        let inner = line.get(1..end)?;
+        let is_dashed = inner.starts_with(|c: char| c.is_ascii_alphabetic())
+            && inner.contains('-')
+            && inner.bytes().all(|b| is_word(b) || b == b'-');
+        let is_operand = matches!(self.text(&self.last), "=" | "(" | "<" | ">" | "&" | "|");
+        (is_dashed && is_operand).then(|| (end + 1, expression(inner)))
     }
 
     /// `%s`, `%NAME%` and `%(name)s`, where no remainder can be taken.
