@@ -170,9 +170,10 @@ pub struct Guess {
     pub stage: Option<Stage>,
     /// Whether it defines `main`.
     pub has_main: bool,
-    /// Whether it declares what WebGL1 asks every shader for: the precision of a fragment shader,
-    /// the attributes of a vertex shader.
-    pub is_supplied: bool,
+    /// Whether it sets a default precision, which WebGL1 asks every fragment shader for.
+    pub has_precision: bool,
+    /// Whether it declares attributes, which every vertex shader has.
+    pub has_attribute: bool,
     /// Whether its `#version` is 300.
     pub is_300: bool,
     /// Whether it shows that a program completes it: by an `#include`, by a `#pragma` that is none
@@ -241,7 +242,8 @@ pub fn guess(text: &str) -> Guess {
         kind,
         stage,
         has_main: seen.defines_main,
-        is_supplied: seen.attribute || seen.precision && !seen.vertex,
+        has_precision: seen.precision,
+        has_attribute: seen.attribute,
         is_300: seen.is_300,
         is_completed: has("#") && is_completed(text),
     }

@@ -142,7 +142,10 @@ pub(super) fn load(read: &mut Read, name: &str, options: &Options) -> Option<Par
 
 /// Whether a shader file is one stage of a program, as far as its text shows.
 fn may_be_linked(part: &Part) -> bool {
-    let is_whole = matches!(part.readings.standing, Standing::Whole | Standing::Complete);
+    let is_whole = matches!(
+        part.readings.standing,
+        Standing::Whole | Standing::Complete | Standing::Unversioned
+    );
     is_whole && part.may_be_program()
 }
 

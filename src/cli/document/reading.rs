@@ -34,6 +34,8 @@ pub enum Standing {
     Whole,
     /// All of it, unless it uses what it does not declare.
     Complete,
+    /// All of it, unless it is right only where a host writes `#version 300 es` before it.
+    Unversioned,
     /// A part that a host completes.
     Part,
     /// A part in which something is left out.
@@ -158,7 +160,8 @@ impl Readings {
         {
             found.all.push(found.as_it_stands(sources, kind, options)?);
         }
-        if found.all.is_empty() || standing == Standing::Complete {
+        let may_be_part = matches!(standing, Standing::Complete | Standing::Unversioned);
+        if found.all.is_empty() || may_be_part {
             found.complete(sources, None, options)?;
         }
         Some(found)
@@ -307,7 +310,7 @@ impl Readings {
     /// Checks the text in the ways in which it may be read.
     pub fn check<'a>(&'a self, sources: &'a Sources, infer_channels: bool) -> Option<Checked<'a>> {
         let extent = match self.standing {
-            Standing::Whole | Standing::Complete => Extent::Whole,
+            Standing::Whole | Standing::Complete | Standing::Unversioned => Extent::Whole,
             Standing::Part if self.is_piece() => Extent::Piece,
             Standing::Part => Extent::Part,
             Standing::Excerpt => Extent::Excerpt,
@@ -333,7 +336,22 @@ impl Readings {
                 .diagnostics
                 .iter()
                 .any(|d| lacks_something(d) && !is_macro(sources.text(d.span)));
-            if self.standing == Standing::Whole || !lacks {
+            let is_whole = match self.standing {
+                Standing::Unversioned => {
+                    let is_wrong = analysis.diagnostics.iter().any(is_error);
+                    let with_version = |r| analyze(&unit(r, Extent::Whole)).diagnostics;
+                    let would_be = || others.first().map_or(Vec::new(), with_version);
+                    let is_open = |d: &Diagnostic| {
+                        let rules = [error::MISSING_OUTPUT, error::OUTPUT_LOCATION];
+                        lacks_something(d) || rules.contains(&d.rule)
+                    };
+                    let is_left = |d: &Diagnostic| is_error(d) && !is_open(d);
+                    !is_wrong || would_be().iter().any(is_left)
+                }
+                Standing::Complete => !lacks,
+                _ => true,
+            };
+            if is_whole {
                 return Some(Checked { analysis, extent });
             }
             all = others;
@@ -365,7 +383,6 @@ impl Checked<'_> {
             diagnostics,
             open,
         } = &self.analysis;
-        let is_error = |d: &Diagnostic| d.severity == Severity::Error;
         if !open.is_any && !diagnostics.iter().any(is_error) {
             return None;
         }
@@ -425,13 +442,23 @@ fn standing(
         Some(Kind::Versioned) if text.place == Place::Shown => Standing::Complete,
         Some(Kind::ShaderToy(_) | Kind::Versioned) => Standing::Whole,
         Some(Kind::WebGl1) if is_literal => Standing::Part,
-        // Words of both versions: the host makes one of them.
-        Some(Kind::WebGl1) if told.has_main && !needs_300(code) => match told.is_supplied {
-            true => Standing::Whole,
-            false => Standing::Complete,
-        },
+        Some(Kind::WebGl1) if told.has_main => {
+            let is_supplied = match text.stage.or(told.stage) {
+                Some(Stage::Vertex) => told.has_attribute,
+                _ => told.has_precision,
+            };
+            match is_supplied {
+                true if needs_300(code) => Standing::Unversioned,
+                true => Standing::Whole,
+                false => Standing::Complete,
+            }
+        }
         _ => Standing::Part,
     }
+}
+
+fn is_error(diagnostic: &Diagnostic) -> bool {
+    diagnostic.severity == Severity::Error
 }
 
 /// Whether an error says that a shader lacks what its host may have.
