@@ -214,7 +214,12 @@ pub fn is_accepted(text: &str, stage: Stage) -> bool {
     let Ok(settings) = Settings::new(&[], &[], &[]) else {
         return false;
     };
-    let found = check(name, Content::utf8(text), DialectChoice::Auto, &settings);
+    // What stands there is all that the browser gets.
+    let choice = match text.contains("#version") {
+        true => DialectChoice::Webgl2,
+        false => DialectChoice::Webgl1,
+    };
+    let found = check(name, Content::utf8(text), choice, &settings);
     let all = found.map_or(Vec::new(), |f| f.diagnostics);
     !all.iter().any(|d| d.severity == Severity::Error)
 }
