@@ -386,6 +386,7 @@ impl Seen {
     }
 
     fn word(&mut self, word: &str, behind_hash: bool, last: &str, behind: &str) {
+        self.vertex |= VERTEX_WORDS.contains(&word);
         match word {
             "version" if behind_hash => {
                 self.version = true;
@@ -403,12 +404,10 @@ impl Seen {
             | "textureCube" => {
                 self.old = true;
                 self.attribute |= word == "attribute";
-                self.vertex |= word == "attribute";
             }
             "texture" | "texelFetch" | "textureLod" | "out" | "uint" | "flat" | "layout" => {
                 self.new = true
             }
-            "gl_Position" | "gl_VertexID" | "gl_InstanceID" | "gl_PointSize" => self.vertex = true,
             "precision" => self.precision = true,
             "main" => {
                 self.main = true;

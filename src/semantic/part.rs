@@ -341,8 +341,7 @@ impl<'p, 'a> Part<'p, 'a> {
     }
 
     fn is_user(&self, span: Span) -> bool {
-        let file = self.program.sources.file_at(span.start);
-        file.is_some_and(|f| f.role == Role::User)
+        self.program.sources.is_user(span.start)
     }
 
     /// Whether nothing of the user's text follows a place, but closing braces of its host.
@@ -684,10 +683,7 @@ fn ambiguous_names(program: &Program, undecided: &[Span]) -> FxHashSet<Name> {
             names.insert(Name(name.value));
         }
     }
-    let is_user = |span: &Span| {
-        let file = program.sources.file_at(span.start);
-        file.is_some_and(|f| f.role == Role::User)
-    };
+    let is_user = |span: &Span| program.sources.is_user(span.start);
     let inactive = program.tokens.inactive.iter();
     for span in inactive.filter(|s| is_user(s) && holds(undecided, **s)) {
         for (before, word) in word_pairs(program.sources.text(*span)) {

@@ -212,6 +212,11 @@ impl Sources {
         self.file_id_at(address).and_then(|id| self.file(id))
     }
 
+    /// Whether the user wrote what stands at an address, and no host put it there.
+    pub fn is_user(&self, address: u32) -> bool {
+        self.file_at(address).is_some_and(|f| f.role == Role::User)
+    }
+
     /// The text under a span; empty where the span leaves its file or splits a character.
     pub fn text(&self, span: Span) -> &str {
         self.file_at(span.start)

@@ -128,11 +128,7 @@ fn tell_part(
         if let Unrun::Functions { broken, .. } = &unrun {
             allows.excuse(broken);
         }
-        let is_user = |d: &Diagnostic| {
-            let file = sources.file_at(d.span.start);
-            file.is_some_and(|f| f.role == Role::User)
-        };
-        found.retain(is_user);
+        found.retain(|d| sources.is_user(d.span.start));
         if extent != Extent::Whole {
             // What a host makes of it is not known well enough to write anything unasked.
             foreign::ask_first(&mut found);

@@ -310,10 +310,7 @@ fn lacking(vertex: &Program, fragment: &Program, asked: Vec<Asked>) -> Vec<Lacki
     let mut uniforms: BTreeSet<&str> = BTreeSet::new();
     for program in [vertex, fragment] {
         // Text that is left out may declare more.
-        let is_user = |span: &Span| {
-            let file = program.sources.file_at(span.start);
-            file.is_some_and(|f| f.role == Role::User)
-        };
+        let is_user = |span: &Span| program.sources.is_user(span.start);
         if program.tokens.inactive.iter().any(is_user) {
             return Vec::new();
         }

@@ -14,6 +14,7 @@ use crate::semantic::{
 use crate::syntax::Version;
 use crate::text::kind::has_main;
 use crate::text::{FileId, Role, Sources};
+use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
 /// One way to read a text.
@@ -219,10 +220,10 @@ impl Readings {
         preset: Option<&Preset>,
         options: &Options,
     ) -> Option<()> {
+        let code = code_of(sources, &self.text.files);
         for (version, stage) in self.ways(preset) {
             let declared = part_declarations(version, stage);
             let is_vertex = stage == Stage::Vertex;
-            let code = code_of(sources, &self.text.files);
             let own = preset.map_or(String::new(), |p| prelude(p, &code, is_vertex));
             let writes = code.contains("gl_FragColor") && !own.contains("gl_FragColor");
             let own = match version {
@@ -328,9 +329,10 @@ impl Readings {
             let (first, others) = all.split_first()?;
             let analysis = analyze(&unit(first, extent));
             // What the text itself defines, however badly, no host has to.
+            let code = OnceCell::new();
             let is_macro = |name: &str| {
-                let files = &first.files;
-                !name.is_empty() && code_of(sources, files).contains(&format!("define {name}"))
+                let code = code.get_or_init(|| code_of(sources, &first.files));
+                !name.is_empty() && code.contains(&format!("define {name}"))
             };
             let lacks = analysis
                 .diagnostics
