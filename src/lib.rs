@@ -5,6 +5,7 @@
 
 pub mod cli;
 pub mod diagnostic;
+pub mod engine;
 pub mod host;
 pub mod lint;
 pub mod port;

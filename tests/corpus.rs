@@ -2,12 +2,12 @@
 //!
 //! `INSTA_UPDATE=always cargo test` accepts what is said now.
 
-use shaderlint::cli::document::{DialectChoice, check};
-use shaderlint::cli::input::Content;
+use shaderlint::engine::{DialectChoice, check};
 use shaderlint::lint::Settings;
 use shaderlint::port::{Project, compose, glsl};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
+use shaderlint::text::Content;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

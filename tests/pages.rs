@@ -4,14 +4,14 @@
 //! `INSTA_UPDATE=always cargo test` writes what is printed and fixed into the pages, and the table of
 //! all rules between its markers.
 
-use shaderlint::cli::document::{DialectChoice, check, fix_text};
-use shaderlint::cli::input::Content;
 use shaderlint::diagnostic::{Diagnostic, ERRORS, error_page};
+use shaderlint::engine::{DialectChoice, check, fix_text};
 use shaderlint::host::presets;
 use shaderlint::lint::{Allow, Fence, FenceKind, Page, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
 use shaderlint::semantic::{Kind, guess};
+use shaderlint::text::Content;
 use shaderlint::text::Sources;
 use std::fs;
 use std::path::Path;

@@ -1,12 +1,12 @@
 //! What holds for every text, tried on thousands of random ones.
 
 use proptest::prelude::*;
-use shaderlint::cli::document::{DialectChoice, DocumentError, Findings, check, fix_text};
-use shaderlint::cli::input::Content;
 use shaderlint::diagnostic::Severity;
+use shaderlint::engine::{DialectChoice, DocumentError, Findings, check, fix_text};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::rules::RULES;
 use shaderlint::syntax::tokenize;
+use shaderlint::text::Content;
 use shaderlint::text::{Role, Sources};
 
 /// Pieces of shaders; put together at random they make half-right code, where most can go wrong.

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each layer may name, besides itself.
-const LAYERS: [(&str, &[&str]); 10] = [
+const LAYERS: [(&str, &[&str]); 11] = [
     ("text", &[]),
     ("host", &[]),
     ("diagnostic", &["text"]),
@@ -22,8 +22,22 @@ const LAYERS: [(&str, &[&str]); 10] = [
     ("port", &["text", "diagnostic", "syntax", "semantic"]),
     ("report", &["text", "diagnostic"]),
     (
+        "engine",
+        &[
+            "text",
+            "host",
+            "diagnostic",
+            "syntax",
+            "semantic",
+            "lint",
+            "rules",
+            "port",
+        ],
+    ),
+    (
         "cli",
         &[
+            "engine",
             "text",
             "host",
             "diagnostic",

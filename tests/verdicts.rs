@@ -1,10 +1,10 @@
 //! Small shaders and what Chromium says of them: `tests/verdicts.txt`. The browser's own step asks it
 //! again.
 
-use shaderlint::cli::document::{DialectChoice, check};
-use shaderlint::cli::input::Content;
 use shaderlint::diagnostic::Severity;
+use shaderlint::engine::{DialectChoice, check};
 use shaderlint::lint::Settings;
+use shaderlint::text::Content;
 
 /// The whole shader that a line stands for, and the name of its file.
 fn shader(kind: &str, code: &str) -> (String, &'static str) {

@@ -1,10 +1,10 @@
 //! Mistakes inside expressions and words of other languages: each is one error, and its fix gives
 //! what was meant.
 
-use shaderlint::cli::document::{DialectChoice, check, fix_text};
-use shaderlint::cli::input::Content;
+use shaderlint::engine::{DialectChoice, check, fix_text};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::rules::RULES;
+use shaderlint::text::Content;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nuniform sampler2D tex;\nuniform float time;\n\
     uniform mat4 mvp;\nin vec2 uv;\nout vec4 fragColor;\nfloat ring(vec2 p, float r) { return length(p) - r; }\n";

@@ -2,16 +2,15 @@
 
 use crate::mutate::split;
 use crate::pairs;
-use shaderlint::cli::document::{DialectChoice, Findings, check, fix_text};
-use shaderlint::cli::input::Content;
 use shaderlint::diagnostic::Severity;
+use shaderlint::engine::{DialectChoice, Findings, check, fix_text};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::port::{Project, compose, glsl, html};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
 use shaderlint::semantic::Stage;
 use shaderlint::syntax::{Language, parse, preprocess, tokenize};
-use shaderlint::text::{FileId, Role, Sources};
+use shaderlint::text::{Content, FileId, Role, Sources};
 
 /// Something to throw shaders at.
 pub struct Target {

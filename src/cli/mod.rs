@@ -1,9 +1,8 @@
 //! The commands: arguments, files, exit codes. Together with `lsp` the only place that touches the
 //! outside.
 
-pub mod config;
-pub mod document;
-pub mod input;
+mod config;
+mod input;
 mod lint;
 mod output;
 mod port;

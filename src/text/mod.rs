@@ -14,6 +14,7 @@
     )
 )]
 
+mod content;
 mod edit;
 pub mod embed;
 pub mod json;
@@ -22,6 +23,7 @@ mod line_index;
 mod source;
 mod span;
 
+pub use content::{Content, Encoding};
 pub use edit::{Edit, EditError, apply_edits};
 pub use line_index::{LineIndex, Position};
 pub use source::{Code, FileId, Role, SourceFile, Sources};

@@ -5,12 +5,12 @@
 mod repetitions;
 
 use shaderlint::cli::STACK;
-use shaderlint::cli::document::{DialectChoice, check};
-use shaderlint::cli::input::Content;
 use shaderlint::diagnostic::Severity;
+use shaderlint::engine::{DialectChoice, check};
 use shaderlint::lint::Settings;
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
+use shaderlint::text::Content;
 use std::time::{Duration, Instant};
 
 /// Longest time that an answer may take.

@@ -5,11 +5,11 @@
 use super::Verdict::Refused;
 use super::judge;
 use shaderlint::cli::STACK;
-use shaderlint::cli::document::{DialectChoice, check};
-use shaderlint::cli::input::Content;
+use shaderlint::engine::{DialectChoice, check};
 use shaderlint::lint::{FenceKind, Page, Settings};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
+use shaderlint::text::Content;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};

@@ -1,6 +1,7 @@
 //! The project that a file belongs to: what its shaders may include.
 
-use super::{FILE, absolute};
+use super::FILE;
+use crate::engine::path::absolute;
 use std::path::{Path, PathBuf};
 
 /// A project.

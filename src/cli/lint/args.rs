@@ -1,7 +1,7 @@
 //! The arguments of `shaderlint`.
 
 use super::super::config::{Exclusion, Given, Source};
-use super::super::document::DialectChoice;
+use crate::engine::DialectChoice;
 use crate::report::Format;
 use clap::{ArgAction, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;

@@ -2,7 +2,7 @@
 //! that lines may move. Files are named from the folder of the baseline, whatever folder the command
 //! runs in.
 
-use super::super::config::{Configs, absolute};
+use super::super::config::Configs;
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::super::{CLEAN, FAILED};
@@ -10,6 +10,7 @@ use super::args::{Args, Talk};
 use super::complain;
 use super::examine::{Outcome, Work, examine_all};
 use crate::diagnostic::Diagnostic;
+use crate::engine::path::absolute;
 use crate::report::fingerprints;
 use crate::text::Sources;
 use serde_json::{Value, json};

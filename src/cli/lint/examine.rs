@@ -2,10 +2,10 @@
 
 use super::super::STACK;
 use super::super::config::Configs;
-use super::super::document::partner::Partners;
-use super::super::document::{DocumentError, Findings, Offer, Options, check_with, offer};
-use super::super::input::{Content, Encoding, InputFile, read};
+use super::super::input::{InputFile, read};
 use super::mend::{Mend, Mended};
+use crate::engine::{DocumentError, Findings, Offer, Options, Partners, check_with, offer};
+use crate::text::{Content, Encoding};
 use std::collections::BTreeMap;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};

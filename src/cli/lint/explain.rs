@@ -1,10 +1,10 @@
 //! `explain`, `rules`, `completions`, `man`, `schema`; `reduce` has a file of its own.
 
-use super::super::config::schema;
 use super::super::{CLEAN, FAILED};
 use super::args::{Args, Command, ListFormat};
 use super::complain;
 use crate::diagnostic::{ERRORS, Severity, error_page};
+use crate::engine::config::schema;
 use crate::host::{PRESETS, Preset, preset};
 use crate::lint::Page;
 use crate::rules::RULES;

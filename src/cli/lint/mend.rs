@@ -1,10 +1,11 @@
 //! `--fix`, `--unsafe-fixes` and `--diff`.
 
-use super::super::document::{Options, fix_with};
-use super::super::input::{Content, Encoding, InputFile};
+use super::super::input::InputFile;
 use super::super::output::{diff, replace};
 use super::args::Args;
+use crate::engine::{Options, fix_with};
 use crate::lint::Allow;
+use crate::text::{Content, Encoding};
 
 /// What is done with fixes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

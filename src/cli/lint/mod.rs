@@ -12,10 +12,10 @@ mod watch;
 pub use args::Args;
 
 use super::config::Configs;
-use super::document::{Extent, Findings, Offer, Shader};
 use super::input::{InputFile, collect};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::engine::{Extent, Findings, Offer, Shader};
 use crate::lint::Unrun;
 use crate::report::{Format, Reporter, Scope, Summary};
 use crate::rules::RULES;

@@ -1,14 +1,14 @@
 //! `reduce`: a shader made small while what is reported of it stays.
 
-use super::super::document::{DialectChoice, check};
-use super::super::input::Content;
 use super::super::output::{self, Overwrite};
 use super::super::{CLEAN, FAILED};
 use super::complain;
 use crate::diagnostic::{ERRORS, Severity};
+use crate::engine::{DialectChoice, check};
 use crate::lint::Settings;
 use crate::rules::RULES;
 use crate::syntax::reduce;
+use crate::text::Content;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Write};

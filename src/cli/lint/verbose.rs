@@ -1,9 +1,9 @@
 //! `-v`: what each file was read as, with which configuration, and what was passed over.
 
 use super::super::config::Configs;
-use super::super::document::{Extent, Findings, Shader};
 use super::super::input::{InputFile, PassedOver};
 use super::complain;
+use crate::engine::{Extent, Findings, Shader};
 use crate::lint::Unrun;
 use crate::semantic::{Dialect, Pass, Stage};
 use crate::syntax::Version;

@@ -2,13 +2,14 @@
 
 use super::Args;
 use super::repair::{Repairs, repair, repair_webgl1};
-use crate::cli::input::{Content, Encoding, InputFile, read};
+use crate::cli::input::{InputFile, read};
 use crate::port::{
     ChannelOrder, ChannelSource, InputKind, Media, OutputId, Part, PassRole, Project, ShaderError,
     kind_of_file,
 };
 use crate::semantic::Pass;
 use crate::text::kind::Claim;
+use crate::text::{Content, Encoding};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use std::fs;

@@ -1,23 +1,12 @@
 //! Shaders in languages that WebGL does not compile: GLSL for OpenGL and Vulkan, HLSL, Metal, WGSL.
 //! One thing is said of each, and nothing is mended unasked.
 
-use super::{Options, Read};
+use super::document::Read;
+use super::options::{Desktop, Options};
 use crate::diagnostic::{Applicability, Diagnostic, Origin, Severity, error};
 use crate::text::embed::Embedded;
 use crate::text::kind::{Decision, Evidence, Tongue, reason};
 use crate::text::{FileId, Span};
-
-/// What is said of such shaders.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Desktop {
-    /// That WebGL does not compile them.
-    #[default]
-    Report,
-    /// Nothing.
-    Skip,
-    /// Those in GLSL are checked as what they are to become, GLSL ES 3.00.
-    Port,
-}
 
 /// Whether a shader is checked as what it is to become.
 pub fn is_ported(tongue: Tongue, options: &Options) -> bool {

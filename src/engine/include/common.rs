@@ -1,6 +1,6 @@
 //! ShaderToy's passes in files of their own: the Common file of a folder stands before the others.
 
-use super::super::{DialectChoice, Options};
+use super::super::options::{DialectChoice, Options};
 use crate::port::PassRole;
 use crate::semantic::{Kind, Pass, guess};
 use std::fs;

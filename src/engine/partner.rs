@@ -1,9 +1,10 @@
 //! Vertex and fragment shaders that belong together: which they are, and what keeps them from being
 //! linked.
 
+use super::document::Read;
+use super::options::Options;
 use super::part::{Part, shader_part};
 use super::reading::{Reading, Standing};
-use super::{Options, Read};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::lint::Settings;
 use crate::rules::RULES;

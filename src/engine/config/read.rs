@@ -1,6 +1,6 @@
 //! Reads a configuration; every key that it does not know is an error with its place.
 
-use super::super::document::{Desktop, DialectChoice, HostNames, HostUniform};
+use super::super::options::{Desktop, DialectChoice, HostNames, HostUniform};
 use super::{Config, Layer};
 use crate::diagnostic::{ERRORS, Severity};
 use crate::host::{PRESETS, preset};

@@ -1,12 +1,12 @@
 //! Where the files lie that a shader names, and what they hold.
 
-use super::super::super::config::absolute;
+use super::super::path::{absolute, tidy};
 use super::common::Passes;
 use super::scan::{Manner, Scan, Wanted, scan};
 use std::collections::HashMap;
 use std::fmt;
 use std::fs;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::SystemTime;
 
@@ -322,21 +322,4 @@ fn main_of(folder: &Path) -> Option<PathBuf> {
             .or_else(|| with_ending(&p))
     });
     all.next()
-}
-
-/// A path without `.` and, as far as it goes, without `..`.
-pub fn tidy(path: &Path) -> PathBuf {
-    let mut tidied = PathBuf::new();
-    for part in path.components() {
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir
-                if matches!(tidied.components().next_back(), Some(Component::Normal(_))) =>
-            {
-                tidied.pop();
-            }
-            part => tidied.push(part),
-        }
-    }
-    tidied
 }

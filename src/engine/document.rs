@@ -1,89 +1,20 @@
-//! From the text of one input to its findings. Nothing here touches the outside.
+//! From the text of one input to its findings.
 
-mod embedded;
-mod export;
-mod foreign;
-pub mod host;
-pub mod include;
-mod part;
-pub mod partner;
-mod reading;
-
-use super::input::{Content, Encoding};
+use super::export::Written;
+use super::host::{Hosts, Packages};
+use super::include::{Hushed, Includes};
+use super::options::{Desktop, DialectChoice, HostNames, Options};
+use super::part::{Part, Shader, check_part, shader_part};
+use super::partner::{self, NOBODY};
+use super::{embedded, foreign};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::host::Preset;
-use crate::lint::{Allow, Allows, Fixed, Judged, Look, Settings, count_fixes, fix};
+use crate::lint::{Allows, Judged, Settings};
 use crate::port::{Project, ProjectError, compose};
 use crate::rules::RULES;
-pub use crate::semantic::Extent;
 use crate::text::embed::{Embedded, extract_named};
 use crate::text::kind::{Claim, Decision, FileKind, Tongue, decide};
-use crate::text::{FileId, Role, Sources, Span};
-use export::Written;
-pub use foreign::Desktop;
-use host::{Hosts, Packages};
-use include::{Hushed, Includes};
-pub use part::Shader;
-use part::{Part, check_part, shader_part};
-use partner::{NOBODY, Partners};
+use crate::text::{Content, Encoding, FileId, Role, Sources, Span};
 use std::sync::Arc;
-
-/// What the user says a shader is written for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, clap::ValueEnum)]
-pub enum DialectChoice {
-    /// What the text tells.
-    #[default]
-    Auto,
-    /// A pass of ShaderToy.
-    Shadertoy,
-    /// A shader of WebGL2, GLSL ES 3.00.
-    Webgl2,
-    /// A shader of WebGL1, GLSL ES 1.00.
-    Webgl1,
-}
-
-/// What declares names for a shader, besides the shader itself.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub struct HostNames {
-    /// The host that completes the shaders.
-    pub preset: Option<Arc<Preset>>,
-    /// The file in which the user describes a host, as the configuration names it.
-    pub prelude: Option<String>,
-    /// Further uniforms.
-    pub uniforms: Vec<HostUniform>,
-}
-
-/// A uniform that the host declares, unless the shader does it itself.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct HostUniform {
-    /// Its name.
-    pub name: String,
-    /// Its type without an array's size, `vec4`.
-    pub ty: String,
-    /// How many there are, where it is an array.
-    pub size: Option<u32>,
-}
-
-/// How an input is judged.
-#[derive(Clone, Copy)]
-pub struct Options<'a> {
-    /// What its shaders are written for.
-    pub dialect: DialectChoice,
-    /// Which rules run.
-    pub settings: &'a Settings,
-    /// What the host declares.
-    pub host: &'a HostNames,
-    /// Where `#include` finds its files.
-    pub includes: &'a Includes,
-    /// Where the other stage is found.
-    pub partners: &'a Partners,
-    /// Where the packages of the project are found.
-    pub packages: &'a Packages,
-    /// What is said of shaders for OpenGL, Vulkan and others.
-    pub desktop: Desktop,
-    /// What the user says of the file.
-    pub claim: Claim,
-}
 
 /// The findings in one input.
 pub struct Findings {
@@ -102,9 +33,9 @@ pub struct Findings {
     /// Whether the file holds shaders and is none itself.
     holds_others: bool,
     /// Where the code of the passes is written, where it is an export.
-    export: Option<Written>,
+    pub(super) export: Option<Written>,
     /// What was judged, where there are errors.
-    judged: Option<Judged>,
+    pub(super) judged: Option<Judged>,
 }
 
 impl Findings {
@@ -254,16 +185,16 @@ pub fn check_with(
 }
 
 /// An input, split into shaders.
-struct Read {
-    sources: Sources,
-    parts: Vec<Part>,
-    file: Option<FileId>,
-    embedded: Vec<Embedded>,
+pub(super) struct Read {
+    pub(super) sources: Sources,
+    pub(super) parts: Vec<Part>,
+    pub(super) file: Option<FileId>,
+    pub(super) embedded: Vec<Embedded>,
     /// What is wrong before any shader is read.
-    problems: Vec<Diagnostic>,
-    export: Option<Written>,
+    pub(super) problems: Vec<Diagnostic>,
+    pub(super) export: Option<Written>,
     /// Files whose findings are not told here.
-    hushed: Hushed,
+    pub(super) hushed: Hushed,
 }
 
 fn read(
@@ -359,108 +290,4 @@ fn report_damage(read: &Read, offset: u32, diagnostics: &mut Vec<Diagnostic>) {
         Diagnostic::new(rule, Origin::Compiler, Severity::Warning, span, message)
             .note("a browser reads U+FFFD in the place of such bytes"),
     );
-}
-
-/// Mends what can be mended in the text of one shader file, judging it anew after each round.
-pub fn fix_text(
-    name: &str,
-    text: &str,
-    choice: DialectChoice,
-    settings: &Settings,
-    allow: Allow,
-) -> Fixed {
-    let options = Options {
-        dialect: choice,
-        settings,
-        host: &HostNames::default(),
-        includes: &Includes::none(),
-        partners: &NOBODY,
-        packages: &Packages::none(),
-        desktop: Desktop::default(),
-        claim: Claim::None,
-    };
-    fix_with(name, text, &options, allow)
-}
-
-/// Mends what can be mended in the text of one input, judging it anew after each round.
-pub fn fix_with(name: &str, text: &str, options: &Options, allow: Allow) -> Fixed {
-    fix(text, allow, |text| look(name, text, options))
-}
-
-fn look(name: &str, text: &str, options: &Options) -> Option<Look> {
-    let mut findings = check_with(name, Content::utf8(text), options).ok()?;
-    // What was not asked for is seen, and not mended.
-    let others = findings.diagnostics.iter_mut();
-    others
-        .filter(|d| !options.settings.reports(d.rule))
-        .for_each(|d| d.fix = None);
-    findings.look(text)
-}
-
-impl Findings {
-    /// The findings as those of the text of the input, for the fix engine.
-    fn look(&self, text: &str) -> Option<Look> {
-        if let Some(export) = &self.export {
-            let place = |d: &Diagnostic| export.finding(&self.sources, d.clone());
-            return Some(Look {
-                span: Span::new(0, text.len() as u32),
-                diagnostics: self.diagnostics.iter().map(place).collect(),
-                judged: self.judged.as_ref().map(|j| Judged {
-                    done: export.spans(&self.sources, &j.done),
-                    left: export.spans(&self.sources, &j.left),
-                }),
-                size: self.size(),
-            });
-        }
-        Some(Look {
-            span: self.sources.file(self.file?)?.span(),
-            diagnostics: self.diagnostics.clone(),
-            judged: self.judged.clone(),
-            size: self.size(),
-        })
-    }
-
-    /// How many tokens and macro calls were read.
-    fn size(&self) -> usize {
-        self.shaders.iter().map(|s| s.size).sum()
-    }
-}
-
-/// How many findings can be fixed.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Offer {
-    /// By the fixes that keep the picture.
-    pub safe: usize,
-    /// By all fixes.
-    pub all: usize,
-}
-
-impl Offer {
-    /// Those that findings hold as they stand.
-    pub fn of(findings: &Findings) -> Offer {
-        let of = |allow: Allow| {
-            let mendable = findings.diagnostics.iter().filter(|d| {
-                let fix = d.fix.as_ref();
-                fix.is_some_and(|f| allow.permits(f)) && findings.can_apply(d)
-            });
-            mendable.count()
-        };
-        Offer {
-            safe: of(Allow::Safe),
-            all: of(Allow::Unsafe),
-        }
-    }
-}
-
-/// Counts the findings in the text of an input that `--fix` and `--unsafe-fixes` mend, those
-/// included that come to light on the way: by mending it.
-pub fn offer(name: &str, text: &str, options: &Options, findings: &Findings) -> Offer {
-    let apparent = Offer::of(findings);
-    match findings.look(text).filter(|_| apparent.all > 0) {
-        Some(seen) => {
-            let (safe, all) = count_fixes(text, seen, |text| look(name, text, options));
-            Offer { safe, all }
-        }
-        None => Offer::default(),
-    }
 }

@@ -1,8 +1,10 @@
 //! Shaders inside pages, scripts and texts.
 
+use super::document::Read;
+use super::foreign;
+use super::options::Options;
 use super::part::Part;
 use super::reading::{Place, Readings, Text};
-use super::{Options, Read, foreign};
 use crate::diagnostic::{Applicability, Diagnostic, error};
 use crate::host::preset;
 use crate::semantic::snippet::{Item, items};

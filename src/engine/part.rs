@@ -1,10 +1,11 @@
 //! One shader of an input.
 
+use super::document::Read;
 use super::foreign;
 use super::host::Hosts;
 use super::include::{Missing, is_common, spread};
+use super::options::{DialectChoice, HostUniform, Options};
 use super::reading::{Checked, Place, Reading, Readings, Standing, Text};
-use super::{DialectChoice, HostUniform, Options, Read};
 use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;

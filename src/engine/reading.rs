@@ -2,8 +2,8 @@
 //! it may do so.
 
 use super::host::prelude;
+use super::options::{DialectChoice, Options};
 use super::part::{behind_version, with_host};
-use super::{DialectChoice, Options};
 use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::host::{HostVersion, Preset};
 use crate::semantic::snippet::is_body;

@@ -9,10 +9,12 @@ mod scan;
 pub use common::is_common;
 pub use find::{Absence, Files, Includes};
 
-use super::{Options, Read};
+use super::document::Read;
+use super::options::Options;
+use super::path::tidy;
 use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::text::{FileId, Role, Sources, Span};
-use find::{Absent, Found, Text, is_of_package, tidy};
+use find::{Absent, Found, Text, is_of_package};
 use module::Modules;
 use scan::{Directive, Form, Manner, Wanted};
 use std::collections::{BTreeSet, HashMap};
