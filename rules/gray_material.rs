@@ -83,7 +83,7 @@ fn check(cx: &mut Context, id: ExprId) {
 
 /// What is painted with a colour: the variable that it is given to, or the function that gives it
 /// back, or whose variable it is given to.
-fn painted<'a>(cx: &Context<'a, '_>, id: ExprId) -> Option<&'a str> {
+fn painted<'a>(cx: &Context<'_, 'a>, id: ExprId) -> Option<&'a str> {
     let program = cx.program;
     let structure = cx.facts.structure();
     let stmt = structure.stmt_of(id)?;

@@ -54,7 +54,7 @@ fn check(cx: &mut Context, id: ExprId) {
 }
 
 /// The arguments of a call of one of GLSL's functions.
-fn call<'a>(cx: &Context<'a, '_>, id: ExprId, name: &str) -> Option<&'a [ExprId]> {
+fn call<'a>(cx: &Context<'_, 'a>, id: ExprId, name: &str) -> Option<&'a [ExprId]> {
     let program = cx.program;
     let id = program.tree.unparen(id);
     match program.tree.expr(id).kind {

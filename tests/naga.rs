@@ -8,6 +8,7 @@ use shaderlint::port::naga::{Language, Refused, translate};
 use shaderlint::port::{Project, compose};
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 /// What the only pass of a shader becomes.
 fn written(code: &str, language: Language) -> Result<Vec<u8>, Refused> {
@@ -193,6 +194,7 @@ fn refusal(code: &str) -> (Refused, String) {
     use shaderlint::text::{Role, Sources};
     let mut sources = Sources::new();
     let files = [sources.add("", None, Role::User, code).unwrap()];
+    let sources = Arc::new(sources);
     let analysis = analyze(&Unit {
         sources: &sources,
         files: &files,

@@ -15,6 +15,7 @@ use shaderlint::text::Content;
 use shaderlint::text::Sources;
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 /// What an example is written for: a shader of its own, or common code of ShaderToy.
 fn choice(name: &str, code: &str) -> DialectChoice {
@@ -28,7 +29,7 @@ fn choice(name: &str, code: &str) -> DialectChoice {
     }
 }
 
-fn judge(name: &str, code: &str, settings: &Settings) -> (Sources, Vec<Diagnostic>) {
+fn judge(name: &str, code: &str, settings: &Settings) -> (Arc<Sources>, Vec<Diagnostic>) {
     match check(name, Content::utf8(code), choice(name, code), settings) {
         Ok(findings) => (findings.sources, findings.diagnostics),
         Err(_) => panic!("{name} cannot be judged"),

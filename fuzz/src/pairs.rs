@@ -7,6 +7,7 @@ use shaderlint::diagnostic::Severity;
 use shaderlint::semantic::link::link;
 use shaderlint::semantic::{Dialect, Extent, Stage, Unit, analyze};
 use shaderlint::text::{Role, Sources};
+use std::sync::Arc;
 
 /// Prints `count` pairs.
 pub fn print(seed: u64, count: usize) {
@@ -30,6 +31,7 @@ pub fn judge(vertex: &str, fragment: &str) -> (bool, Vec<String>) {
     let (Some(vert), Some(frag)) = (add("a.vert", vertex), add("a.frag", fragment)) else {
         return (false, Vec::new());
     };
+    let sources = Arc::new(sources);
     let files = [[vert], [frag]];
     let of = |files, stage| {
         let analysis = analyze(&Unit {

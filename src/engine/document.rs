@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// The findings in one input.
 pub struct Findings {
     /// The texts that they point into.
-    pub sources: Sources,
+    pub sources: Arc<Sources>,
     /// The findings, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
     /// The file of the input itself; `None` for an export, whose passes are files of their own.
@@ -108,7 +108,7 @@ pub fn check_with(
         let mut sources = Sources::new();
         let file = sources.add(name, None, Role::User, content.text);
         return Ok(Findings {
-            sources,
+            sources: Arc::new(sources),
             diagnostics: vec![diagnostic],
             file: Some(file.ok_or(DocumentError::TooLarge)?),
             shaders: Vec::new(),
@@ -186,7 +186,7 @@ pub fn check_with(
 
 /// An input, split into shaders.
 pub(super) struct Read {
-    pub(super) sources: Sources,
+    pub(super) sources: Arc<Sources>,
     pub(super) parts: Vec<Part>,
     pub(super) file: Option<FileId>,
     pub(super) embedded: Vec<Embedded>,
@@ -204,7 +204,7 @@ fn read(
     decision: Decision,
 ) -> Result<Read, DocumentError> {
     let mut read = Read {
-        sources: Sources::new(),
+        sources: Arc::default(),
         parts: Vec::new(),
         file: None,
         embedded: Vec::new(),
@@ -228,7 +228,7 @@ fn read(
         FileKind::Shader | FileKind::Foreign(_) | FileKind::Holds(_) => {}
     }
     let text: Arc<str> = text.into();
-    let file = read.sources.add(name, None, Role::User, text.clone());
+    let file = Arc::make_mut(&mut read.sources).add(name, None, Role::User, text.clone());
     let file = file.ok_or(DocumentError::TooLarge)?;
     read.file = Some(file);
     match decision.kind {

@@ -14,6 +14,7 @@ use crate::text::embed::{Embedded, Host, Language, Wrapping};
 use crate::text::kind::own_directive;
 use crate::text::{FileId, Role};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Most declarations of an excerpt, or of a chapter, that are told apart.
 const MAX_SCOPES: usize = 100;
@@ -84,7 +85,7 @@ fn part(
     let files = if is_excerpt {
         excerpt(read, file, embedded, known)?
     } else {
-        vec![read.sources.embed(file, embedded.start, code)?]
+        vec![Arc::make_mut(&mut read.sources).embed(file, embedded.start, code)?]
     };
     let text = Text {
         files,
@@ -98,7 +99,7 @@ fn part(
         is_300: around.is_300,
         has_holes: is_excerpt || embedded.has_holes,
     };
-    let readings = Readings::of(&mut read.sources, code, text, options)?;
+    let readings = Readings::of(Arc::make_mut(&mut read.sources), code, text, options)?;
     let first = readings.all.first()?;
     Some(Part {
         infer_channels: first.dialect.is_shadertoy(),
@@ -116,7 +117,7 @@ fn excerpt(
     embedded: &Embedded,
     known: &mut Known,
 ) -> Option<Vec<FileId>> {
-    let sources = &mut read.sources;
+    let sources = Arc::make_mut(&mut read.sources);
     let items = items(&embedded.code);
     if items.iter().all(|i| matches!(i, Item::Global(_))) {
         return Some(vec![sources.embed(

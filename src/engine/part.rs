@@ -61,7 +61,7 @@ impl Part {
 /// Finds what is to be said of a shader, and says what was looked at; of one with errors also what
 /// was judged at all. Where it lacks something, its host is looked for first.
 pub fn check_part(
-    sources: &mut Sources,
+    sources: &mut Arc<Sources>,
     part: &mut Part,
     hosts: &Hosts,
     options: &Options,
@@ -87,7 +87,8 @@ pub fn check_part(
         );
     }
     drop(checked);
-    part.readings.host(sources, &presets, options)?;
+    part.readings
+        .host(Arc::make_mut(sources), &presets, options)?;
     part.readings.is_guessed = !is_sure;
     let checked = part.readings.check(sources, part.infer_channels)?;
     tell_part(
@@ -246,7 +247,11 @@ pub(super) fn shader_part(
     let masked = mask(text).filter(|_| may_be_template(text, options));
     let has_holes = masked.is_some();
     let (files, is_open, missing) = match masked {
-        Some(code) => (vec![read.sources.embed(file, 0, code)?], true, Vec::new()),
+        Some(code) => (
+            vec![Arc::make_mut(&mut read.sources).embed(file, 0, code)?],
+            true,
+            Vec::new(),
+        ),
         None => {
             let own = spread(read, name, file, text, options)?;
             (own.files, own.is_open, own.missing)
@@ -264,7 +269,7 @@ pub(super) fn shader_part(
         is_300: false,
         has_holes,
     };
-    let readings = Readings::of(&mut read.sources, text, about, options)?;
+    let readings = Readings::of(Arc::make_mut(&mut read.sources), text, about, options)?;
     let first = readings.all.first()?;
     read.parts.push(Part {
         infer_channels: first.dialect.is_shadertoy(),

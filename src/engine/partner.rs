@@ -16,6 +16,7 @@ use crate::text::{Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Largest file that is read beside another, in bytes.
 const MAX_FILE: u64 = 4 * 1024 * 1024;
@@ -129,9 +130,8 @@ pub(super) fn load(read: &mut Read, name: &str, options: &Options) -> Option<Par
     let stage = part.reading()?.stage;
     let (name, text) = options.partners.find(name)?;
     let problems = read.problems.len();
-    let file = read
-        .sources
-        .add(name.as_str(), None, Role::User, text.as_str())?;
+    let file =
+        Arc::make_mut(&mut read.sources).add(name.as_str(), None, Role::User, text.as_str())?;
     let made = shader_part(read, &name, file, &text, options);
     let other = (read.parts.len() > 1).then(|| read.parts.pop()).flatten();
     // What is wrong with that file is told of that file.
@@ -247,7 +247,7 @@ fn pair(
 /// Links two shaders of which one is a vertex shader and one a fragment shader. `more` looks at them
 /// where they are whole and without errors.
 fn link_parts(
-    sources: &Sources,
+    sources: &Arc<Sources>,
     one: &Part,
     other: &Part,
     more: impl FnOnce(&Program, &Program),
@@ -279,7 +279,7 @@ fn link_parts(
 }
 
 /// A shader that is all at hand and without errors, read in one way.
-fn whole<'a>(sources: &'a Sources, part: &Part, reading: &'a Reading) -> Option<Program<'a>> {
+fn whole(sources: &Arc<Sources>, part: &Part, reading: &Reading) -> Option<Program> {
     if !part.may_be_program() {
         return None;
     }

@@ -16,6 +16,7 @@ use crate::text::kind::has_main;
 use crate::text::{FileId, Role, Sources};
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// One way to read a text.
 #[derive(Clone, Debug)]
@@ -309,14 +310,14 @@ impl Readings {
     }
 
     /// Checks the text in the ways in which it may be read.
-    pub fn check<'a>(&'a self, sources: &'a Sources, infer_channels: bool) -> Option<Checked<'a>> {
+    pub fn check<'u>(&'u self, sources: &'u Arc<Sources>, infer_channels: bool) -> Option<Checked> {
         let extent = match self.standing {
             Standing::Whole | Standing::Complete | Standing::Unversioned => Extent::Whole,
             Standing::Part if self.is_piece() => Extent::Piece,
             Standing::Part => Extent::Part,
             Standing::Excerpt => Extent::Excerpt,
         };
-        let unit = |reading: &'a Reading, extent: Extent| Unit {
+        let unit = |reading: &'u Reading, extent: Extent| Unit {
             sources,
             files: &reading.files,
             stage: reading.stage,
@@ -370,14 +371,14 @@ impl Readings {
 }
 
 /// A text, checked.
-pub struct Checked<'a> {
+pub struct Checked {
     /// What is known of it and wrong with it.
-    pub analysis: Analysis<'a>,
+    pub analysis: Analysis,
     /// How much of a shader it turned out to be.
     pub extent: Extent,
 }
 
-impl Checked<'_> {
+impl Checked {
     /// The names that the text lacks, where it lacks some or something is wrong with it.
     pub fn lacking(&self) -> Option<BTreeSet<String>> {
         let Analysis {

@@ -16,11 +16,11 @@ const MAX_FINDING: u32 = 256;
 
 /// The functions and declarations with errors, and what depends on them.
 #[derive(Default, Debug)]
-pub struct Broken<'p> {
+pub struct Broken<'a> {
     /// What stands at global scope, in the order of the text, and whether it has errors.
     items: Vec<(Span, bool)>,
     /// The words in what has errors.
-    words: FxHashSet<&'p str>,
+    words: FxHashSet<&'a str>,
     /// The functions that have errors, or call one that has some, by name.
     suspects: FxHashSet<Name>,
     /// By function: whether it has errors.
@@ -29,9 +29,9 @@ pub struct Broken<'p> {
     whole: bool,
 }
 
-impl<'p> Broken<'p> {
+impl<'a> Broken<'a> {
     /// What the errors leave; nothing is broken where there is none.
-    pub fn of(program: &Program<'p>, found: &[Diagnostic]) -> Broken<'p> {
+    pub fn of(program: &'a Program, found: &[Diagnostic]) -> Broken<'a> {
         let mut broken = Broken::default();
         let errors = || found.iter().filter(|d| d.severity == Severity::Error);
         if errors().next().is_none() {
@@ -71,7 +71,7 @@ impl<'p> Broken<'p> {
     }
 
     /// The words in what has errors.
-    pub fn words(&self) -> impl Iterator<Item = &'p str> {
+    pub fn words(&self) -> impl Iterator<Item = &'a str> {
         self.words.iter().copied()
     }
 
@@ -208,7 +208,7 @@ impl<'p> Broken<'p> {
         }
     }
 
-    fn read_words(&mut self, program: &Program<'p>) {
+    fn read_words(&mut self, program: &'a Program) {
         let lost = program.tree.lost.iter().map(|n| program.names.text(*n));
         let broken = self.items.iter().filter(|(_, is_broken)| *is_broken);
         let mut words = FxHashSet::default();

@@ -9,9 +9,9 @@ use crate::text::{Role, Span};
 /// A shader, and a place for findings.
 pub struct Context<'a, 'p> {
     /// The shader.
-    pub program: &'a Program<'p>,
+    pub program: &'p Program,
     /// What is known of it as a whole.
-    pub facts: &'a Facts<'a, 'p>,
+    pub facts: &'a Facts<'p>,
     pub(super) settings: &'a Settings,
     pub(super) rule: &'static Rule,
     pub(super) severity: Severity,
@@ -21,7 +21,7 @@ pub struct Context<'a, 'p> {
 /// A finding that is being put together; it counts as soon as it is made.
 pub struct Finding<'a>(&'a mut Diagnostic);
 
-impl<'a, 'p> Context<'a, 'p> {
+impl<'p> Context<'_, 'p> {
     /// A number that the rule goes by; its name is one of the rule's options.
     pub fn option(&self, name: &str) -> f64 {
         self.settings.option(self.rule, name)
@@ -34,7 +34,7 @@ impl<'a, 'p> Context<'a, 'p> {
     }
 
     /// The name that a token of the user's text is.
-    pub fn user_name(&self, token: TokenId) -> Option<&'a str> {
+    pub fn user_name(&self, token: TokenId) -> Option<&'p str> {
         let token = self.program.token(token)?;
         let text = self.program.sources.text(token.span);
         (self.is_users(token.span) && token.is_direct()).then_some(text)

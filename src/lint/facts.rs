@@ -15,8 +15,8 @@ use crate::text::embed::Host;
 use std::cell::OnceCell;
 
 /// Answers about one shader.
-pub struct Facts<'a, 'p> {
-    program: &'a Program<'p>,
+pub struct Facts<'a> {
+    program: &'a Program,
     structure: OnceCell<Structure>,
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
@@ -28,8 +28,8 @@ pub struct Facts<'a, 'p> {
     purity: OnceCell<Purity>,
     usage: OnceCell<Usage>,
     reach: OnceCell<Reach>,
-    unseen: OnceCell<Unseen<'p>>,
-    counts: OnceCell<Counts<'p>>,
+    unseen: OnceCell<Unseen<'a>>,
+    counts: OnceCell<Counts<'a>>,
     work: OnceCell<Work>,
     uniformity: OnceCell<Uniformity>,
     gradients: OnceCell<Vec<Gradient>>,
@@ -37,12 +37,12 @@ pub struct Facts<'a, 'p> {
     /// The page or script that the shader stands in.
     pub host: Host,
     /// What of the shader has errors.
-    pub broken: Broken<'p>,
+    pub broken: Broken<'a>,
 }
 
-impl<'a, 'p> Facts<'a, 'p> {
+impl<'a> Facts<'a> {
     /// Nothing has been asked yet.
-    pub fn new(program: &'a Program<'p>) -> Facts<'a, 'p> {
+    pub fn new(program: &'a Program) -> Facts<'a> {
         Facts {
             program,
             structure: OnceCell::new(),
@@ -140,7 +140,7 @@ impl<'a, 'p> Facts<'a, 'p> {
     }
 
     /// What numbers expressions may take.
-    pub fn ranges(&self) -> Evaluator<'_, 'p> {
+    pub fn ranges(&self) -> Evaluator<'_> {
         let structure = self.structure();
         Evaluator {
             program: self.program,
@@ -197,13 +197,13 @@ impl<'a, 'p> Facts<'a, 'p> {
     }
 
     /// The words that the compiler does not see.
-    pub fn unseen(&self) -> &Unseen<'p> {
+    pub fn unseen(&self) -> &Unseen<'a> {
         self.unseen
             .get_or_init(|| Unseen::of(self.program, &self.broken))
     }
 
     /// How often each word stands in the user's files.
-    pub fn counts(&self) -> &Counts<'p> {
+    pub fn counts(&self) -> &Counts<'a> {
         self.counts.get_or_init(|| Counts::of(self.program))
     }
 

@@ -42,7 +42,7 @@ pub fn color(program: &Program, expr: ExprId) -> Option<[f64; 3]> {
 }
 
 /// The name that an expression is, a swizzle behind it left out: `sunColor` of `sunColor.rgb`.
-pub fn name_of<'a>(program: &'a Program, expr: ExprId) -> Option<&'a str> {
+pub fn name_of(program: &Program, expr: ExprId) -> Option<&str> {
     let mut at = program.tree.unparen(expr);
     while let ExprKind::Member(inner, field) = program.tree.expr(at).kind {
         if program.ty(program.tree.unparen(inner)).components() <= 1 {
@@ -104,7 +104,7 @@ pub struct Given<'a> {
 }
 
 /// The declarators of the user's text that have a first value.
-pub fn given<'a>(cx: &Context<'a, '_>) -> Vec<Given<'a>> {
+pub fn given<'a>(cx: &Context<'_, 'a>) -> Vec<Given<'a>> {
     let all = cx.program.tree.declarator_lists.iter();
     all.filter_map(|d| {
         let token = d.ident.token;

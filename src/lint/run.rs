@@ -85,8 +85,8 @@ fn broken_functions(program: &Program, broken: &Broken) -> Vec<String> {
 
 /// Runs the rules over all that is there.
 fn walk<'p>(
-    program: &Program<'p>,
-    facts: &Facts<'_, 'p>,
+    program: &'p Program,
+    facts: &Facts<'p>,
     rules: &[&'static Rule],
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
@@ -183,8 +183,8 @@ struct ExprRules {
 }
 
 struct Run<'a, 'p> {
-    program: &'a Program<'p>,
-    facts: &'a Facts<'a, 'p>,
+    program: &'p Program,
+    facts: &'a Facts<'p>,
     settings: &'a Settings,
     diagnostics: &'a mut Vec<Diagnostic>,
 }

@@ -26,7 +26,7 @@ pub fn code_hash(program: &Program, extent: Extent) -> u64 {
     hasher.finish()
 }
 
-fn tokens<'a>(program: &'a Program, extent: Extent) -> &'a [Token] {
+fn tokens(program: &Program, extent: Extent) -> &[Token] {
     let range = extent.first as usize..=extent.last as usize;
     program.tokens.tokens.get(range).unwrap_or(&[])
 }

@@ -312,7 +312,7 @@ fn merge(targets: &mut Vec<Span>) {
 
 /// Reads the comments of one shader, in the order of the text.
 struct Reader<'a> {
-    program: &'a Program<'a>,
+    program: &'a Program,
     /// Where statements end, by where they start.
     ends: FxHashMap<u32, u32>,
     /// The lines of the text that holds the comment before, by the text's address.
@@ -323,7 +323,7 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(program: &'a Program<'a>) -> Reader<'a> {
+    fn new(program: &'a Program) -> Reader<'a> {
         Reader {
             program,
             ends: statement_ends(program),

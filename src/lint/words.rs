@@ -9,16 +9,16 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The words that the compiler does not see.
 #[derive(Default, Debug)]
-pub struct Unseen<'p>(FxHashSet<&'p str>);
+pub struct Unseen<'a>(FxHashSet<&'a str>);
 
 /// How often each word stands in the user's files, comments aside.
 #[derive(Default, Debug)]
-pub struct Counts<'p>(FxHashMap<&'p str, u32>);
+pub struct Counts<'a>(FxHashMap<&'a str, u32>);
 
-impl<'p> Unseen<'p> {
+impl<'a> Unseen<'a> {
     /// Reads what `#if` left out, the macros that are never expanded, and what has errors.
-    pub fn of(program: &Program<'p>, broken: &Broken<'p>) -> Unseen<'p> {
-        let mut words: FxHashSet<&'p str> = broken.words().collect();
+    pub fn of(program: &'a Program, broken: &Broken<'a>) -> Unseen<'a> {
+        let mut words: FxHashSet<&'a str> = broken.words().collect();
         let tokens = &program.tokens;
         for &span in &tokens.inactive {
             each_word(program.sources.text(span), |word| {
@@ -45,9 +45,9 @@ impl<'p> Unseen<'p> {
     }
 }
 
-impl<'p> Counts<'p> {
+impl<'a> Counts<'a> {
     /// Reads the files of a shader.
-    pub fn of(program: &Program<'p>) -> Counts<'p> {
+    pub fn of(program: &'a Program) -> Counts<'a> {
         let mut counts = FxHashMap::default();
         let mut done = Span::default();
         for token in &program.tokens.tokens {

@@ -5,6 +5,7 @@ use crate::semantic::{
     Analysis, Channels, Dialect, Extent, Pass, Stage, Unit, analyze, shadertoy_header,
 };
 use crate::text::{FileId, Role, Sources};
+use std::sync::Arc;
 
 /// One pass, ready to be compiled.
 #[derive(Clone, Debug)]
@@ -23,7 +24,7 @@ pub struct PassUnit {
 #[derive(Debug)]
 pub struct Composed {
     /// The texts: headers, then Commons, then passes.
-    pub sources: Sources,
+    pub sources: Arc<Sources>,
     /// The passes that run, in the order of the project. A project of Commons alone has those.
     pub units: Vec<PassUnit>,
     /// The pass that each text is the code of; headers are of none.
@@ -32,7 +33,7 @@ pub struct Composed {
 
 impl Composed {
     /// Checks a pass.
-    pub fn analyze<'a>(&'a self, unit: &'a PassUnit) -> Analysis<'a> {
+    pub fn analyze(&self, unit: &PassUnit) -> Analysis {
         analyze(&Unit {
             sources: &self.sources,
             files: &unit.files,
@@ -84,7 +85,7 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
         }
     }
     Some(Composed {
-        sources,
+        sources: Arc::new(sources),
         units,
         owners,
     })

@@ -45,7 +45,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
 }
 
 /// The function that the player or the browser calls.
-fn entry<'a>(program: &'a Program) -> Option<&'a FunctionDecl> {
+fn entry(program: &Program) -> Option<&FunctionDecl> {
     let name = match program.dialect {
         Dialect::ShaderToy(pass) => pass.entry()?,
         Dialect::WebGl => "main",
@@ -183,7 +183,7 @@ fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
 }
 
 /// The global variables of the user, with the qualifiers of their declarations.
-fn globals<'a>(program: &'a Program) -> impl Iterator<Item = (&'a [Qualifier], &'a Declarator)> {
+fn globals(program: &Program) -> impl Iterator<Item = (&[Qualifier], &Declarator)> {
     let tree = &program.tree;
     tree.items
         .iter()

@@ -7,6 +7,7 @@ use crate::semantic::{
     shadertoy_header,
 };
 use crate::text::{Role, Sources};
+use std::sync::Arc;
 
 /// Why a shader file cannot be ported.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -109,7 +110,7 @@ pub(super) fn channels_used(common: Option<&str>, code: &str, kind: Pass) -> Opt
         files.push(sources.add("", None, Role::User, text)?);
     }
     let analysis = analyze(&Unit {
-        sources: &sources,
+        sources: &Arc::new(sources),
         files: &files,
         stage: Stage::Fragment,
         dialect: Dialect::ShaderToy(kind),

@@ -9,6 +9,7 @@ use crate::semantic::{
 };
 use crate::text::{Role, Sources};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// A uniform that the player sets.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
@@ -98,6 +99,7 @@ pub(super) fn whole(code: &str) -> Result<ProjectPass, Unsupported> {
     let file = sources
         .add("", None, Role::User, code)
         .ok_or_else(too_large)?;
+    let sources = Arc::new(sources);
     let files = [file];
     let analysis: Analysis = analyze(&Unit {
         sources: &sources,

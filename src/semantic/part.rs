@@ -136,8 +136,8 @@ pub(super) fn keep_certain(
 }
 
 /// What is known of a part.
-struct Part<'p, 'a> {
-    program: &'p Program<'a>,
+struct Part<'p> {
+    program: &'p Program,
     extent: Extent,
     /// Places of the tokens that the user sees, in the order of the text.
     places: Vec<(Span, u32)>,
@@ -153,8 +153,8 @@ struct Part<'p, 'a> {
     undecided: Vec<Span>,
 }
 
-impl<'p, 'a> Part<'p, 'a> {
-    fn of(program: &'p Program<'a>, extent: Extent) -> Part<'p, 'a> {
+impl<'p> Part<'p> {
+    fn of(program: &'p Program, extent: Extent) -> Part<'p> {
         let tokens = program.tokens.tokens.iter().zip(0..);
         let mut places: Vec<(Span, u32)> = tokens.map(|(t, i)| (t.span, i)).collect();
         places.sort_by_key(|(span, _)| span.start);

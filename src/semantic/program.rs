@@ -8,6 +8,7 @@ use crate::diagnostic::MacroUse;
 use crate::syntax::ast::*;
 use crate::syntax::{Name, Names, Token, Tokens, Version, macro_uses};
 use crate::text::{Sources, Span};
+use std::sync::Arc;
 
 /// Index of a [`Variable`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -168,9 +169,9 @@ impl ExprInfo {
 }
 
 /// A checked shader.
-pub struct Program<'a> {
+pub struct Program {
     /// The files.
-    pub sources: &'a Sources,
+    pub sources: Arc<Sources>,
     /// The tokens.
     pub tokens: Tokens,
     /// The words.
@@ -203,7 +204,7 @@ pub struct Program<'a> {
     pub(super) had_errors: bool,
 }
 
-impl Program<'_> {
+impl Program {
     /// How many tokens and macro calls it has.
     pub fn size(&self) -> usize {
         self.tokens.tokens.len() + self.tokens.expansions.len()
@@ -313,3 +314,9 @@ pub(super) fn struct_name(structs: &[Struct], names: &Names, id: u32) -> String 
     let name = structs.get(id as usize).and_then(|s| s.name);
     name.map_or("struct".to_string(), |n| names.text(n).to_string())
 }
+
+/// A program can be kept by one thread and read by many.
+const _: () = {
+    const fn is_shared<T: Send + Sync + 'static>() {}
+    is_shared::<Program>();
+};

@@ -27,12 +27,12 @@ pub(super) struct Corrected {
 impl Corrected {
     /// Checks the shader, parsed with the first correction of each choice and with `syntax` wrong
     /// then, or with better ones. Returns all that is wrong with it, the syntax included.
-    pub fn settle<'a>(
+    pub fn settle(
         &self,
-        parsed: Parsed<'a>,
+        parsed: Parsed,
         syntax: Vec<Diagnostic>,
-        unit: &Unit<'a>,
-    ) -> (Program<'a>, Vec<Diagnostic>) {
+        unit: &Unit,
+    ) -> (Program, Vec<Diagnostic>) {
         let mut found = with_syntax(syntax, judge(parsed, unit));
         let mistakes = self.choices.len();
         let mut looks = MAX_LOOKS.min(MAX_TOKENS / self.original.len().max(1));
@@ -64,12 +64,12 @@ impl Corrected {
     }
 
     /// Reads and checks the shader again with other corrections.
-    fn look<'a>(
+    fn look(
         &self,
-        program: Program<'a>,
+        program: Program,
         made: &[Option<usize>],
-        unit: &Unit<'a>,
-    ) -> (Program<'a>, Vec<Diagnostic>) {
+        unit: &Unit,
+    ) -> (Program, Vec<Diagnostic>) {
         let corrections: Vec<&Correction> = self
             .choices
             .iter()
@@ -79,7 +79,7 @@ impl Corrected {
         let mut parsed = program.into_parsed();
         parsed.tokens.tokens = self.original.clone();
         let parse = parse_corrected(
-            parsed.sources,
+            &parsed.sources,
             &mut parsed.tokens,
             &parsed.names,
             self.language,
@@ -97,10 +97,10 @@ fn set(made: &mut [Option<usize>], at: usize, to: Option<usize>) {
     }
 }
 
-fn with_syntax<'a>(
+fn with_syntax(
     mut syntax: Vec<Diagnostic>,
-    (program, problems): (Program<'a>, Vec<Diagnostic>),
-) -> (Program<'a>, Vec<Diagnostic>) {
+    (program, problems): (Program, Vec<Diagnostic>),
+) -> (Program, Vec<Diagnostic>) {
     syntax.extend(problems);
     (program, syntax)
 }

@@ -91,7 +91,7 @@ pub struct Range {
 }
 
 /// The range in the comment behind a place, on the same line, and that comment's text.
-pub fn range_behind<'a>(program: &'a Program, place: Span) -> Option<(Range, &'a str)> {
+pub fn range_behind(program: &Program, place: Span) -> Option<(Range, &str)> {
     let comments = &program.tokens.comments;
     let next = comments.partition_point(|c| c.start < place.end);
     let comment = *comments.get(next)?;

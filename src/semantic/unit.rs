@@ -11,6 +11,7 @@ use super::types::Sampler;
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::syntax::{Language, Preprocessed, TokenKind, parse, preprocess};
 use crate::text::{FileId, Role, Sources, Span};
+use std::sync::Arc;
 
 /// Most errors that are told of one shader.
 const MAX_ERRORS: usize = 200;
@@ -18,7 +19,7 @@ const MAX_ERRORS: usize = 200;
 /// What makes up one shader.
 pub struct Unit<'a> {
     /// All files.
-    pub sources: &'a Sources,
+    pub sources: &'a Arc<Sources>,
     /// Those of the shader, in the order in which they are compiled.
     pub files: &'a [FileId],
     /// The stage it is written for.
@@ -32,9 +33,9 @@ pub struct Unit<'a> {
 }
 
 /// A shader, checked.
-pub struct Analysis<'a> {
+pub struct Analysis {
     /// What is known of it.
-    pub program: Program<'a>,
+    pub program: Program,
     /// What the browser's compiler would refuse, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
     /// What a part leaves open.
@@ -43,7 +44,7 @@ pub struct Analysis<'a> {
 
 /// Reads and checks a part of a shader in each way in which a host may take it, the likeliest first:
 /// what is wrong in all of them is wrong.
-pub fn analyze_part<'a>(readings: &[Unit<'a>]) -> Option<Analysis<'a>> {
+pub fn analyze_part(readings: &[Unit]) -> Option<Analysis> {
     /// Most tokens that are read for it.
     const MAX_READ: usize = 2_000_000;
     let (first, others) = readings.split_first()?;
@@ -76,7 +77,7 @@ pub fn analyze_part<'a>(readings: &[Unit<'a>]) -> Option<Analysis<'a>> {
 }
 
 /// Reads and checks one shader, and finds whose fault its errors are.
-pub fn analyze<'a>(unit: &Unit<'a>) -> Analysis<'a> {
+pub fn analyze(unit: &Unit) -> Analysis {
     let Analysis {
         program,
         diagnostics,
@@ -114,7 +115,7 @@ fn keep_own(sources: &Sources, diagnostics: &mut Vec<Diagnostic>) {
 }
 
 /// Reads and checks one shader: every error stands where the compiler stumbles.
-pub(super) fn analyze_once<'a>(unit: &Unit<'a>) -> Analysis<'a> {
+pub(super) fn analyze_once(unit: &Unit) -> Analysis {
     let is_fragment = unit.stage == Stage::Fragment;
     let Preprocessed {
         mut tokens,
@@ -136,7 +137,7 @@ pub(super) fn analyze_once<'a>(unit: &Unit<'a>) -> Analysis<'a> {
         || !parse.diagnostics.is_empty()
         || !translated.diagnostics.is_empty();
     let parsed = Parsed {
-        sources: unit.sources,
+        sources: Arc::clone(unit.sources),
         tokens,
         names,
         tree: parse.tree,
@@ -229,7 +230,7 @@ fn limit(diagnostics: &mut Vec<Diagnostic>) {
 }
 
 /// Checks a shader, with the types of its channels found out where they are not known.
-pub(super) fn judge<'a>(parsed: Parsed<'a>, unit: &Unit<'a>) -> (Program<'a>, Vec<Diagnostic>) {
+pub(super) fn judge(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
     match unit.infer_channels {
         true => check_with_any_channels(parsed, unit),
         false => check(parsed, unit.stage, unit.dialect, [None; 4]),
@@ -238,10 +239,7 @@ pub(super) fn judge<'a>(parsed: Parsed<'a>, unit: &Unit<'a>) -> (Program<'a>, Ve
 
 /// Checks a shader whose channels may be of any type: each channel is what gives the fewest errors.
 /// A second look is taken only where the first finds errors.
-fn check_with_any_channels<'a>(
-    parsed: Parsed<'a>,
-    unit: &Unit<'a>,
-) -> (Program<'a>, Vec<Diagnostic>) {
+fn check_with_any_channels(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
     let mut channels: Channels = [None; 4];
     let mut best = check(parsed, unit.stage, unit.dialect, channels);
     for channel in 0..channels.len() {
@@ -285,9 +283,9 @@ fn uses_channel(program: &Program, channel: usize) -> bool {
     })
 }
 
-impl<'a> Program<'a> {
+impl Program {
     /// The shader as it was before it was checked.
-    pub(super) fn into_parsed(self) -> Parsed<'a> {
+    pub(super) fn into_parsed(self) -> Parsed {
         Parsed {
             sources: self.sources,
             tokens: self.tokens,

@@ -16,7 +16,7 @@ pub struct Position {
 }
 
 /// The offsets at which a text's lines start.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct LineIndex {
     starts: Vec<u32>,
     /// The characters of more than one byte, so that no column needs counting, however long its

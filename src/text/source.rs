@@ -17,7 +17,7 @@ pub enum Role {
 }
 
 /// One file, or one pass of a ShaderToy export.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct SourceFile {
     /// Path as the user gave it, with forward slashes.
     pub path: String,
@@ -56,7 +56,7 @@ impl SourceFile {
 const PIECE: u32 = 1 << 31;
 
 /// A stretch of a file as the compiler reads it: a shader inside a page, a script or a text.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Piece {
     /// The file.
     file: FileId,
@@ -83,7 +83,7 @@ pub struct Code<'a> {
 ///
 /// Each file starts one past the end of the one before, so that the place behind a file's last
 /// character differs from the place before the next file's first.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Sources {
     files: Vec<SourceFile>,
     pieces: Vec<Piece>,

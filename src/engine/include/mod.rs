@@ -199,7 +199,7 @@ impl Spreader<'_, '_> {
     }
 
     fn add(&mut self, path: &str, text: impl Into<Arc<str>>) -> Option<FileId> {
-        self.read.sources.add(path, None, Role::User, text)
+        Arc::make_mut(&mut self.read.sources).add(path, None, Role::User, text)
     }
 
     fn open(&mut self, name: String, real: PathBuf, file: FileId, text: Arc<Text>) {
@@ -226,14 +226,16 @@ impl Spreader<'_, '_> {
             last.next += 1;
             let Some(directive) = directive else {
                 let rest = last.text.text.get(last.done..)?;
-                let piece = self.read.sources.embed(last.file, last.done, rest)?;
+                let piece =
+                    Arc::make_mut(&mut self.read.sources).embed(last.file, last.done, rest)?;
                 self.found.files.push(piece);
                 self.found.files.extend(last.close);
                 self.open.pop();
                 continue;
             };
             let before = last.text.text.get(last.done..directive.start)?;
-            let piece = self.read.sources.embed(last.file, last.done, before)?;
+            let piece =
+                Arc::make_mut(&mut self.read.sources).embed(last.file, last.done, before)?;
             self.found.files.push(piece);
             last.done = directive.end;
             let base = self.read.sources.file(last.file)?.base;
@@ -332,7 +334,7 @@ impl Spreader<'_, '_> {
     }
 
     fn prelude(&mut self, text: &str) -> Option<FileId> {
-        self.read.sources.add("", None, Role::Prelude, text)
+        Arc::make_mut(&mut self.read.sources).add("", None, Role::Prelude, text)
     }
 
     /// Bundlers differ in what they do with a file that is named twice; what is certain is that a

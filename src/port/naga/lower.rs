@@ -33,7 +33,7 @@ pub struct Lowered {
 
 /// The module that is being made.
 pub(super) struct Lowerer<'p> {
-    pub(super) program: &'p Program<'p>,
+    pub(super) program: &'p Program,
     pub(super) origin: Origin,
     pub(super) module: Module,
     pub(super) layouter: Layouter,

@@ -42,7 +42,7 @@ struct Candidate {
 /// A shader with what was found in it.
 struct Case<'a> {
     unit: &'a Unit<'a>,
-    program: &'a Program<'a>,
+    program: &'a Program,
     errors: &'a [Diagnostic],
     calls: Calls,
 }

@@ -2,6 +2,7 @@
 
 use crate::semantic::{Dialect, Extent, Stage, Unit, analyze};
 use crate::text::{Role, Sources, apply_edits};
+use std::sync::Arc;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n";
 
@@ -11,6 +12,7 @@ fn found(code: &str) -> (Vec<String>, String) {
     let mut sources = Sources::default();
     let text = format!("{HEAD}{code}");
     let file = sources.add("test", None, Role::User, text.clone()).unwrap();
+    let sources = Arc::new(sources);
     let unit = Unit {
         sources: &sources,
         files: &[file],

@@ -4,6 +4,7 @@
 use crate::diagnostic::{Diagnostic, Fix};
 use crate::semantic::unit::Unit;
 use crate::text::{Edit, FileId, Sources, Span, apply_edits};
+use std::sync::Arc;
 
 /// Most bytes that all trials of one shader may check.
 const MAX_BYTES: usize = 200_000;
@@ -48,7 +49,7 @@ struct Stretch {
 
 /// The files of a shader with edits made.
 pub(super) struct Copy {
-    pub sources: Sources,
+    pub sources: Arc<Sources>,
     pub files: Vec<FileId>,
     /// In the order of the copy's addresses.
     stretches: Vec<Stretch>,
@@ -57,8 +58,9 @@ pub(super) struct Copy {
 impl Copy {
     /// Makes the edits; `None` where they do not fit the text.
     pub fn new(unit: &Unit, edits: &[Edit]) -> Option<Copy> {
+        let mut sources = Sources::new();
         let mut copy = Copy {
-            sources: Sources::new(),
+            sources: Arc::default(),
             files: Vec::new(),
             stretches: Vec::new(),
         };
@@ -73,13 +75,12 @@ impl Copy {
             own.sort_by_key(|e| e.span);
             let text = apply_edits(code.text, code.base, &own).ok()?;
             let file = unit.sources.file_at(code.base)?;
-            let added = copy
-                .sources
-                .add(file.path.clone(), file.part.clone(), file.role, text)?;
-            let base = copy.sources.file(added)?.base;
+            let added = sources.add(file.path.clone(), file.part.clone(), file.role, text)?;
+            let base = sources.file(added)?.base;
             copy.files.push(added);
             copy.note_stretches(base, code.base, end, &own);
         }
+        copy.sources = Arc::new(sources);
         Some(copy)
     }
 

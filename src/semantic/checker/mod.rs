@@ -43,6 +43,7 @@ pub(super) use names::LEGACY_FUNCTIONS;
 use qualifier::Precisions;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::Cell;
+use std::sync::Arc;
 
 /// Most errors that are looked for in one shader.
 const MAX_ERRORS: usize = 200;
@@ -52,9 +53,9 @@ const MAX_COMPARED: usize = 50_000_000;
 const MAX_ADVICE: usize = 6_000_000;
 
 /// A parsed shader, on its way to the checker.
-pub struct Parsed<'a> {
+pub struct Parsed {
     /// The files.
-    pub sources: &'a Sources,
+    pub sources: Arc<Sources>,
     /// The tokens.
     pub tokens: Tokens,
     /// The words.
@@ -70,12 +71,12 @@ pub struct Parsed<'a> {
 /// Checks a parsed shader. `channels` overrides the types of `iChannel0` to `iChannel3`.
 ///
 /// Returns what is known of the shader and what is wrong with it.
-pub fn check<'a>(
-    parsed: Parsed<'a>,
+pub fn check(
+    parsed: Parsed,
     stage: Stage,
     dialect: Dialect,
     channels: Channels,
-) -> (Program<'a>, Vec<Diagnostic>) {
+) -> (Program, Vec<Diagnostic>) {
     let Parsed {
         sources,
         tokens,
@@ -86,7 +87,7 @@ pub fn check<'a>(
     } = parsed;
     let run = |doubts: Doubts| {
         let mut checker = Checker {
-            sources,
+            sources: &sources,
             tokens: &tokens,
             names: &names,
             tree: &tree,

@@ -34,16 +34,16 @@ struct Bound {
 }
 
 /// Finds what ends loops.
-pub(super) struct Bounds<'a, 'p> {
-    program: &'a Program<'p>,
-    estimate: Estimate<'a, 'p>,
+pub(super) struct Bounds<'a> {
+    program: &'a Program,
+    estimate: Estimate<'a>,
     /// By variable: the first tokens of the expressions that write to it, in order.
     writes: Vec<Vec<TokenId>>,
 }
 
-impl<'a, 'p> Bounds<'a, 'p> {
+impl<'a> Bounds<'a> {
     /// Prepares to look at the loops of a shader.
-    pub(super) fn new(program: &'a Program<'p>, calls: &'a CallGraph) -> Bounds<'a, 'p> {
+    pub(super) fn new(program: &'a Program, calls: &'a CallGraph) -> Bounds<'a> {
         let mut writes = vec![Vec::new(); program.variables.len()];
         for (i, expr) in program.tree.exprs.iter().enumerate() {
             each_written(program, ExprId(i as u32), |v| {

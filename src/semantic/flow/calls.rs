@@ -108,7 +108,7 @@ impl CallGraph {
 }
 
 /// The arguments of a call of one of the shader's functions.
-pub fn arguments<'a>(program: &'a Program, call: ExprId) -> &'a [ExprId] {
+pub fn arguments(program: &Program, call: ExprId) -> &[ExprId] {
     match (program.tree.expr(call).kind, program.expr(call).resolution) {
         (ExprKind::Call(_, args), Resolution::Function(_)) => program.tree.args(args),
         _ => &[],

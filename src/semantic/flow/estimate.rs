@@ -10,8 +10,8 @@ use crate::syntax::ast::*;
 const MAX_DEPTH: u32 = 24;
 
 /// Evaluates expressions as far as the text tells.
-pub struct Estimate<'a, 'p> {
-    program: &'a Program<'p>,
+pub struct Estimate<'a> {
+    program: &'a Program,
     calls: &'a CallGraph,
     /// By variable: where it is declared.
     initial: Vec<Option<ExprId>>,
@@ -19,9 +19,9 @@ pub struct Estimate<'a, 'p> {
     position: Vec<Option<u32>>,
 }
 
-impl<'a, 'p> Estimate<'a, 'p> {
+impl<'a> Estimate<'a> {
     /// Prepares to evaluate expressions of a shader.
-    pub fn new(program: &'a Program<'p>, calls: &'a CallGraph) -> Estimate<'a, 'p> {
+    pub fn new(program: &'a Program, calls: &'a CallGraph) -> Estimate<'a> {
         let tree = &program.tree;
         let mut initial = vec![None; program.variables.len()];
         for (declarator, variable) in tree.declarator_lists.iter().zip(&program.declared) {

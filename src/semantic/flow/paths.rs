@@ -126,8 +126,8 @@ struct Jump {
     exits: Option<FxHashMap<u32, u8>>,
 }
 
-struct Walk<'x, 'p> {
-    program: &'x Program<'p>,
+struct Walk<'x> {
+    program: &'x Program,
     structure: &'x Structure,
     /// By variable: the components that have a value on every path to here.
     set: Vec<u8>,
@@ -148,7 +148,7 @@ struct Walk<'x, 'p> {
     findings: Findings,
 }
 
-impl Walk<'_, '_> {
+impl Walk<'_> {
     fn function(
         &mut self,
         decl: &FunctionDecl,

@@ -176,7 +176,7 @@ fn is_flat(program: &Program, variable: usize) -> bool {
 }
 
 /// The variables of a function's parameters.
-fn params<'a>(program: &'a Program, function: FunctionRef) -> &'a [Option<VariableId>] {
+fn params(program: &Program, function: FunctionRef) -> &[Option<VariableId>] {
     let definition = program.function(function).and_then(|f| f.definition);
     let Some(decl) = definition.and_then(|d| program.tree.function(d)) else {
         return &[];
@@ -187,14 +187,14 @@ fn params<'a>(program: &'a Program, function: FunctionRef) -> &'a [Option<Variab
 }
 
 /// Where difference goes from a place.
-struct Spread<'a, 'p> {
-    program: &'a Program<'p>,
+struct Spread<'a> {
+    program: &'a Program,
     structure: &'a Structure,
     calls: &'a CallGraph,
     mentions: &'a Mentions,
 }
 
-impl Spread<'_, '_> {
+impl Spread<'_> {
     fn next(&self, what: &Varying, mut visit: impl FnMut(Varying)) {
         match *what {
             Varying::Variable(v) => self.variable(v, visit),

@@ -54,7 +54,7 @@ pub struct Block {
 /// What a stage shows.
 pub struct Interface<'a> {
     /// The shader.
-    pub program: &'a Program<'a>,
+    pub program: &'a Program,
     /// What it takes: attributes, or what the vertex shader passes on.
     pub inputs: Vec<Item>,
     /// What it gives.
@@ -73,7 +73,7 @@ pub struct Interface<'a> {
 
 impl<'a> Interface<'a> {
     /// Reads the declarations of a shader that has no errors.
-    pub fn of(program: &'a Program<'a>) -> Interface<'a> {
+    pub fn of(program: &'a Program) -> Interface<'a> {
         let mut reader = Reader::new(program);
         for item in &program.tree.items {
             match *item {
@@ -151,7 +151,7 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(program: &'a Program<'a>) -> Reader<'a> {
+    fn new(program: &'a Program) -> Reader<'a> {
         let is_vertex = program.stage == Stage::Vertex;
         let declared = program.variables.iter().zip(0..);
         let records = program.structs.iter().zip(0..);

@@ -3,6 +3,7 @@
 use super::link;
 use crate::semantic::{Dialect, Extent, Stage, Unit, analyze};
 use crate::text::{Role, Sources};
+use std::sync::Arc;
 
 /// Links two shaders and gives what is wrong, a line each: rule, place in the fragment or vertex
 /// shader, message.
@@ -11,6 +12,7 @@ fn check(vertex: &str, fragment: &str, expected: &str) {
     let mut sources = Sources::new();
     let vert = sources.add("a.vert", None, Role::User, vertex).unwrap();
     let frag = sources.add("a.frag", None, Role::User, fragment).unwrap();
+    let sources = Arc::new(sources);
     let files = [[vert], [frag]];
     let of = |files, stage| {
         let analysis = analyze(&Unit {

@@ -15,23 +15,23 @@ pub(super) const LENGTH: u8 = 4;
 
 /// Answers questions about ranges.
 #[derive(Clone, Copy)]
-pub struct Evaluator<'x, 'p> {
+pub struct Evaluator<'x> {
     /// The shader.
-    pub program: &'x Program<'p>,
+    pub program: &'x Program,
     /// What stands in what.
     pub structure: &'x Structure,
     /// What is known already.
     pub ranges: &'x Ranges,
 }
 
-impl<'x, 'p> Evaluator<'x, 'p> {
+impl<'x> Evaluator<'x> {
     /// The range of a component of an expression; of a scalar, the component is 0.
     pub fn component(&self, expr: ExprId, component: u8) -> Range {
         self.part(expr, component, 0)
     }
 
     /// The ranges of all components of a number or vector.
-    pub fn components(self, expr: ExprId) -> impl Iterator<Item = Range> + use<'x, 'p> {
+    pub fn components(self, expr: ExprId) -> impl Iterator<Item = Range> + use<'x> {
         let ty = self.program.ty(expr);
         let count = if ty.is_matrix() { 0 } else { ty.components() };
         (0..count as u8).map(move |c| {

@@ -21,7 +21,7 @@ enum Subject {
     Written(ExprId),
 }
 
-impl Evaluator<'_, '_> {
+impl Evaluator<'_> {
     /// Narrows by the conditions around that speak of the same expression: `f(x) > 0.0 ? log(f(x))`.
     pub(super) fn narrow_written(&self, expr: ExprId, range: &mut Range) {
         let tree = &self.program.tree;

@@ -24,7 +24,7 @@ pub(super) enum Origin {
 /// All that a value may be a copy of.
 pub(super) type Origins = FxHashSet<Origin>;
 
-impl Evaluator<'_, '_> {
+impl Evaluator<'_> {
     /// Whether two numbers may be copies of one value, so that comparing them is exact: a variable
     /// and a constant that was put into it, or the least of two distances and one of the two.
     pub fn may_be_copies(&self, a: ExprId, b: ExprId, component: u8) -> bool {

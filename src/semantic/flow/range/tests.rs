@@ -5,6 +5,7 @@ use crate::semantic::flow::Structure;
 use crate::semantic::{Dialect, Extent, Pass, Stage, Unit, analyze, shadertoy_header};
 use crate::syntax::ast::{ExprKind, StmtKind};
 use crate::text::{Role, Sources};
+use std::sync::Arc;
 
 /// The range of what `float test()` returns at its last `return`.
 fn range(code: &str) -> (String, bool, bool) {
@@ -18,6 +19,7 @@ fn range(code: &str) -> (String, bool, bool) {
         )
         .unwrap();
     let user = sources.add("test", None, Role::User, code).unwrap();
+    let sources = Arc::new(sources);
     let unit = Unit {
         sources: &sources,
         files: &[header, user],
