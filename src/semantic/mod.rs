@@ -19,6 +19,7 @@ pub mod builtins;
 mod checker;
 mod constant;
 mod dialect;
+mod explain;
 pub mod flow;
 mod fold;
 pub mod link;

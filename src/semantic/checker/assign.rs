@@ -36,10 +36,11 @@ impl Checker<'_> {
             Some(op) => self.binary_type(op, l.ty, r.ty, true).map(|_| ()),
         };
         if let Err(misfit) = fits {
-            match op {
-                None => self.assign_misfit(id, left, right, misfit),
-                Some(op) => self.binary_misfit(id, op, left, right, misfit),
-            }
+            let d = match op {
+                None => self.explain_assignment(id, left, right, misfit),
+                Some(op) => self.explain_operands(id, op, left, right, misfit),
+            };
+            self.report(d);
         }
         ExprInfo {
             is_const: false,
@@ -99,7 +100,8 @@ impl Checker<'_> {
             return true;
         }
         if let Err(misfit) = self.assignable_type(ty, info.ty) {
-            self.initializer_misfit(declarator, spec, ty, init, misfit);
+            let d = self.explain_initializer(declarator, spec, ty, init, misfit);
+            self.report(d);
             return false;
         }
         self.check_initializer_constness(declarator, qualified, init);
@@ -351,5 +353,27 @@ impl Checker<'_> {
         };
         self.report(d.fix(fix));
         false
+    }
+
+    /// Mends the error about an undeclared variable by its declaration, where it is first set.
+    fn declare_where_set(&mut self, left: ExprId, ty: Type) {
+        let ExprKind::Name(name) = self.tree.expr(left).kind else {
+            return;
+        };
+        let token = self.tree.expr(left).extent.first;
+        let Some(&(index, 0)) = self.undeclared.get(&name) else {
+            return;
+        };
+        let Some(fix) = self.declaration_where_set(name, token, ty) else {
+            return;
+        };
+        let span = self.token_span(token);
+        if let Some(d) = self
+            .diagnostics
+            .get_mut(index)
+            .filter(|d| d.span == span && d.rule == error::UNDECLARED_NAME)
+        {
+            d.fix = Some(fix);
+        }
     }
 }

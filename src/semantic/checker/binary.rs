@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 
 /// Why two operands do not fit an operator.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Misfit {
+pub(in crate::semantic) enum Misfit {
     /// One has no value.
     Void,
     /// One is a sampler.
@@ -58,7 +58,8 @@ impl Checker<'_> {
                 self.result(ty, &[l, r], constant)
             }
             Err(misfit) => {
-                self.binary_misfit(id, op, left, right, misfit);
+                let d = self.explain_operands(id, op, left, right, misfit);
+                self.report(d);
                 self.poisoned(op)
             }
         }

@@ -41,7 +41,8 @@ impl Checker<'_> {
         match self.builtin_named(name) {
             Some(function) => self.call_builtin(id, name, function, args),
             None if self.by_name.contains_key(&name) => {
-                self.no_user_overload(id, name, args);
+                let d = self.explain_user_call(id, name, self.tree.args(args));
+                d.into_iter().for_each(|d| self.report(d));
                 self.result_of_any(name)
             }
             None if self.is_foreign(name, id) => self.foreign_call(id, name, args),
@@ -215,7 +216,8 @@ impl Checker<'_> {
         };
         let overloads = builtins.overloads_of(found);
         let Some(at) = overloads.iter().position(|o| o.params() == types) else {
-            self.no_builtin_overload(id, name, function, args);
+            let d = self.explain_builtin_call(id, name, function, list);
+            d.into_iter().for_each(|d| self.report(d));
             return self.builtin_result_of_any(function, types.len());
         };
         let Some(overload) = overloads.get(at) else {

@@ -434,7 +434,11 @@ impl<'a> Checker<'a> {
     }
 
     /// The token that declares what a name stands for.
-    pub(super) fn declaration_token(&self, name: Name, binding: Binding) -> Option<TokenId> {
+    pub(in crate::semantic) fn declaration_token(
+        &self,
+        name: Name,
+        binding: Binding,
+    ) -> Option<TokenId> {
         match binding {
             Binding::Variable(id) => self.variables.get(id.0 as usize)?.token,
             Binding::Struct(id) | Binding::Block(id) => {
@@ -580,5 +584,24 @@ impl<'a> Checker<'a> {
         }
         self.report(d);
         Some(1)
+    }
+
+    /// Adds a fix to the error about a name that is declared a second time.
+    fn mend_redefinition(
+        &mut self,
+        ident: Ident,
+        first: VariableId,
+        ty: Type,
+        spec: Option<Extent>,
+        is_meant: bool,
+    ) {
+        let span = self.token_span(ident.token);
+        let is_it = |d: &Diagnostic| d.rule == error::REDEFINITION && d.span == span;
+        if self.diagnostics.last().is_some_and(is_it) {
+            let fix = self.second_declaration(ident, first, ty, spec, is_meant);
+            if let Some(d) = self.diagnostics.last_mut() {
+                d.fix = fix;
+            }
+        }
     }
 }

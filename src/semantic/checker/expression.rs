@@ -200,13 +200,9 @@ impl Checker<'_> {
         self.report(d);
     }
 
-    /// A value of type `void` where one is needed.
+    /// Reports a value of type `void` where one is needed.
     pub(super) fn void_value(&mut self, id: ExprId) {
-        let d = self.error_expr(
-            error::VOID_VALUE,
-            id,
-            "this has no value: its type is `void`",
-        );
+        let d = self.explain_void(id);
         self.report(d);
     }
 
@@ -227,13 +223,15 @@ impl Checker<'_> {
     fn ternary(&mut self, id: ExprId, condition: ExprId, yes: ExprId, no: ExprId) -> ExprInfo {
         let (c, y, n) = (self.info(condition), self.info(yes), self.info(no));
         if !c.ty.is_error() && c.ty != Type::BOOL {
-            self.bad_condition(condition, "the condition of `? :`");
+            let d = self.explain_condition(condition, "the condition of `? :`");
+            self.report(d);
         }
         if y.ty.is_error() || n.ty.is_error() {
             return ExprInfo::ERROR;
         }
         if y.ty != n.ty {
-            self.ternary_mismatch(id, yes, no);
+            let d = self.explain_arms(id, yes, no);
+            self.report(d);
             return ExprInfo::ERROR;
         }
         let what = match y.ty.base {
@@ -681,7 +679,7 @@ impl Checker<'_> {
         self.report(d);
     }
 
-    pub(super) fn variable_of(&self, id: ExprId) -> Option<VariableId> {
+    pub(in crate::semantic) fn variable_of(&self, id: ExprId) -> Option<VariableId> {
         match self.info(self.tree.unparen(id)).resolution {
             Resolution::Variable(id) => Some(id),
             _ => None,

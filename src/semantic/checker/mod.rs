@@ -3,7 +3,6 @@
 //! Expressions are checked in the order in which the tree stores them, children before parents,
 //! without recursion. A mistake gives a type that fits everywhere, so that it is reported once.
 
-mod arguments;
 mod assign;
 mod binary;
 mod call;
@@ -17,13 +16,9 @@ mod function;
 mod kept;
 mod layout;
 mod limits;
-mod mismatch;
 mod names;
-mod overload;
-mod place;
 mod qualifier;
 mod record;
-mod resize;
 mod statement;
 mod webgl1;
 
@@ -37,6 +32,7 @@ use crate::diagnostic::{Diagnostic, error};
 use crate::syntax::ast::*;
 use crate::syntax::{Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
 use crate::text::{Role, Sources, Span};
+pub(super) use binary::Misfit;
 use doubt::{Doubts, settle};
 use finish::LoopCheck;
 pub(super) use names::LEGACY_FUNCTIONS;
@@ -205,36 +201,36 @@ struct Flow {
     loop_index: Option<VariableId>,
 }
 
-struct Checker<'a> {
-    sources: &'a Sources,
-    tokens: &'a Tokens,
-    names: &'a Names,
-    tree: &'a Tree,
-    version: Version,
-    stage: Stage,
-    dialect: Dialect,
+pub(super) struct Checker<'a> {
+    pub(super) sources: &'a Sources,
+    pub(super) tokens: &'a Tokens,
+    pub(super) names: &'a Names,
+    pub(super) tree: &'a Tree,
+    pub(super) version: Version,
+    pub(super) stage: Stage,
+    pub(super) dialect: Dialect,
     channels: Channels,
-    builtins: &'static Builtins,
+    pub(super) builtins: &'static Builtins,
     syntax_errors: bool,
-    scopes: Scopes,
+    pub(super) scopes: Scopes,
     precisions: Precisions,
-    exprs: Vec<ExprInfo>,
-    variables: Vec<Variable>,
-    functions: Vec<Function>,
-    structs: Vec<Struct>,
+    pub(super) exprs: Vec<ExprInfo>,
+    pub(super) variables: Vec<Variable>,
+    pub(super) functions: Vec<Function>,
+    pub(super) structs: Vec<Struct>,
     calls: Vec<Call>,
     declared: Vec<Option<VariableId>>,
     declared_params: Vec<Option<VariableId>>,
     pool: Pool,
     by_signature: FxHashMap<(Name, Vec<Type>), FunctionRef>,
-    by_name: FxHashMap<Name, Vec<FunctionRef>>,
+    pub(super) by_name: FxHashMap<Name, Vec<FunctionRef>>,
     /// By name: the built-in function, once it was looked up.
     builtin_names: Vec<Option<Option<u16>>>,
     builtin_variables: FxHashMap<Name, VariableId>,
-    current: Option<FunctionRef>,
+    pub(super) current: Option<FunctionRef>,
     /// The whole expression at hand, and the type that it should have.
-    whole: ExprId,
-    wanted: Option<Type>,
+    pub(super) whole: ExprId,
+    pub(super) wanted: Option<Type>,
     /// Depth of the statement at hand in the browser's tree.
     level: u32,
     flow: Vec<Flow>,
@@ -280,30 +276,30 @@ impl<'a> Checker<'a> {
     }
 
     /// Whether so much is wrong that looking on is of no use.
-    fn gave_up(&self) -> bool {
+    pub(super) fn gave_up(&self) -> bool {
         self.diagnostics.len() >= MAX_ERRORS
     }
 
     /// Whether so many names or tokens may still be looked through for advice on an error.
-    fn affords(&self, looks: usize) -> bool {
+    pub(super) fn affords(&self, looks: usize) -> bool {
         let left = self.advice.get().checked_sub(looks);
         self.advice.set(left.unwrap_or(0));
         left.is_some()
     }
 
-    fn is_300(&self) -> bool {
+    pub(super) fn is_300(&self) -> bool {
         self.version == Version::Es300
     }
 
-    fn at_global_scope(&self) -> bool {
+    pub(super) fn at_global_scope(&self) -> bool {
         self.scopes.depth() == 0
     }
 
-    fn text(&self, name: Name) -> &'a str {
+    pub(super) fn text(&self, name: Name) -> &'a str {
         self.names.text(name)
     }
 
-    fn token(&self, id: TokenId) -> Token {
+    pub(super) fn token(&self, id: TokenId) -> Token {
         let tokens = &self.tokens.tokens;
         tokens
             .get(id as usize)
@@ -318,42 +314,42 @@ impl<'a> Checker<'a> {
             })
     }
 
-    fn token_span(&self, id: TokenId) -> Span {
+    pub(super) fn token_span(&self, id: TokenId) -> Span {
         self.span(Extent::token(id))
     }
 
     /// Where code stands: in a macro's definition, if its body supplied all of it.
-    fn span(&self, extent: Extent) -> Span {
+    pub(super) fn span(&self, extent: Extent) -> Span {
         self.tokens.place(self.sources, extent.first, extent.last)
     }
 
-    fn expr_span(&self, id: ExprId) -> Span {
+    pub(super) fn expr_span(&self, id: ExprId) -> Span {
         self.span(self.tree.expr(id).extent)
     }
 
-    fn expr_text(&self, id: ExprId) -> &'a str {
+    pub(super) fn expr_text(&self, id: ExprId) -> &'a str {
         self.sources.text(self.expr_span(id))
     }
 
-    fn info(&self, id: ExprId) -> ExprInfo {
+    pub(super) fn info(&self, id: ExprId) -> ExprInfo {
         self.exprs
             .get(id.0 as usize)
             .copied()
             .unwrap_or(ExprInfo::ERROR)
     }
 
-    fn ty(&self, id: ExprId) -> Type {
+    pub(super) fn ty(&self, id: ExprId) -> Type {
         self.info(id).ty
     }
 
-    fn name_of(&self, ty: Type) -> String {
+    pub(super) fn name_of(&self, ty: Type) -> String {
         type_name(ty, |id| {
             super::program::struct_name(&self.structs, self.names, id)
         })
     }
 
     /// Whether all tokens of a node stand in the text just so, outside any macro call.
-    fn is_direct(&self, extent: Extent) -> bool {
+    pub(super) fn is_direct(&self, extent: Extent) -> bool {
         let tokens = self
             .tokens
             .tokens
@@ -362,14 +358,19 @@ impl<'a> Checker<'a> {
     }
 
     /// Whether a token stands in text that a host put before the user's.
-    fn is_prelude(&self, token: TokenId) -> bool {
+    pub(super) fn is_prelude(&self, token: TokenId) -> bool {
         let span = self.token_span(token);
         self.sources
             .file_at(span.start)
             .is_some_and(|f| f.role == Role::Prelude)
     }
 
-    fn error(&self, rule: &'static str, extent: Extent, message: impl Into<String>) -> Diagnostic {
+    pub(super) fn error(
+        &self,
+        rule: &'static str,
+        extent: Extent,
+        message: impl Into<String>,
+    ) -> Diagnostic {
         let mut d = Diagnostic::error(rule, self.span(extent), message);
         let first = self.token(extent.first);
         let token = if first.is_direct() {
@@ -386,7 +387,7 @@ impl<'a> Checker<'a> {
         d
     }
 
-    fn error_at(
+    pub(super) fn error_at(
         &self,
         rule: &'static str,
         token: TokenId,
@@ -395,7 +396,7 @@ impl<'a> Checker<'a> {
         self.error(rule, Extent::token(token), message)
     }
 
-    fn error_expr(
+    pub(super) fn error_expr(
         &self,
         rule: &'static str,
         expr: ExprId,
@@ -405,7 +406,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Reports an error. A fix whose edits do not stand in the user's own text just so is dropped.
-    fn report(&mut self, mut diagnostic: Diagnostic) {
+    pub(super) fn report(&mut self, mut diagnostic: Diagnostic) {
         if let Some(fix) = &diagnostic.fix
             && fix.edits.iter().any(|e| !self.is_editable(e.span))
         {
@@ -418,7 +419,7 @@ impl<'a> Checker<'a> {
 
     /// Whether the text under a span is the user's, and no macro call stands there that would be
     /// torn apart.
-    fn is_editable(&self, span: Span) -> bool {
+    pub(super) fn is_editable(&self, span: Span) -> bool {
         let tokens = &self.tokens.tokens;
         // Tokens are in the order of the text, as each stands where the user sees it.
         let from = tokens.partition_point(|t| t.span.end <= span.start);
@@ -435,7 +436,12 @@ impl<'a> Checker<'a> {
     }
 
     /// Adds "declared here" where the user's own text declares a name.
-    fn with_declaration(&self, d: Diagnostic, token: Option<TokenId>, what: &str) -> Diagnostic {
+    pub(super) fn with_declaration(
+        &self,
+        d: Diagnostic,
+        token: Option<TokenId>,
+        what: &str,
+    ) -> Diagnostic {
         match token {
             Some(token) if !self.is_prelude(token) => d.label(self.token_span(token), what),
             Some(_) => d.note("the ShaderToy player declares it"),
@@ -444,7 +450,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Asks whether a name is free for the user: no `gl_`, no `webgl_`, no two underscores.
-    fn check_not_reserved(&mut self, ident: Ident) -> bool {
+    pub(super) fn check_not_reserved(&mut self, ident: Ident) -> bool {
         let text = self.text(ident.name);
         let why = if text.starts_with("gl_") {
             "names that start with `gl_` belong to the language (section 3.9)"

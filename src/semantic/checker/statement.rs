@@ -197,7 +197,8 @@ impl Checker<'_> {
         self.root(expr, self.level + 1);
         let ty = self.ty(expr);
         if !ty.is_error() && ty != Type::BOOL {
-            self.bad_condition(expr, what);
+            let d = self.explain_condition(expr, what);
+            self.report(d);
         }
     }
 

@@ -2,8 +2,6 @@
 
 use super::overload::Candidate;
 use super::*;
-use crate::diagnostic::Fix;
-use crate::text::Edit;
 
 /// What is usually given for a parameter of a built-in function, by its number, where it is left
 /// out.

@@ -1,8 +1,6 @@
 //! How to make vectors of different sizes fit.
 
 use super::*;
-use crate::diagnostic::Fix;
-use crate::text::Edit;
 
 /// Longest code that a fix's title shows.
 const MAX_SHOWN: usize = 60;
@@ -30,7 +28,7 @@ impl Checker<'_> {
     }
 
     /// Makes a value as large as a vector that is wanted.
-    pub(super) fn resize(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+    pub(in crate::semantic) fn resize(&self, value: ExprId, wanted: Type) -> Option<Fix> {
         let (_, 1, have) = self.ty(value).numeric()? else {
             return None;
         };
@@ -97,7 +95,7 @@ impl Checker<'_> {
 
     /// The components that make a vector of `have` one of `size`: the fourth is alpha or w, where 1
     /// means opaque and a point; the others are 0.
-    pub(super) fn added_components(scalar: Scalar, have: u8, size: u8) -> String {
+    pub(in crate::semantic) fn added_components(scalar: Scalar, have: u8, size: u8) -> String {
         let (zero, one) = match scalar {
             Scalar::Float => ("0.0", "1.0"),
             Scalar::Bool => ("false", "true"),
@@ -143,7 +141,7 @@ impl Checker<'_> {
     }
 
     /// The size of the vector that `id` has to be, as far as the statement around it tells.
-    pub(super) fn wanted_size(&self, id: ExprId) -> Option<u8> {
+    pub(in crate::semantic) fn wanted_size(&self, id: ExprId) -> Option<u8> {
         let target = self.tree.expr(id).extent;
         let holds = |e: ExprId| self.tree.expr(e).extent.contains(target);
         let mut wanted = self.wanted;
@@ -270,7 +268,12 @@ impl Checker<'_> {
 
     /// Letters that the vector has in the place of those that it has not, or that stand twice where
     /// each may stand once: the one that belongs to the place, else one that is free.
-    pub(super) fn mend_swizzle(&self, text: &str, rows: u8, token: TokenId) -> Option<Fix> {
+    pub(in crate::semantic) fn mend_swizzle(
+        &self,
+        text: &str,
+        rows: u8,
+        token: TokenId,
+    ) -> Option<Fix> {
         let sets = ["xyzw", "rgba", "stpq"];
         let letters = sets
             .iter()

@@ -1,26 +1,32 @@
 //! What to say when types do not fit, and how to mend it.
 
-use super::binary::Misfit;
 use super::*;
-use crate::diagnostic::Fix;
-use crate::text::Edit;
 
 const NO_CONVERSION: &str = "GLSL ES converts nothing by itself (section 4.1.10)";
 
 impl Checker<'_> {
-    /// Reports operands that do not fit an operator. `id` is the whole expression, which may be an
+    /// A value of type `void` where one is needed.
+    pub(in crate::semantic) fn explain_void(&self, id: ExprId) -> Diagnostic {
+        let message = "this has no value: its type is `void`";
+        self.error_expr(error::VOID_VALUE, id, message)
+    }
+
+    /// Operands that do not fit an operator. `id` is the whole expression, which may be an
     /// assignment like `l += r`.
-    pub(super) fn binary_misfit(
-        &mut self,
+    pub(in crate::semantic) fn explain_operands(
+        &self,
         id: ExprId,
         op: BinaryOp,
         left: ExprId,
         right: ExprId,
         misfit: Misfit,
-    ) {
+    ) -> Diagnostic {
         let (l, r) = (self.ty(left), self.ty(right));
         let d = match misfit {
-            Misfit::Void => return self.void_value(if l.is_void() { left } else { right }),
+            Misfit::Void => return self.explain_void(if l.is_void() { left } else { right }),
+            Misfit::Scalars if l.is_array() => {
+                self.other_misfit(id, op.symbol(), left, right, misfit)
+            }
             Misfit::Scalars
                 if l.scalar_kind() == Some(Scalar::Bool)
                     || r.scalar_kind() == Some(Scalar::Bool) =>
@@ -28,8 +34,10 @@ impl Checker<'_> {
                 self.bool_misfit(id, op, left, right)
             }
             Misfit::Scalars => {
-                if op == BinaryOp::Rem && self.float_remainder(id, left, right) {
-                    return;
+                if op == BinaryOp::Rem
+                    && let Some(d) = self.float_remainder(id, left, right)
+                {
+                    return d;
                 }
                 let prefer_int = op.compares() || op == BinaryOp::Rem;
                 return self.mixed(id, op.symbol(), left, right, prefer_int);
@@ -37,26 +45,22 @@ impl Checker<'_> {
             Misfit::Shape => self.shape_misfit(id, op.symbol(), left, right),
             _ => self.other_misfit(id, op.symbol(), left, right, misfit),
         };
-        let d = self.advise_operator(d, id, op, left, right, misfit);
-        self.report(d);
+        self.advise_operator(d, id, op, left, right, misfit)
     }
 
     /// `%` with an operand that is a float for good: only `mod` can be meant.
-    fn float_remainder(&mut self, id: ExprId, left: ExprId, right: ExprId) -> bool {
+    fn float_remainder(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Diagnostic> {
         let lasts = |id| {
             self.ty(id).scalar_kind() == Some(Scalar::Float) && self.whole_literal(id).is_none()
         };
         if !lasts(left) && !lasts(right) {
-            return false;
+            return None;
         }
         let (l, r) = (self.name_of(self.ty(left)), self.name_of(self.ty(right)));
         let message = format!("`%` works on integers, not on `{l}` and `{r}`");
         let d = self.error_expr(error::INT_FLOAT_MIX, id, message);
-        let d = self
-            .both(d, left, right)
-            .fix(self.as_call(id, "mod", left, right));
-        self.report(d);
-        true
+        let fix = self.as_call(id, "mod", left, right);
+        Some(self.both(d, left, right).fix(fix))
     }
 
     fn both(&self, d: Diagnostic, left: ExprId, right: ExprId) -> Diagnostic {
@@ -130,11 +134,17 @@ impl Checker<'_> {
     }
 
     /// `int`, `uint` and `float` mixed: points at what should change, most often a literal.
-    fn mixed(&mut self, id: ExprId, symbol: &str, left: ExprId, right: ExprId, prefer_int: bool) {
+    fn mixed(
+        &self,
+        id: ExprId,
+        symbol: &str,
+        left: ExprId,
+        right: ExprId,
+        prefer_int: bool,
+    ) -> Diagnostic {
         let (l, r) = (self.ty(left), self.ty(right));
-        let (Some(ls), Some(rs)) = (l.scalar_kind(), r.scalar_kind()) else {
-            return;
-        };
+        let ls = l.scalar_kind().unwrap_or(Scalar::Float);
+        let rs = r.scalar_kind().unwrap_or(Scalar::Float);
         let (culprit, wanted) = self.culprit(left, ls, right, rs, prefer_int);
         let other = if culprit == left { right } else { left };
         let message = format!(
@@ -152,19 +162,17 @@ impl Checker<'_> {
                 format!("`{}`", self.name_of(self.ty(culprit))),
             )
         };
-        let d = d
-            .mark(if is_literal {
-                format!("`{}`", self.name_of(self.ty(culprit)))
-            } else {
-                String::new()
-            })
-            .label(
-                self.expr_span(other),
-                format!("`{}`", self.name_of(self.ty(other))),
-            )
-            .note(NO_CONVERSION)
-            .fix(fix);
-        self.report(d);
+        d.mark(if is_literal {
+            format!("`{}`", self.name_of(self.ty(culprit)))
+        } else {
+            String::new()
+        })
+        .label(
+            self.expr_span(other),
+            format!("`{}`", self.name_of(self.ty(other))),
+        )
+        .note(NO_CONVERSION)
+        .fix(fix)
     }
 
     /// Which operand to convert, and to what.
@@ -242,7 +250,7 @@ impl Checker<'_> {
                 error::TYPE_MISMATCH,
                 format!("`{symbol}` has no meaning for `{ln}`"),
             ),
-            Misfit::Struct => (
+            Misfit::Struct | Misfit::Scalars => (
                 error::TYPE_MISMATCH,
                 format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
             ),
@@ -412,42 +420,41 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports `l = r` whose types do not fit.
-    pub(super) fn assign_misfit(
-        &mut self,
+    /// `l = r` whose types do not fit.
+    pub(in crate::semantic) fn explain_assignment(
+        &self,
         id: ExprId,
         left: ExprId,
         right: ExprId,
         misfit: Misfit,
-    ) {
+    ) -> Diagnostic {
         let (l, r) = (self.ty(left), self.ty(right));
         if misfit == Misfit::Void {
-            return self.void_value(right);
+            return self.explain_void(right);
         }
         let (ln, rn) = (self.name_of(l), self.name_of(r));
         let rule = self.rule_for(l, r, misfit);
         let d = self.misfit_at(self.tree.expr(id).extent, l, right, rule);
         let d = d.label(self.expr_span(left), format!("a variable of type `{ln}`"));
-        let d = if d.span == self.expr_span(right) {
+        if d.span == self.expr_span(right) {
             d
         } else {
             d.label(self.expr_span(right), format!("`{rn}`"))
-        };
-        self.report(d);
+        }
     }
 
-    /// Reports a declaration whose initializer does not fit.
-    pub(super) fn initializer_misfit(
-        &mut self,
+    /// A declaration whose initializer does not fit.
+    pub(in crate::semantic) fn explain_initializer(
+        &self,
         declarator: &Declarator,
         spec: Option<Extent>,
         ty: Type,
         init: ExprId,
         misfit: Misfit,
-    ) {
+    ) -> Diagnostic {
         let found = self.ty(init);
         if misfit == Misfit::Void {
-            return self.void_value(init);
+            return self.explain_void(init);
         }
         let rule = self.rule_for(ty, found, misfit);
         let d = self.misfit_at(declarator.extent, ty, init, rule);
@@ -456,11 +463,10 @@ impl Checker<'_> {
             Some(fix) => d.fix(fix),
             None => d,
         };
-        let d = match d.span == self.expr_span(init) {
+        match d.span == self.expr_span(init) {
             true => d,
             false => d.label(self.expr_span(init), format!("`{}`", self.name_of(found))),
-        };
-        self.report(d);
+        }
     }
 
     fn rule_for(&self, wanted: Type, found: Type, misfit: Misfit) -> &'static str {
@@ -479,7 +485,7 @@ impl Checker<'_> {
 
     /// "a `float` is wanted, but this is `int`": at the value where it is a literal that is easily
     /// mended, else at all of `extent`.
-    pub(super) fn misfit_at(
+    pub(in crate::semantic) fn misfit_at(
         &self,
         extent: Extent,
         wanted: Type,
@@ -574,11 +580,16 @@ impl Checker<'_> {
         )
     }
 
-    /// Reports `c ? a : b` whose arms differ.
-    pub(super) fn ternary_mismatch(&mut self, id: ExprId, yes: ExprId, no: ExprId) {
+    /// `c ? a : b` whose arms differ.
+    pub(in crate::semantic) fn explain_arms(
+        &self,
+        id: ExprId,
+        yes: ExprId,
+        no: ExprId,
+    ) -> Diagnostic {
         let (y, n) = (self.ty(yes), self.ty(no));
         if y.is_void() || n.is_void() {
-            return self.void_value(if y.is_void() { yes } else { no });
+            return self.explain_void(if y.is_void() { yes } else { no });
         }
         let scalars = (y.scalar_kind(), n.scalar_kind());
         let mixed = matches!(scalars, (Some(a), Some(b)) if a != b && a != Scalar::Bool && b != Scalar::Bool);
@@ -602,15 +613,14 @@ impl Checker<'_> {
             (false, true) => self.become_type(yes, n),
             (false, false) => self.become_type(no, y),
         };
-        let d = self.both(d, yes, no).fix(fix);
-        self.report(d);
+        self.both(d, yes, no).fix(fix)
     }
 
-    /// Reports a condition that is no `bool`.
-    pub(super) fn bad_condition(&mut self, id: ExprId, what: &str) {
+    /// A condition that is no `bool`.
+    pub(in crate::semantic) fn explain_condition(&self, id: ExprId, what: &str) -> Diagnostic {
         let ty = self.ty(id);
         if ty.is_void() {
-            return self.void_value(id);
+            return self.explain_void(id);
         }
         let name = self.name_of(ty);
         let d = self
@@ -630,7 +640,7 @@ impl Checker<'_> {
             self.tree.expr(self.tree.unparen(id)).kind,
             ExprKind::Assign(None, ..)
         );
-        let d = if is_assignment {
+        if is_assignment {
             d.note("`=` assigns; `==` compares")
                 .fix(self.compare_instead(id))
         } else if !zero.is_empty() && self.is_direct(self.tree.expr(id).extent) {
@@ -652,12 +662,11 @@ impl Checker<'_> {
             d.fix(Fix::suggestion("true where one is not 0", edits))
         } else {
             d
-        };
-        self.report(d);
+        }
     }
 
     /// `=` where `==` must be meant.
-    pub(super) fn compare_instead(&self, id: ExprId) -> Option<Fix> {
+    pub(in crate::semantic) fn compare_instead(&self, id: ExprId) -> Option<Fix> {
         let ExprKind::Assign(None, left, _) = self.tree.expr(self.tree.unparen(id)).kind else {
             return None;
         };
@@ -668,7 +677,7 @@ impl Checker<'_> {
     }
 
     /// The token of a literal number, through parentheses and signs.
-    pub(super) fn literal_token(&self, id: ExprId) -> Option<Token> {
+    pub(in crate::semantic) fn literal_token(&self, id: ExprId) -> Option<Token> {
         let mut at = id;
         loop {
             match self.tree.expr(at).kind {
@@ -692,7 +701,7 @@ impl Checker<'_> {
     }
 
     /// Makes an expression of another scalar kind: a literal is rewritten, everything else wrapped.
-    pub(super) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
+    pub(in crate::semantic) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
         if let Some(token) = self.literal_token(id)
             && let Some(text) = self.converted_literal(id, &token, to)
         {

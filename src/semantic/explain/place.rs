@@ -1,8 +1,6 @@
 //! What cannot be written to, and names declared twice: the edit that makes it possible.
 
 use super::*;
-use crate::diagnostic::Fix;
-use crate::text::Edit;
 
 /// Longest statement, in tokens, of which a fix takes out the whole.
 const MAX_STATEMENT: TokenId = 1000;
@@ -11,7 +9,7 @@ const MAX_RENAMED: usize = 500;
 
 impl Checker<'_> {
     /// Copies what comes from outside into a variable at the start of the function, and uses that.
-    pub(super) fn copy_first(&self, variable: VariableId) -> Option<Fix> {
+    pub(in crate::semantic) fn copy_first(&self, variable: VariableId) -> Option<Fix> {
         let function = self.functions.get(self.current?.0 as usize)?;
         let declaration = self.tree.function(function.definition?)?;
         let body = self.tree.stmt(declaration.body?).extent;
@@ -60,7 +58,7 @@ impl Checker<'_> {
     }
 
     /// Takes `const` away from a declaration whose name stands at `token`.
-    pub(super) fn take_const_away(&self, token: Option<TokenId>) -> Option<Fix> {
+    pub(in crate::semantic) fn take_const_away(&self, token: Option<TokenId>) -> Option<Fix> {
         use TokenKind as T;
         let mut at = token?;
         while !matches!(
@@ -80,28 +78,9 @@ impl Checker<'_> {
         None
     }
 
-    /// Adds a fix to the error about a name that is declared a second time.
-    pub(super) fn mend_redefinition(
-        &mut self,
-        ident: Ident,
-        first: VariableId,
-        ty: Type,
-        spec: Option<Extent>,
-        is_meant: bool,
-    ) {
-        let span = self.token_span(ident.token);
-        let is_it = |d: &Diagnostic| d.rule == error::REDEFINITION && d.span == span;
-        if self.diagnostics.last().is_some_and(is_it) {
-            let fix = self.second_declaration(ident, first, ty, spec, is_meant);
-            if let Some(d) = self.diagnostics.last_mut() {
-                d.fix = fix;
-            }
-        }
-    }
-
     /// What to do with a name that is declared a second time: nothing where both say the same, an
     /// assignment where the types are the same, another name where they are not.
-    fn second_declaration(
+    pub(in crate::semantic) fn second_declaration(
         &self,
         ident: Ident,
         first: VariableId,
@@ -173,7 +152,7 @@ impl Checker<'_> {
     }
 
     /// The last token of the block around a token; at global scope, of the text.
-    pub(super) fn end_of_block(&self, token: TokenId) -> TokenId {
+    fn end_of_block(&self, token: TokenId) -> TokenId {
         let mut open = 0_u32;
         let tokens = &self.tokens.tokens;
         for (i, t) in tokens.iter().enumerate().skip(token as usize) {
@@ -188,33 +167,23 @@ impl Checker<'_> {
     }
 
     /// Declares an undeclared variable where it is first set, if all its uses stand behind that.
-    pub(super) fn declare_where_set(&mut self, left: ExprId, ty: Type) {
-        let ExprKind::Name(name) = self.tree.expr(left).kind else {
-            return;
-        };
-        let token = self.tree.expr(left).extent.first;
-        let Some(&(index, 0)) = self.undeclared.get(&name) else {
-            return;
-        };
+    pub(in crate::semantic) fn declaration_where_set(
+        &self,
+        name: Name,
+        token: TokenId,
+        ty: Type,
+    ) -> Option<Fix> {
         if ty.is_error() || ty.is_void() || ty.is_sampler() || !self.is_statement_start(token) {
-            return;
+            return None;
         }
         let (uses, inside) = self.uses_behind(name, token);
-        if uses < 2 || !inside {
-            return;
-        }
-        let span = self.token_span(token);
         let (word, text) = (self.name_of(ty), self.text(name));
-        if let Some(d) = self
-            .diagnostics
-            .get_mut(index)
-            .filter(|d| d.span == span && d.rule == error::UNDECLARED_NAME)
-        {
-            d.fix = Some(Fix::suggestion(
-                format!("declare it here: `{word} {text} = ...`"),
-                vec![Edit::insert(span.start, format!("{word} "))],
-            ));
-        }
+        let edits = vec![Edit::insert(
+            self.token_span(token).start,
+            format!("{word} "),
+        )];
+        (uses >= 2 && inside)
+            .then(|| Fix::suggestion(format!("declare it here: `{word} {text} = ...`"), edits))
     }
 
     /// Whether a statement of a block, or a loop's head, starts with a token of the user's text.
@@ -254,7 +223,7 @@ impl Checker<'_> {
     }
 
     /// `1.0 = x` becomes `x = 1.0`.
-    pub(super) fn swap_sides(&self, left: ExprId) -> Option<Fix> {
+    pub(in crate::semantic) fn swap_sides(&self, left: ExprId) -> Option<Fix> {
         let ExprKind::Assign(None, l, right) = self.tree.expr(self.whole).kind else {
             return None;
         };

@@ -1,9 +1,6 @@
 //! Calls that fit no function: which one was meant, and what differs.
 
-use super::super::builtins::MAX_PARAMS;
 use super::*;
-use crate::diagnostic::Fix;
-use crate::text::Edit;
 
 /// Most forms of a function that a message lists.
 const MAX_LISTED: usize = 5;
@@ -42,14 +39,21 @@ fn distance(wanted: Type, found: Type, is_literal: bool) -> u32 {
 }
 
 impl Checker<'_> {
-    pub(super) fn no_user_overload(&mut self, id: ExprId, name: Name, args: List) {
+    /// A call that fits none of the functions that the shader declares; `None` where the one that is
+    /// meant may be among what could not be read.
+    pub(in crate::semantic) fn explain_user_call(
+        &self,
+        id: ExprId,
+        name: Name,
+        args: &[ExprId],
+    ) -> Option<Diagnostic> {
         let all = self.by_name.get(&name).cloned().unwrap_or_default();
         let candidates: Vec<Candidate> = all
             .iter()
             .filter_map(|f| self.functions.get(f.0 as usize))
             .map(|f| self.user_candidate(f))
             .collect();
-        self.no_overload(id, name, args, &candidates);
+        self.no_overload(id, name, args, &candidates)
     }
 
     fn user_candidate(&self, function: &Function) -> Candidate {
@@ -87,17 +91,16 @@ impl Checker<'_> {
         }
     }
 
-    pub(super) fn no_builtin_overload(
-        &mut self,
+    /// A call that fits no form of a built-in function.
+    pub(in crate::semantic) fn explain_builtin_call(
+        &self,
         id: ExprId,
         name: Name,
         function: u16,
-        args: List,
-    ) {
+        args: &[ExprId],
+    ) -> Option<Diagnostic> {
         let builtins = self.builtins;
-        let Some(found) = builtins.functions.get(function as usize) else {
-            return;
-        };
+        let found = builtins.functions.get(function as usize)?;
         let candidates: Vec<Candidate> = builtins
             .overloads_of(found)
             .iter()
@@ -120,29 +123,32 @@ impl Checker<'_> {
                 }
             })
             .collect();
-        self.no_overload(id, name, args, &candidates);
+        self.no_overload(id, name, args, &candidates)
     }
 
-    fn no_overload(&mut self, id: ExprId, name: Name, args: List, candidates: &[Candidate]) {
+    fn no_overload(
+        &self,
+        id: ExprId,
+        name: Name,
+        args: &[ExprId],
+        candidates: &[Candidate],
+    ) -> Option<Diagnostic> {
         // The overload that is meant may be the one that could not be read.
         if self.tree.lost.contains(&name) {
-            return;
+            return None;
         }
-        let tree = self.tree;
-        let list = tree.args(args);
-        if let Some(&arg) = list.iter().find(|&&a| self.ty(a).is_void()) {
-            return self.void_value(arg);
+        if let Some(&arg) = args.iter().find(|&&a| self.ty(a).is_void()) {
+            return Some(self.explain_void(arg));
         }
         let same_count: Vec<&Candidate> = candidates
             .iter()
-            .filter(|c| c.params.len() == list.len())
+            .filter(|c| c.params.len() == args.len())
             .collect();
-        let d = if same_count.is_empty() {
-            self.wrong_count(id, name, list, candidates)
+        Some(if same_count.is_empty() {
+            self.wrong_count(id, name, args, candidates)
         } else {
-            self.wrong_types(id, name, list, &same_count, candidates)
-        };
-        self.report(d);
+            self.wrong_types(id, name, args, &same_count, candidates)
+        })
     }
 
     fn wrong_count(

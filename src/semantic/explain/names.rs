@@ -1,0 +1,618 @@
+//! Names that nothing declares: what was probably meant.
+
+use super::*;
+use crate::syntax::{TypeWord, WordClass, classify, keyword_near, type_in_another_case};
+
+/// How far the partner of a bracket is looked for, in tokens.
+const MAX_BRACKETED: TokenId = 200;
+
+/// Names that shaders give their output.
+const OUTPUT_NAMES: &[&str] = &[
+    "fragColor",
+    "FragColor",
+    "outColor",
+    "out_Color",
+    "out_color",
+    "outputColor",
+    "fragmentColor",
+    "o_color",
+    "oColor",
+    "color_out",
+    "pc_fragColor",
+    "out_FragColor",
+    "myOutputColor",
+    "finalColor",
+];
+
+impl Checker<'_> {
+    /// A function, block or type where a variable is wanted.
+    pub(in crate::semantic) fn explain_not_a_variable(
+        &self,
+        name: Name,
+        token: TokenId,
+        binding: Binding,
+    ) -> Diagnostic {
+        let text = self.text(name);
+        let what = match binding {
+            Binding::Function => "function",
+            Binding::Block(_) => "block",
+            _ => "type",
+        };
+        let d = self.error_at(
+            error::NOT_A_VARIABLE,
+            token,
+            format!("`{text}` is a {what}, not a variable"),
+        );
+        let declared = self.declaration_token(name, binding);
+        self.with_declaration(d, declared, "declared here")
+    }
+
+    /// A variable that nothing declares.
+    pub(in crate::semantic) fn explain_undeclared_variable(
+        &self,
+        name: Name,
+        token: TokenId,
+    ) -> Diagnostic {
+        let text = self.text(name);
+        let known = self.legacy_variable(name, token);
+        match known.or_else(|| self.foreign_value(name, token)) {
+            Some(d) => d,
+            None if self.builtins.function(text).is_some() => self.function_as_value(text, token),
+            None => {
+                let message = format!("nothing declares `{text}`");
+                let d = self.error_at(error::UNDECLARED_NAME, token, message);
+                match self.keyword_alone(text, token) {
+                    Some(fix) => d.fix(fix),
+                    None => self.advise_name(d, name, token, false),
+                }
+            }
+        }
+    }
+
+    /// A name used as a type that is none.
+    pub(in crate::semantic) fn explain_unknown_type(
+        &self,
+        name: Name,
+        token: TokenId,
+    ) -> Diagnostic {
+        let text = self.text(name);
+        let message = match self.scopes.get(name) {
+            Some(Binding::Variable(_)) => format!("`{text}` is a variable, not a type"),
+            Some(Binding::Function) => format!("`{text}` is a function, not a type"),
+            _ => format!("there is no type `{text}`"),
+        };
+        let d = self.error_at(error::UNKNOWN_TYPE, token, message);
+        self.advise_type(d, name, token)
+    }
+
+    /// A function of GLSL ES 1.00 in a shader of GLSL ES 3.00.
+    pub(in crate::semantic) fn explain_legacy_function(
+        &self,
+        text: &str,
+        new: &str,
+        token: TokenId,
+    ) -> Diagnostic {
+        let span = self.token_span(token);
+        self.error_at(
+            error::LEGACY_GLSL,
+            token,
+            format!("`{text}` is gone since GLSL ES 3.00"),
+        )
+        .note("the sampler's type says which lookup is meant")
+        .fix(Fix::safe(
+            format!("write `{new}`"),
+            vec![Edit::replace(span, new)],
+        ))
+    }
+
+    /// A function that nothing declares.
+    pub(in crate::semantic) fn explain_undeclared_function(
+        &self,
+        name: Name,
+        token: TokenId,
+    ) -> Diagnostic {
+        let text = self.text(name);
+        if !self.is_300()
+            && Builtins::of(Version::Es300, self.stage)
+                .function(text)
+                .is_some()
+        {
+            self.error_at(
+                error::NEEDS_WEBGL2,
+                token,
+                format!("`{text}` comes with GLSL ES 3.00"),
+            )
+            .help("start the shader with `#version 300 es`")
+        } else if self.declared_later(name, token).is_some() {
+            self.used_before_declaration(name, token)
+        } else {
+            let message = format!("nothing declares the function `{text}`");
+            let d = self.error_at(error::UNDECLARED_NAME, token, message);
+            self.advise_name(d, name, token, true)
+        }
+    }
+
+    /// `sin[x]`, or `sin` alone.
+    fn function_as_value(&self, text: &str, token: TokenId) -> Diagnostic {
+        let message = format!("`{text}` is a function: its arguments stand in parentheses");
+        let d = self.error_at(error::UNDECLARED_NAME, token, message);
+        d.fix(self.other_brackets(token + 1, TokenKind::LeftBracket, ("(", ")")))
+    }
+
+    /// Writes other brackets in the place of the one at `open` and of its partner.
+    pub(in crate::semantic) fn other_brackets(
+        &self,
+        open: TokenId,
+        kind: TokenKind,
+        (left, right): (&str, &str),
+    ) -> Option<Fix> {
+        use TokenKind as T;
+        let mut depth = 0_u32;
+        let close = (open..open.saturating_add(MAX_BRACKETED)).find(|&at| {
+            match self.token(at).kind {
+                T::LeftParen | T::LeftBracket => depth += 1,
+                T::RightParen | T::RightBracket => depth = depth.saturating_sub(1),
+                T::Semicolon | T::End => return true,
+                _ => {}
+            }
+            depth == 0
+        })?;
+        let ends = matches!(self.token(close).kind, T::RightParen | T::RightBracket);
+        let is_direct = self.token(open).is_direct() && self.token(close).is_direct();
+        (ends && is_direct && self.token(open).kind == kind).then(|| {
+            let edits = vec![
+                Edit::replace(self.token_span(open), left),
+                Edit::replace(self.token_span(close), right),
+            ];
+            Fix::suggestion(format!("write `{left}...{right}`"), edits)
+        })
+    }
+
+    /// A statement of one word that is a slip of `break` or its like.
+    fn keyword_alone(&self, text: &str, token: TokenId) -> Option<Fix> {
+        use TokenKind as T;
+        let before = token.checked_sub(1).map(|t| self.token(t).kind);
+        let starts = matches!(
+            before?,
+            T::Semicolon | T::LeftBrace | T::RightBrace | T::RightParen | T::Else | T::Colon
+        );
+        let is_alone = starts && self.token(token + 1).kind == T::Semicolon;
+        let (keyword, kind) = keyword_near(text).filter(|_| is_alone)?;
+        matches!(kind, T::Break | T::Continue | T::Discard | T::Return).then(|| {
+            let edit = Edit::replace(self.token_span(token), keyword);
+            Fix::suggestion(format!("did you mean `{keyword}`?"), vec![edit])
+        })
+    }
+
+    /// Variables that GLSL ES 1.00 has and 3.00 has not.
+    fn legacy_variable(&self, name: Name, token: TokenId) -> Option<Diagnostic> {
+        let text = self.text(name);
+        let is_fragment = self.stage == Stage::Fragment;
+        if !self.is_300() {
+            return match text {
+                "gl_FragDepth" | "gl_VertexID" | "gl_InstanceID" => Some(
+                    self.error_at(
+                        error::NEEDS_WEBGL2,
+                        token,
+                        format!("`{text}` comes with GLSL ES 3.00"),
+                    )
+                    .help("start the shader with `#version 300 es`"),
+                ),
+                _ => None,
+            };
+        }
+        match text {
+            "gl_FragColor" | "gl_FragData" if is_fragment => Some(self.legacy_output(name, token)),
+            "gl_FragDepthEXT" => Some(
+                self.error_at(
+                    error::LEGACY_GLSL,
+                    token,
+                    format!("`{text}` is gone since GLSL ES 3.00"),
+                )
+                .fix(Fix::safe(
+                    "write `gl_FragDepth`",
+                    vec![Edit::replace(self.token_span(token), "gl_FragDepth")],
+                )),
+            ),
+            "iGlobalTime" if self.dialect.is_shadertoy() => Some(
+                self.error_at(
+                    error::LEGACY_GLSL,
+                    token,
+                    "`iGlobalTime` is called `iTime` since 2017",
+                )
+                .fix(Fix::safe("write `iTime`", self.rename_all(name, "iTime"))),
+            ),
+            "fragCoord" if is_fragment && !self.dialect.is_shadertoy() => {
+                Some(self.fragcoord_in_main(token))
+            }
+            _ if is_fragment && OUTPUT_NAMES.contains(&text) && self.is_assigned(token) => {
+                Some(self.missing_output(text, token))
+            }
+            _ => None,
+        }
+    }
+
+    /// `fragCoord` outside ShaderToy's `mainImage`, which gets it as a parameter.
+    fn fragcoord_in_main(&self, token: TokenId) -> Diagnostic {
+        let message =
+            "`fragCoord` is a parameter of ShaderToy's `mainImage`; nothing declares it here";
+        let d = self.error_at(error::FRAGCOORD_IN_MAIN, token, message);
+        let holds = |e: Extent| (e.first..=e.last).contains(&token);
+        let mut functions = self.tree.functions.iter();
+        let body = functions.find(|f| f.body.is_some() && holds(f.extent));
+        let open = body
+            .and_then(|f| f.body)
+            .map(|b| self.token(self.tree.stmt(b).extent.first));
+        match open.filter(|t| t.is_direct()) {
+            Some(open) => d.fix(Fix::safe(
+                "declare it: `vec2 fragCoord = gl_FragCoord.xy;`",
+                vec![Edit::insert(
+                    open.span.end,
+                    "\n    vec2 fragCoord = gl_FragCoord.xy;",
+                )],
+            )),
+            None => d.help("WebGL has `gl_FragCoord.xy` for it"),
+        }
+    }
+
+    /// Whether `=` or a component and `=` stand behind a token.
+    fn is_assigned(&self, token: TokenId) -> bool {
+        let kind = |i: u32| self.token(token + i).kind;
+        kind(1) == TokenKind::Equal || (kind(1) == TokenKind::Dot && kind(3) == TokenKind::Equal)
+    }
+
+    fn missing_output(&self, text: &str, token: TokenId) -> Diagnostic {
+        let line = format!("out vec4 {text};");
+        let d = self
+            .error_at(
+                error::MISSING_OUTPUT,
+                token,
+                format!("the output `{text}` is not declared"),
+            )
+            .note("a WebGL2 fragment shader declares what it writes to (section 4.3.6)");
+        match self.first_declaration() {
+            Some(at) => d.fix(Fix::safe(
+                format!("add `{line}`"),
+                vec![Edit::insert(at, format!("{line}\n"))],
+            )),
+            None => d.help(format!("add `{line}` at the top")),
+        }
+    }
+
+    fn legacy_output(&self, name: Name, token: TokenId) -> Diagnostic {
+        let text = self.text(name);
+        let d = self.error_at(
+            error::LEGACY_GLSL,
+            token,
+            format!("`{text}` is gone since GLSL ES 3.00"),
+        );
+        if self.dialect.is_shadertoy() {
+            return d.help("write to the first parameter of `mainImage`");
+        }
+        let output = self
+            .variables
+            .iter()
+            .find(|v| v.storage == Storage::Output && v.token.is_some());
+        if let Some(output) = output {
+            let to = self.text(output.name).to_string();
+            return d
+                .note("a WebGL2 fragment shader writes to an output that it declares itself")
+                .fix(Fix::safe(
+                    format!("write to `{to}`"),
+                    self.rename_all(name, &to),
+                ));
+        }
+        let d = d.note("a WebGL2 fragment shader writes to an output that it declares itself");
+        let to = self.free_name("fragColor");
+        let line = format!("out vec4 {to};");
+        let mut edits = self.rename_all(name, &to);
+        match self.first_declaration() {
+            Some(at) if text == "gl_FragColor" && !edits.is_empty() => {
+                edits.push(Edit::insert(at, format!("{line}\n")));
+                d.fix(Fix::safe(
+                    format!("declare `{line}` and write to it"),
+                    edits,
+                ))
+            }
+            _ => d.help(format!("declare `{line}` at the top and write to it")),
+        }
+    }
+
+    /// A name like `base` that the shader does not use.
+    pub(super) fn free_name(&self, base: &str) -> String {
+        let mut name = base.to_string();
+        let mut number = 2;
+        while self.names.get(&name).is_some() {
+            name = format!("{base}{number}");
+            number += 1;
+        }
+        name
+    }
+
+    /// Edits that put `to` in the place of every use of a name; none where one stands in a macro.
+    pub(in crate::semantic) fn rename_all(&self, name: Name, to: &str) -> Vec<Edit> {
+        let mut edits = Vec::new();
+        let mut behind_dot = false;
+        if !self.affords(self.tokens.tokens.len()) {
+            return edits;
+        }
+        for token in &self.tokens.tokens {
+            let is_use =
+                token.kind == TokenKind::Identifier && token.value == name.0 && !behind_dot;
+            behind_dot = token.kind == TokenKind::Dot;
+            if !is_use {
+                continue;
+            }
+            if !token.is_direct() {
+                return Vec::new();
+            }
+            edits.push(Edit::replace(token.span, to));
+        }
+        edits
+    }
+
+    /// Address of the first declaration that is no `precision`, in the user's text.
+    fn first_declaration(&self) -> Option<u32> {
+        let tree = self.tree;
+        let first = tree.items.iter().find_map(|item| {
+            let extent = match *item {
+                Item::Function(id) => tree.function(id)?.extent,
+                Item::Decl(id) => {
+                    let decl = tree.decl(id)?;
+                    if matches!(decl.kind, DeclKind::Precision { .. }) {
+                        return None;
+                    }
+                    decl.extent
+                }
+            };
+            (!self.is_prelude(extent.first)).then_some(extent.first)
+        })?;
+        self.token(first)
+            .is_direct()
+            .then(|| self.token_span(first).start)
+    }
+
+    /// Says where a name is declared after all, or which name was probably meant.
+    fn advise_name(&self, d: Diagnostic, name: Name, token: TokenId, is_call: bool) -> Diagnostic {
+        let text = self.text(name);
+        if let Some(later) = self.declared_later(name, token) {
+            let line = self
+                .sources
+                .file_at(later.start)
+                .map_or(0, |f| f.position(later.start).line);
+            return d.label(later, "declared here").note(format!(
+                "it is declared below, in line {line}; GLSL wants that before the first use"
+            ));
+        }
+        if let Some(variable) = self.left_scope(name, token).filter(|_| !is_call) {
+            let declared = self.token_span(variable);
+            let d = d
+                .label(declared, "declared here")
+                .note("the block in which it is declared has ended");
+            return d.fix(self.declare_before_loop(variable, name));
+        }
+        if let Some(later) = self.declared_below(name, token).filter(|_| !is_call) {
+            return d
+                .label(self.token_span(later), "declared here")
+                .note("GLSL wants the declaration before the first use");
+        }
+        match self.nearest_name(text, is_call) {
+            Some(near) => {
+                let span = self.token_span(token);
+                let edit = Edit::replace(span, near.clone());
+                d.fix(Fix::suggestion(
+                    format!("did you mean `{near}`?"),
+                    vec![edit],
+                ))
+            }
+            None => d,
+        }
+    }
+
+    /// Where a variable of this name is declared in the function at hand, in a block that has ended.
+    fn left_scope(&self, name: Name, token: TokenId) -> Option<TokenId> {
+        let mut found = self.variables.iter().rev();
+        let is_it = |v: &&Variable| v.name == name && v.function == self.current;
+        let declared = found
+            .find(is_it)
+            .filter(|_| self.current.is_some())?
+            .token?;
+        (declared < token).then_some(declared)
+    }
+
+    /// Where a name is declared in the function at hand behind a token.
+    fn declared_below(&self, name: Name, token: TokenId) -> Option<TokenId> {
+        let function = self.functions.get(self.current?.0 as usize)?;
+        let extent = self.tree.function(function.definition?)?.extent;
+        let mut all = self.tree.declarator_lists.iter().map(|d| d.ident);
+        let is_it = |i: &Ident| i.name == name && i.token > token && i.token <= extent.last;
+        all.find(is_it).map(|i| i.token)
+    }
+
+    /// Declares the variable of a `for` before the loop.
+    fn declare_before_loop(&self, variable: TokenId, name: Name) -> Option<Fix> {
+        use TokenKind as T;
+        let [ty, open, head, before] =
+            [1, 2, 3, 4].map(|n| Some(self.token(variable.checked_sub(n)?)));
+        let (ty, open, head, before) = (ty?, open?, head?, before?);
+        let is_loop = (ty.kind, open.kind, head.kind) == (T::Type, T::LeftParen, T::For)
+            && matches!(before.kind, T::Semicolon | T::LeftBrace | T::RightBrace);
+        let extent = Extent {
+            first: variable - 3,
+            last: variable,
+        };
+        if !is_loop || !self.is_direct(extent) {
+            return None;
+        }
+        let (word, text) = (self.sources.text(ty.span), self.text(name));
+        let line = format!("{word} {text};");
+        let edits = vec![
+            Edit::insert(head.span.start, format!("{line} ")),
+            Edit::delete(Span::new(ty.span.start, self.token_span(variable).start)),
+        ];
+        Some(Fix::suggestion(
+            format!("declare it before the loop: `{line}`"),
+            edits,
+        ))
+    }
+
+    /// Where a name is declared at global scope behind a token.
+    pub(in crate::semantic) fn declared_later(&self, name: Name, token: TokenId) -> Option<Span> {
+        let tree = self.tree;
+        tree.items.iter().find_map(|item| {
+            let ident = match *item {
+                Item::Function(id) => tree.function(id)?.ident,
+                Item::Decl(id) => match tree.decl(id)?.kind {
+                    DeclKind::Variables { declarators, .. } => {
+                        tree.declarators(declarators)
+                            .iter()
+                            .find(|d| d.ident.name == name)?
+                            .ident
+                    }
+                    _ => return None,
+                },
+            };
+            (ident.name == name && ident.token > token).then(|| self.token_span(ident.token))
+        })
+    }
+
+    /// The name in scope that looks most like `text`; best of all one in another case.
+    pub(super) fn nearest_name(&self, text: &str, is_call: bool) -> Option<String> {
+        let limit = match text.len() {
+            0..=2 => 0,
+            3..=5 => 1,
+            6..=9 => 2,
+            _ => 3,
+        };
+        if !self.affords(self.names.len()) {
+            return None;
+        }
+        let fits = |binding| match binding {
+            Binding::Function => is_call,
+            Binding::Variable(_) => !is_call,
+            Binding::Struct(_) => is_call,
+            Binding::Block(_) | Binding::Error => false,
+        };
+        let scope = self
+            .scopes
+            .visible()
+            .filter(|(_, b)| fits(*b))
+            .map(|(n, _)| self.text(n));
+        let builtins = self
+            .builtins
+            .functions
+            .iter()
+            .filter(|_| is_call)
+            .map(|f| f.name.as_str());
+        let types = TypeWord::ALL.into_iter().filter(|_| is_call);
+        scope
+            .chain(builtins)
+            .chain(types.map(|t| -> &str { t.name() }))
+            .filter(|n| n.len().abs_diff(text.len()) <= limit && !n.starts_with("st_"))
+            .take_while(|n| self.affords(n.len() * text.len()))
+            .filter_map(|n| match n.eq_ignore_ascii_case(text) {
+                true => Some((0, n)),
+                false if limit == 0 => None,
+                false => Some((strsim::damerau_levenshtein(n, text), n)),
+            })
+            .filter(|(distance, n)| *distance <= limit && *n != text)
+            .min()
+            .map(|(_, n)| n.to_string())
+    }
+
+    /// A member that a struct has not.
+    pub(in crate::semantic) fn no_such_field(
+        &self,
+        id: ExprId,
+        object: ExprId,
+        record: &Struct,
+        name: Name,
+    ) -> Diagnostic {
+        const MAX_LISTED: usize = 12;
+        let token = self.tree.expr(id).extent.last;
+        let text = self.text(name);
+        let of = self.name_of(self.ty(object));
+        let message = format!("`{of}` has no member `{text}`");
+        let d = self.error_at(error::NO_SUCH_FIELD, token, message);
+        let d = self.with_declaration(d, Some(record.token), "declared here");
+        let fields = || record.fields.iter().map(|f| self.text(f.name));
+        let near = fields()
+            .filter(|f| f.len().abs_diff(text.len()) <= 2)
+            .take_while(|f| self.affords(f.len() * text.len()))
+            .map(|f| (strsim::damerau_levenshtein(f, text), f))
+            .filter(|(distance, _)| *distance <= 2)
+            .min();
+        if let Some((_, near)) = near {
+            let edit = Edit::replace(self.token_span(token), near);
+            return d.fix(Fix::suggestion(
+                format!("did you mean `{near}`?"),
+                vec![edit],
+            ));
+        }
+        let listed = fields().take(MAX_LISTED).map(|f| format!("`{f}`"));
+        let list = listed.collect::<Vec<_>>().join(", ");
+        d.note(match record.fields.len().saturating_sub(MAX_LISTED) {
+            0 => format!("it has {list}"),
+            more => format!("it has {list} and {more} more"),
+        })
+    }
+
+    /// The type that an unknown one is probably meant to be.
+    fn advise_type(&self, d: Diagnostic, name: Name, token: TokenId) -> Diagnostic {
+        let text = self.text(name);
+        if let Some(word) = type_in_another_case(text, self.version) {
+            return self.rename_fix(d, name, word.name());
+        }
+        let lower = text.to_ascii_lowercase();
+        let structs = self.structs.iter().filter_map(|s| s.name);
+        let near = TypeWord::ALL
+            .into_iter()
+            .map(|t| -> &str { t.name() })
+            .filter(|t| matches!(classify(t, self.version), WordClass::Type(_)))
+            .chain(["void"])
+            .chain(structs.map(|n| self.text(n)))
+            .filter(|t| t.len().abs_diff(lower.len()) <= 1)
+            .take_while(|t| self.affords(t.len() * lower.len()))
+            .map(|t| (strsim::damerau_levenshtein(t, &lower), t))
+            .filter(|(distance, _)| *distance <= 1)
+            .min();
+        match near {
+            Some((_, near)) => {
+                let edit = Edit::replace(self.token_span(token), near);
+                let title = format!("did you mean `{near}`?");
+                d.fix(Fix::suggestion(title, vec![edit]))
+            }
+            None => d,
+        }
+    }
+
+    fn used_before_declaration(&self, name: Name, token: TokenId) -> Diagnostic {
+        let text = self.text(name);
+        let d = self.error_at(
+            error::USE_BEFORE_DECLARATION,
+            token,
+            format!("the function `{text}` is used before it is declared"),
+        );
+        let d = self.advise_name(d, name, token, true);
+        let prototype =
+            self.tree.functions.iter().find(|f| {
+                f.ident.name == name && f.ident.token > token && self.is_direct(f.header)
+            });
+        let user = self.current.and_then(|f| self.functions.get(f.0 as usize));
+        let place = user
+            .and_then(|f| self.tree.function(f.definition?))
+            .map(|f| f.extent.first);
+        match (prototype, place) {
+            (Some(prototype), Some(place)) if self.token(place).is_direct() => {
+                let text = self.sources.text(self.span(prototype.header));
+                let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+                let at = self.token_span(place).start;
+                d.fix(Fix::safe(
+                    format!("declare it before: `{line};`"),
+                    vec![Edit::insert(at, format!("{line};\n"))],
+                ))
+            }
+            _ => d,
+        }
+    }
+}
