@@ -6,7 +6,9 @@
 pub mod cli;
 pub mod diagnostic;
 pub mod engine;
+pub mod flow;
 pub mod host;
+pub mod ir;
 pub mod lint;
 pub mod port;
 pub mod report;

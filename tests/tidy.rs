@@ -8,18 +8,34 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each layer may name, besides itself.
-const LAYERS: [(&str, &[&str]); 11] = [
+const LAYERS: [(&str, &[&str]); 13] = [
     ("text", &[]),
     ("host", &[]),
     ("diagnostic", &["text"]),
     ("syntax", &["text", "diagnostic"]),
     ("semantic", &["text", "diagnostic", "syntax"]),
-    ("lint", &["text", "diagnostic", "syntax", "semantic"]),
+    ("ir", &["text", "diagnostic", "syntax", "semantic"]),
+    ("flow", &["text", "diagnostic", "syntax", "semantic", "ir"]),
+    (
+        "lint",
+        &["text", "diagnostic", "syntax", "semantic", "ir", "flow"],
+    ),
     (
         "rules",
-        &["text", "diagnostic", "syntax", "semantic", "lint"],
+        &[
+            "text",
+            "diagnostic",
+            "syntax",
+            "semantic",
+            "ir",
+            "flow",
+            "lint",
+        ],
     ),
-    ("port", &["text", "diagnostic", "syntax", "semantic"]),
+    (
+        "port",
+        &["text", "diagnostic", "syntax", "semantic", "ir", "flow"],
+    ),
     ("report", &["text", "diagnostic"]),
     (
         "engine",
@@ -29,6 +45,8 @@ const LAYERS: [(&str, &[&str]); 11] = [
             "diagnostic",
             "syntax",
             "semantic",
+            "ir",
+            "flow",
             "lint",
             "rules",
             "port",
@@ -43,6 +61,8 @@ const LAYERS: [(&str, &[&str]); 11] = [
             "diagnostic",
             "syntax",
             "semantic",
+            "ir",
+            "flow",
             "lint",
             "rules",
             "port",

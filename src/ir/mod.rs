@@ -1,0 +1,19 @@
+//! The middle form between a checked [`Program`](crate::semantic::Program) and all that asks what
+//! the shader does: analyses, back ends, an executor.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing,
+        clippy::string_slice
+    )
+)]
+
+mod form;
+
+pub use form::{
+    Access, Binary, Case, Function, Label, Lanes, Loop, LoopId, Module, Op, OpId, OpKind, Origin,
+    Place, PlaceId, Precision, Region, Root, Run, Step, Switch, SwitchId, Unary, Variable,
+};
