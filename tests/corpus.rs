@@ -2,12 +2,9 @@
 //!
 //! `INSTA_UPDATE=always cargo test` accepts what is said now.
 
-use shaderlint::engine::{DialectChoice, check};
-use shaderlint::lint::Settings;
+use shaderlint::engine::{NoFiles, Options, check};
 use shaderlint::port::{Project, compose, glsl};
 use shaderlint::report::render;
-use shaderlint::rules::RULES;
-use shaderlint::text::Content;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -38,13 +35,12 @@ fn what_shaderlint_says() {
     for path in templates() {
         let text = fs::read_to_string(&path).unwrap();
         let name = path.file_name().unwrap().to_str().unwrap();
-        let settings = Settings::new(RULES, &[], &[]).unwrap();
-        let findings = check(name, Content::utf8(&text), DialectChoice::Auto, &settings);
-        let findings = findings.unwrap_or_else(|_| panic!("{name} cannot be judged"));
-        let said: Vec<String> = findings
+        let report = check(name, &text, &Options::default(), &NoFiles);
+        assert!(report.unread.is_none(), "{name} cannot be judged");
+        let said: Vec<String> = report
             .diagnostics
             .iter()
-            .map(|d| render(&findings.sources, d))
+            .map(|d| render(&report.sources, d))
             .collect();
         golden(&path, "lint", said.join("\n"));
     }

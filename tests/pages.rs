@@ -5,13 +5,12 @@
 //! all rules between its markers.
 
 use shaderlint::diagnostic::{Diagnostic, ERRORS, error_page};
-use shaderlint::engine::{DialectChoice, check, fix_text};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
 use shaderlint::host::presets;
 use shaderlint::lint::{Allow, Fence, FenceKind, Page, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
 use shaderlint::semantic::{Kind, guess};
-use shaderlint::text::Content;
 use shaderlint::text::Sources;
 use std::fs;
 use std::path::Path;
@@ -29,11 +28,14 @@ fn choice(name: &str, code: &str) -> DialectChoice {
     }
 }
 
+fn options(name: &str, code: &str, settings: &Settings) -> Options {
+    Options::new(choice(name, code), settings.clone())
+}
+
 fn judge(name: &str, code: &str, settings: &Settings) -> (Arc<Sources>, Vec<Diagnostic>) {
-    match check(name, Content::utf8(code), choice(name, code), settings) {
-        Ok(findings) => (findings.sources, findings.diagnostics),
-        Err(_) => panic!("{name} cannot be judged"),
-    }
+    let report = check(name, code, &options(name, code, settings), &NoFiles);
+    assert!(report.unread.is_none(), "{name} cannot be judged");
+    (report.sources, report.diagnostics)
 }
 
 /// Only the rule of the page runs, so that a page does not speak of others.
@@ -70,7 +72,13 @@ impl Example<'_> {
         let fixed = |allow| {
             let bad = bad()?;
             let code = self.content(bad);
-            let fixed = fix_text(bad.file, code, choice(bad.file, code), &settings, allow);
+            let fixed = mend(
+                bad.file,
+                code,
+                &options(bad.file, code, &settings),
+                &NoFiles,
+                allow,
+            );
             let (sources, left) = judge(bad.file, &fixed.text, &settings);
             match left.first() {
                 Some(d) => Err(format!("left over:\n{}", render(&sources, d))),

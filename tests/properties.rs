@@ -2,11 +2,10 @@
 
 use proptest::prelude::*;
 use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{DialectChoice, DocumentError, Findings, check, fix_text};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, Unread, check, mend};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::rules::RULES;
 use shaderlint::syntax::tokenize;
-use shaderlint::text::Content;
 use shaderlint::text::{Role, Sources};
 
 /// Pieces of shaders; put together at random they make half-right code, where most can go wrong.
@@ -95,28 +94,24 @@ fn texts() -> impl Strategy<Value = String> {
 }
 
 /// `None` where the text is clearly no shader.
-fn judge(text: &str) -> Option<Findings> {
+fn judge(text: &str) -> Option<Report> {
     let settings = Settings::new(RULES, &["all".to_string()], &[]).unwrap();
-    let found = check(
-        "a.glsl",
-        Content::utf8(text),
-        DialectChoice::Auto,
-        &settings,
-    );
-    match found {
-        Ok(found) => Some(found),
-        Err(DocumentError::Skipped(_)) => None,
-        Err(_) => panic!("this cannot be judged"),
+    let options = Options::new(DialectChoice::Auto, settings);
+    let report = check("a.glsl", text, &options, &NoFiles);
+    match report.unread {
+        None => Some(report),
+        Some(Unread::Skipped(_)) => None,
+        Some(_) => panic!("this cannot be judged"),
     }
 }
 
 /// Rule and message of each finding, in order.
-fn summary(found: &Option<Findings>) -> Vec<(&'static str, String)> {
+fn summary(found: &Option<Report>) -> Vec<(&'static str, String)> {
     let all = found.iter().flat_map(|f| &f.diagnostics);
     all.map(|d| (d.rule, d.message.clone())).collect()
 }
 
-fn count_errors(found: &Option<Findings>) -> usize {
+fn count_errors(found: &Option<Report>) -> usize {
     let all = found.iter().flat_map(|f| &f.diagnostics);
     all.filter(|d| d.severity == Severity::Error).count()
 }
@@ -177,10 +172,10 @@ proptest! {
     /// What compiles goes on to compile, and what `--fix` leaves it leaves for good.
     #[test]
     fn fixes_break_nothing_and_come_to_an_end(text in texts()) {
-        let settings = Settings::new(RULES, &[], &[]).unwrap();
+        let options = Options::default();
         let before = count_errors(&judge(&text));
         for allow in [Allow::Safe, Allow::Unsafe] {
-            let fixed = |text: &str| fix_text("a.glsl", text, DialectChoice::Auto, &settings, allow).text;
+            let fixed = |text: &str| mend("a.glsl", text, &options, &NoFiles, allow).text;
             let once = fixed(&text);
             let after = count_errors(&judge(&once));
             prop_assert!(before > 0 || after == 0, "{after} errors come of fixes:\n{once}");

@@ -1,10 +1,9 @@
 //! Mistakes inside expressions and words of other languages: each is one error, and its fix gives
 //! what was meant.
 
-use shaderlint::engine::{DialectChoice, check, fix_text};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::rules::RULES;
-use shaderlint::text::Content;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nuniform sampler2D tex;\nuniform float time;\n\
     uniform mat4 mvp;\nin vec2 uv;\nout vec4 fragColor;\nfloat ring(vec2 p, float r) { return length(p) - r; }\n";
@@ -12,21 +11,15 @@ const BEFORE: &str = "void main() {\nvec3 a = vec3(uv, 0.5), b = a.zyx;\nfloat x
     int i = 3;\nbool p = x > y, q = y > 0.5;\n";
 const AFTER: &str = "\nfragColor = vec4(a * x + b * y, float(i));\n}\n";
 
-fn settings() -> Settings {
-    Settings::new(RULES, &[], &["all".to_string()]).unwrap()
+fn options() -> Options {
+    let settings = Settings::new(RULES, &[], &["all".to_string()]).unwrap();
+    Options::new(DialectChoice::Auto, settings)
 }
 
 fn judge(code: &str) -> Vec<String> {
-    let found = check(
-        "a.frag",
-        Content::utf8(code),
-        DialectChoice::Auto,
-        &settings(),
-    );
-    let Ok(found) = found else {
-        panic!("cannot be judged: {code}")
-    };
-    found.diagnostics.into_iter().map(|d| d.message).collect()
+    let report = check("a.frag", code, &options(), &NoFiles);
+    assert!(report.unread.is_none(), "cannot be judged: {code}");
+    report.diagnostics.into_iter().map(|d| d.message).collect()
 }
 
 /// One error for `broken`, whose fix makes it `meant`, which compiles.
@@ -34,13 +27,7 @@ fn check_in(before: &str, broken: &str, meant: &str, after: &str) {
     let code = format!("{before}{broken}{after}");
     let errors = judge(&code);
     assert_eq!(errors.len(), 1, "{broken}: {errors:?}");
-    let fixed = fix_text(
-        "a.frag",
-        &code,
-        DialectChoice::Auto,
-        &settings(),
-        Allow::Unsafe,
-    );
+    let fixed = mend("a.frag", &code, &options(), &NoFiles, Allow::Unsafe);
     let body = fixed
         .text
         .strip_prefix(before)
@@ -198,13 +185,7 @@ fn what_cannot_be_written_to_is_copied_and_what_is_declared_twice_is_one() {
         "vec3 c = a; float c2 = x; x = c2;",
     );
     let broken = format!("{HEAD}{BEFORE}time += 0.1;{AFTER}");
-    let fixed = fix_text(
-        "a.frag",
-        &broken,
-        DialectChoice::Auto,
-        &settings(),
-        Allow::Unsafe,
-    );
+    let fixed = mend("a.frag", &broken, &options(), &NoFiles, Allow::Unsafe);
     assert!(
         fixed.text.contains("float timeCopy = time;"),
         "{}",

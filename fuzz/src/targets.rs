@@ -3,14 +3,14 @@
 use crate::mutate::split;
 use crate::pairs;
 use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{DialectChoice, Findings, check, fix_text};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, check, mend};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::port::{Project, compose, glsl, html};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
 use shaderlint::semantic::Stage;
 use shaderlint::syntax::{Language, parse, preprocess, tokenize};
-use shaderlint::text::{Content, FileId, Role, Sources};
+use shaderlint::text::{FileId, Role, Sources};
 
 /// Something to throw shaders at.
 pub struct Target {
@@ -124,15 +124,14 @@ fn link_both(text: &str) {
     pairs::judge(&format!("{head}{vertex}"), &format!("{head}{text}"));
 }
 
-fn judge(text: &str) -> Option<Findings> {
+fn judge(text: &str) -> Option<Report> {
+    let report = check("a.glsl", text, &all_rules()?, &NoFiles);
+    report.unread.is_none().then_some(report)
+}
+
+fn all_rules() -> Option<Options> {
     let settings = Settings::new(RULES, &["all".to_string()], &[]).ok()?;
-    check(
-        "a.glsl",
-        Content::utf8(text),
-        DialectChoice::Auto,
-        &settings,
-    )
-    .ok()
+    Some(Options::new(DialectChoice::Auto, settings))
 }
 
 fn errors(text: &str) -> usize {
@@ -170,12 +169,10 @@ fn check_all(text: &str) {
 
 /// Fixes never bring errors.
 fn fix(text: &str) {
-    let Ok(settings) = Settings::new(RULES, &["all".to_string()], &[]) else {
-        return;
-    };
+    let Some(options) = all_rules() else { return };
     let before = errors(text);
     for allow in [Allow::Safe, Allow::Unsafe] {
-        let fixed = fix_text("a.glsl", text, DialectChoice::Auto, &settings, allow);
+        let fixed = mend("a.glsl", text, &options, &NoFiles, allow);
         let after = errors(&fixed.text);
         // What an edit brings to light was there before.
         assert!(
@@ -210,17 +207,17 @@ pub fn is_accepted(text: &str, stage: Stage) -> bool {
         Stage::Vertex => "a.vert",
         Stage::Fragment => "a.frag",
     };
-    let Ok(settings) = Settings::new(&[], &[], &[]) else {
-        return false;
-    };
     // What stands there is all that the browser gets.
     let choice = match text.contains("#version") {
         true => DialectChoice::Webgl2,
         false => DialectChoice::Webgl1,
     };
-    let found = check(name, Content::utf8(text), choice, &settings);
-    let all = found.map_or(Vec::new(), |f| f.diagnostics);
-    !all.iter().any(|d| d.severity == Severity::Error)
+    let options = Options::new(choice, Settings::of_rules(&[]));
+    let report = check(name, text, &options, &NoFiles);
+    !report
+        .diagnostics
+        .iter()
+        .any(|d| d.severity == Severity::Error)
 }
 
 /// The verdict hangs on the tokens alone, not on what stands between them, and rules and formats

@@ -1,6 +1,6 @@
 //! Finding and reading input files.
 
-use super::config::Configs;
+use super::config::{Configs, absolute};
 use crate::text::Content;
 use crate::text::kind::{Claim, is_script, is_searched, made};
 use ignore::WalkBuilder;
@@ -179,7 +179,7 @@ fn made_by_a_program(path: &Path, claim: Claim) -> Option<&'static str> {
 /// Whether the configuration names a file as one to check.
 fn claim(path: &Path, configs: &Configs) -> Claim {
     match configs.config(path) {
-        Ok(Some(config)) if config.names(path) => Claim::Shader,
+        Ok(Some(config)) if config.names(&absolute(path)) => Claim::Shader,
         _ => Claim::None,
     }
 }
@@ -189,7 +189,7 @@ fn claim(path: &Path, configs: &Configs) -> Claim {
 fn is_taken(path: &Path, configs: &Configs) -> bool {
     let is_known = is_searched(&path.to_string_lossy());
     match configs.config(path) {
-        Ok(Some(config)) => config.takes(path, is_known),
+        Ok(Some(config)) => config.takes(&absolute(path), is_known),
         Ok(None) | Err(_) => is_known,
     }
 }

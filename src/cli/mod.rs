@@ -2,6 +2,7 @@
 //! outside.
 
 mod config;
+mod disk;
 mod input;
 mod lint;
 mod output;

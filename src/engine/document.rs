@@ -1,23 +1,24 @@
-//! From the text of one input to its findings.
+//! From the text of one file to what is said of it.
 
 use super::export::Written;
-use super::host::{Hosts, Packages};
-use super::include::{Hushed, Includes};
-use super::options::{Desktop, DialectChoice, HostNames, Options};
+use super::host::Hosts;
+use super::include::Hushed;
+use super::options::Desktop;
 use super::part::{Part, Shader, check_part, shader_part};
-use super::partner::{self, NOBODY};
-use super::{embedded, foreign};
+use super::{World, embedded, foreign, partner};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::lint::{Allows, Judged, Settings};
+use crate::lint::{Allows, Judged};
 use crate::port::{Project, ProjectError, compose};
 use crate::rules::RULES;
 use crate::text::embed::{Embedded, extract_named};
-use crate::text::kind::{Claim, Decision, FileKind, Tongue, decide};
-use crate::text::{Content, Encoding, FileId, Role, Sources, Span};
+use crate::text::kind::{Decision, FileKind, Tongue, decide};
+use crate::text::{Encoding, FileId, Role, Sources, Span};
+use std::fmt;
 use std::sync::Arc;
 
-/// The findings in one input.
-pub struct Findings {
+/// What is said of one text.
+#[derive(Default)]
+pub struct Report {
     /// The texts that they point into.
     pub sources: Arc<Sources>,
     /// The findings, in the order of the text.
@@ -28,6 +29,8 @@ pub struct Findings {
     pub shaders: Vec<Shader>,
     /// Findings of the rules that are not kept, since there are too many.
     pub left_out: usize,
+    /// Why nothing was judged, where that is so.
+    pub unread: Option<Unread>,
     /// The shaders inside the file, where it is a page, a script or a text.
     embedded: Vec<Embedded>,
     /// Whether the file holds shaders and is none itself.
@@ -38,7 +41,7 @@ pub struct Findings {
     pub(super) judged: Option<Judged>,
 }
 
-impl Findings {
+impl Report {
     /// Whether other files are read with this one.
     pub fn includes(&self) -> bool {
         let users = self.sources.files().iter().filter(|f| f.role == Role::User);
@@ -66,8 +69,9 @@ impl Findings {
     }
 }
 
-/// Why an input cannot be judged.
-pub enum DocumentError {
+/// Why a text is not judged.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Unread {
     /// It is nothing that is read.
     Skipped(Decision),
     /// It should be a ShaderToy export, but something is wrong with it.
@@ -76,53 +80,42 @@ pub enum DocumentError {
     TooLarge,
 }
 
-/// Finds what is to be said of the text of one input that stands alone.
-pub fn check(
-    name: &str,
-    content: Content,
-    choice: DialectChoice,
-    settings: &Settings,
-) -> Result<Findings, DocumentError> {
-    let options = Options {
-        dialect: choice,
-        settings,
-        host: &HostNames::default(),
-        includes: &Includes::none(),
-        partners: &NOBODY,
-        packages: &Packages::none(),
-        desktop: Desktop::default(),
-        claim: Claim::None,
-    };
-    check_with(name, content, &options)
+impl fmt::Display for Unread {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unread::Skipped(decision) => decision.fmt(f),
+            Unread::Export(error) => error.fmt(f),
+            Unread::TooLarge => f.write_str("the file is too large"),
+        }
+    }
 }
 
-/// Finds what is to be said of the text of one input.
-pub fn check_with(
-    name: &str,
-    content: Content,
-    options: &Options,
-) -> Result<Findings, DocumentError> {
-    let decision = decide(name, &content.text, options.claim);
+/// Judges a text as its bytes were written.
+pub(super) fn judge(name: &str, text: &str, encoding: Encoding, world: World) -> Report {
+    let judged = try_judge(name, text, encoding, world);
+    judged.unwrap_or_else(|unread| Report {
+        unread: Some(unread),
+        ..Report::default()
+    })
+}
+
+fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result<Report, Unread> {
+    let options = world.options;
+    let decision = decide(name, text, options.claim);
     let is_shader = matches!(decision.kind, FileKind::Shader | FileKind::Foreign(_));
-    if let Some(diagnostic) = unreadable(&content).filter(|_| is_shader) {
+    if let Some(diagnostic) = unreadable(text, encoding).filter(|_| is_shader) {
         let mut sources = Sources::new();
-        let file = sources.add(name, None, Role::User, content.text);
-        return Ok(Findings {
+        let file = sources.add(name, None, Role::User, text);
+        return Ok(Report {
             sources: Arc::new(sources),
             diagnostics: vec![diagnostic],
-            file: Some(file.ok_or(DocumentError::TooLarge)?),
-            shaders: Vec::new(),
-            left_out: 0,
-            embedded: Vec::new(),
-            holds_others: false,
-            export: None,
-            judged: None,
+            file: Some(file.ok_or(Unread::TooLarge)?),
+            ..Report::default()
         });
     }
-    let Content { text, encoding } = content;
     let kind = decision.kind;
-    let mut read = read(name, text, options, decision)?;
-    let partner = partner::load(&mut read, name, options);
+    let mut read = read(name, text, world, decision)?;
+    let partner = partner::load(&mut read, name, world);
     let mut diagnostics = Vec::new();
     let mut allows = Allows::default();
     let mut judged: Option<Judged> = None;
@@ -131,7 +124,7 @@ pub fn check_with(
     let script = script
         .filter(|_| !read.embedded.is_empty())
         .map(|f| f.text.clone());
-    let hosts = Hosts::new(name, script, options.packages);
+    let hosts = Hosts::new(name, script, world);
     for part in &mut read.parts {
         let sources = &mut read.sources;
         let checked = check_part(
@@ -150,8 +143,8 @@ pub fn check_with(
             judged.get_or_insert_default().join(seen);
         }
     }
-    partner::check(&read, partner.as_ref(), options.settings, &mut diagnostics);
-    allows.report(RULES, options.settings, &mut diagnostics);
+    partner::check(&read, partner.as_ref(), &options.settings, &mut diagnostics);
+    allows.report(RULES, &options.settings, &mut diagnostics);
     diagnostics.append(&mut read.problems);
     if let (Encoding::Damaged(at), true) = (encoding, kind != FileKind::Export) {
         report_damage(&read, at, &mut diagnostics);
@@ -159,7 +152,7 @@ pub fn check_with(
     diagnostics.retain(|d| read.hushed.admits(&read.sources, d));
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
     diagnostics.dedup_by(|a, b| (a.span, a.rule, &a.message) == (b.span, b.rule, &b.message));
-    let mut findings = Findings {
+    let mut report = Report {
         sources: read.sources,
         diagnostics: Vec::new(),
         file: read.file,
@@ -169,19 +162,20 @@ pub fn check_with(
         holds_others: matches!(kind, FileKind::Holds(_)),
         export: read.export,
         judged,
+        unread: None,
     };
     if options.desktop == Desktop::Port && kind == FileKind::Foreign(Tongue::Desktop) {
         foreign::ask_first(&mut diagnostics);
     }
-    if !findings.embedded.is_empty() {
+    if !report.embedded.is_empty() {
         for diagnostic in &mut diagnostics {
-            if diagnostic.fix.is_some() && !findings.can_apply(diagnostic) {
+            if diagnostic.fix.is_some() && !report.can_apply(diagnostic) {
                 embedded::tell_fix(diagnostic);
             }
         }
     }
-    findings.diagnostics = diagnostics;
-    Ok(findings)
+    report.diagnostics = diagnostics;
+    Ok(report)
 }
 
 /// An input, split into shaders.
@@ -197,12 +191,8 @@ pub(super) struct Read {
     pub(super) hushed: Hushed,
 }
 
-fn read(
-    name: &str,
-    text: String,
-    options: &Options,
-    decision: Decision,
-) -> Result<Read, DocumentError> {
+fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Read, Unread> {
+    let options = world.options;
     let mut read = Read {
         sources: Arc::default(),
         parts: Vec::new(),
@@ -213,58 +203,57 @@ fn read(
         hushed: Hushed::default(),
     };
     match decision.kind {
-        FileKind::Other => return Err(DocumentError::Skipped(decision)),
+        FileKind::Other => return Err(Unread::Skipped(decision)),
         FileKind::Foreign(_) if options.desktop == Desktop::Skip => {
-            return Err(DocumentError::Skipped(decision));
+            return Err(Unread::Skipped(decision));
         }
         FileKind::Export => {
-            let project = Project::from_json(&text).map_err(|e| no_project(e, &text))?;
-            let composed = compose(&project, name).ok_or(DocumentError::TooLarge)?;
-            read.export = Some(Written::of(&text, &project, &composed));
+            let project = Project::from_json(text).map_err(|e| no_project(e, text))?;
+            let composed = compose(&project, name).ok_or(Unread::TooLarge)?;
+            read.export = Some(Written::of(text, &project, &composed));
             read.sources = composed.sources;
             read.parts = composed.units.into_iter().map(Part::of_pass).collect();
             return Ok(read);
         }
         FileKind::Shader | FileKind::Foreign(_) | FileKind::Holds(_) => {}
     }
-    let text: Arc<str> = text.into();
-    let file = Arc::make_mut(&mut read.sources).add(name, None, Role::User, text.clone());
-    let file = file.ok_or(DocumentError::TooLarge)?;
+    let file = Arc::make_mut(&mut read.sources).add(name, None, Role::User, text);
+    let file = file.ok_or(Unread::TooLarge)?;
     read.file = Some(file);
     match decision.kind {
         FileKind::Holds(language) => {
-            read.embedded = extract_named(name, language, &text);
-            embedded::parts(&mut read, language, file, &text, options)
+            read.embedded = extract_named(name, language, text);
+            embedded::parts(&mut read, language, file, text, options)
         }
         FileKind::Foreign(tongue) if !foreign::is_ported(tongue, options) => {
-            foreign::whole(&mut read, file, &text, tongue, &decision)
+            foreign::whole(&mut read, file, text, tongue, &decision)
         }
-        _ => shader_part(&mut read, name, file, &text, options),
+        _ => shader_part(&mut read, name, file, text, world),
     }
-    .ok_or(DocumentError::TooLarge)?;
+    .ok_or(Unread::TooLarge)?;
     Ok(read)
 }
 
 /// What becomes of JSON that is no project: any that does not speak of passes is passed over.
-fn no_project(error: ProjectError, text: &str) -> DocumentError {
+fn no_project(error: ProjectError, text: &str) -> Unread {
     let is_meant = text.contains("\"renderpass\"");
     match error {
-        ProjectError::NotAnExport => DocumentError::Skipped(Decision::no_export()),
-        ProjectError::Json { .. } if !is_meant => DocumentError::Skipped(Decision::no_export()),
-        error => DocumentError::Export(error),
+        ProjectError::NotAnExport => Unread::Skipped(Decision::no_export()),
+        ProjectError::Json { .. } if !is_meant => Unread::Skipped(Decision::no_export()),
+        error => Unread::Export(error),
     }
 }
 
 /// What is wrong with a shader file that holds no text to be judged.
-fn unreadable(content: &Content) -> Option<Diagnostic> {
+fn unreadable(text: &str, encoding: Encoding) -> Option<Diagnostic> {
     let error = |rule, message| Some(Diagnostic::error(rule, Span::at(0), message));
-    match content.encoding {
+    match encoding {
         Encoding::Utf16 => error(
             error::INVALID_ENCODING,
             "the file is UTF-16; save it as UTF-8",
         ),
         Encoding::Binary => error(error::INVALID_ENCODING, "the file is no text"),
-        _ if !content.text.trim().is_empty() => None,
+        _ if !text.trim().is_empty() => None,
         // Others may include it, as a place for something.
         _ => error(error::MISSING_MAIN, "the file is empty").map(|d| Diagnostic {
             severity: Severity::Warning,

@@ -1,17 +1,19 @@
 //! Which hosts may complete a text: by the names that it lacks, by what the script around it imports,
 //! and by the packages of its project.
 
+use super::World;
+use super::files::Files;
+use super::path::plain;
 use super::reading::Readings;
 use crate::host::{Preset, presets};
 use crate::syntax::{Lexer, RawKind, TokenKind as T};
 use std::cell::OnceCell;
-use std::collections::{BTreeSet, HashMap};
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::Arc;
 
 /// Largest `package.json` that is read, in bytes.
-const MAX_FILE: u64 = 1024 * 1024;
+const MAX_FILE: usize = 1024 * 1024;
 /// Most folders above a file that are looked into.
 const MAX_FOLDERS: usize = 16;
 /// Longest path of an import, in bytes.
@@ -19,59 +21,29 @@ const MAX_PATH: usize = 300;
 /// Most hosts that one text is read for.
 const MAX_HOSTS: usize = 4;
 
-/// The packages that projects use, by folder.
-#[derive(Debug, Default)]
-pub struct Packages {
-    /// Whether files are looked for at all.
-    is_on: bool,
-    known: Mutex<HashMap<PathBuf, Arc<BTreeSet<String>>>>,
-}
-
-impl Packages {
-    /// Nothing is looked for.
-    pub fn none() -> Packages {
-        Packages::default()
-    }
-
-    /// `package.json` is looked for in the folder of each file and in those above, up to the top of
-    /// the repository.
-    pub fn of_projects() -> Packages {
-        Packages {
-            is_on: true,
-            ..Packages::default()
-        }
-    }
-
-    /// The names of the package that a file belongs to and of those that it uses.
-    fn of(&self, name: &str) -> Arc<BTreeSet<String>> {
-        if !self.is_on {
-            return Arc::default();
-        }
-        let file = std::path::absolute(Path::new(name)).unwrap_or_default();
-        let folder = file.parent().unwrap_or(Path::new(""));
-        let mut known = self.known.lock().unwrap_or_else(|p| p.into_inner());
-        if let Some(found) = known.get(folder) {
-            return found.clone();
-        }
+/// The names of the package that a file belongs to and of those that it uses.
+/// `package.json` is looked for in the folder of the file and in those above, up to the top of the
+/// repository.
+fn packages(name: &str, world: World) -> Arc<BTreeSet<String>> {
+    let file = plain(&world.files.here().join(name));
+    let folder = file.parent().unwrap_or(Path::new(""));
+    world.options.memo.packages(folder, || {
         let mut all = BTreeSet::new();
         for above in folder.ancestors().take(MAX_FOLDERS) {
-            all.extend(names_in(&above.join("package.json")));
+            all.extend(names_in(world.files, &above.join("package.json")));
             let is_module = above.parent().is_some_and(|p| p.ends_with("node_modules"));
-            if is_module || above.join(".git").exists() {
+            if is_module || world.files.entry(&above.join(".git")).is_some() {
                 break;
             }
         }
-        let all = Arc::new(all);
-        known.insert(folder.to_path_buf(), all.clone());
         all
-    }
+    })
 }
 
 /// The name of a package and those of what it depends on.
-fn names_in(file: &Path) -> Vec<String> {
-    let is_small = fs::metadata(file).is_ok_and(|data| data.len() <= MAX_FILE);
-    let text = is_small.then(|| fs::read_to_string(file).ok()).flatten();
-    let Some(text) = text else {
+fn names_in(files: &dyn Files, file: &Path) -> Vec<String> {
+    let text = files.load(file).ok();
+    let Some(text) = text.filter(|t| t.len() <= MAX_FILE) else {
         return Vec::new();
     };
     let Ok(serde_json::Value::Object(package)) = serde_json::from_str(&text) else {
@@ -89,7 +61,7 @@ pub struct Hosts<'a> {
     name: &'a str,
     /// The page or script that holds the texts.
     script: Option<Arc<str>>,
-    packages: &'a Packages,
+    world: World<'a>,
     /// The hosts that the script uses, once they were looked for.
     imported: OnceCell<Vec<&'static Preset>>,
     /// The hosts among the packages of the project, once they were looked for.
@@ -98,11 +70,11 @@ pub struct Hosts<'a> {
 
 impl<'a> Hosts<'a> {
     /// Of a file of a name, which may be a script or page.
-    pub fn new(name: &'a str, script: Option<Arc<str>>, packages: &'a Packages) -> Hosts<'a> {
+    pub fn new(name: &'a str, script: Option<Arc<str>>, world: World<'a>) -> Hosts<'a> {
         Hosts {
             name,
             script,
-            packages,
+            world,
             imported: OnceCell::new(),
             installed: OnceCell::new(),
         }
@@ -145,7 +117,7 @@ impl<'a> Hosts<'a> {
 
     fn installed(&self) -> &[&'static Preset] {
         self.installed.get_or_init(|| {
-            let used = self.packages.of(self.name);
+            let used = packages(self.name, self.world);
             let uses = |p: &&Preset| used.iter().any(|name| p.is_package(name));
             presets().iter().filter(uses).collect()
         })

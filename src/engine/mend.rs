@@ -1,52 +1,33 @@
 //! What fixes make of a text, each round judged anew, and how many findings they mend.
 
-use super::document::{Findings, check_with};
-use super::host::Packages;
-use super::include::Includes;
-use super::options::{Desktop, DialectChoice, HostNames, Options};
-use super::partner::NOBODY;
+use super::World;
+use super::document::{Report, judge};
+use super::files::Files;
+use super::options::Options;
 use crate::diagnostic::Diagnostic;
-use crate::lint::{Allow, Fixed, Judged, Look, Settings, count_fixes, fix};
-use crate::text::kind::Claim;
-use crate::text::{Content, Span};
+use crate::lint::{Allow, Fixed, Judged, Look, count_fixes, fix};
+use crate::text::{Encoding, Span};
 
-/// Mends what can be mended in the text of one shader file, judging it anew after each round.
-pub fn fix_text(
-    name: &str,
-    text: &str,
-    choice: DialectChoice,
-    settings: &Settings,
-    allow: Allow,
-) -> Fixed {
-    let options = Options {
-        dialect: choice,
-        settings,
-        host: &HostNames::default(),
-        includes: &Includes::none(),
-        partners: &NOBODY,
-        packages: &Packages::none(),
-        desktop: Desktop::default(),
-        claim: Claim::None,
-    };
-    fix_with(name, text, &options, allow)
+/// Mends what can be mended in a text, judging it anew after each round.
+pub fn mend(name: &str, text: &str, options: &Options, files: &dyn Files, allow: Allow) -> Fixed {
+    let world = World { options, files };
+    fix(text, allow, |text| look(name, text, world))
 }
 
-/// Mends what can be mended in the text of one input, judging it anew after each round.
-pub fn fix_with(name: &str, text: &str, options: &Options, allow: Allow) -> Fixed {
-    fix(text, allow, |text| look(name, text, options))
-}
-
-fn look(name: &str, text: &str, options: &Options) -> Option<Look> {
-    let mut findings = check_with(name, Content::utf8(text), options).ok()?;
+fn look(name: &str, text: &str, world: World) -> Option<Look> {
+    let mut report = judge(name, text, Encoding::Utf8, world);
+    if report.unread.is_some() {
+        return None;
+    }
     // What was not asked for is seen, and not mended.
-    let others = findings.diagnostics.iter_mut();
+    let others = report.diagnostics.iter_mut();
     others
-        .filter(|d| !options.settings.reports(d.rule))
+        .filter(|d| !world.options.settings.reports(d.rule))
         .for_each(|d| d.fix = None);
-    findings.look(text)
+    report.look(text)
 }
 
-impl Findings {
+impl Report {
     /// The findings as those of the text of the input, for the fix engine.
     fn look(&self, text: &str) -> Option<Look> {
         if let Some(export) = &self.export {
@@ -86,11 +67,11 @@ pub struct Offer {
 
 impl Offer {
     /// Those that findings hold as they stand.
-    pub fn of(findings: &Findings) -> Offer {
+    pub fn of(report: &Report) -> Offer {
         let of = |allow: Allow| {
-            let mendable = findings.diagnostics.iter().filter(|d| {
+            let mendable = report.diagnostics.iter().filter(|d| {
                 let fix = d.fix.as_ref();
-                fix.is_some_and(|f| allow.permits(f)) && findings.can_apply(d)
+                fix.is_some_and(|f| allow.permits(f)) && report.can_apply(d)
             });
             mendable.count()
         };
@@ -103,11 +84,18 @@ impl Offer {
 
 /// Counts the findings in the text of an input that `--fix` and `--unsafe-fixes` mend, those
 /// included that come to light on the way: by mending it.
-pub fn offer(name: &str, text: &str, options: &Options, findings: &Findings) -> Offer {
-    let apparent = Offer::of(findings);
-    match findings.look(text).filter(|_| apparent.all > 0) {
+pub fn offer(
+    name: &str,
+    text: &str,
+    options: &Options,
+    files: &dyn Files,
+    report: &Report,
+) -> Offer {
+    let world = World { options, files };
+    let apparent = Offer::of(report);
+    match report.look(text).filter(|_| apparent.all > 0) {
         Some(seen) => {
-            let (safe, all) = count_fixes(text, seen, |text| look(name, text, options));
+            let (safe, all) = count_fixes(text, seen, |text| look(name, text, world));
             Offer { safe, all }
         }
         None => Offer::default(),

@@ -18,9 +18,11 @@ pub mod config;
 mod document;
 mod embedded;
 mod export;
+mod files;
 mod foreign;
 mod host;
 mod include;
+mod memo;
 mod mend;
 mod options;
 mod part;
@@ -29,10 +31,51 @@ pub mod path;
 mod reading;
 
 pub use crate::semantic::Extent;
-pub use document::{DocumentError, Findings, check, check_with};
-pub use host::Packages;
-pub use include::{Absence, Files, Includes, Missing};
-pub use mend::{Offer, fix_text, fix_with, offer};
+pub use document::{Report, Unread};
+pub use files::{Entry, Files, LoadError, MAX_LOADED, NoFiles};
+pub use include::{Absence, Includes, Missing};
+pub use memo::Memo;
+pub use mend::{Offer, mend, offer};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Options};
 pub use part::Shader;
-pub use partner::{NOBODY, Partners};
+
+use crate::text::{Content, Encoding};
+
+/// Finds what is to be said of a text. `name` is its path, whose ending tells what it may be and
+/// whose folder the files around it are looked for in.
+///
+/// ```
+/// use shaderlint::engine::{NoFiles, Options, check};
+///
+/// let text = "void mainImage(out vec4 color, in vec2 place) {\n    color = vec3(1.0);\n}\n";
+/// let report = check("image.glsl", text, &Options::default(), &NoFiles);
+/// let [finding] = &report.diagnostics[..] else {
+///     panic!("one finding")
+/// };
+/// assert_eq!(finding.rule, "vector-size");
+/// let file = report.sources.file_at(finding.span.start).unwrap();
+/// assert_eq!(file.position(finding.span.start).line, 2);
+/// ```
+pub fn check(name: &str, text: &str, options: &Options, files: &dyn Files) -> Report {
+    let world = World { options, files };
+    document::judge(name, text, Encoding::Utf8, world)
+}
+
+/// Finds what is to be said of the bytes of a file, once they were decoded: how they were written is
+/// a part of it.
+pub fn check_content(
+    name: &str,
+    content: &Content,
+    options: &Options,
+    files: &dyn Files,
+) -> Report {
+    let world = World { options, files };
+    document::judge(name, &content.text, content.encoding, world)
+}
+
+/// What a text is judged with.
+#[derive(Clone, Copy)]
+struct World<'a> {
+    options: &'a Options,
+    files: &'a dyn Files,
+}

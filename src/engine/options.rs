@@ -1,12 +1,57 @@
 //! How a text is judged: what it is written for, what completes it, where its files are found.
 
-use super::host::Packages;
 use super::include::Includes;
-use super::partner::Partners;
+use super::memo::Memo;
 use crate::host::Preset;
 use crate::lint::Settings;
+use crate::rules::RULES;
 use crate::text::kind::Claim;
+use std::collections::BTreeSet;
 use std::sync::Arc;
+
+/// How a text is judged.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// What its shaders are written for.
+    pub dialect: DialectChoice,
+    /// Which rules run.
+    pub settings: Arc<Settings>,
+    /// What the host declares.
+    pub host: HostNames,
+    /// Where `#include` finds its files.
+    pub includes: Includes,
+    /// The files that are checked in the same run: what is wrong between two of them is told once.
+    pub checked: Arc<BTreeSet<String>>,
+    /// What is said of shaders for OpenGL, Vulkan and others.
+    pub desktop: Desktop,
+    /// What the user says of the file.
+    pub claim: Claim,
+    /// What earlier checks have read of other files.
+    pub memo: Arc<Memo>,
+}
+
+impl Default for Options {
+    /// The rules that run by default, on what the text itself tells.
+    fn default() -> Options {
+        Options::new(DialectChoice::default(), Settings::of_rules(RULES))
+    }
+}
+
+impl Options {
+    /// A text that stands alone.
+    pub fn new(dialect: DialectChoice, settings: Settings) -> Options {
+        Options {
+            dialect,
+            settings: Arc::new(settings),
+            host: HostNames::default(),
+            includes: Includes::default(),
+            checked: Arc::default(),
+            desktop: Desktop::default(),
+            claim: Claim::default(),
+            memo: Arc::default(),
+        }
+    }
+}
 
 /// What the user says a shader is written for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, clap::ValueEnum)]
@@ -33,6 +78,22 @@ pub struct HostNames {
     pub uniforms: Vec<HostUniform>,
 }
 
+impl HostNames {
+    /// Puts what the user says of a host behind the preset.
+    pub fn describe(&mut self, own: Preset) {
+        let described = match &self.preset {
+            Some(preset) => Preset {
+                prelude: format!("{}\n{}", preset.prelude, own.prelude),
+                is_complete: own.is_complete && preset.is_complete,
+                version: preset.version,
+                ..own
+            },
+            None => own,
+        };
+        self.preset = Some(Arc::new(described));
+    }
+}
+
 /// A uniform that the host declares, unless the shader does it itself.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct HostUniform {
@@ -42,27 +103,6 @@ pub struct HostUniform {
     pub ty: String,
     /// How many there are, where it is an array.
     pub size: Option<u32>,
-}
-
-/// How an input is judged.
-#[derive(Clone, Copy)]
-pub struct Options<'a> {
-    /// What its shaders are written for.
-    pub dialect: DialectChoice,
-    /// Which rules run.
-    pub settings: &'a Settings,
-    /// What the host declares.
-    pub host: &'a HostNames,
-    /// Where `#include` finds its files.
-    pub includes: &'a Includes,
-    /// Where the other stage is found.
-    pub partners: &'a Partners,
-    /// Where the packages of the project are found.
-    pub packages: &'a Packages,
-    /// What is said of shaders for OpenGL, Vulkan and others.
-    pub desktop: Desktop,
-    /// What the user says of the file.
-    pub claim: Claim,
 }
 
 /// What is said of shaders that WebGL does not compile.

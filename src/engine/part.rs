@@ -1,5 +1,6 @@
 //! One shader of an input.
 
+use super::World;
 use super::document::Read;
 use super::foreign;
 use super::host::Hosts;
@@ -81,7 +82,7 @@ pub fn check_part(
             sources,
             part,
             checked,
-            options.settings,
+            &options.settings,
             allows,
             diagnostics,
         );
@@ -95,7 +96,7 @@ pub fn check_part(
         sources,
         part,
         checked,
-        options.settings,
+        &options.settings,
         allows,
         diagnostics,
     )
@@ -236,8 +237,9 @@ pub(super) fn shader_part(
     name: &str,
     file: FileId,
     text: &str,
-    options: &Options,
+    world: World,
 ) -> Option<()> {
+    let options = world.options;
     let extension = ending(name);
     let stage = match extension.as_str() {
         "vert" | "vs" | "vsh" => Some(Stage::Vertex),
@@ -253,7 +255,7 @@ pub(super) fn shader_part(
             Vec::new(),
         ),
         None => {
-            let own = spread(read, name, file, text, options)?;
+            let own = spread(read, name, file, text, world)?;
             (own.files, own.is_open, own.missing)
         }
     };
@@ -261,7 +263,7 @@ pub(super) fn shader_part(
         files,
         stage,
         place: match stage {
-            _ if is_common(name, text, options) => Place::CommonFile,
+            _ if is_common(name, text, world) => Place::CommonFile,
             Some(_) => Place::StageFile,
             None => Place::File,
         },

@@ -1,8 +1,8 @@
 //! Vertex and fragment shaders that belong together: which they are, and what keeps them from being
 //! linked.
 
+use super::World;
 use super::document::Read;
-use super::options::Options;
 use super::part::{Part, shader_part};
 use super::reading::{Reading, Standing};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
@@ -14,12 +14,8 @@ use crate::text::embed::{Asked, Embedded, Language, asked, together};
 use crate::text::kind::ending;
 use crate::text::{Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
-use std::fs;
 use std::path::Path;
 use std::sync::Arc;
-
-/// Largest file that is read beside another, in bytes.
-const MAX_FILE: u64 = 4 * 1024 * 1024;
 
 /// How often, on the average, the text of a page is linked: shaders may belong to several programs.
 const MAX_SHARED: usize = 16;
@@ -38,52 +34,14 @@ const WORDS: [(&str, &str); 8] = [
     ("VERT", "FRAG"),
 ];
 
-/// Where the other stage of a shader file is looked for.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Partners {
-    /// Whether files are looked for at all.
-    is_on: bool,
-    /// The files that are checked in the same run: what is wrong between two of them is told of the
-    /// fragment shader only.
-    checked: BTreeSet<String>,
-}
-
-/// Nothing is looked for.
-pub static NOBODY: Partners = Partners {
-    is_on: false,
-    checked: BTreeSet::new(),
-};
-
-impl Partners {
-    /// Files are looked for beside the file at hand. `checked` are those that are checked, too.
-    pub fn beside<'a>(checked: impl Iterator<Item = &'a str>) -> Partners {
-        Partners {
-            is_on: true,
-            checked: checked.map(str::to_string).collect(),
-        }
+/// The file with the other stage: its name and text.
+fn find(name: &str, world: World) -> Option<(String, Arc<str>)> {
+    let (other, stage) = counterpart(name)?;
+    if stage == Stage::Vertex && world.options.checked.contains(&other) {
+        return None;
     }
-
-    /// Whether a file is checked in the same run.
-    pub fn checks(&self, name: &str) -> bool {
-        self.checked.contains(name)
-    }
-
-    /// The file with the other stage: its name and text.
-    fn find(&self, name: &str) -> Option<(String, String)> {
-        if !self.is_on {
-            return None;
-        }
-        let (other, stage) = counterpart(name)?;
-        if stage == Stage::Vertex && self.checked.contains(&other) {
-            return None;
-        }
-        let data = fs::metadata(Path::new(&other)).ok()?;
-        if !data.is_file() || data.len() > MAX_FILE {
-            return None;
-        }
-        let text = fs::read_to_string(&other).ok()?;
-        Some((other, text))
-    }
+    let text = world.files.load(Path::new(&other)).ok()?;
+    Some((other, text))
 }
 
 /// The name that the other stage's file has, and the stage of this one.
@@ -120,7 +78,7 @@ fn counterpart(name: &str) -> Option<(String, Stage)> {
 }
 
 /// Reads the other stage of a shader file, if there is one.
-pub(super) fn load(read: &mut Read, name: &str, options: &Options) -> Option<Part> {
+pub(super) fn load(read: &mut Read, name: &str, world: World) -> Option<Part> {
     let [part] = read.parts.as_slice() else {
         return None;
     };
@@ -128,11 +86,11 @@ pub(super) fn load(read: &mut Read, name: &str, options: &Options) -> Option<Par
         return None;
     }
     let stage = part.reading()?.stage;
-    let (name, text) = options.partners.find(name)?;
+    let (name, text) = find(name, world)?;
     let problems = read.problems.len();
     let file =
-        Arc::make_mut(&mut read.sources).add(name.as_str(), None, Role::User, text.as_str())?;
-    let made = shader_part(read, &name, file, &text, options);
+        Arc::make_mut(&mut read.sources).add(name.as_str(), None, Role::User, text.clone())?;
+    let made = shader_part(read, &name, file, &text, world);
     let other = (read.parts.len() > 1).then(|| read.parts.pop()).flatten();
     // What is wrong with that file is told of that file.
     let is_well = read.problems.len() == problems;

@@ -1,13 +1,13 @@
-//! Paths, told apart without asking the file system.
+//! Paths, told apart without asking for files.
 
 use std::path::{Component, Path, PathBuf};
 
-/// A path from the root of the file system without `..`, as far as that can be told without asking it.
-pub fn absolute(path: &Path) -> PathBuf {
-    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+/// A path from the root without `.` and `..`.
+pub fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for part in path.components() {
         match part {
+            Component::CurDir => {}
             Component::ParentDir => {
                 plain.pop();
             }

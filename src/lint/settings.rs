@@ -46,6 +46,13 @@ impl Settings {
         select: &[String],
         ignore: &[String],
     ) -> Result<Settings, UnknownRule> {
+        let mut settings = Settings::of_rules(rules);
+        settings.adjust(rules, select, ignore)?;
+        Ok(settings)
+    }
+
+    /// The rules that run by default.
+    pub fn of_rules(rules: &[&'static Rule]) -> Settings {
         let mut settings = Settings {
             levels: FxHashMap::default(),
             options: FxHashMap::default(),
@@ -56,8 +63,7 @@ impl Settings {
         for rule in rules.iter().filter(|r| r.default) {
             settings.set_level(rule, Some(rule.severity));
         }
-        settings.adjust(rules, select, ignore)?;
-        Ok(settings)
+        settings
     }
 
     /// Adds the rules that `select` names to those that run, and takes those of `ignore` away. Of two

@@ -6,11 +6,10 @@ mod repetitions;
 
 use shaderlint::cli::STACK;
 use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{DialectChoice, check};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
 use shaderlint::lint::Settings;
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
-use shaderlint::text::Content;
 use std::time::{Duration, Instant};
 
 /// Longest time that an answer may take.
@@ -39,12 +38,10 @@ fn judge(code: &str, expected: Verdict) {
 }
 
 fn judge_here(code: &str, expected: Verdict) {
-    let settings = Settings::new(RULES, &[], &[]).unwrap();
+    let options = Options::new(DialectChoice::Shadertoy, Settings::of_rules(RULES));
     let start = Instant::now();
-    let choice = DialectChoice::Shadertoy;
-    let Ok(found) = check("a.glsl", Content::utf8(code), choice, &settings) else {
-        panic!("this cannot be judged");
-    };
+    let found = check("a.glsl", code, &options, &NoFiles);
+    assert!(found.unread.is_none(), "this cannot be judged");
     let mut refused = found.diagnostics.iter();
     let verdict = match refused.find(|d| d.severity == Severity::Error) {
         Some(_) => Refused,

@@ -5,11 +5,10 @@
 use super::Verdict::Refused;
 use super::judge;
 use shaderlint::cli::STACK;
-use shaderlint::engine::{DialectChoice, check};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
 use shaderlint::lint::{FenceKind, Page, Settings};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
-use shaderlint::text::Content;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -73,10 +72,10 @@ fn worked() -> Option<Duration> {
 }
 
 /// The work of checking a text and printing what is found.
-fn work((name, text): &(String, String), settings: &Settings) -> Duration {
-    let content = Content::utf8(text);
+fn work((name, text): &(String, String), options: &Options) -> Duration {
     let (before, start) = (worked(), Instant::now());
-    if let Ok(mut found) = check(name, content, DialectChoice::Auto, settings) {
+    let mut found = check(name, text, options, &NoFiles);
+    if found.unread.is_none() {
         found.diagnostics.truncate(MAX_PRINTED);
         for format in [Format::Human, Format::Sarif] {
             let mut reporter = Reporter::new(format, std::io::sink(), false);
@@ -93,15 +92,15 @@ fn work((name, text): &(String, String), settings: &Settings) -> Duration {
 }
 
 /// Whether the work on a repetition grows in line with its length; else by how much it grows.
-fn growth(texts: &[(String, String); 2], settings: &Settings) -> Result<(), String> {
+fn growth(texts: &[(String, String); 2], options: &Options) -> Result<(), String> {
     let [mut small, mut large] = [Duration::MAX; 2];
     for _ in 0..TRIES {
-        large = large.min(work(&texts[1], settings));
+        large = large.min(work(&texts[1], options));
         if large <= NEGLIGIBLE {
             return Ok(());
         }
         // The system tells in steps of some milliseconds.
-        small = small.min((0..8).map(|_| work(&texts[0], settings)).sum());
+        small = small.min((0..8).map(|_| work(&texts[0], options)).sum());
         if large <= small * MAX_GROWTH + NEGLIGIBLE {
             return Ok(());
         }
@@ -112,6 +111,7 @@ fn growth(texts: &[(String, String); 2], settings: &Settings) -> Result<(), Stri
 /// Checks that the work on every pattern grows in line, on as many threads as there are.
 fn all_grow_in_line(patterns: &[(String, String)]) {
     let settings = Settings::new(RULES, &["all".to_string()], &[]).unwrap();
+    let options = Options::new(DialectChoice::Auto, settings);
     let size = std::env::var("SHADERLINT_REPEATED").ok();
     let size = size.and_then(|s| s.parse().ok()).unwrap_or(SIZE);
     let next = std::sync::atomic::AtomicUsize::new(0);
@@ -121,7 +121,7 @@ fn all_grow_in_line(patterns: &[(String, String)]) {
             patterns.get(next.fetch_add(1, std::sync::atomic::Ordering::Relaxed))
         {
             let texts = [size / 8, size].map(|size| repeat(kind, pattern, size));
-            if let Err(problem) = growth(&texts, &settings) {
+            if let Err(problem) = growth(&texts, &options) {
                 let line = format!("{kind} {pattern}: {problem}");
                 problems.lock().unwrap().push(line);
             }

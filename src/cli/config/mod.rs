@@ -1,15 +1,13 @@
-//! `shaderlint.toml`: which one holds for a file, and what it says of it.
+//! `shaderlint.toml`: which one holds for a file.
 
 mod project;
 
-use crate::engine::config::{Config, Layer, parse};
-use crate::engine::path::absolute;
-use crate::engine::{
-    Desktop, DialectChoice, Files, HostNames, Includes, NOBODY, Options, Packages,
-};
-use crate::host::{Preset, read as read_host};
-use crate::lint::{Rule, Settings, UnknownRule};
-use crate::text::kind::Claim;
+use crate::engine::config::{Config, Given, options, parse};
+use crate::engine::path::plain;
+use crate::engine::{HostNames, Memo, Options};
+use crate::host::read as read_host;
+use crate::lint::{Settings, UnknownRule};
+use crate::rules::RULES;
 use project::Project;
 use std::collections::HashMap;
 use std::fs;
@@ -19,45 +17,11 @@ use std::sync::{Arc, Mutex};
 /// Name of the file.
 pub const FILE: &str = "shaderlint.toml";
 
-/// How a file is judged.
-#[derive(Debug)]
-pub struct Judge {
-    /// Which rules run.
-    pub settings: Settings,
-    dialect: DialectChoice,
-    host: HostNames,
-    includes: Includes,
-    packages: Packages,
-    desktop: Desktop,
-}
-
-impl Judge {
-    /// As the document wants it.
-    pub fn options(&self) -> Options<'_> {
-        Options {
-            dialect: self.dialect,
-            settings: &self.settings,
-            host: &self.host,
-            includes: &self.includes,
-            partners: &NOBODY,
-            packages: &self.packages,
-            desktop: self.desktop,
-            claim: Claim::None,
-        }
-    }
-}
-
-/// What the command line says, which goes before every configuration.
+/// What the command line says of configurations.
 #[derive(Clone, Debug)]
-pub struct Given {
-    /// `--dialect`, where it is not `auto`.
-    pub dialect: DialectChoice,
-    /// `--select`
-    pub select: Vec<String>,
-    /// `--ignore`
-    pub ignore: Vec<String>,
-    /// `--only`
-    pub only: Vec<String>,
+pub struct Asked {
+    /// What goes before every configuration.
+    pub given: Given,
     /// `--config` and `--no-config`
     pub source: Source,
     /// `--force-exclude`
@@ -88,11 +52,10 @@ pub enum Source {
 
 /// Finds out how files are judged; each configuration is read once.
 pub struct Configs {
-    given: Given,
-    rules: &'static [&'static Rule],
+    asked: Asked,
     cache: Mutex<Cache>,
-    /// What `#include` has read.
-    files: Arc<Files>,
+    /// What files have been read for others.
+    memo: Arc<Memo>,
 }
 
 type Found = Result<Option<Arc<Config>>, Arc<str>>;
@@ -103,7 +66,7 @@ struct Cache {
     configs: HashMap<PathBuf, Found>,
     /// By folder of files.
     projects: HashMap<PathBuf, Project>,
-    judges: HashMap<Key, Arc<Judge>>,
+    options: HashMap<Key, Arc<Options>>,
 }
 
 /// What makes files be judged alike: the folder of the configuration, the project and the overrides.
@@ -111,20 +74,19 @@ type Key = (Option<PathBuf>, Project, Vec<usize>);
 
 impl Configs {
     /// Nothing is read yet.
-    pub fn new(given: Given, rules: &'static [&'static Rule]) -> Configs {
+    pub fn new(asked: Asked) -> Configs {
         Configs {
-            given,
-            rules,
+            asked,
             cache: Mutex::default(),
-            files: Arc::default(),
+            memo: Arc::default(),
         }
     }
 
     /// The configuration that holds for a file.
     pub fn config(&self, path: &Path) -> Found {
-        match &self.given.source {
+        match &self.asked.source {
             Source::Nowhere => Ok(None),
-            Source::File(file) => self.cached(file, || load(file, self.rules).map(Some)),
+            Source::File(file) => self.cached(file, || load(file).map(Some)),
             Source::Nearest => {
                 let path = absolute(path);
                 let folder = path.parent().unwrap_or(Path::new("/"));
@@ -135,16 +97,16 @@ impl Configs {
 
     /// Whether a file is left out although it is named.
     pub fn leaves_out(&self, path: &Path) -> bool {
-        let config = match self.given.exclusion {
+        let config = match self.asked.exclusion {
             Exclusion::Found => None,
             Exclusion::Named => self.config(path).ok().flatten(),
         };
-        config.is_some_and(|c| c.leaves_out(path))
+        config.is_some_and(|c| c.leaves_out(&absolute(path)))
     }
 
     /// The file that holds a file's configuration.
     pub fn file_of(&self, path: &Path) -> Option<PathBuf> {
-        match &self.given.source {
+        match &self.asked.source {
             Source::File(file) => Some(file.clone()),
             _ => Some(self.config(path).ok()??.root.join(FILE)),
         }
@@ -163,7 +125,7 @@ impl Configs {
         self.cached(folder, || {
             let file = folder.join(FILE);
             if file.is_file() {
-                return load(&file, self.rules).map(Some);
+                return load(&file).map(Some);
             }
             folder
                 .parent()
@@ -179,8 +141,8 @@ impl Configs {
 
     /// What is wrong with the words of the command line, or with the configuration that it names.
     pub fn problem(&self) -> Option<Arc<str>> {
-        let words = Settings::new(self.rules, &[], &[]).and_then(|mut s| self.adjust(&mut s));
-        let named = match &self.given.source {
+        let words = self.asked.given.adjust(&mut Settings::of_rules(RULES));
+        let named = match &self.asked.source {
             Source::File(_) => self.config(Path::new("")).err(),
             Source::Nearest | Source::Nowhere => None,
         };
@@ -188,17 +150,23 @@ impl Configs {
     }
 
     /// How a file is judged. Standard input counts as a file of its name.
-    pub fn judge(&self, path: &Path) -> Result<Arc<Judge>, Arc<str>> {
+    pub fn options(&self, path: &Path) -> Result<Arc<Options>, Arc<str>> {
         let config = self.config(path)?;
-        let layers = config.as_ref().map_or(Vec::new(), |c| c.layers(path));
+        let layers = config.as_ref().map(|c| c.layers(&absolute(path)));
+        let layers = layers.unwrap_or_default();
         let root = config.as_ref().map(|c| c.root.clone());
         let key = (root, self.project(path), layers);
-        if let Some(judge) = self.lock().judges.get(&key) {
-            return Ok(judge.clone());
+        if let Some(options) = self.lock().options.get(&key) {
+            return Ok(options.clone());
         }
-        let judge = Arc::new(self.make(config.as_deref(), &key.1, &key.2)?);
-        self.lock().judges.insert(key, judge.clone());
-        Ok(judge)
+        let (_, project, layers) = &key;
+        let mut options = options(config.as_deref(), layers, &self.asked.given).map_err(unknown)?;
+        options.includes.tops.clone_from(&project.tops);
+        options.includes.root = project.root.canonicalize().unwrap_or_default();
+        options.memo = self.memo.clone();
+        let options = Arc::new(options);
+        self.lock().options.insert(key, options.clone());
+        Ok(options)
     }
 
     /// The project that a file belongs to.
@@ -208,78 +176,10 @@ impl Configs {
         if let Some(known) = self.lock().projects.get(folder) {
             return known.clone();
         }
-        let project = Project::around(folder, &self.given.paths);
+        let project = Project::around(folder, &self.asked.paths);
         let mut cache = self.lock();
         cache.projects.insert(folder.to_path_buf(), project.clone());
         project
-    }
-
-    fn make(
-        &self,
-        config: Option<&Config>,
-        project: &Project,
-        layers: &[usize],
-    ) -> Result<Judge, Arc<str>> {
-        let mut settings = Settings::new(self.rules, &[], &[]).map_err(unknown)?;
-        let mut judge = Judge {
-            settings: settings.clone(),
-            dialect: DialectChoice::Auto,
-            host: HostNames::default(),
-            includes: Includes::inside(&project.root)
-                .with_tops(project.tops.clone())
-                .sharing(self.files.clone()),
-            packages: Packages::of_projects(),
-            desktop: Desktop::default(),
-        };
-        let overrides = config.map_or(&[][..], |c| &c.overrides);
-        let matching = layers.iter().filter_map(|i| overrides.get(*i));
-        let base = config.map(|c| &c.base).into_iter();
-        for layer in base.chain(matching.map(|(_, layer)| layer)) {
-            self.apply(layer, &mut settings);
-            judge.dialect = layer.dialect.unwrap_or(judge.dialect);
-            judge.desktop = layer.desktop.unwrap_or(judge.desktop);
-            judge.host = layer.host.clone().unwrap_or(judge.host);
-            if let (Some(roots), Some(config)) = (&layer.include_roots, config) {
-                let roots = roots.iter().map(|r| absolute(&config.root.join(r)));
-                judge.includes = judge.includes.with_roots(roots.collect());
-            }
-        }
-        self.adjust(&mut settings).map_err(unknown)?;
-        if self.given.dialect != DialectChoice::Auto {
-            judge.dialect = self.given.dialect;
-        }
-        judge.settings = settings;
-        Ok(judge)
-    }
-
-    /// Does what the words of the command line say.
-    fn adjust(&self, settings: &mut Settings) -> Result<(), UnknownRule> {
-        let given = &self.given;
-        settings.adjust(self.rules, &given.select, &given.ignore)?;
-        if given.only.is_empty() {
-            return Ok(());
-        }
-        settings.choose(self.rules, &given.only)
-    }
-
-    fn apply(&self, layer: &Layer, settings: &mut Settings) {
-        let rule = |name: &str| self.rules.iter().find(|r| r.name == name);
-        settings.target = layer.target.unwrap_or(settings.target);
-        for (name, level) in &layer.levels {
-            if let Some(rule) = rule(name) {
-                settings.set_level(rule, *level);
-            }
-        }
-        for (name, failing) in &layer.failing {
-            if let Some(rule) = rule(name) {
-                settings.set_failing(rule, *failing);
-            }
-        }
-        for (name, option, value) in &layer.options {
-            if let Some(rule) = rule(name) {
-                settings.set_option(rule, option, *value);
-            }
-        }
     }
 }
 
@@ -290,11 +190,11 @@ fn unknown(unknown: UnknownRule) -> Arc<str> {
     format!("there is no rule or group `{}`{near}", unknown.name).into()
 }
 
-fn load(file: &Path, rules: &'static [&'static Rule]) -> Result<Arc<Config>, Arc<str>> {
+fn load(file: &Path) -> Result<Arc<Config>, Arc<str>> {
     let here = std::env::current_dir().unwrap_or_default();
     let shown = file.strip_prefix(here).unwrap_or(file).display();
     let text = fs::read_to_string(file).map_err(|e| format!("{shown}: {e}"))?;
-    let mut config = parse(&text, rules)
+    let mut config = parse(&text, RULES)
         .map_err(|e| format!("{shown}:{}:{}: {}", e.line, e.column, e.message))?;
     let folder = absolute(file);
     config.root = folder.parent().unwrap_or(Path::new("/")).to_path_buf();
@@ -313,15 +213,13 @@ fn describe(host: &mut HostNames, root: &Path) -> Result<(), String> {
         return Ok(());
     };
     let text = fs::read_to_string(root.join(path)).map_err(|e| format!("{path}: {e}"))?;
-    let mut own = read_host(&text).map_err(|e| format!("{path}:{}: {}", e.line, e.message))?;
-    if let Some(preset) = &host.preset {
-        own = Preset {
-            prelude: format!("{}\n{}", preset.prelude, own.prelude),
-            is_complete: own.is_complete && preset.is_complete,
-            version: preset.version,
-            ..own
-        };
-    }
-    host.preset = Some(Arc::new(own));
+    let own = read_host(&text).map_err(|e| format!("{path}:{}: {}", e.line, e.message))?;
+    host.describe(own);
     Ok(())
+}
+
+/// A path from the root of the file system without `..`, as far as that can be told without asking it.
+pub fn absolute(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+    plain(&path)
 }

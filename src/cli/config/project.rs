@@ -1,7 +1,6 @@
 //! The project that a file belongs to: what its shaders may include.
 
-use super::FILE;
-use crate::engine::path::absolute;
+use super::{FILE, absolute};
 use std::path::{Path, PathBuf};
 
 /// A project.

@@ -1,7 +1,8 @@
 //! The arguments of `shaderlint`.
 
-use super::super::config::{Exclusion, Given, Source};
+use super::super::config::{Asked, Exclusion, Source};
 use crate::engine::DialectChoice;
+use crate::engine::config::Given;
 use crate::report::Format;
 use clap::{ArgAction, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -289,13 +290,15 @@ impl Args {
         }
     }
 
-    /// What goes before every configuration.
-    pub fn given(&self) -> Given {
-        Given {
-            dialect: self.dialect,
-            select: self.select.clone(),
-            ignore: self.ignore.clone(),
-            only: self.only.clone(),
+    /// What is said of configurations.
+    pub fn asked(&self) -> Asked {
+        Asked {
+            given: Given {
+                dialect: self.dialect,
+                select: self.select.clone(),
+                ignore: self.ignore.clone(),
+                only: self.only.clone(),
+            },
             source: match &self.config {
                 Some(file) => Source::File(file.clone()),
                 None if self.no_config => Source::Nowhere,

@@ -2,7 +2,7 @@
 //! that lines may move. Files are named from the folder of the baseline, whatever folder the command
 //! runs in.
 
-use super::super::config::Configs;
+use super::super::config::{Configs, absolute};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::super::{CLEAN, FAILED};
@@ -10,7 +10,6 @@ use super::args::{Args, Talk};
 use super::complain;
 use super::examine::{Outcome, Work, examine_all};
 use crate::diagnostic::Diagnostic;
-use crate::engine::path::absolute;
 use crate::report::fingerprints;
 use crate::text::Sources;
 use serde_json::{Value, json};
@@ -153,12 +152,12 @@ pub fn write(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result
     let mut count = 0;
     examine_all(inputs, configs, Work::default(), &mut |input, outcome| {
         match outcome {
-            Outcome::Checked(mut findings, ..) => {
-                let found = &mut findings.diagnostics;
-                if let Ok(judge) = configs.judge(Path::new(&input.name)) {
-                    found.retain(|d| judge.settings.reports(d.rule));
+            Outcome::Checked(mut report, ..) => {
+                let found = &mut report.diagnostics;
+                if let Ok(options) = configs.options(Path::new(&input.name)) {
+                    found.retain(|d| options.settings.reports(d.rule));
                 }
-                let prints = fingerprints(&findings.sources, found);
+                let prints = fingerprints(&report.sources, found);
                 let entries = found.iter().zip(prints);
                 let entries = entries.map(|(d, p)| entry(d.rule, &p));
                 let entries: Vec<Value> = entries.collect();
@@ -167,7 +166,7 @@ pub fn write(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result
                     files.insert(named(&folder, &input.name), entries);
                 }
                 if let Some(old) = &mut old {
-                    old.filter(&input.name, &findings.sources, found);
+                    old.filter(&input.name, &report.sources, found);
                 }
             }
             Outcome::Skipped(..) => {}

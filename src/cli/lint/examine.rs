@@ -2,11 +2,12 @@
 
 use super::super::STACK;
 use super::super::config::Configs;
+use super::super::disk::Disk;
 use super::super::input::{InputFile, read};
 use super::mend::{Mend, Mended};
-use crate::engine::{DocumentError, Findings, Offer, Options, Partners, check_with, offer};
+use crate::engine::{Offer, Options, Report, Unread, check_content, offer};
 use crate::text::{Content, Encoding};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -16,7 +17,7 @@ use std::sync::{Arc, mpsc};
 /// What became of one input.
 pub enum Outcome {
     /// What is found after what was mended, and what can be mended.
-    Checked(Box<Findings>, Option<Mended>, Offer),
+    Checked(Box<Report>, Option<Mended>, Offer),
     /// It is nothing that is read, for this reason; standard input is handed on as it is.
     Skipped(String, Option<Mended>),
     /// It cannot be judged, for this reason.
@@ -41,8 +42,12 @@ pub fn examine_all(
     work: Work,
     print: &mut impl FnMut(&InputFile, Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
-    let partners = Partners::beside(inputs.iter().map(|i| i.name.as_str()));
-    let partners = &partners;
+    let run = &Run {
+        configs,
+        checked: Arc::new(inputs.iter().map(|i| i.name.clone()).collect()),
+        disk: Disk::new(),
+        work,
+    };
     let threads = match inputs.len() {
         0 | 1 => 1,
         count => std::thread::available_parallelism()
@@ -51,7 +56,7 @@ pub fn examine_all(
     };
     if threads <= 1 {
         for input in inputs {
-            print(input, examine(input, configs, partners, work))?;
+            print(input, examine(input, run))?;
         }
         return Ok(());
     }
@@ -66,7 +71,7 @@ pub fn examine_all(
                     let Some(input) = inputs.get(index) else {
                         return;
                     };
-                    let outcome = examine(input, configs, partners, work);
+                    let outcome = examine(input, run);
                     if sender.send((index, outcome)).is_err() {
                         return;
                     }
@@ -91,49 +96,64 @@ pub fn examine_all(
     })
 }
 
-fn examine(input: &InputFile, configs: &Configs, partners: &Partners, work: Work) -> Outcome {
-    let judge = match configs.judge(Path::new(&input.name)) {
-        Ok(judge) => judge,
+/// What all inputs of a run have in common.
+struct Run<'a> {
+    configs: &'a Configs,
+    /// Their names.
+    checked: Arc<BTreeSet<String>>,
+    disk: Disk,
+    work: Work,
+}
+
+fn examine(input: &InputFile, run: &Run) -> Outcome {
+    let options = match run.configs.options(Path::new(&input.name)) {
+        Ok(options) => options,
         Err(message) => return Outcome::Misconfigured(message),
     };
     let content = match read(input) {
         Ok(content) => content,
         Err(message) => return Outcome::Failed(message),
     };
-    let options = || Options {
-        partners,
+    let options = Options {
+        checked: run.checked.clone(),
         claim: input.claim,
-        ..judge.options()
+        ..Options::clone(&options)
     };
     // A fault of this program costs one file its answer, never the others theirs.
-    let judged = catch_unwind(AssertUnwindSafe(|| {
-        let (text, mended) = match work.mend {
-            Some(mend) => mend.apply(input, &content, &options()),
-            None => (None, None),
-        };
-        let content = match text {
-            Some(text) => Content::utf8(&text),
-            None => content,
-        };
-        let is_written = content.encoding == Encoding::Utf8;
-        let text = (work.counts_fixes && is_written).then(|| content.text.clone());
-        let findings = check_with(&input.name, content, &options());
-        let offer = match (&findings, text) {
-            (Ok(findings), Some(text)) => offer(&input.name, &text, &options(), findings),
-            _ => Offer::default(),
-        };
-        (findings.map(|f| (f, offer)), mended)
-    }));
-    let Ok((judged, mended)) = judged else {
+    let judged = catch_unwind(AssertUnwindSafe(|| judge(input, content, &options, run)));
+    let Ok((report, mended, offer)) = judged else {
         return Outcome::Failed("shaderlint itself failed on this file; please report it".into());
     };
-    match judged {
-        Ok((findings, offer)) => Outcome::Checked(Box::new(findings), mended, offer),
-        Err(DocumentError::Skipped(decision)) => Outcome::Skipped(decision.to_string(), mended),
-        Err(DocumentError::Export(error)) if input.is_explicit => {
-            Outcome::Failed(error.to_string())
+    match report.unread {
+        None => Outcome::Checked(Box::new(report), mended, offer),
+        Some(Unread::Skipped(decision)) => Outcome::Skipped(decision.to_string(), mended),
+        Some(Unread::Export(error)) if !input.is_explicit => {
+            Outcome::Skipped(error.to_string(), mended)
         }
-        Err(DocumentError::Export(error)) => Outcome::Skipped(error.to_string(), mended),
-        Err(DocumentError::TooLarge) => Outcome::Failed("the file is too large".to_string()),
+        Some(error @ (Unread::Export(_) | Unread::TooLarge)) => Outcome::Failed(error.to_string()),
     }
+}
+
+/// Mends and checks one input.
+fn judge(
+    input: &InputFile,
+    mut content: Content,
+    options: &Options,
+    run: &Run,
+) -> (Report, Option<Mended>, Offer) {
+    let (name, disk) = (&input.name, &run.disk);
+    let (text, mended) = match run.work.mend {
+        Some(mend) => mend.apply(input, &content, options, disk),
+        None => (None, None),
+    };
+    if let Some(text) = text {
+        content = Content::utf8(&text);
+    }
+    let report = check_content(name, &content, options, disk);
+    let is_written = content.encoding == Encoding::Utf8 && report.unread.is_none();
+    let offer = match run.work.counts_fixes && is_written {
+        true => offer(name, &content.text, options, disk, &report),
+        false => Offer::default(),
+    };
+    (report, mended, offer)
 }

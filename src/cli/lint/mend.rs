@@ -3,7 +3,7 @@
 use super::super::input::InputFile;
 use super::super::output::{diff, replace};
 use super::args::Args;
-use crate::engine::{Options, fix_with};
+use crate::engine::{Files, Options, mend};
 use crate::lint::Allow;
 use crate::text::{Content, Encoding};
 
@@ -60,6 +60,7 @@ impl Mend {
         input: &InputFile,
         content: &Content,
         options: &Options,
+        files: &dyn Files,
     ) -> (Option<String>, Option<Mended>) {
         let is_stdin = input.path.is_none();
         let unchanged = || {
@@ -69,7 +70,7 @@ impl Mend {
         if content.encoding != Encoding::Utf8 {
             return (None, unchanged());
         }
-        let fixed = fix_with(&input.name, &content.text, options, self.allow);
+        let fixed = mend(&input.name, &content.text, options, files, self.allow);
         if fixed.applied.is_empty() || fixed.text == content.text {
             return (None, unchanged());
         }

@@ -15,10 +15,9 @@ use super::config::Configs;
 use super::input::{InputFile, collect};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::engine::{Extent, Findings, Offer, Shader};
+use crate::engine::{Extent, Offer, Report, Shader};
 use crate::lint::Unrun;
 use crate::report::{Format, Reporter, Scope, Summary};
-use crate::rules::RULES;
 use args::Talk;
 use baseline::Baseline;
 use examine::{Outcome, Work, examine_all};
@@ -55,7 +54,7 @@ fn check(args: &Args) -> io::Result<u8> {
             complain(message);
         }
     };
-    let configs = Configs::new(args.given(), RULES);
+    let configs = Configs::new(args.asked());
     if let Some(message) = configs.problem() {
         tell(&message);
         return Ok(FAILED);
@@ -176,8 +175,8 @@ struct Printer<'a> {
 
 impl Printer<'_> {
     fn outcome(&mut self, input: &InputFile, outcome: Outcome) -> io::Result<()> {
-        let (findings, mended, offer) = match outcome {
-            Outcome::Checked(findings, mended, offer) => (findings, mended, offer),
+        let (report, mended, offer) = match outcome {
+            Outcome::Checked(report, mended, offer) => (report, mended, offer),
             Outcome::Skipped(reason, mended) => {
                 let is_told = input.is_explicit && self.talk >= Talk::Normal;
                 if is_told || self.talk == Talk::Verbose {
@@ -201,12 +200,12 @@ impl Printer<'_> {
             }
         };
         if self.talk == Talk::Verbose {
-            self.tell(&verbose::read(input, &findings, self.configs))?;
+            self.tell(&verbose::read(input, &report, self.configs))?;
         }
         if let Some(mended) = mended {
             self.mended(input, mended)?;
         }
-        self.findings(input, *findings, offer)
+        self.report(input, *report, offer)
     }
 
     /// Says something beside the findings.
@@ -232,24 +231,24 @@ impl Printer<'_> {
         }
     }
 
-    fn findings(
+    fn report(
         &mut self,
         input: &InputFile,
-        mut findings: Findings,
+        mut report: Report,
         mut offer: Offer,
     ) -> io::Result<()> {
-        let judge = self.configs.judge(Path::new(&input.name)).ok();
-        let settings = judge.as_ref().map(|j| &j.settings);
-        let found = &mut findings.diagnostics;
-        let mut scope = findings_scope(&findings.shaders);
-        scope.left_out = findings.left_out;
+        let options = self.configs.options(Path::new(&input.name)).ok();
+        let settings = options.as_ref().map(|o| &o.settings);
+        let found = &mut report.diagnostics;
+        let mut scope = scope_of(&report.shaders);
+        scope.left_out = report.left_out;
         if let Some(settings) = settings {
             let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
             let before = found.iter().filter(is_error).count();
             found.retain(|d| settings.reports(d.rule));
             scope.hidden = before - found.iter().filter(is_error).count();
         }
-        let sources = &findings.sources;
+        let sources = &report.sources;
         found.retain(|d| {
             let Some(file) = sources.file_at(d.span.start) else {
                 return true;
@@ -263,26 +262,26 @@ impl Printer<'_> {
         });
         if let Some(baseline) = &mut self.baseline {
             let before = found.len();
-            baseline.filter(&input.name, &findings.sources, found);
+            baseline.filter(&input.name, &report.sources, found);
             scope.known = before - found.len();
         }
         if scope.known > 0 {
             // What is left out is not offered to be fixed.
-            offer = Offer::of(&findings);
+            offer = Offer::of(&report);
         }
-        let found = &findings.diagnostics;
+        let found = &report.diagnostics;
         self.reporter.add_offer(offer.safe, offer.all);
         if let Some(settings) = settings {
             let failing = found.iter().filter(|d| settings.fails(d.rule));
             scope.failing = failing.map(|d| d.rule).collect();
         }
         self.reporter
-            .input(&input.name, &findings.sources, found, &scope)
+            .input(&input.name, &report.sources, found, &scope)
     }
 }
 
 /// What was looked at, as the report counts it.
-fn findings_scope(shaders: &[Shader]) -> Scope {
+fn scope_of(shaders: &[Shader]) -> Scope {
     let mut scope = Scope {
         shaders: shaders.len(),
         ..Scope::default()
@@ -318,8 +317,8 @@ fn mend_all(
         };
         let mut includes = false;
         examine_all(inputs, configs, work, &mut |input, outcome| {
-            if let Outcome::Checked(findings, mended, _) = outcome {
-                includes |= findings.includes();
+            if let Outcome::Checked(report, mended, _) = outcome {
+                includes |= report.includes();
                 match mended {
                     Some(Mended::Written(count)) => fixed += count,
                     Some(Mended::Refused(message)) if round == 0 => {

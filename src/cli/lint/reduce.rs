@@ -4,11 +4,10 @@ use super::super::output::{self, Overwrite};
 use super::super::{CLEAN, FAILED};
 use super::complain;
 use crate::diagnostic::{ERRORS, Severity};
-use crate::engine::{DialectChoice, check};
+use crate::engine::{DialectChoice, NoFiles, Options, check};
 use crate::lint::Settings;
 use crate::rules::RULES;
 use crate::syntax::reduce;
-use crate::text::Content;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Write};
@@ -137,9 +136,9 @@ fn by_findings(args: &Args, name: String, text: &str) -> Result<Keeps, String> {
         false => vec!["all".to_string()],
     };
     let settings = Settings::new(RULES, &select, &[]).map_err(|e| e.name)?;
+    let options = Options::new(DialectChoice::Auto, settings);
     let found = move |text: &str, errors_only: bool| -> BTreeSet<String> {
-        let found = check(&name, Content::utf8(text), DialectChoice::Auto, &settings);
-        let all = found.map_or(Vec::new(), |f| f.diagnostics);
+        let all = check(&name, text, &options, &NoFiles).diagnostics;
         let all = all
             .iter()
             .filter(|d| !errors_only || d.severity == Severity::Error);

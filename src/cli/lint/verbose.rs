@@ -3,7 +3,7 @@
 use super::super::config::Configs;
 use super::super::input::{InputFile, PassedOver};
 use super::complain;
-use crate::engine::{Extent, Findings, Shader};
+use crate::engine::{Extent, Report, Shader};
 use crate::lint::Unrun;
 use crate::semantic::{Dialect, Pass, Stage};
 use crate::syntax::Version;
@@ -13,16 +13,16 @@ use std::path::Path;
 const MAX_NAMES: usize = 20;
 
 /// What one file was read as.
-pub fn read(input: &InputFile, findings: &Findings, configs: &Configs) -> String {
+pub fn read(input: &InputFile, report: &Report, configs: &Configs) -> String {
     let here = std::env::current_dir().unwrap_or_default();
     let config = match configs.file_of(Path::new(&input.name)) {
         Some(file) => format!("{}", file.strip_prefix(&here).unwrap_or(&file).display()),
         None => "no configuration".to_string(),
     };
-    let shaders = match findings.shaders.as_slice() {
+    let shaders = match report.shaders.as_slice() {
         [] => "no shader".to_string(),
         all => {
-            let told = all.iter().map(|s| told(s, findings));
+            let told = all.iter().map(|s| told(s, report));
             let mut lines: Vec<(String, usize)> = Vec::new();
             // A page or a text may hold many of a kind.
             for line in told {
@@ -42,8 +42,8 @@ pub fn read(input: &InputFile, findings: &Findings, configs: &Configs) -> String
 }
 
 /// What one shader was read as, and where rules did not look.
-fn told(shader: &Shader, findings: &Findings) -> String {
-    let file = shader.file.and_then(|id| findings.sources.file(id));
+fn told(shader: &Shader, report: &Report) -> String {
+    let file = shader.file.and_then(|id| report.sources.file(id));
     let stage = match shader.stage {
         Stage::Vertex => "vertex shader",
         Stage::Fragment => "fragment shader",

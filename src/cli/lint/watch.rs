@@ -5,7 +5,6 @@ use super::super::config::{Configs, FILE};
 use super::super::input::{InputFile, collect};
 use super::args::Args;
 use super::{check, complain};
-use crate::rules::RULES;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
@@ -53,7 +52,7 @@ pub fn run(args: &Args) -> io::Result<u8> {
 type Stamp = BTreeMap<PathBuf, (u64, Option<SystemTime>)>;
 
 fn take_stamp(args: &Args) -> Stamp {
-    let configs = Configs::new(args.given(), RULES);
+    let configs = Configs::new(args.asked());
     let inputs = collect(&args.paths(), args.stdin_filename.as_deref(), &configs).inputs;
     let files = inputs.iter().filter_map(|i| i.path.clone());
     let config_of = |i: &InputFile| configs.file_of(Path::new(&i.name));

@@ -6,12 +6,14 @@ mod schema;
 pub use read::{ConfigError, parse};
 pub use schema::schema;
 
-use super::options::{Desktop, DialectChoice, HostNames};
-use super::path::absolute;
+use super::options::{Desktop, DialectChoice, HostNames, Options};
+use super::path::plain;
 use crate::diagnostic::Severity;
-use crate::lint::{Failing, Target};
+use crate::lint::{Failing, Settings, Target, UnknownRule};
+use crate::rules::RULES;
 use globset::GlobSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// What a configuration says of all files, or of those under some patterns.
 #[derive(Clone, Default, Debug)]
@@ -34,10 +36,33 @@ pub struct Layer {
     pub include_roots: Option<Vec<String>>,
 }
 
+impl Layer {
+    /// Does what it says of rules.
+    fn apply(&self, settings: &mut Settings) {
+        let rule = |name: &str| RULES.iter().find(|r| r.name == name);
+        settings.target = self.target.unwrap_or(settings.target);
+        for (name, level) in &self.levels {
+            if let Some(rule) = rule(name) {
+                settings.set_level(rule, *level);
+            }
+        }
+        for (name, failing) in &self.failing {
+            if let Some(rule) = rule(name) {
+                settings.set_failing(rule, *failing);
+            }
+        }
+        for (name, option, value) in &self.options {
+            if let Some(rule) = rule(name) {
+                settings.set_option(rule, option, *value);
+            }
+        }
+    }
+}
+
 /// Name of a rule, whose table is not printed.
 pub type RuleName = &'static str;
 
-/// A configuration.
+/// A configuration. The paths that it is asked about start at the root of the file system.
 #[derive(Default, Debug)]
 pub struct Config {
     /// The folder that it stands in, which patterns count from.
@@ -54,10 +79,8 @@ pub struct Config {
 
 impl Config {
     /// A path as patterns see it.
-    fn inside(&self, path: &Path) -> PathBuf {
-        let path = absolute(path);
-        let inside = path.strip_prefix(&self.root).map(Path::to_path_buf);
-        inside.unwrap_or(path)
+    fn inside<'p>(&self, path: &'p Path) -> &'p Path {
+        path.strip_prefix(&self.root).unwrap_or(path)
     }
 
     /// Whether a file found in a folder is to be checked; `is_known` tells whether its ending is
@@ -65,7 +88,7 @@ impl Config {
     pub fn takes(&self, path: &Path, is_known: bool) -> bool {
         let path = self.inside(path);
         let included = self.include.as_ref();
-        included.map_or(is_known, |i| i.is_match(&path)) && !self.is_excluded(&path)
+        included.map_or(is_known, |i| i.is_match(path)) && !self.is_excluded(path)
     }
 
     /// Whether a pattern of `include` fits a file.
@@ -76,7 +99,7 @@ impl Config {
 
     /// Whether a file is left out even where it is named itself.
     pub fn leaves_out(&self, path: &Path) -> bool {
-        self.is_excluded(&self.inside(path))
+        self.is_excluded(self.inside(path))
     }
 
     fn is_excluded(&self, path: &Path) -> bool {
@@ -87,7 +110,66 @@ impl Config {
     pub fn layers(&self, path: &Path) -> Vec<usize> {
         let path = self.inside(path);
         let overrides = self.overrides.iter().enumerate();
-        let matching = overrides.filter(|(_, (globs, _))| globs.is_match(&path));
+        let matching = overrides.filter(|(_, (globs, _))| globs.is_match(path));
         matching.map(|(i, _)| i).collect()
     }
+}
+
+/// What a user says for one run, which goes before every configuration.
+#[derive(Clone, Default, Debug)]
+pub struct Given {
+    /// What the shaders are written for, where it is not `auto`.
+    pub dialect: DialectChoice,
+    /// Rules and groups that run too.
+    pub select: Vec<String>,
+    /// Rules and groups that do not run.
+    pub ignore: Vec<String>,
+    /// The only rules and groups that run, and compile errors that are reported, where there are any.
+    pub only: Vec<String>,
+}
+
+impl Given {
+    /// Does what its words say of rules.
+    ///
+    /// # Errors
+    /// Where a word names no rule and no group.
+    pub fn adjust(&self, settings: &mut Settings) -> Result<(), UnknownRule> {
+        settings.adjust(RULES, &self.select, &self.ignore)?;
+        if self.only.is_empty() {
+            return Ok(());
+        }
+        settings.choose(RULES, &self.only)
+    }
+}
+
+/// How files are judged for which a configuration and some of its overrides, by their numbers, hold.
+///
+/// # Errors
+/// Where a word of `given` names no rule and no group.
+pub fn options(
+    config: Option<&Config>,
+    layers: &[usize],
+    given: &Given,
+) -> Result<Options, UnknownRule> {
+    let mut options = Options::default();
+    let mut settings = Settings::of_rules(RULES);
+    let overrides = config.map_or(&[][..], |c| &c.overrides);
+    let matching = layers.iter().filter_map(|i| overrides.get(*i));
+    let base = config.map(|c| &c.base).into_iter();
+    for layer in base.chain(matching.map(|(_, layer)| layer)) {
+        layer.apply(&mut settings);
+        options.dialect = layer.dialect.unwrap_or(options.dialect);
+        options.desktop = layer.desktop.unwrap_or(options.desktop);
+        options.host = layer.host.clone().unwrap_or(options.host);
+        if let (Some(roots), Some(config)) = (&layer.include_roots, config) {
+            let roots = roots.iter().map(|r| plain(&config.root.join(r)));
+            options.includes.roots = roots.collect();
+        }
+    }
+    given.adjust(&mut settings)?;
+    if given.dialect != DialectChoice::Auto {
+        options.dialect = given.dialect;
+    }
+    options.settings = Arc::new(settings);
+    Ok(options)
 }

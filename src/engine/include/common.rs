@@ -1,15 +1,17 @@
 //! ShaderToy's passes in files of their own: the Common file of a folder stands before the others.
 
+use super::super::World;
+use super::super::files::Files;
 use super::super::options::{DialectChoice, Options};
 use crate::port::PassRole;
 use crate::semantic::{Kind, Pass, guess};
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Endings of the files that hold passes.
 const ENDINGS: [&str; 4] = ["glsl", "frag", "fs", "shadertoy"];
 /// Largest pass that is looked into for what it is, in bytes.
-const MAX_PASS: u64 = 1024 * 1024;
+const MAX_PASS: usize = 1024 * 1024;
 /// Most files of a folder that are looked at.
 const MAX_FILES: usize = 10_000;
 
@@ -19,14 +21,8 @@ pub struct Passes(Vec<(PassRole, String, PathBuf)>);
 
 impl Passes {
     /// Those of this folder.
-    pub fn inside(folder: &Path) -> Passes {
-        let place = if folder.as_os_str().is_empty() {
-            Path::new(".")
-        } else {
-            folder
-        };
-        let entries = fs::read_dir(place).into_iter().flatten().take(MAX_FILES);
-        let names = entries.filter_map(|e| e.ok()?.file_name().into_string().ok());
+    pub fn inside(files: &dyn Files, folder: &Path) -> Passes {
+        let names = files.names(folder).into_iter().take(MAX_FILES);
         let mut found: Vec<_> = names
             .filter_map(|name| {
                 let (role, prefix) = role(&name)?;
@@ -66,12 +62,12 @@ impl Passes {
 }
 
 /// The Common file that stands before a pass, if it is one.
-pub fn common_of(name: &str, text: &str, options: &Options) -> Option<PathBuf> {
+pub fn common_of(name: &str, text: &str, world: World) -> Option<PathBuf> {
     let (role, prefix) = role(file_name(name))?;
-    if role == PassRole::Common || !may_be_pass(options) || !is_pass(text) {
+    if role == PassRole::Common || !may_be_pass(world.options) || !is_pass(text) {
         return None;
     }
-    let passes = options.includes.passes(name)?;
+    let passes = passes_beside(name, world)?;
     let project = passes.project(&prefix);
     let is_here = project.iter().any(|(r, _)| *r == role);
     let mut common = project.iter().filter(|(r, _)| *r == PassRole::Common);
@@ -80,22 +76,28 @@ pub fn common_of(name: &str, text: &str, options: &Options) -> Option<PathBuf> {
 }
 
 /// Whether a file is the Common file of the passes beside it.
-pub fn is_common(name: &str, text: &str, options: &Options) -> bool {
+pub fn is_common(name: &str, text: &str, world: World) -> bool {
     let Some((PassRole::Common, prefix)) = role(file_name(name)) else {
         return false;
     };
-    if !may_be_pass(options) || text.contains("#version") {
+    if !may_be_pass(world.options) || text.contains("#version") {
         return false;
     }
-    let Some(passes) = options.includes.passes(name) else {
+    let Some(passes) = passes_beside(name, world) else {
         return false;
     };
     let project = passes.project(&prefix);
     let mut others = project.iter().filter(|(r, _)| *r != PassRole::Common);
     others.any(|(_, path)| {
-        let size = fs::metadata(path).map_or(0, |d| d.len());
-        size <= MAX_PASS && fs::read_to_string(path).is_ok_and(|text| is_pass(&text))
+        let text = world.files.load(path);
+        text.is_ok_and(|text| text.len() <= MAX_PASS && is_pass(&text))
     })
+}
+
+/// The passes of ShaderToy that lie beside a file.
+fn passes_beside(name: &str, world: World) -> Option<Arc<Passes>> {
+    let folder = Path::new(name).parent()?;
+    Some(world.options.memo.passes(world.files, folder))
 }
 
 fn may_be_pass(options: &Options) -> bool {

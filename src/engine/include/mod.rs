@@ -6,15 +6,15 @@ mod find;
 mod module;
 mod scan;
 
-pub use common::is_common;
-pub use find::{Absence, Files, Includes};
+pub use common::{Passes, is_common};
+pub use find::{Absence, Includes, Text};
 
+use super::World;
 use super::document::Read;
-use super::options::Options;
 use super::path::tidy;
 use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::text::{FileId, Role, Sources, Span};
-use find::{Absent, Found, Text, is_of_package};
+use find::{Absent, Found, is_of_package};
 use module::Modules;
 use scan::{Directive, Form, Manner, Wanted};
 use std::collections::{BTreeSet, HashMap};
@@ -86,17 +86,17 @@ pub(super) fn spread(
     name: &str,
     file: FileId,
     text: &str,
-    options: &Options,
+    world: World,
 ) -> Option<Spread> {
-    let common = common::common_of(name, text, options);
-    let common = common.and_then(|path| options.includes.load_inside(&path));
+    let common = common::common_of(name, text, world);
+    let common = common.and_then(|path| world.load(&path).ok());
     let words = ["include", "import", "glslify"];
     let own = words.iter().any(|w| text.contains(w));
     let own = own.then(|| Arc::new(Text::new(text.into())));
     let own = own.filter(|own| !own.scan.directives.is_empty());
     let mut spreader = Spreader {
         read,
-        options,
+        world,
         found: Spread {
             files: Vec::new(),
             is_open: false,
@@ -118,10 +118,10 @@ pub(super) fn spread(
         None => spreader.found.files.push(file),
         Some(own) => {
             let directives = &own.scan.directives;
-            spreader.modules.expect(name, options.includes, directives);
+            spreader.modules.expect(name, world, directives);
             let name = tidy(Path::new(name)).to_string_lossy().replace('\\', "/");
-            let real = Path::new(&name).canonicalize();
-            let real = real.unwrap_or_else(|_| PathBuf::from(&name));
+            let real = world.files.real(Path::new(&name));
+            let real = real.unwrap_or_else(|| PathBuf::from(&name));
             spreader.open(name, real, file, own);
             spreader.run()?;
         }
@@ -130,9 +130,9 @@ pub(super) fn spread(
 }
 
 /// Puts a shader together.
-struct Spreader<'r, 'o> {
+struct Spreader<'r, 'w> {
     read: &'r mut Read,
-    options: &'r Options<'o>,
+    world: World<'w>,
     found: Spread,
     /// The files that are being put in, each named by the one before.
     open: Vec<Open>,
@@ -191,7 +191,7 @@ impl Spreader<'_, '_> {
     fn common(&mut self, found: Found) -> Option<()> {
         let text = found.file.text.clone();
         let id = self.add(&found.name, text)?;
-        if self.options.partners.checks(&found.name) {
+        if self.world.options.checked.contains(&found.name) {
             self.read.hushed.0.insert(id, Hush::All);
         }
         self.open(found.name, found.real, id, found.file);
@@ -248,7 +248,7 @@ impl Spreader<'_, '_> {
 
     fn directive(&mut self, from: &str, directive: &Directive, span: Span) -> Option<()> {
         let wanted = &directive.wanted;
-        let is_chunk = wanted.manner == Manner::Chunk && self.options.host.preset.is_some();
+        let is_chunk = wanted.manner == Manner::Chunk && self.world.options.host.preset.is_some();
         if is_chunk && !wanted.path.contains(['/', '.']) {
             self.found.is_open = true;
             return Some(());
@@ -279,7 +279,7 @@ impl Spreader<'_, '_> {
             return Err(Absent::too_many());
         }
         self.lookups -= 1;
-        let found = self.options.includes.find(from, wanted)?;
+        let found = self.world.find(from, wanted)?;
         self.known.insert(key, found.clone());
         Ok(found)
     }
@@ -388,8 +388,7 @@ impl Spreader<'_, '_> {
             self.found.is_open = true;
             return Some(());
         }
-        let includes = self.options.includes;
-        let made = self.modules.put(&found, arguments, Some(name), includes);
+        let made = self.modules.put(&found, arguments, Some(name), self.world);
         self.found.is_open |= self.modules.is_open || made.is_none();
         for (path, absent) in std::mem::take(&mut self.modules.missing) {
             self.miss(span, &path, absent);

@@ -1,7 +1,8 @@
 //! Modules of glslify. Each has its names for itself: what it declares gets a number behind its
 //! name, as glslify does it, and what it exports the name under which it is asked for.
 
-use super::find::{Absent, Found, Includes};
+use super::super::World;
+use super::find::{Absent, Found};
 use super::scan::{Directive, Form};
 use crate::syntax::{Lexer, RawKind, TokenKind};
 use std::collections::{HashMap, HashSet};
@@ -40,11 +41,11 @@ struct Made {
 
 impl Modules {
     /// Notes what the shader itself asks for, so that modules which ask for the same can share it.
-    pub fn expect(&mut self, name: &str, includes: &Includes, directives: &[Directive]) {
+    pub fn expect(&mut self, name: &str, world: World, directives: &[Directive]) {
         for directive in directives.iter().take(MAX_MODULES) {
             if let Form::Require(wanted, arguments) = &directive.form
                 && arguments.is_empty()
-                && let Ok(found) = includes.find(name, &directive.wanted)
+                && let Ok(found) = world.find(name, &directive.wanted)
             {
                 self.asked
                     .entry(found.real)
@@ -60,7 +61,7 @@ impl Modules {
         found: &Found,
         arguments: &[(String, String)],
         wanted: Option<&str>,
-        includes: &Includes,
+        world: World,
     ) -> Option<(String, String)> {
         let is_same = |m: &&Made| {
             m.real == found.real && m.arguments == arguments && wanted.is_none_or(|w| w == m.export)
@@ -91,7 +92,7 @@ impl Modules {
             None => names.get(&export).unwrap_or(&export).clone(),
         };
         self.open.push(found.real.clone());
-        let text = self.rewrite(found, names, includes);
+        let text = self.rewrite(found, names, world);
         self.open.pop();
         self.made.push(Made {
             real: found.real.clone(),
@@ -106,7 +107,7 @@ impl Modules {
         &mut self,
         found: &Found,
         mut names: HashMap<String, String>,
-        includes: &Includes,
+        world: World,
     ) -> String {
         let text = &*found.file.text;
         let mut out = String::with_capacity(text.len());
@@ -128,8 +129,8 @@ impl Modules {
                 .iter()
                 .map(|(name, value)| (name.clone(), renamed(value)))
                 .collect();
-            match includes.find(&found.name, &directive.wanted) {
-                Ok(inner) => match self.put(&inner, &arguments, None, includes) {
+            match world.find(&found.name, &directive.wanted) {
+                Ok(inner) => match self.put(&inner, &arguments, None, world) {
                     Some((text, export)) => {
                         out.push_str(&text);
                         names.insert(name.clone(), export);

@@ -1,0 +1,145 @@
+//! The files around a text, as the engine sees them: whoever holds it says where they lie.
+
+use super::path::plain;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Largest file that [`Files::load`] should give, in bytes.
+pub const MAX_LOADED: u64 = 4 * 1024 * 1024;
+
+/// Files by their paths: a disk, the buffers of an editor, a map. Relative paths count from
+/// [`Files::here`].
+pub trait Files: Sync {
+    /// The text of a file.
+    ///
+    /// # Errors
+    /// Where there is none, or where it cannot be read.
+    fn load(&self, path: &Path) -> Result<Arc<str>, LoadError>;
+
+    /// What lies at a path.
+    fn entry(&self, path: &Path) -> Option<Entry>;
+
+    /// The names in a folder, in any order.
+    fn names(&self, folder: &Path) -> Vec<String>;
+
+    /// The folder that relative paths count from.
+    fn here(&self) -> &Path;
+
+    /// A path from the root, without `..` and without links; `None` where nothing lies there.
+    fn real(&self, path: &Path) -> Option<PathBuf> {
+        self.entry(path).map(|_| plain(&self.here().join(path)))
+    }
+
+    /// A number that is another one whenever the text of a file is; `None` where that is not known,
+    /// so that nothing is kept of it.
+    fn version(&self, _path: &Path) -> Option<u64> {
+        None
+    }
+}
+
+/// What lies at a path.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Entry {
+    /// A file.
+    File,
+    /// A folder.
+    Folder,
+}
+
+/// Why a file is not loaded.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LoadError {
+    /// There is none.
+    NotFound,
+    /// It has more than [`MAX_LOADED`] bytes.
+    TooLarge,
+    /// It cannot be read, or is not UTF-8.
+    Unreadable,
+}
+
+impl fmt::Display for LoadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            LoadError::NotFound => "there is no such file",
+            LoadError::TooLarge => "the file is too large",
+            LoadError::Unreadable => "the file cannot be read",
+        })
+    }
+}
+
+impl std::error::Error for LoadError {}
+
+/// No file at all: the text stands alone.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct NoFiles;
+
+impl Files for NoFiles {
+    fn load(&self, _path: &Path) -> Result<Arc<str>, LoadError> {
+        Err(LoadError::NotFound)
+    }
+
+    fn entry(&self, _path: &Path) -> Option<Entry> {
+        None
+    }
+
+    fn names(&self, _folder: &Path) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn here(&self) -> &Path {
+        Path::new("/")
+    }
+}
+
+/// Files by their paths from the root, like `/shaders/noise.glsl`.
+impl Files for BTreeMap<PathBuf, Arc<str>> {
+    fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
+        let text = self.get(&plain(&self.here().join(path)));
+        text.cloned().ok_or(LoadError::NotFound)
+    }
+
+    fn entry(&self, path: &Path) -> Option<Entry> {
+        let path = plain(&self.here().join(path));
+        if self.contains_key(&path) {
+            return Some(Entry::File);
+        }
+        let mut behind = self.range(path.clone()..).map(|(p, _)| p);
+        let is_folder = behind.next().is_some_and(|p| p.starts_with(&path));
+        is_folder.then_some(Entry::Folder)
+    }
+
+    fn names(&self, folder: &Path) -> Vec<String> {
+        let folder = plain(&self.here().join(folder));
+        let name = |path: &PathBuf| {
+            let first = path.strip_prefix(&folder).ok()?.components().next()?;
+            Some(first.as_os_str().to_string_lossy().into_owned())
+        };
+        let mut names: Vec<String> = self.keys().filter_map(name).collect();
+        names.dedup();
+        names
+    }
+
+    fn here(&self) -> &Path {
+        Path::new("/")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_map_has_folders() {
+        let paths = ["/a/b.glsl", "/a/c/d.glsl", "/a.glsl"];
+        let files: BTreeMap<PathBuf, Arc<str>> =
+            paths.iter().map(|p| (p.into(), "x".into())).collect();
+        assert_eq!(files.entry(Path::new("a/./c/../b.glsl")), Some(Entry::File));
+        assert_eq!(files.entry(Path::new("/a/c")), Some(Entry::Folder));
+        assert_eq!(files.entry(Path::new("/b")), None);
+        assert_eq!(files.names(Path::new("/a")), ["b.glsl", "c"]);
+        assert_eq!(files.names(Path::new("")), ["a", "a.glsl"]);
+        assert_eq!(files.load(Path::new("c.glsl")), Err(LoadError::NotFound));
+    }
+}

@@ -1,0 +1,70 @@
+//! What is kept of the files around a text, so that each is read once in a run.
+
+use super::files::Files;
+use super::include::{Passes, Text};
+use std::collections::{BTreeSet, HashMap};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard};
+
+/// What earlier checks have read of files. Options that are cloned share it.
+#[derive(Default, Debug)]
+pub struct Memo {
+    /// By path without links: the version of the file that was read.
+    texts: Mutex<HashMap<PathBuf, (u64, Arc<Text>)>>,
+    /// By folder, the passes of ShaderToy in it.
+    passes: Mutex<HashMap<PathBuf, Arc<Passes>>>,
+    /// By folder, the packages of its project.
+    packages: Mutex<HashMap<PathBuf, Arc<BTreeSet<String>>>>,
+}
+
+impl Memo {
+    /// What stands in a file, read anew where it has changed.
+    pub(super) fn text(&self, files: &dyn Files, real: &Path) -> Option<Arc<Text>> {
+        let version = files.version(real);
+        if let (Some(now), Some((then, kept))) = (version, lock(&self.texts).get(real))
+            && now == *then
+        {
+            return Some(kept.clone());
+        }
+        let text = Arc::new(Text::new(files.load(real).ok()?));
+        if let Some(version) = version {
+            let kept = (version, text.clone());
+            lock(&self.texts).insert(real.to_path_buf(), kept);
+        }
+        Some(text)
+    }
+
+    /// The files of a folder that are called like passes.
+    pub(super) fn passes(&self, files: &dyn Files, folder: &Path) -> Arc<Passes> {
+        kept(&self.passes, folder, || Passes::inside(files, folder))
+    }
+
+    /// The packages of a folder's project, which `find` looks for.
+    pub(super) fn packages(
+        &self,
+        folder: &Path,
+        find: impl FnOnce() -> BTreeSet<String>,
+    ) -> Arc<BTreeSet<String>> {
+        kept(&self.packages, folder, find)
+    }
+}
+
+/// What is known of a folder, found out where it is not known yet.
+fn kept<T>(
+    known: &Mutex<HashMap<PathBuf, Arc<T>>>,
+    folder: &Path,
+    find: impl FnOnce() -> T,
+) -> Arc<T> {
+    if let Some(known) = lock(known).get(folder) {
+        return known.clone();
+    }
+    let found = Arc::new(find());
+    lock(known).insert(folder.to_path_buf(), found.clone());
+    found
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex
+        .lock()
+        .unwrap_or_else(|poisoned| poisoned.into_inner())
+}
