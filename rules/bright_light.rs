@@ -3,8 +3,8 @@
 use crate::diagnostic::Severity;
 use crate::lint::light::{factors, has_word, name_of, terms};
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::semantic::Program;
 use crate::semantic::flow::root;
+use crate::semantic::{BuiltinId, Program};
 use crate::syntax::ast::*;
 
 pub static RULE: Rule = Rule {
@@ -143,7 +143,7 @@ fn maps(program: &Program, id: ExprId, expr: &Expr) -> bool {
             same.is_some() && terms(program, by).iter().any(|t| root(program, *t) == same)
         }
         ExprKind::Binary(BinaryOp::Sub, _, e) => {
-            program.builtin_called(program.tree.unparen(e)) == Some("exp")
+            program.builtin_called(program.tree.unparen(e)) == Some(BuiltinId::Exp)
         }
         _ => false,
     }

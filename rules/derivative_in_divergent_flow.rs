@@ -3,7 +3,7 @@
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule};
 use crate::semantic::flow::{Parted, Varying};
-use crate::semantic::{Program, Storage};
+use crate::semantic::{BuiltinId, Program, Storage};
 use crate::syntax::ast::{ExprId, StmtId, StmtKind};
 use crate::text::Span;
 
@@ -31,7 +31,7 @@ fn check(cx: &mut Context) {
     });
     for (gradient, stmt) in branched.take(MAX_FINDINGS) {
         let labels = labels(cx, stmt);
-        let name = gradient.name;
+        let name = gradient.function.name();
         let mut finding = cx.report_expr(
             gradient.call,
             format!("`{name}` compares neighbouring pixels, but only some of them run this"),
@@ -42,7 +42,7 @@ fn check(cx: &mut Context) {
         let finding = finding.note(
             "its derivatives are undefined here: seams and single wrong pixels along the edge",
         );
-        match help(program, gradient.call, name) {
+        match help(program, gradient.call, gradient.function) {
             Some(help) => finding.help(help),
             None => finding.help("compute it before the branch"),
         };
@@ -50,12 +50,12 @@ fn check(cx: &mut Context) {
 }
 
 /// What to write instead of a texture call.
-fn help(program: &Program, call: ExprId, name: &str) -> Option<String> {
+fn help(program: &Program, call: ExprId, function: BuiltinId) -> Option<String> {
     let text = program.expr_text(call);
     let is_short = text.len() < 60 && !text.contains('\n');
     let rest = text
         .strip_prefix("texture(")
-        .filter(|_| name == "texture" && is_short)?;
+        .filter(|_| function == BuiltinId::Texture && is_short)?;
     let args = rest.strip_suffix(')')?;
     Some(format!(
         "compute it before the branch, or write `textureLod({args}, 0.0)`"

@@ -3,6 +3,7 @@
 use crate::diagnostic::Severity;
 use crate::lint::light::{INDOORS, given, has_word, named, words};
 use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
 use crate::syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
@@ -38,7 +39,7 @@ fn check(cx: &mut Context) {
     let mut suns = given(cx).into_iter().filter(|g| {
         let is_direction = program.ty(g.init).components() == 3 && is_sun(g.name);
         is_direction
-            && program.builtin_called(program.tree.unparen(g.init)) == Some("normalize")
+            && program.builtin_called(program.tree.unparen(g.init)) == Some(BuiltinId::Normalize)
             && program.expr(g.init).is_const
     });
     let Some(sun) = suns.next() else {

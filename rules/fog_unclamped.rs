@@ -3,7 +3,7 @@
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::light::has_word;
 use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption};
-use crate::semantic::{Program, VariableId};
+use crate::semantic::{BuiltinId, Program, VariableId};
 use crate::syntax::ast::*;
 use crate::text::Edit;
 
@@ -23,7 +23,7 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context, call: &Builtin) {
-    let (&[_, _, amount], "mix") = (call.args, call.name) else {
+    let (&[_, _, amount], BuiltinId::Mix) = (call.args, call.function) else {
         return;
     };
     let program = cx.program;
@@ -70,7 +70,8 @@ fn is_limited(program: &Program, variable: VariableId) -> bool {
 
 fn limits(program: &Program, value: ExprId) -> bool {
     crate::lint::light::factors(program, value).iter().any(|f| {
-        let name = program.builtin_called(*f);
-        matches!(name, Some("clamp" | "min" | "smoothstep" | "mix"))
+        use BuiltinId::{Clamp, Min, Mix, Smoothstep};
+        let function = program.builtin_called(*f);
+        matches!(function, Some(Clamp | Min | Smoothstep | Mix))
     })
 }

@@ -27,7 +27,7 @@ fn check(cx: &mut Context) {
     });
     for (gradient, stmt) in looped.take(MAX_FINDINGS) {
         let head = program.span(Extent::token(program.tree.stmt(stmt).extent.first));
-        let name = gradient.name;
+        let name = gradient.function.name();
         let finding = cx
             .report_expr(
                 gradient.call,
@@ -35,7 +35,7 @@ fn check(cx: &mut Context) {
             )
             .label(head, "some pixels leave this loop before others")
             .note("they are undefined here, and Direct3D unrolls the loop for them or refuses it");
-        if name.starts_with("texture") {
+        if gradient.function.kind().is_texture() {
             finding.help(
                 "use `textureLod` with a level of your own, or `textureGrad` with derivatives from before the loop",
             );

@@ -4,7 +4,7 @@ use crate::diagnostic::Severity;
 use crate::lint::light::{factors, has_word, name_of, words};
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
 use crate::semantic::flow::Estimate;
-use crate::semantic::{FunctionRef, Program};
+use crate::semantic::{BuiltinId, FunctionRef, Program};
 use crate::syntax::ast::*;
 use std::collections::BTreeMap;
 
@@ -143,7 +143,7 @@ fn highest(program: &Program, estimate: &Estimate, function: FunctionRef) -> Opt
         return None;
     };
     let value = program.tree.unparen(value);
-    if let (Some("clamp" | "min"), ExprKind::Call(_, args)) =
+    if let (Some(BuiltinId::Clamp | BuiltinId::Min), ExprKind::Call(_, args)) =
         (program.builtin_called(value), program.tree.expr(value).kind)
     {
         return estimate.value(*program.tree.args(args).last()?);

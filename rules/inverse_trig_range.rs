@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
 use crate::semantic::flow::range::Range;
 use crate::text::Edit;
 
@@ -19,7 +20,7 @@ pub static RULE: Rule = Rule {
 const ROUNDING: f64 = 1e-5;
 
 fn check(cx: &mut Context, call: &Builtin) {
-    let ("asin" | "acos", &[of]) = (call.name, call.args) else {
+    let (BuiltinId::Asin | BuiltinId::Acos, &[of]) = (call.function, call.args) else {
         return;
     };
     let (least, most) = (-1.0 - ROUNDING, 1.0 + ROUNDING);
@@ -40,7 +41,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         of,
         format!(
             "the argument of `{}` {is} outside -1.0..1.0: {range}",
-            call.name
+            call.function.name()
         ),
     )
     .note("there is no angle with such a sine or cosine; the result is undefined")

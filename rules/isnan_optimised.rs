@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "isnan-optimised",
@@ -14,10 +15,10 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context, call: &Builtin) {
-    if !matches!(call.name, "isnan" | "isinf") {
+    if !matches!(call.function, BuiltinId::IsNan | BuiltinId::IsInf) {
         return;
     }
-    let name = call.name;
+    let name = call.function.name();
     let finding = cx
         .report_expr(call.id, format!("the compiler may leave `{name}` out"))
         .note("it may take it that such numbers never come up, and on some machines it does");

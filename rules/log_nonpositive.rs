@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
 use crate::semantic::flow::range::Range;
 
 pub static RULE: Rule = Rule {
@@ -15,7 +16,7 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context, call: &Builtin) {
-    let ("log" | "log2", &[of]) = (call.name, call.args) else {
+    let (BuiltinId::Log | BuiltinId::Log2, &[of]) = (call.function, call.args) else {
         return;
     };
     let ranges: Vec<Range> = cx.facts.range(of).collect();
@@ -32,7 +33,10 @@ fn check(cx: &mut Context, call: &Builtin) {
     let text = cx.program.expr_text(of).to_string();
     cx.report_expr(
         of,
-        format!("the argument of `{}` {is} {what}: {range}", call.name),
+        format!(
+            "the argument of `{}` {is} {what}: {range}",
+            call.function.name()
+        ),
     )
     .note("the logarithm of zero or less is undefined: an infinity or a NaN")
     .help(format!("bound it with `max({text}, 1e-6)`"));

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Check, Context, Group, Rule, Shape, same_code};
-use crate::semantic::Scalar;
+use crate::semantic::{BuiltinId, Scalar};
 use crate::syntax::ast::*;
 use crate::text::Edit;
 
@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
 
 /// What a formula is, and the call that says the same.
 struct Found {
-    name: &'static str,
+    function: BuiltinId,
     arguments: Vec<ExprId>,
 }
 
@@ -39,7 +39,11 @@ fn check(cx: &mut Context, id: ExprId) {
         ExprKind::Binary(BinaryOp::Div, a, b) => normalize(cx, a, b),
         _ => None,
     };
-    let Some(Found { name, arguments }) = found else {
+    let Some(Found {
+        function,
+        arguments,
+    }) = found
+    else {
         return;
     };
     // What is computed twice in the formula must be the same each time.
@@ -47,18 +51,18 @@ fn check(cx: &mut Context, id: ExprId) {
         return;
     }
     let texts: Vec<&str> = arguments.iter().map(|&a| program.expr_text(a)).collect();
-    let call = format!("{name}({})", texts.join(", "));
+    let call = format!("{}({})", function.name(), texts.join(", "));
     let edit = Edit::replace(program.span(expr.extent), call.clone());
     cx.report_expr(id, format!("this is `{call}`"))
         .fix(Fix::suggestion(format!("write `{call}`"), vec![edit]));
 }
 
 /// The arguments of a call of one of GLSL's functions.
-fn call<'a>(cx: &Context<'_, 'a>, id: ExprId, name: &str) -> Option<&'a [ExprId]> {
+fn call<'a>(cx: &Context<'_, 'a>, id: ExprId, function: BuiltinId) -> Option<&'a [ExprId]> {
     let program = cx.program;
     let id = program.tree.unparen(id);
     match program.tree.expr(id).kind {
-        ExprKind::Call(_, args) if program.builtin_called(id) == Some(name) => {
+        ExprKind::Call(_, args) if program.builtin_called(id) == Some(function) => {
             Some(program.tree.args(args))
         }
         _ => None,
@@ -92,7 +96,7 @@ fn clamp(cx: &Context, id: ExprId) -> Option<Found> {
         let all = values.iter().all(|v| v.as_float() == first);
         all.then_some(first)
     };
-    for (outer, inner) in orders("min", "max") {
+    for (outer, inner) in orders(BuiltinId::Min, BuiltinId::Max) {
         let Some(&[a, b]) = call(cx, id, outer) else {
             continue;
         };
@@ -101,7 +105,7 @@ fn clamp(cx: &Context, id: ExprId) -> Option<Found> {
                 continue;
             };
             for (x, second) in orders(c, d) {
-                let (low, high) = if outer == "min" {
+                let (low, high) = if outer == BuiltinId::Min {
                     (second, first)
                 } else {
                     (first, second)
@@ -117,7 +121,7 @@ fn clamp(cx: &Context, id: ExprId) -> Option<Found> {
                     && bound(x).is_none()
                 {
                     return Some(Found {
-                        name: "clamp",
+                        function: BuiltinId::Clamp,
                         arguments: vec![x, low, high],
                     });
                 }
@@ -129,21 +133,21 @@ fn clamp(cx: &Context, id: ExprId) -> Option<Found> {
 
 /// `sqrt(dot(v, v))`.
 fn length(cx: &Context, id: ExprId) -> Option<Found> {
-    let &[root] = call(cx, id, "sqrt")? else {
+    let &[root] = call(cx, id, BuiltinId::Sqrt)? else {
         return None;
     };
-    let &[a, b] = call(cx, root, "dot")? else {
+    let &[a, b] = call(cx, root, BuiltinId::Dot)? else {
         return None;
     };
     same(cx, a, b).then(|| Found {
-        name: "length",
+        function: BuiltinId::Length,
         arguments: vec![a],
     })
 }
 
 /// `length(a - b)` of two named places.
 fn distance(cx: &Context, id: ExprId) -> Option<Found> {
-    let &[difference] = call(cx, id, "length")? else {
+    let &[difference] = call(cx, id, BuiltinId::Length)? else {
         return None;
     };
     let (a, b) = binary(cx, difference, BinaryOp::Sub)?;
@@ -156,7 +160,7 @@ fn distance(cx: &Context, id: ExprId) -> Option<Found> {
         matches!(program.tree.expr(at).kind, ExprKind::Name(_)) && program.ty(e).is_vector()
     };
     (is_place(a) && is_place(b)).then(|| Found {
-        name: "distance",
+        function: BuiltinId::Distance,
         arguments: vec![a, b],
     })
 }
@@ -180,7 +184,7 @@ fn mix(cx: &Context, left: ExprId, right: ExprId) -> Option<Found> {
         // A number is a scale, and no mixture.
         let fits = fits && cx.program.values(t).is_empty();
         fits.then(|| Found {
-            name: "mix",
+            function: BuiltinId::Mix,
             arguments: vec![a, b, t],
         })
     };
@@ -224,7 +228,7 @@ fn reflect(cx: &Context, direction: ExprId, rest: ExprId) -> Option<Found> {
         }
     }
     let is_two = |e: &ExprId| cx.program.scalar(*e).is_some_and(|v| v.as_float() == 2.0);
-    let product = |e: &ExprId| match call(cx, *e, "dot") {
+    let product = |e: &ExprId| match call(cx, *e, BuiltinId::Dot) {
         Some(&[a, b]) => Some((a, b)),
         _ => None,
     };
@@ -238,30 +242,30 @@ fn reflect(cx: &Context, direction: ExprId, rest: ExprId) -> Option<Found> {
     let fits = |d, n| same(cx, d, direction) && same(cx, n, normal);
     let is_it = factors.iter().any(is_two) && (fits(a, b) || fits(b, a));
     is_it.then(|| Found {
-        name: "reflect",
+        function: BuiltinId::Reflect,
         arguments: vec![direction, normal],
     })
 }
 
 /// `x - floor(x)`.
 fn fract(cx: &Context, x: ExprId, floored: ExprId) -> Option<Found> {
-    let &[inner] = call(cx, floored, "floor")? else {
+    let &[inner] = call(cx, floored, BuiltinId::Floor)? else {
         return None;
     };
     same(cx, inner, x).then(|| Found {
-        name: "fract",
+        function: BuiltinId::Fract,
         arguments: vec![inner],
     })
 }
 
 /// `v / length(v)`.
 fn normalize(cx: &Context, v: ExprId, divisor: ExprId) -> Option<Found> {
-    let &[inner] = call(cx, divisor, "length")? else {
+    let &[inner] = call(cx, divisor, BuiltinId::Length)? else {
         return None;
     };
     let is_it = cx.program.ty(v).is_vector() && same(cx, inner, v);
     is_it.then(|| Found {
-        name: "normalize",
+        function: BuiltinId::Normalize,
         arguments: vec![inner],
     })
 }

@@ -3,7 +3,7 @@
 use crate::diagnostic::Severity;
 use crate::lint::light::{factors, has_word};
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::semantic::{Program, Scalar, Stage, Storage};
+use crate::semantic::{BuiltinId, Program, Scalar, Stage, Storage};
 use crate::syntax::TypeWord;
 use crate::syntax::ast::*;
 use crate::text::Span;
@@ -65,7 +65,7 @@ fn hash(cx: &Context) -> Option<(Span, &'static str)> {
     let mut fracts = exprs.filter_map(|(i, e)| match e.kind {
         ExprKind::Call(_, args) => {
             let id = ExprId(i as u32);
-            let is_fract = program.builtin_called(id) == Some("fract");
+            let is_fract = program.builtin_called(id) == Some(BuiltinId::Fract);
             is_fract.then_some((id, *program.tree.args(args).first()?))
         }
         _ => None,

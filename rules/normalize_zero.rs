@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "normalize-zero",
@@ -14,7 +15,7 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context, call: &Builtin) {
-    let ("normalize", &[of]) = (call.name, call.args) else {
+    let (BuiltinId::Normalize, &[of]) = (call.function, call.args) else {
         return;
     };
     let mut ranges = cx.facts.range(of).peekable();

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::Value;
+use crate::semantic::{BuiltinId, Value};
 use crate::syntax::ast::{ExprId, ExprKind};
 use crate::text::Edit;
 
@@ -17,7 +17,7 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context, call: &Builtin) {
-    let ("pow", &[base, exponent]) = (call.name, call.args) else {
+    let (BuiltinId::Pow, &[base, exponent]) = (call.function, call.args) else {
         return;
     };
     let bad = cx.facts.range(base).find(|r| r.reaches_below(0.0));

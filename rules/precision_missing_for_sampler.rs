@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Base, Sampler, Storage};
+use crate::semantic::{Base, BuiltinId, Sampler, Storage};
 use crate::syntax::ast::*;
 use rustc_hash::FxHashSet;
 
@@ -25,7 +25,7 @@ fn check(cx: &mut Context) {
         let ExprKind::Call(_, args) = expr.kind else {
             continue;
         };
-        if program.builtin_called(ExprId(i as u32)) == Some("texelFetch") {
+        if program.builtin_called(ExprId(i as u32)) == Some(BuiltinId::TexelFetch) {
             let sampler = tree
                 .args(args)
                 .first()

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::light::factors;
 use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption};
-use crate::semantic::{Program, Scalar, Type};
+use crate::semantic::{BuiltinId, Program, Scalar, Type};
 use crate::syntax::Version;
 use crate::syntax::ast::*;
 use crate::text::Edit;
@@ -29,7 +29,7 @@ const ADVICE: &str = "hash integers: the same input gives the same bits on every
 
 fn check(cx: &mut Context, call: &Builtin) {
     let &[arg] = call.args else { return };
-    if call.name != "fract" {
+    if call.function != BuiltinId::Fract {
         return;
     }
     let program = cx.program;
@@ -55,12 +55,12 @@ fn check(cx: &mut Context, call: &Builtin) {
 
 /// The argument of `sin` or `cos`.
 fn sine(program: &Program, factor: ExprId) -> Option<ExprId> {
-    let name = program.builtin_called(factor)?;
+    let function = program.builtin_called(factor)?;
     let ExprKind::Call(_, args) = program.tree.expr(factor).kind else {
         return None;
     };
     let first = program.tree.args(args).first().copied();
-    first.filter(|_| matches!(name, "sin" | "cos"))
+    first.filter(|_| matches!(function, BuiltinId::Sin | BuiltinId::Cos))
 }
 
 /// Calls an integer hash instead, which is put before the function.
@@ -103,7 +103,7 @@ fn fix(cx: &Context, call: ExprId, sine: ExprId) -> Option<Fix> {
 fn key(program: &Program, sine: ExprId) -> ExprId {
     let at = program.tree.unparen(sine);
     match (program.builtin_called(at), program.tree.expr(at).kind) {
-        (Some("dot"), ExprKind::Call(_, args)) => match *program.tree.args(args) {
+        (Some(BuiltinId::Dot), ExprKind::Call(_, args)) => match *program.tree.args(args) {
             [p, by] if program.expr(by).is_const => p,
             [by, p] if program.expr(by).is_const => p,
             _ => sine,

@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
 use crate::text::Edit;
 
 pub static RULE: Rule = Rule {
@@ -15,7 +16,7 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context, call: &Builtin) {
-    let ("smoothstep", &[low, high, x]) = (call.name, call.args) else {
+    let (BuiltinId::Smoothstep, &[low, high, x]) = (call.function, call.args) else {
         return;
     };
     let edges = cx.facts.range(low).zip(cx.facts.range(high));

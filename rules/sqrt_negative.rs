@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
 use crate::semantic::flow::range::Range;
 use crate::text::Edit;
 
@@ -16,10 +17,11 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context, call: &Builtin) {
-    let ("sqrt" | "inversesqrt", &[of]) = (call.name, call.args) else {
+    let (BuiltinId::Sqrt | BuiltinId::InverseSqrt, &[of]) = (call.function, call.args) else {
         return;
     };
-    let is_inverse = call.name == "inversesqrt";
+    let is_inverse = call.function == BuiltinId::InverseSqrt;
+    let name = call.function.name();
     let ranges: Vec<Range> = cx.facts.range(of).collect();
     if let Some(range) = ranges.iter().find(|r| r.reaches_below(0.0)) {
         let least = if is_inverse { "1e-6" } else { "0.0" };
@@ -34,7 +36,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         let is = range.may_or_is(|r| r.is_below(0.0));
         cx.report_expr(
             of,
-            format!("the argument of `{}` {is} negative: {range}", call.name),
+            format!("the argument of `{name}` {is} negative: {range}"),
         )
         .note("the root of a negative number is undefined, and a NaN on most GPUs")
         .fix(fix);

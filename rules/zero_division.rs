@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::Scalar;
+use crate::semantic::{BuiltinId, Scalar};
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
 fn check(cx: &mut Context, id: ExprId) {
     let (op, divisor) = match cx.program.tree.expr(id).kind {
         ExprKind::Binary(op, _, divisor) | ExprKind::Assign(Some(op), _, divisor) => (op, divisor),
-        ExprKind::Call(_, args) if cx.program.builtin_called(id) == Some("mod") => {
+        ExprKind::Call(_, args) if cx.program.builtin_called(id) == Some(BuiltinId::Mod) => {
             match cx.program.tree.args(args) {
                 &[_, divisor] => (BinaryOp::Rem, divisor),
                 _ => return,

@@ -2,7 +2,7 @@
 
 use super::Context;
 use crate::diagnostic::Severity;
-use crate::semantic::FunctionRef;
+use crate::semantic::{BuiltinId, FunctionRef};
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind, StmtId};
 
 /// What a rule is about.
@@ -65,7 +65,7 @@ pub struct Builtin<'a> {
     /// The call.
     pub id: ExprId,
     /// The function.
-    pub name: &'static str,
+    pub function: BuiltinId,
     /// Its arguments.
     pub args: &'a [ExprId],
 }

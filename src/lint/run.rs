@@ -222,12 +222,12 @@ impl<'p> Run<'_, 'p> {
             }
             ExprKind::Call(_, args) => {
                 let program = self.program;
-                let Some(name) = program.builtin_called(id) else {
+                let Some(function) = program.builtin_called(id) else {
                     return;
                 };
                 let builtin = Builtin {
                     id,
-                    name,
+                    function,
                     args: program.tree.args(args),
                 };
                 for (rule, check) in &rules.builtin {

@@ -32,7 +32,7 @@ pub mod tunable;
 mod types;
 mod unit;
 
-pub use builtins::Stage;
+pub use builtins::{BuiltinId, Stage};
 pub use checker::check;
 pub use constant::{Constant, Pool, Value};
 pub use dialect::{

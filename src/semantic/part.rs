@@ -642,8 +642,11 @@ fn known_names(program: &Program) -> FxHashSet<Name> {
     known.extend(tree.functions.iter().map(|f| f.ident.name));
     known.extend(program.tokens.macros.iter().map(|m| m.name));
     let builtins = super::builtins::Builtins::of(program.version, program.stage);
-    let functions = builtins.functions.iter();
-    known.extend(functions.filter_map(|f| program.names.get(&f.name)));
+    known.extend(
+        builtins
+            .functions()
+            .filter_map(|f| program.names.get(f.name())),
+    );
     known
 }
 

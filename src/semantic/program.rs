@@ -1,6 +1,6 @@
 //! What is known of a shader once it has been checked. Nothing in it ever changes.
 
-use super::builtins::{Builtins, Stage};
+use super::builtins::{BuiltinId, Builtins, Overload, Stage};
 use super::constant::{Constant, Pool, Value};
 use super::dialect::Dialect;
 use super::types::{Base, Struct, Type, type_name};
@@ -248,12 +248,17 @@ impl Program {
         self.functions.get(id.0 as usize)
     }
 
-    /// The name of the built-in function that an expression calls.
-    pub fn builtin_called(&self, id: ExprId) -> Option<&'static str> {
+    /// The built-in function that an expression calls.
+    pub fn builtin_called(&self, id: ExprId) -> Option<BuiltinId> {
+        self.overload_called(id).map(|o| o.function)
+    }
+
+    /// The form of a built-in function that an expression calls.
+    pub fn overload_called(&self, id: ExprId) -> Option<&'static Overload> {
         match self.expr(id).resolution {
-            Resolution::Builtin(overload) => Builtins::of(self.version, self.stage)
-                .overload(overload)
-                .map(|(_, f)| f.name.as_str()),
+            Resolution::Builtin(overload) => {
+                Builtins::of(self.version, self.stage).overload(overload)
+            }
             _ => None,
         }
     }

@@ -349,14 +349,13 @@ impl Writer {
     fn builtin_call(&mut self, ty: Type, depth: u32) -> Option<String> {
         let builtins = self.builtins;
         let fits = |o: &&Overload| {
-            let kind = builtins.functions.get(o.function as usize).map(|f| f.kind);
-            let is_math = kind == Some(BuiltinKind::Math) && o.out == 0;
+            let is_math = o.function.kind() == BuiltinKind::Math && o.out == 0;
             o.returns == ty && (is_math || !self.constant)
         };
         let all: Vec<&Overload> = builtins.overloads.iter().filter(fits).collect();
         let at = self.below(all.len());
         let overload = *all.get(at)?;
-        let name = &builtins.functions.get(overload.function as usize)?.name;
+        let name = overload.function.name();
         if self.scope_of(name).is_some() {
             return None;
         }

@@ -3,7 +3,8 @@
 use super::body::Body;
 use super::types::Sink;
 use super::{Res, Value, lower::Origin};
-use crate::semantic::{Scalar, Type};
+use crate::semantic::builtins::{Axis, Overload};
+use crate::semantic::{BuiltinId, Scalar, Type};
 use crate::syntax::ast::ExprId;
 use ::naga::{
     BinaryOperator as Op, DerivativeAxis, DerivativeControl, Expression, Literal,
@@ -12,12 +13,18 @@ use ::naga::{
 
 impl Body<'_, '_> {
     /// A call of a function of the language.
-    pub(super) fn builtin(&mut self, id: ExprId, name: &str, args: &[ExprId]) -> Res<Value> {
+    pub(super) fn builtin(
+        &mut self,
+        id: ExprId,
+        overload: &Overload,
+        args: &[ExprId],
+    ) -> Res<Value> {
         let program = self.lowerer.program;
-        if name.starts_with("tex") || name.starts_with("shadow") {
-            return self.texture(id, name, args);
+        let function = overload.function;
+        if function.kind().is_texture() {
+            return self.texture(id, function.kind(), args);
         }
-        if let (true, &[x, whole]) = (name == "modf", args) {
+        if let (BuiltinId::Modf, &[x, whole]) = (function, args) {
             return self.modf(x, whole);
         }
         let ty = program.ty(id);
@@ -25,75 +32,55 @@ impl Body<'_, '_> {
         for arg in args {
             values.push((self.value(*arg)?, program.ty(*arg)));
         }
-        if let Some(fun) = direct(name, args.len()) {
-            // A number among vectors goes with every component.
-            let wide = values.iter().map(|v| v.1).find(|t| t.is_vector());
-            let spread: Vec<Value> = values
-                .iter()
-                .map(|(value, ty)| self.widen(*value, *ty, wide.unwrap_or(*ty)))
-                .collect();
-            return Ok(self.math(fun, &spread));
-        }
         let plain: Vec<Value> = values.iter().map(|v| v.0).collect();
-        if let Some(op) = relation(name)
-            && let [l, r] = plain[..]
-        {
-            return Ok(self.op(op, l, r));
-        }
         let first = values.first().map_or(Type::FLOAT, |v| v.1);
-        match (name, &plain[..]) {
-            ("mod", &[x, y]) => {
+        match (lowering(function), &plain[..]) {
+            (Lowering::ArcTangent, _) => {
+                let fun = if args.len() == 2 { F::Atan2 } else { F::Atan };
+                Ok(self.math(fun, &plain))
+            }
+            (Lowering::Math(fun), _) => {
+                // A number among vectors goes with every component.
+                let wide = values.iter().map(|v| v.1).find(|t| t.is_vector());
+                let spread: Vec<Value> = values
+                    .iter()
+                    .map(|(value, ty)| self.widen(*value, *ty, wide.unwrap_or(*ty)))
+                    .collect();
+                Ok(self.math(fun, &spread))
+            }
+            (Lowering::OfVectors(fun), _) if first.is_vector() => Ok(self.math(fun, &plain)),
+            (Lowering::OfVectors(fun), _) => match self.geometry(fun, &plain) {
+                Some(value) => Ok(value),
+                None => self.refuse(id, format!("`{}` has no counterpart", function.name())),
+            },
+            (Lowering::Relation(op), &[l, r]) => Ok(self.op(op, l, r)),
+            (Lowering::Reduction(fun), &[argument]) => {
+                Ok(self.add(Expression::Relational { fun, argument }))
+            }
+            (Lowering::Bits(kind), &[x]) => Ok(self.cast(x, kind, None)),
+            (Lowering::Special(op), &[x]) => Ok(self.special(op, x, first)),
+            (Lowering::Derivative(axis), &[expr]) => self.derivative(axis, expr, first),
+            (Lowering::Not, &[expr]) => {
+                let op = UnaryOperator::LogicalNot;
+                Ok(self.add(Expression::Unary { op, expr }))
+            }
+            (Lowering::Modulo, &[x, y]) => {
                 let y = values
                     .get(1)
                     .map_or(y, |(y, ty)| self.widen(*y, *ty, first));
                 Ok(self.modulo(x, y))
             }
-            ("mix", &[x, y, a]) => Ok(self.mix(x, y, (a, program.ty(args[2])), first)),
-            ("refract", &[i, n, eta]) if first.is_vector() => {
-                Ok(self.math(F::Refract, &[i, n, eta]))
-            }
-            ("matrixCompMult", &[l, r]) => self.by_columns(Op::Multiply, (l, ty), (r, ty)),
-            ("outerProduct", &[column, row]) => self.outer_product(column, row, ty),
-            ("inverse", &[matrix]) => self.inverse(matrix, ty),
-            ("not", &[expr]) => {
-                let op = UnaryOperator::LogicalNot;
-                Ok(self.add(Expression::Unary { op, expr }))
-            }
-            ("any" | "all", &[argument]) => {
-                let fun = match name {
-                    "any" => RelationalFunction::Any,
-                    _ => RelationalFunction::All,
-                };
-                Ok(self.add(Expression::Relational { fun, argument }))
-            }
-            ("isnan" | "isinf", &[x]) => self.special(name, x, first),
-            ("floatBitsToInt", &[x]) => Ok(self.cast(x, ScalarKind::Sint, None)),
-            ("floatBitsToUint", &[x]) => Ok(self.cast(x, ScalarKind::Uint, None)),
-            ("intBitsToFloat" | "uintBitsToFloat", &[x]) => {
-                Ok(self.cast(x, ScalarKind::Float, None))
-            }
-            ("dFdx" | "dFdy" | "fwidth", &[expr]) => self.derivative(name, expr, first),
-            _ => match self.geometry(name, &plain, first) {
-                Some(value) => value,
-                None => self.refuse(id, format!("`{name}` has no counterpart")),
-            },
+            (Lowering::Mix, &[x, y, a]) => Ok(self.mix(x, y, (a, program.ty(args[2])), first)),
+            (Lowering::ByColumns(op), &[l, r]) => self.by_columns(op, (l, ty), (r, ty)),
+            (Lowering::OuterProduct, &[column, row]) => self.outer_product(column, row, ty),
+            (Lowering::Inverse, &[matrix]) => self.inverse(matrix, ty),
+            _ => self.refuse(id, format!("`{}` has no counterpart", function.name())),
         }
     }
 
     /// What naga only knows of vectors, and GLSL of single numbers too.
-    fn geometry(&mut self, name: &str, args: &[Value], ty: Type) -> Option<Res<Value>> {
-        let fun = match name {
-            "dot" => F::Dot,
-            "normalize" => F::Normalize,
-            "reflect" => F::Reflect,
-            "faceforward" => F::FaceForward,
-            "refract" => F::Refract,
-            _ => return None,
-        };
-        if ty.is_vector() {
-            return Some(Ok(self.math(fun, args)));
-        }
-        Some(Ok(match (fun, args) {
+    fn geometry(&mut self, fun: F, args: &[Value]) -> Option<Value> {
+        Some(match (fun, args) {
             (F::Dot, &[x, y]) => self.op(Op::Multiply, x, y),
             (F::Normalize, &[x]) => self.math(F::Sign, &[x]),
             (F::Reflect, &[i, n]) => {
@@ -113,7 +100,7 @@ impl Body<'_, '_> {
             }
             (F::Refract, &[i, n, eta]) => self.refract(i, n, eta),
             _ => return None,
-        }))
+        })
     }
 
     /// `refract` of single numbers, by the formula of section 8.5.
@@ -162,8 +149,9 @@ impl Body<'_, '_> {
         Ok(rest)
     }
 
-    /// `isnan`, `isinf` by the bits: WGSL has neither, and others take them for never true.
-    fn special(&mut self, name: &str, x: Value, ty: Type) -> Res<Value> {
+    /// `isnan`, `isinf` by the bits: WGSL has neither, and others take them for never true. `op`
+    /// compares them with those of infinity.
+    fn special(&mut self, op: Op, x: Value, ty: Type) -> Value {
         let bits = self.cast(x, ScalarKind::Uint, None);
         let ty = ty.with_scalar(Scalar::Uint);
         let mut word = |bits| {
@@ -172,89 +160,104 @@ impl Body<'_, '_> {
         };
         let (all, infinity) = (word(0x7fff_ffff), word(0x7f80_0000));
         let positive = self.op(Op::And, bits, all);
-        let op = match name {
-            "isnan" => Op::Greater,
-            _ => Op::Equal,
-        };
-        Ok(self.op(op, positive, infinity))
+        self.op(op, positive, infinity)
     }
 
     /// Where rows are turned, so is the direction of `dFdy`.
-    fn derivative(&mut self, name: &str, expr: Value, ty: Type) -> Res<Value> {
-        let axis = match name {
-            "dFdx" => DerivativeAxis::X,
-            "dFdy" => DerivativeAxis::Y,
-            _ => DerivativeAxis::Width,
+    fn derivative(&mut self, axis: Axis, expr: Value, ty: Type) -> Res<Value> {
+        let derivative = match axis {
+            Axis::X => DerivativeAxis::X,
+            Axis::Y => DerivativeAxis::Y,
+            Axis::Both => DerivativeAxis::Width,
         };
-        let ctrl = DerivativeControl::None;
-        let value = self.add(Expression::Derivative { axis, ctrl, expr });
-        match (name, self.lowerer.origin) {
-            ("dFdy", Origin::Picture) => self.negate(value, ty),
+        let value = self.add(Expression::Derivative {
+            axis: derivative,
+            ctrl: DerivativeControl::None,
+            expr,
+        });
+        match (axis, self.lowerer.origin) {
+            (Axis::Y, Origin::Picture) => self.negate(value, ty),
             _ => Ok(value),
         }
     }
 }
 
-/// Functions that are the same in naga.
-fn direct(name: &str, count: usize) -> Option<F> {
-    Some(match name {
-        "atan" if count == 2 => F::Atan2,
-        "atan" => F::Atan,
-        "radians" => F::Radians,
-        "degrees" => F::Degrees,
-        "sin" => F::Sin,
-        "cos" => F::Cos,
-        "tan" => F::Tan,
-        "asin" => F::Asin,
-        "acos" => F::Acos,
-        "sinh" => F::Sinh,
-        "cosh" => F::Cosh,
-        "tanh" => F::Tanh,
-        "asinh" => F::Asinh,
-        "acosh" => F::Acosh,
-        "atanh" => F::Atanh,
-        "pow" => F::Pow,
-        "exp" => F::Exp,
-        "log" => F::Log,
-        "exp2" => F::Exp2,
-        "log2" => F::Log2,
-        "sqrt" => F::Sqrt,
-        "inversesqrt" => F::InverseSqrt,
-        "abs" => F::Abs,
-        "sign" => F::Sign,
-        "floor" => F::Floor,
-        "trunc" => F::Trunc,
-        "round" | "roundEven" => F::Round,
-        "ceil" => F::Ceil,
-        "fract" => F::Fract,
-        "min" => F::Min,
-        "max" => F::Max,
-        "clamp" => F::Clamp,
-        "step" => F::Step,
-        "smoothstep" => F::SmoothStep,
-        "packSnorm2x16" => F::Pack2x16snorm,
-        "unpackSnorm2x16" => F::Unpack2x16snorm,
-        "packUnorm2x16" => F::Pack2x16unorm,
-        "unpackUnorm2x16" => F::Unpack2x16unorm,
-        "packHalf2x16" => F::Pack2x16float,
-        "unpackHalf2x16" => F::Unpack2x16float,
-        "length" => F::Length,
-        "distance" => F::Distance,
-        "cross" => F::Cross,
-        "transpose" => F::Transpose,
-        "determinant" => F::Determinant,
-        _ => return None,
-    })
+/// How a function is said in naga.
+enum Lowering {
+    /// By the same function.
+    Math(F),
+    /// By the same function, which naga has of vectors alone.
+    OfVectors(F),
+    /// By an operator that compares component by component.
+    Relation(Op),
+    /// By one `bool` for several.
+    Reduction(RelationalFunction),
+    /// By the same bits, read as another kind.
+    Bits(ScalarKind),
+    /// By comparing the bits with those of infinity.
+    Special(Op),
+    /// By the difference from a neighbour.
+    Derivative(Axis),
+    /// By an operator on each column.
+    ByColumns(Op),
+    /// By one function of two, told by the number of arguments.
+    ArcTangent,
+    /// By several steps.
+    Modulo,
+    /// By several steps, which depend on the type of the share.
+    Mix,
+    /// By `!` of each component.
+    Not,
+    /// By several steps.
+    OuterProduct,
+    /// By several steps.
+    Inverse,
+    /// Elsewhere, or not at all.
+    Apart,
 }
 
-fn relation(name: &str) -> Option<Op> {
-    Some(match name {
-        "lessThan" => Op::Less,
-        "lessThanEqual" => Op::LessEqual,
-        "greaterThan" => Op::Greater,
-        "greaterThanEqual" => Op::GreaterEqual,
-        "equal" => Op::Equal,
-        "notEqual" => Op::NotEqual,
-        _ => return None,
-    })
+#[rustfmt::skip]
+fn lowering(function: BuiltinId) -> Lowering {
+    use BuiltinId as B;
+    use Lowering::*;
+    match function {
+        B::Radians => Math(F::Radians), B::Degrees => Math(F::Degrees), B::Sin => Math(F::Sin),
+        B::Cos => Math(F::Cos), B::Tan => Math(F::Tan), B::Asin => Math(F::Asin),
+        B::Acos => Math(F::Acos), B::Sinh => Math(F::Sinh), B::Cosh => Math(F::Cosh),
+        B::Tanh => Math(F::Tanh), B::Asinh => Math(F::Asinh), B::Acosh => Math(F::Acosh),
+        B::Atanh => Math(F::Atanh), B::Pow => Math(F::Pow), B::Exp => Math(F::Exp),
+        B::Log => Math(F::Log), B::Exp2 => Math(F::Exp2), B::Log2 => Math(F::Log2),
+        B::Sqrt => Math(F::Sqrt), B::InverseSqrt => Math(F::InverseSqrt), B::Abs => Math(F::Abs),
+        B::Sign => Math(F::Sign), B::Floor => Math(F::Floor), B::Trunc => Math(F::Trunc),
+        B::Round | B::RoundEven => Math(F::Round), B::Ceil => Math(F::Ceil),
+        B::Fract => Math(F::Fract), B::Min => Math(F::Min), B::Max => Math(F::Max),
+        B::Clamp => Math(F::Clamp), B::Step => Math(F::Step),
+        B::Smoothstep => Math(F::SmoothStep), B::PackSnorm2x16 => Math(F::Pack2x16snorm),
+        B::UnpackSnorm2x16 => Math(F::Unpack2x16snorm),
+        B::PackUnorm2x16 => Math(F::Pack2x16unorm),
+        B::UnpackUnorm2x16 => Math(F::Unpack2x16unorm), B::PackHalf2x16 => Math(F::Pack2x16float),
+        B::UnpackHalf2x16 => Math(F::Unpack2x16float), B::Length => Math(F::Length),
+        B::Distance => Math(F::Distance), B::Cross => Math(F::Cross),
+        B::Transpose => Math(F::Transpose), B::Determinant => Math(F::Determinant),
+        B::Dot => OfVectors(F::Dot), B::Normalize => OfVectors(F::Normalize),
+        B::Reflect => OfVectors(F::Reflect), B::FaceForward => OfVectors(F::FaceForward),
+        B::Refract => OfVectors(F::Refract), B::LessThan => Relation(Op::Less),
+        B::LessThanEqual => Relation(Op::LessEqual), B::GreaterThan => Relation(Op::Greater),
+        B::GreaterThanEqual => Relation(Op::GreaterEqual), B::Equal => Relation(Op::Equal),
+        B::NotEqual => Relation(Op::NotEqual), B::Any => Reduction(RelationalFunction::Any),
+        B::All => Reduction(RelationalFunction::All), B::Not => Not,
+        B::IsNan => Special(Op::Greater), B::IsInf => Special(Op::Equal),
+        B::FloatBitsToInt => Bits(ScalarKind::Sint), B::FloatBitsToUint => Bits(ScalarKind::Uint),
+        B::IntBitsToFloat | B::UintBitsToFloat => Bits(ScalarKind::Float),
+        B::DFdx => Derivative(Axis::X), B::DFdy => Derivative(Axis::Y),
+        B::Fwidth => Derivative(Axis::Both), B::Atan => ArcTangent, B::Mod => Modulo,
+        B::Mix => Mix, B::MatrixCompMult => ByColumns(Op::Multiply),
+        B::OuterProduct => OuterProduct, B::Inverse => Inverse,
+        B::Modf | B::TextureSize | B::Texture | B::TextureOffset | B::TextureLod
+        | B::TextureLodOffset | B::TextureGrad | B::TextureGradOffset | B::TextureProj
+        | B::TextureProjOffset | B::TextureProjLod | B::TextureProjLodOffset | B::TextureProjGrad
+        | B::TextureProjGradOffset | B::TexelFetch | B::TexelFetchOffset | B::Texture2D
+        | B::Texture2DProj | B::Texture2DLod | B::Texture2DProjLod | B::TextureCube
+        | B::TextureCubeLod => Apart,
+    }
 }

@@ -14,8 +14,11 @@ impl Body<'_, '_> {
         match program.expr(id).resolution {
             Resolution::Function(function) => self.user_call(id, function, args),
             Resolution::Builtin(_) => {
-                let name = program.builtin_called(id).unwrap_or_default();
-                self.builtin(id, name, program.tree.args(args)).map(Some)
+                let Some(overload) = program.overload_called(id) else {
+                    return self.refuse(id, "this call is not known");
+                };
+                self.builtin(id, overload, program.tree.args(args))
+                    .map(Some)
             }
             Resolution::Struct(_) => self.construct(program.ty(id), args).map(Some),
             _ => self.refuse(id, "this call is not known"),

@@ -3,6 +3,7 @@
 use super::body::{Body, Bound};
 use super::types::{Sink, texel};
 use super::{Res, Value};
+use crate::semantic::builtins::{BuiltinKind, Level, Lookup};
 use crate::semantic::{Resolution, Sampler, Scalar, Type};
 use crate::syntax::ast::ExprId;
 use ::naga::{BinaryOperator as Op, Expression, ImageQuery, MathFunction, SampleLevel, ScalarKind};
@@ -59,24 +60,24 @@ impl Body<'_, '_> {
     }
 
     /// A call of one of the texture functions.
-    pub(super) fn texture(&mut self, id: ExprId, name: &str, args: &[ExprId]) -> Res<Value> {
+    pub(super) fn texture(&mut self, id: ExprId, kind: BuiltinKind, args: &[ExprId]) -> Res<Value> {
         let [texture, rest @ ..] = args else {
             return self.refuse(id, "this reads no texture");
         };
-        let (image, sampler, kind) = self.sampler(*texture)?;
-        let shape = Shape::of(kind);
-        match (name, rest) {
-            ("textureSize", &[lod]) => self.texture_size(image, lod, &shape),
-            (_, &[at, lod, ..]) if name.starts_with("texelFetch") => {
+        let (image, sampler, sampled) = self.sampler(*texture)?;
+        let shape = Shape::of(sampled);
+        match (kind, rest) {
+            (BuiltinKind::Size, &[lod]) => self.texture_size(image, lod, &shape),
+            (BuiltinKind::Lookup(lookup), &[at, lod, ..]) if lookup.level == Level::Fetch => {
                 self.fetch(image, at, lod, rest.get(2).copied(), &shape)
             }
-            (_, &[at, ref more @ ..]) => {
-                if matches!(texel(kind), Some(ScalarKind::Sint | ScalarKind::Uint)) {
+            (BuiltinKind::Lookup(lookup), &[at, ref more @ ..]) => {
+                if matches!(texel(sampled), Some(ScalarKind::Sint | ScalarKind::Uint)) {
                     let message = "textures of whole numbers cannot be sampled in the other \
                                    languages; read them with `texelFetch`";
                     return self.refuse(id, message);
                 }
-                self.sample(id, name, (image, sampler), at, more, &shape)
+                self.sample(id, lookup, (image, sampler), at, more, &shape)
             }
             _ => self.refuse(id, "this texture function is not supported"),
         }
@@ -127,7 +128,7 @@ impl Body<'_, '_> {
     fn sample(
         &mut self,
         id: ExprId,
-        name: &str,
+        lookup: Lookup,
         (image, sampler): (Value, Value),
         at: ExprId,
         more: &[ExprId],
@@ -135,29 +136,30 @@ impl Body<'_, '_> {
     ) -> Res<Value> {
         let at_ty = self.lowerer.program.ty(at);
         let at = self.value(at)?;
-        let at = if name.contains("Proj") {
+        let at = if lookup.is_projective {
             self.projected(at, at_ty, shape)?
         } else {
             at
         };
         let mut more = more.iter().copied();
-        let mut level = SampleLevel::Auto;
-        if name.contains("Lod") {
-            level = match more.next() {
+        let mut level = match lookup.level {
+            Level::Implicit => SampleLevel::Auto,
+            Level::Explicit | Level::Fetch => match more.next() {
                 Some(lod) if shape.is_shadow && self.known_index(lod) == Some(0) => {
                     SampleLevel::Zero
                 }
                 Some(lod) if !shape.is_shadow => SampleLevel::Exact(self.value(lod)?),
                 _ => return self.refuse(id, "depth can only be compared at level 0"),
-            };
-        } else if name.contains("Grad") {
-            let (Some(x), Some(y), false) = (more.next(), more.next(), shape.is_shadow) else {
-                return self.refuse(id, "depth cannot be compared with given derivatives");
-            };
-            let (x, y) = (self.value(x)?, self.value(y)?);
-            level = SampleLevel::Gradient { x, y };
-        }
-        let offset = match name.contains("Offset") {
+            },
+            Level::Gradient => {
+                let (Some(x), Some(y), false) = (more.next(), more.next(), shape.is_shadow) else {
+                    return self.refuse(id, "depth cannot be compared with given derivatives");
+                };
+                let (x, y) = (self.value(x)?, self.value(y)?);
+                SampleLevel::Gradient { x, y }
+            }
+        };
+        let offset = match lookup.has_offset {
             true => more.next().map(|offset| self.value(offset)).transpose()?,
             false => None,
         };

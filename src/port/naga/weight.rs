@@ -41,20 +41,14 @@ pub(super) fn weights(program: &Program) -> Vec<Weight> {
                     cost: HEAVY,
                     acts: true,
                 },
-                Resolution::Builtin(_) => match program.builtin_called(id) {
-                    Some("modf") => Weight {
-                        cost: 1,
-                        acts: true,
-                    },
-                    Some(name) if name.starts_with("tex") => Weight {
-                        cost: HEAVY,
-                        acts: false,
-                    },
-                    _ => Weight {
-                        cost: 2,
-                        acts: false,
-                    },
-                },
+                Resolution::Builtin(_) => {
+                    let overload = program.overload_called(id);
+                    let is_texture = overload.is_some_and(|o| o.function.kind().is_texture());
+                    Weight {
+                        cost: if is_texture { HEAVY } else { 2 },
+                        acts: overload.is_some_and(|o| o.out != 0),
+                    }
+                }
                 _ => Weight::default(),
             },
             ExprKind::Paren(_) | ExprKind::Name(_) => Weight::default(),

@@ -1,12 +1,20 @@
-//! What the language defines: functions and variables, as GLSL text that the shader parser reads.
+//! What the language defines: functions and variables. Their prototypes are GLSL text that the shader
+//! parser reads; what the functions do stands in `table.rs`.
+
+mod row;
+mod table;
+
+pub use row::{Axis, BuiltinKind, Level, Lookup, Transfer};
+pub use table::BuiltinId;
 
 use super::constant::Value;
-use super::fold::{Fold, fold_of};
+use super::fold::Folding;
 use super::types::{Sampler, Scalar, Type};
 use crate::syntax::ast::*;
 use crate::syntax::{Language, Names, Parse, Version, parse_corrected, preprocess};
 use crate::text::{Role, Sources};
 use rustc_hash::FxHashMap;
+use std::ops::Range;
 use std::sync::OnceLock;
 
 /// Most parameters of a built-in function.
@@ -21,45 +29,50 @@ pub enum Stage {
     Fragment,
 }
 
-/// Built-in functions of GLSL ES 3.00 that shaders may define anew all the same: extensions that the
-/// browser's compiler knows have forms of their own of each, and it takes the names for theirs
-/// alone. Measured in Chromium over all built-in names.
-pub const REDEFINABLE: [&str; 6] = [
-    "mix",
-    "texelFetch",
-    "texture",
-    "textureGrad",
-    "textureLod",
-    "textureSize",
-];
+impl BuiltinId {
+    /// As it is written.
+    pub const fn name(self) -> &'static str {
+        self.row().name
+    }
 
-/// What a built-in function does, as far as the checks ask.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum BuiltinKind {
-    /// Computes; constant if its arguments are.
-    Math,
-    /// Reads a texture.
-    Texture,
-    /// `dFdx`, `dFdy`, `fwidth`.
-    Derivative,
-}
-
-/// A built-in function.
-#[derive(Debug)]
-pub struct BuiltinFunction {
-    /// Its name.
-    pub name: String,
     /// What it does.
-    pub kind: BuiltinKind,
-    /// Its overloads in [`Builtins::overloads`].
-    pub overloads: std::ops::Range<u32>,
+    pub const fn kind(self) -> BuiltinKind {
+        self.row().kind
+    }
+
+    /// What a call costs, on a rough scale: one for what is one instruction, four for what takes a
+    /// special unit, eight for a texture.
+    pub const fn cost(self) -> f64 {
+        self.row().cost as f64
+    }
+
+    /// What is known of its result's range.
+    pub const fn transfer(self) -> Transfer {
+        self.row().transfer
+    }
+
+    /// How it is computed of constants.
+    pub const fn folding(self) -> Folding {
+        self.row().fold
+    }
+
+    /// Whether shaders in GLSL ES 3.00 may define it anew all the same: extensions that the
+    /// browser's compiler knows have forms of their own of each, and it takes the names for theirs
+    /// alone. Measured in Chromium over all built-in names.
+    pub const fn is_redefinable(self) -> bool {
+        use BuiltinId::*;
+        matches!(
+            self,
+            Mix | TexelFetch | Texture | TextureGrad | TextureLod | TextureSize
+        )
+    }
 }
 
 /// One form of a built-in function.
 #[derive(Clone, Debug)]
 pub struct Overload {
-    /// Number of its function in [`Builtins::functions`].
-    pub function: u16,
+    /// Its function.
+    pub function: BuiltinId,
     /// Types of the parameters; unused places are `void`.
     pub params: [Type; MAX_PARAMS],
     /// Number of parameters.
@@ -70,8 +83,6 @@ pub struct Overload {
     pub constant: u8,
     /// What it yields.
     pub returns: Type,
-    /// Computes the result from constant arguments.
-    pub fold: Option<Fold>,
 }
 
 impl Overload {
@@ -80,6 +91,27 @@ impl Overload {
         self.params
             .get(..self.count as usize)
             .unwrap_or(&self.params)
+    }
+
+    /// Whether it writes to the argument at a position.
+    pub fn writes(&self, position: usize) -> bool {
+        self.out & 1 << position != 0
+    }
+
+    /// Whether its last argument shifts the level that a lookup reads.
+    pub fn has_bias(&self) -> bool {
+        match self.function.kind() {
+            BuiltinKind::Lookup(lookup) => {
+                lookup.level == Level::Implicit && self.count > 2 + lookup.has_offset as u8
+            }
+            BuiltinKind::Math | BuiltinKind::Derivative(_) | BuiltinKind::Size => false,
+        }
+    }
+
+    /// Its result of constant arguments, given as scalars; `None` where it is not known.
+    pub fn fold(&self, args: &[&[Value]]) -> Option<Vec<Value>> {
+        let first = self.params().first().copied().unwrap_or(Type::VOID);
+        self.function.folding().fold(first, args)
     }
 }
 
@@ -108,11 +140,11 @@ pub struct BuiltinVariable {
 /// Everything that one version of the language defines for one stage.
 #[derive(Default, Debug)]
 pub struct Builtins {
-    /// All functions.
-    pub functions: Vec<BuiltinFunction>,
-    /// The overloads of all functions.
+    /// The overloads of all functions, those of one function side by side.
     pub overloads: Vec<Overload>,
-    by_name: FxHashMap<String, u16>,
+    /// By [`BuiltinId`]: where its overloads are.
+    ranges: Vec<Range<u32>>,
+    by_name: FxHashMap<&'static str, BuiltinId>,
     variables: FxHashMap<String, BuiltinVariable>,
 }
 
@@ -136,9 +168,15 @@ impl Builtins {
     }
 
     /// The function of this name.
-    pub fn function(&self, name: &str) -> Option<(u16, &BuiltinFunction)> {
-        let index = *self.by_name.get(name)?;
-        self.functions.get(index as usize).map(|f| (index, f))
+    pub fn function(&self, name: &str) -> Option<BuiltinId> {
+        self.by_name.get(name).copied()
+    }
+
+    /// All functions, in the order of the table.
+    pub fn functions(&self) -> impl Iterator<Item = BuiltinId> {
+        let all = BuiltinId::ALL.iter().zip(&self.ranges);
+        all.filter(|(_, range)| !range.is_empty())
+            .map(|(id, _)| *id)
     }
 
     /// The variable of this name.
@@ -146,18 +184,17 @@ impl Builtins {
         self.variables.get(name).copied()
     }
 
-    /// The overloads of a function.
-    pub fn overloads_of(&self, function: &BuiltinFunction) -> &[Overload] {
-        let range = function.overloads.start as usize..function.overloads.end as usize;
-        self.overloads.get(range).unwrap_or(&[])
+    /// The number of a function's first overload, and its overloads.
+    pub fn overloads_of(&self, function: BuiltinId) -> (u32, &[Overload]) {
+        let range = self.ranges.get(function as usize).cloned();
+        let range = range.unwrap_or_default();
+        let overloads = self.overloads.get(range.start as usize..range.end as usize);
+        (range.start, overloads.unwrap_or(&[]))
     }
 
-    /// An overload by its number, and its function.
-    pub fn overload(&self, id: u32) -> Option<(&Overload, &BuiltinFunction)> {
-        let overload = self.overloads.get(id as usize)?;
-        self.functions
-            .get(overload.function as usize)
-            .map(|f| (overload, f))
+    /// An overload by its number.
+    pub fn overload(&self, number: u32) -> Option<&Overload> {
+        self.overloads.get(number as usize)
     }
 }
 
@@ -210,8 +247,8 @@ fn load(version: Version, stage: Stage) -> Builtins {
     let mut loader = Loader {
         tree: &tree,
         names: &read.names,
-        found: Vec::new(),
-        index: FxHashMap::default(),
+        ids: BuiltinId::ALL.iter().map(|id| (id.name(), *id)).collect(),
+        overloads: vec![Vec::new(); BuiltinId::ALL.len()],
     };
     let mut builtins = Builtins::default();
     for item in &tree.items {
@@ -229,27 +266,14 @@ fn load(version: Version, stage: Stage) -> Builtins {
             _ => {}
         }
     }
-    for (name, overloads) in loader.found {
-        let index = builtins.functions.len() as u16;
+    for (&id, overloads) in BuiltinId::ALL.iter().zip(loader.overloads) {
         let start = builtins.overloads.len() as u32;
-        let kind = match name.as_str() {
-            "dFdx" | "dFdy" | "fwidth" => BuiltinKind::Derivative,
-            n if n.starts_with("tex") => BuiltinKind::Texture,
-            _ => BuiltinKind::Math,
-        };
-        builtins
-            .overloads
-            .extend(overloads.into_iter().map(|o| Overload {
-                function: index,
-                ..o
-            }));
-        let overloads = start..builtins.overloads.len() as u32;
-        builtins.by_name.insert(name.clone(), index);
-        builtins.functions.push(BuiltinFunction {
-            name,
-            kind,
-            overloads,
-        });
+        builtins.overloads.extend(overloads);
+        let range = start..builtins.overloads.len() as u32;
+        if !range.is_empty() {
+            builtins.by_name.insert(id.name(), id);
+        }
+        builtins.ranges.push(range);
     }
     builtins
 }
@@ -257,8 +281,9 @@ fn load(version: Version, stage: Stage) -> Builtins {
 struct Loader<'a> {
     tree: &'a Tree,
     names: &'a Names,
-    found: Vec<(String, Vec<Overload>)>,
-    index: FxHashMap<String, usize>,
+    ids: FxHashMap<&'static str, BuiltinId>,
+    /// By [`BuiltinId`].
+    overloads: Vec<Vec<Overload>>,
 }
 
 impl Loader<'_> {
@@ -266,23 +291,21 @@ impl Loader<'_> {
         let Some(function) = self.tree.function(id) else {
             return;
         };
-        let name = self.names.text(function.ident.name).to_string();
+        let name = self.names.text(function.ident.name);
+        let Some(&id) = self.ids.get(name) else {
+            return;
+        };
         let params = self.tree.params(function.params);
         let types = params.iter().map(|p| p.ty).chain([function.ty]);
         let variants = types.map(|ty| self.variants(ty)).max().unwrap_or(1);
-        let at = *self.index.entry(name.clone()).or_insert_with(|| {
-            self.found.push((name.clone(), Vec::new()));
-            self.found.len() - 1
-        });
         for variant in 0..variants {
             let mut overload = Overload {
-                function: 0,
+                function: id,
                 params: [Type::VOID; MAX_PARAMS],
                 count: params.len() as u8,
                 out: 0,
                 constant: 0,
                 returns: self.resolve(function.ty, variant),
-                fold: None,
             };
             for (i, (slot, param)) in overload.params.iter_mut().zip(params).enumerate() {
                 *slot = self.resolve(param.ty, variant);
@@ -294,10 +317,8 @@ impl Loader<'_> {
                     }
                 }
             }
-            let first = overload.params().first().copied();
-            overload.fold = fold_of(&name, first.unwrap_or(Type::VOID));
             // `min(genType, float)` and `min(genType, genType)` are one for scalars.
-            if let Some((_, overloads)) = self.found.get_mut(at)
+            if let Some(overloads) = self.overloads.get_mut(id as usize)
                 && !overloads.iter().any(|o| o.params() == overload.params())
             {
                 overloads.push(overload);
@@ -426,17 +447,60 @@ impl BuiltinStorage {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::BTreeSet;
 
     #[test]
     fn generic_prototypes_stand_for_all_their_forms() {
         let all = Builtins::of(Version::Es300, Stage::Fragment);
-        let count = |name: &str| all.function(name).map(|(_, f)| f.overloads.len());
+        let count = |name: &str| all.function(name).map(|f| all.overloads_of(f).1.len());
         assert_eq!(count("sin"), Some(4));
         assert_eq!(count("min"), Some(4 + 3 + 4 + 3 + 4 + 3));
         assert_eq!(count("matrixCompMult"), Some(9));
         assert_eq!(count("texture"), Some(3 * 4 + 3 + 3 * 4 + 2));
         assert_eq!(count("nothing"), None);
         assert!(all.overloads.iter().all(|o| !o.returns.is_error()));
+    }
+
+    #[test]
+    fn rows_and_prototypes_belong_together() {
+        let mut without: BTreeSet<BuiltinId> = BuiltinId::ALL.iter().copied().collect();
+        for version in [Version::Es100, Version::Es300] {
+            for stage in [Stage::Vertex, Stage::Fragment] {
+                for overload in &Builtins::of(version, stage).overloads {
+                    without.remove(&overload.function);
+                }
+                let prototypes = texts(version, stage).concat();
+                let lines = prototypes.lines().filter(|l| !l.starts_with("//"));
+                for line in lines.filter(|l| l.ends_with(");")) {
+                    let name = line.split(['(', ' ']).nth(1);
+                    let has_row = |id: &&BuiltinId| Some(id.name()) == name;
+                    assert!(BuiltinId::ALL.iter().any(|id| has_row(&id)), "{line}");
+                }
+            }
+        }
+        assert!(without.is_empty(), "no prototype: {without:?}");
+    }
+
+    #[test]
+    fn what_a_lookup_takes_tells_its_parameters() {
+        for stage in [Stage::Vertex, Stage::Fragment] {
+            for version in [Version::Es100, Version::Es300] {
+                for overload in &Builtins::of(version, stage).overloads {
+                    let BuiltinKind::Lookup(lookup) = overload.function.kind() else {
+                        assert!(!overload.has_bias());
+                        continue;
+                    };
+                    let level = match lookup.level {
+                        Level::Implicit => overload.has_bias() as u8,
+                        Level::Explicit | Level::Fetch => 1,
+                        Level::Gradient => 2,
+                    };
+                    let count = 2 + level + lookup.has_offset as u8;
+                    assert_eq!(overload.count, count, "{overload:?}");
+                    assert_eq!(overload.constant != 0, lookup.has_offset, "{overload:?}");
+                }
+            }
+        }
     }
 
     #[test]

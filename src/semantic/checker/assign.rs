@@ -1,6 +1,5 @@
 //! Assignments, initializers, and what can be assigned to (GLSL ES 3.00 sections 5.8 and 4.3).
 
-use super::super::builtins::BuiltinKind;
 use super::binary::Misfit;
 use super::qualifier::{Qualified, Wanted};
 use super::*;
@@ -190,9 +189,8 @@ impl Checker<'_> {
 
     /// Whether a built-in function reads a texture.
     fn is_lookup(&self, overload: u32) -> bool {
-        let function = self.builtins.overloads.get(overload as usize);
-        let function = function.and_then(|o| self.builtins.functions.get(o.function as usize));
-        function.is_some_and(|f| f.kind == BuiltinKind::Texture)
+        let overload = self.builtins.overload(overload);
+        overload.is_some_and(|o| o.function.kind().is_texture())
     }
 
     /// Another global or a uniform of the shader's own; `gl_DepthRange` is none.

@@ -1,6 +1,6 @@
 //! Calls of functions (GLSL ES 3.00 section 6.1).
 
-use super::super::builtins::{BuiltinKind, Overload};
+use super::super::builtins::{BuiltinId, BuiltinKind, Overload};
 use super::super::constant::Value;
 use super::*;
 use crate::diagnostic::Fix;
@@ -53,15 +53,15 @@ impl Checker<'_> {
         }
     }
 
-    /// Number of the built-in function of this name.
-    pub(super) fn builtin_named(&mut self, name: Name) -> Option<u16> {
+    /// The built-in function of this name.
+    pub(super) fn builtin_named(&mut self, name: Name) -> Option<BuiltinId> {
         let index = name.0 as usize;
         if self.builtin_names.len() <= index {
             self.builtin_names.resize(index + 64, None);
         }
         let text = self.names.text(name);
         let slot = self.builtin_names.get_mut(index)?;
-        *slot.get_or_insert_with(|| self.builtins.function(text).map(|(i, _)| i))
+        *slot.get_or_insert_with(|| self.builtins.function(text))
     }
 
     fn call_of_variable(&mut self, id: ExprId, name: Name, variable: VariableId, args: List) {
@@ -203,18 +203,20 @@ impl Checker<'_> {
         }
     }
 
-    fn call_builtin(&mut self, id: ExprId, name: Name, function: u16, args: List) -> ExprInfo {
+    fn call_builtin(
+        &mut self,
+        id: ExprId,
+        name: Name,
+        function: BuiltinId,
+        args: List,
+    ) -> ExprInfo {
         let tree = self.tree;
         let list = tree.args(args);
         let types: Vec<Type> = list.iter().map(|&a| self.ty(a)).collect();
         if types.iter().any(|t| t.is_error()) {
             return self.builtin_result_of_any(function, types.len());
         }
-        let builtins = self.builtins;
-        let Some(found) = builtins.functions.get(function as usize) else {
-            return ExprInfo::ERROR;
-        };
-        let overloads = builtins.overloads_of(found);
+        let (first, overloads) = self.builtins.overloads_of(function);
         let Some(at) = overloads.iter().position(|o| o.params() == types) else {
             let d = self.explain_builtin_call(id, name, function, list);
             d.into_iter().for_each(|d| self.report(d));
@@ -224,7 +226,7 @@ impl Checker<'_> {
             return ExprInfo::ERROR;
         };
         for (i, &arg) in list.iter().enumerate() {
-            if overload.out & (1 << i) != 0 {
+            if overload.writes(i) {
                 self.check_out_argument(arg, "out");
             }
             if overload.constant & (1 << i) != 0 {
@@ -232,7 +234,7 @@ impl Checker<'_> {
             }
         }
         let infos: Vec<ExprInfo> = list.iter().map(|&a| self.info(a)).collect();
-        let is_math = found.kind == BuiltinKind::Math && overload.out == 0;
+        let is_math = function.kind() == BuiltinKind::Math && overload.out == 0;
         let constant = if is_math {
             self.fold_call(overload, &infos)
         } else {
@@ -240,15 +242,12 @@ impl Checker<'_> {
         };
         let mut info = self.result(overload.returns, &infos, constant);
         info.is_const &= is_math;
-        info.resolution = Resolution::Builtin(found.overloads.start + at as u32);
+        info.resolution = Resolution::Builtin(first + at as u32);
         info
     }
 
-    fn builtin_result_of_any(&self, function: u16, count: usize) -> ExprInfo {
-        let Some(found) = self.builtins.functions.get(function as usize) else {
-            return ExprInfo::ERROR;
-        };
-        let overloads = self.builtins.overloads_of(found);
+    fn builtin_result_of_any(&self, function: BuiltinId, count: usize) -> ExprInfo {
+        let (_, overloads) = self.builtins.overloads_of(function);
         let mut returns = overloads
             .iter()
             .filter(|o| o.params().len() == count)
@@ -268,14 +267,11 @@ impl Checker<'_> {
     }
 
     fn fold_call(&mut self, overload: &Overload, args: &[ExprInfo]) -> Constant {
-        let Some(fold) = overload.fold else {
-            return Constant::NONE;
-        };
         if !args.iter().all(|a| a.is_const && a.constant.is_known()) {
             return Constant::NONE;
         }
         let values: Vec<&[Value]> = args.iter().map(|a| self.pool.values(a.constant)).collect();
-        match fold(&values) {
+        match overload.fold(&values) {
             Some(values) if values.len() as u32 == overload.returns.components() => {
                 self.pool.add(values)
             }

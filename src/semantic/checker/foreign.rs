@@ -123,8 +123,8 @@ impl Checker<'_> {
     /// The type of a call of a foreign function, as far as it is known.
     fn type_of_foreign(&self, meaning: Meaning, types: &[Type]) -> Type {
         let found = match (meaning, types) {
-            (Meaning::Function(word), _) => self.builtins.function(word).and_then(|(_, f)| {
-                let overloads = self.builtins.overloads_of(f);
+            (Meaning::Function(word), _) => self.builtins.function(word).and_then(|f| {
+                let (_, overloads) = self.builtins.overloads_of(f);
                 overloads
                     .iter()
                     .find(|o| o.params() == types)

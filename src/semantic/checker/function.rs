@@ -1,6 +1,5 @@
 //! Functions: headers, prototypes and bodies (GLSL ES 3.00 section 6.1).
 
-use super::super::builtins::REDEFINABLE;
 use super::qualifier::Wanted;
 use super::*;
 
@@ -333,20 +332,16 @@ impl Checker<'_> {
     /// the same form.
     fn check_builtin_name(&mut self, ident: Ident, params: &[Parameter]) -> bool {
         let text = self.text(ident.name);
-        let Some((_, found)) = self.builtins.function(text) else {
+        let Some(found) = self.builtins.function(text) else {
             return true;
         };
-        if self.is_300() && REDEFINABLE.contains(&text) {
+        if self.is_300() && found.is_redefinable() {
             return true;
         }
         if !self.is_300() {
             let types: Vec<Type> = params.iter().map(|p| p.ty).collect();
-            if !self
-                .builtins
-                .overloads_of(found)
-                .iter()
-                .any(|o| o.params() == types)
-            {
+            let (_, overloads) = self.builtins.overloads_of(found);
+            if !overloads.iter().any(|o| o.params() == types) {
                 return true;
             }
         }

@@ -22,7 +22,7 @@ impl Checker<'_> {
             .any(|(_, info, expr)| match (info.resolution, expr.kind) {
                 (Resolution::Function(_), _) => true,
                 (Resolution::Builtin(id), _) => {
-                    self.builtins.overload(id).is_some_and(|(o, _)| o.out != 0)
+                    self.builtins.overload(id).is_some_and(|o| o.out != 0)
                 }
                 (_, ExprKind::Assign(..) | ExprKind::Postfix(..)) => true,
                 (_, ExprKind::Unary(op, _)) => op.assigns(),

@@ -29,6 +29,7 @@ use super::program::*;
 use super::scope::{Binding, Scopes};
 use super::types::*;
 use crate::diagnostic::{Diagnostic, error};
+use crate::semantic::BuiltinId;
 use crate::syntax::ast::*;
 use crate::syntax::{Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
 use crate::text::{Role, Sources, Span};
@@ -225,7 +226,7 @@ pub(super) struct Checker<'a> {
     by_signature: FxHashMap<(Name, Vec<Type>), FunctionRef>,
     pub(super) by_name: FxHashMap<Name, Vec<FunctionRef>>,
     /// By name: the built-in function, once it was looked up.
-    builtin_names: Vec<Option<Option<u16>>>,
+    builtin_names: Vec<Option<Option<BuiltinId>>>,
     builtin_variables: FxHashMap<Name, VariableId>,
     pub(super) current: Option<FunctionRef>,
     /// The whole expression at hand, and the type that it should have.

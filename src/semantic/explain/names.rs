@@ -500,10 +500,9 @@ impl Checker<'_> {
             .map(|(n, _)| self.text(n));
         let builtins = self
             .builtins
-            .functions
-            .iter()
+            .functions()
             .filter(|_| is_call)
-            .map(|f| f.name.as_str());
+            .map(|id| -> &str { id.name() });
         let types = TypeWord::ALL.into_iter().filter(|_| is_call);
         scope
             .chain(builtins)

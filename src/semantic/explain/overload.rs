@@ -1,6 +1,7 @@
 //! Calls that fit no function: which one was meant, and what differs.
 
 use super::*;
+use crate::semantic::BuiltinId;
 
 /// Most forms of a function that a message lists.
 const MAX_LISTED: usize = 5;
@@ -96,28 +97,24 @@ impl Checker<'_> {
         &self,
         id: ExprId,
         name: Name,
-        function: u16,
+        function: BuiltinId,
         args: &[ExprId],
     ) -> Option<Diagnostic> {
-        let builtins = self.builtins;
-        let found = builtins.functions.get(function as usize)?;
-        let candidates: Vec<Candidate> = builtins
-            .overloads_of(found)
+        let (_, overloads) = self.builtins.overloads_of(function);
+        let candidates: Vec<Candidate> = overloads
             .iter()
             .map(|o| {
                 let list: Vec<String> = o.params().iter().map(|&p| self.name_of(p)).collect();
                 let shown = format!(
                     "{} {}({})",
                     self.name_of(o.returns),
-                    found.name,
+                    function.name(),
                     list.join(", ")
                 );
                 Candidate {
                     params: o.params().to_vec(),
                     names: Vec::new(),
-                    writes: (0..o.params().len())
-                        .map(|i| o.out & (1 << i) != 0)
-                        .collect(),
+                    writes: (0..o.params().len()).map(|i| o.writes(i)).collect(),
                     shown,
                     token: None,
                 }
@@ -322,7 +319,8 @@ impl Checker<'_> {
 
     /// `not (a > b)` of one `bool`, which other languages have.
     fn negation(&self, id: ExprId, text: &str, args: &[ExprId]) -> Option<Fix> {
-        let is_one = text == "not" && matches!(args, [one] if self.ty(*one) == Type::BOOL);
+        let is_not = self.builtins.function(text) == Some(BuiltinId::Not);
+        let is_one = is_not && matches!(args, [one] if self.ty(*one) == Type::BOOL);
         let word = self.tree.expr(id).extent.first;
         (is_one && self.token(word).is_direct()).then(|| {
             let before_argument = self.token_span(word + 1).start;

@@ -2,7 +2,7 @@
 
 use super::estimate::Estimate;
 use super::{CallGraph, Loop, each_written};
-use crate::semantic::{Program, VariableId};
+use crate::semantic::{BuiltinId, Program, VariableId};
 use crate::syntax::ast::*;
 
 /// How a counter moves at each turn.
@@ -259,8 +259,8 @@ impl<'a> Bounds<'a> {
         };
         let above = |e: &ExprId| self.estimate.value(*e).is_some_and(|v| v > 0.0);
         match (program.builtin_called(e), program.tree.args(args)) {
-            (Some("max"), [a, b]) => above(a) || above(b),
-            (Some("clamp"), [_, low, _]) => above(low),
+            (Some(BuiltinId::Max), [a, b]) => above(a) || above(b),
+            (Some(BuiltinId::Clamp), [_, low, _]) => above(low),
             _ => false,
         }
     }

@@ -55,7 +55,7 @@ impl Effects {
 fn builtin_writes(program: &Program, overload: u32) -> bool {
     Builtins::of(program.version, program.stage)
         .overload(overload)
-        .is_none_or(|(o, _)| o.out != 0)
+        .is_none_or(|o| o.out != 0)
 }
 
 /// By function: whether it writes to anything that outlives it, or ends the shader.
@@ -107,7 +107,7 @@ fn writes_argument(program: &Program, call: ExprId, place: usize) -> bool {
             .is_some_and(|p| p.direction.writes()),
         Resolution::Builtin(overload) => Builtins::of(program.version, program.stage)
             .overload(overload)
-            .is_some_and(|(o, _)| o.out >> place & 1 == 1),
+            .is_some_and(|o| o.writes(place)),
         _ => false,
     }
 }

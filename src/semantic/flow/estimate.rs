@@ -3,7 +3,7 @@
 
 use super::CallGraph;
 use super::calls::arguments;
-use crate::semantic::{Direction, Program, Resolution, Storage, Value, VariableId};
+use crate::semantic::{BuiltinId, Direction, Program, Resolution, Storage, Value, VariableId};
 use crate::syntax::ast::*;
 
 /// How far calls and variables are followed.
@@ -87,10 +87,10 @@ impl<'a> Estimate<'a> {
                 match (program.builtin_called(expr)?, args.as_slice()) {
                     // `min(iFrame, 0)` is zero: the other operand is there to keep the compiler
                     // from unrolling.
-                    ("min", &[Some(a), Some(b)]) => Some(a.min(b)),
-                    ("min", &[Some(a), None] | &[None, Some(a)]) => Some(a),
-                    ("max", &[Some(a), Some(b)]) => Some(a.max(b)),
-                    ("clamp", &[_, _, high]) => high,
+                    (BuiltinId::Min, &[Some(a), Some(b)]) => Some(a.min(b)),
+                    (BuiltinId::Min, &[Some(a), None] | &[None, Some(a)]) => Some(a),
+                    (BuiltinId::Max, &[Some(a), Some(b)]) => Some(a.max(b)),
+                    (BuiltinId::Clamp, &[_, _, high]) => high,
                     _ => None,
                 }
             }

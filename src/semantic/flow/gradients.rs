@@ -1,7 +1,7 @@
 //! Calls that take derivatives between neighbouring pixels, and the code that parts the pixels.
 
 use super::{CallGraph, Loops, Structure, Uniformity, Varying};
-use crate::semantic::{FunctionRef, Program};
+use crate::semantic::{BuiltinId, FunctionRef, Program};
 use crate::syntax::ast::*;
 
 /// A call that compares neighbouring pixels, in code that not all of them run.
@@ -10,7 +10,7 @@ pub struct Gradient {
     /// The call.
     pub call: ExprId,
     /// The built-in function.
-    pub name: &'static str,
+    pub function: BuiltinId,
     /// What parts the pixels.
     pub parted: Parted,
 }
@@ -37,7 +37,8 @@ pub fn gradients(
     let mut looped: Option<Vec<Option<StmtId>>> = None;
     for i in 0..program.tree.exprs.len() as u32 {
         let call = ExprId(i);
-        let Some(name) = program.builtin_called(call).filter(|n| is_gradient(n)) else {
+        let function = program.builtin_called(call);
+        let Some(function) = function.filter(|f| f.kind().takes_derivatives()) else {
             continue;
         };
         let Some(stmt) = structure.stmt_of(call) else {
@@ -55,26 +56,11 @@ pub fn gradients(
         });
         found.push(Gradient {
             call,
-            name,
+            function,
             parted: around.map_or(Parted::Branch(stmt), Parted::Loop),
         });
     }
     found
-}
-
-/// Whether a built-in function takes derivatives by itself.
-fn is_gradient(name: &str) -> bool {
-    match name {
-        "dFdx" | "dFdy" | "fwidth" => true,
-        "textureSize" => false,
-        _ => {
-            let is_explicit = ["Lod", "Grad", "LodEXT", "GradEXT"].iter();
-            name.starts_with("texture")
-                && !is_explicit
-                    .clone()
-                    .any(|e| name.ends_with(e) || name.ends_with(&format!("{e}Offset")))
-        }
-    }
 }
 
 /// Whether what a call compares differs at all: the same place everywhere has no slope.

@@ -511,8 +511,8 @@ impl Walk<'_> {
                 let param = function.and_then(|f| f.params.get(position));
                 param.map_or(Direction::In, |p| p.direction)
             }
-            Resolution::Builtin(_) if position == 1 => match self.program.builtin_called(call) {
-                Some("modf") => Direction::Out,
+            Resolution::Builtin(_) => match self.program.overload_called(call) {
+                Some(overload) if overload.writes(position) => Direction::Out,
                 _ => Direction::In,
             },
             _ => Direction::In,

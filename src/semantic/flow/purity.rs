@@ -79,13 +79,10 @@ pub fn each_written(program: &Program, id: ExprId, mut visit: impl FnMut(Variabl
                         write(arg);
                     }
                 }
-            } else if program.builtin_called(id) == Some("modf") {
-                program
-                    .tree
-                    .args(args)
-                    .iter()
-                    .skip(1)
-                    .for_each(|&a| write(a));
+            } else if let Some(overload) = program.overload_called(id).filter(|o| o.out != 0) {
+                let args = program.tree.args(args).iter().enumerate();
+                let written = args.filter(|(i, _)| overload.writes(*i));
+                written.for_each(|(_, &arg)| write(arg));
             }
         }
         _ => {}

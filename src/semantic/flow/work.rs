@@ -2,7 +2,7 @@
 
 use super::lists::Lists;
 use super::{CallGraph, Loops, Structure, each_inner};
-use crate::semantic::{FunctionRef, Program, Resolution};
+use crate::semantic::{BuiltinId, FunctionRef, Program, Resolution};
 use crate::syntax::ast::*;
 
 /// How often a loop is taken to turn where the text does not tell.
@@ -223,22 +223,9 @@ fn own_cost(program: &Program, id: ExprId, expr: &Expr) -> f64 {
         ExprKind::Ternary(..) => 1.0,
         ExprKind::Assign(op, ..) => op.is_some() as u8 as f64,
         ExprKind::Call(..) => match program.expr(id).resolution {
-            Resolution::Builtin(_) => builtin_cost(program.builtin_called(id).unwrap_or("")),
+            Resolution::Builtin(_) => program.builtin_called(id).map_or(1.0, BuiltinId::cost),
             _ => 0.0,
         },
         _ => 0.0,
-    }
-}
-
-/// A rough scale: one for what is one instruction, four for what takes a special unit, eight for a
-/// texture.
-fn builtin_cost(name: &str) -> f64 {
-    match name {
-        "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "sinh" | "cosh" | "tanh" | "asinh"
-        | "acosh" | "atanh" | "pow" | "exp" | "exp2" | "log" | "log2" | "sqrt" | "inversesqrt"
-        | "length" | "distance" | "normalize" | "reflect" | "refract" | "smoothstep"
-        | "inverse" | "determinant" => 4.0,
-        _ if name.starts_with("tex") => 8.0,
-        _ => 1.0,
     }
 }

@@ -1,115 +1,110 @@
 //! Ranges of built-in functions and of what hosts provide.
 
 use super::interval::{Range, Reach, below, is_power_of_two};
+use crate::semantic::builtins::Transfer;
 use std::f64::consts::{PI, TAU};
 
 /// The range of a component of a built-in function's result, given those of the arguments at that
-/// component. Functions that mix components are not here.
-pub fn of_function(name: &str, args: &[Range]) -> Range {
-    let range = match *args {
-        [x] => of_one(name, x),
-        [x, y] => of_two(name, x, y),
-        [x, y, z] => of_three(name, x, y, z),
-        _ => None,
-    };
-    let mut range = range.unwrap_or(Range::ANY);
-    for arg in args {
-        range = range.like(arg);
-    }
-    range
+/// component. Of functions that mix components nothing is known here.
+pub fn of_function(transfer: Transfer, args: &[Range]) -> Range {
+    let range = transferred(transfer, args).unwrap_or(Range::ANY);
+    args.iter().fold(range, |range, arg| range.like(arg))
 }
 
-fn of_one(name: &str, x: Range) -> Option<Range> {
-    Some(match name {
-        "sin" => wave(x, 0.5 * PI),
-        "cos" => wave(x, 0.0),
-        "atan" => x.rising(f64::atan),
-        "asin" => inside(x, -1.0, 1.0).rising(f64::asin),
-        "acos" => (-inside(x, -1.0, 1.0)).rising(|v| (-v).acos()),
-        "tanh" => x.rising(f64::tanh),
-        "abs" => x.abs(),
-        "sign" => x
+fn transferred(transfer: Transfer, args: &[Range]) -> Option<Range> {
+    use Transfer as T;
+    let x = *args.first()?;
+    let y = || args.get(1).copied();
+    let z = || args.get(2).copied();
+    Some(match transfer {
+        T::Rising(f) => x.rising(f),
+        T::RisingOn(from, to, f) => inside(x, from, to).rising(f),
+        T::FallingOn(from, to, f) => (-inside(x, from, to)).rising(|v| f(-v)),
+        T::Rounded(f) => x.rising(f).exactly(),
+        T::Logarithm(f) if x.lo.value > 0.0 => x.rising(f),
+        T::NonNegative => Range::new(0.0, f64::INFINITY, Reach::Loose),
+        T::Sine => wave(x, 0.5 * PI),
+        T::Cosine => wave(x, 0.0),
+        T::ArcTangent if args.len() == 2 => Range::new(-PI, PI, Reach::Touched),
+        T::ArcTangent => x.rising(f64::atan),
+        T::Power => power(x, y()?)?,
+        T::Magnitude => x.abs(),
+        T::Signum => x
             .rising(|v| if v == 0.0 { 0.0 } else { v.signum() })
             .exactly(),
-        "floor" => x.rising(f64::floor).exactly(),
-        "ceil" => x.rising(f64::ceil).exactly(),
-        "trunc" => x.rising(f64::trunc).exactly(),
-        "round" | "roundEven" => x.rising(f64::round_ties_even).exactly(),
-        "fract" => of_two("mod", x, Range::constant(1.0))?,
-        "exp" => x.rising(f64::exp),
-        "exp2" => x.rising(f64::exp2),
-        "log" if x.lo.value > 0.0 => x.rising(f64::ln),
-        "log2" if x.lo.value > 0.0 => x.rising(f64::log2),
-        "sqrt" => inside(x, 0.0, f64::INFINITY).rising(f64::sqrt),
-        "inversesqrt" => Range::new(0.0, f64::INFINITY, Reach::Loose),
-        "radians" => x.rising(|v| v * PI / 180.0),
-        "degrees" => x.rising(|v| v * 180.0 / PI),
-        _ => return None,
-    })
-}
-
-fn of_two(name: &str, x: Range, y: Range) -> Option<Range> {
-    Some(match name {
-        "min" => x.min(y),
-        "max" => x.max(y),
-        "step" => Range::new(0.0, 1.0, Reach::Held).exactly(),
-        "atan" => Range::new(-PI, PI, Reach::Touched),
-        "mod" => {
-            let divisor = y.single().filter(|d| *d > 0.0)?;
-            if x.lo.value >= 0.0 && x.hi.value < divisor {
-                return Some(x);
-            }
-            let reach = if x.is_finite() && !x.lo.is_reached() {
-                Reach::Loose
-            } else {
-                Reach::Touched
-            };
-            let mut range = Range::new(0.0, below(divisor), reach);
-            // The division inside rounds, unless it is by a power of two.
-            range.exact = x.exact && is_power_of_two(divisor);
-            range
-        }
-        "pow" => {
-            let exponent = y.single()?;
-            let base = inside(x, 0.0, f64::INFINITY);
-            if x.lo.value < 0.0 {
-                return None;
-            }
-            if exponent >= 0.0 {
-                base.rising(|v| v.powf(exponent))
-            } else {
-                (-base).rising(|v| (0.0 - v).powf(exponent))
-            }
-        }
-        _ => return None,
-    })
-}
-
-fn of_three(name: &str, x: Range, y: Range, z: Range) -> Option<Range> {
-    Some(match name {
-        "clamp" => x.max(y).min(z),
-        "smoothstep" => {
-            let reach = if z.is_finite() {
+        T::Fraction => modulo(x, Range::constant(1.0))?,
+        T::Modulo => modulo(x, y()?)?,
+        T::Minimum => x.min(y()?),
+        T::Maximum => x.max(y()?),
+        T::Between => x.max(y()?).min(z()?),
+        T::Blend => blend(x, y()?, z()?)?,
+        T::Threshold => Range::new(0.0, 1.0, Reach::Held).exactly(),
+        T::Ramp => {
+            let is_finite = z()?.is_finite();
+            let reach = if is_finite {
                 Reach::Touched
             } else {
                 Reach::Held
             };
             Range::new(0.0, 1.0, reach)
         }
-        "mix" if z.lo.value >= 0.0 && z.hi.value <= 1.0 => {
-            let range = x.join(y);
-            let is_reached = z.lo.is_reached() && z.hi.is_reached();
-            let is_free = (x.sources & z.sources) | (y.sources & z.sources) == 0;
-            let mut range = if is_reached && is_free {
-                range.touched()
-            } else {
-                range.loose()
-            };
-            range.exact &= z.exact;
-            range
-        }
-        _ => return None,
+        T::Logarithm(_)
+        | T::Unknown
+        | T::Norm
+        | T::Separation
+        | T::Product
+        | T::Direction
+        | T::Reflection
+        | T::Texel
+        | T::Mixed
+        | T::MixedMagnitude => return None,
     })
+}
+
+fn modulo(x: Range, y: Range) -> Option<Range> {
+    let divisor = y.single().filter(|d| *d > 0.0)?;
+    if x.lo.value >= 0.0 && x.hi.value < divisor {
+        return Some(x);
+    }
+    let reach = if x.is_finite() && !x.lo.is_reached() {
+        Reach::Loose
+    } else {
+        Reach::Touched
+    };
+    let mut range = Range::new(0.0, below(divisor), reach);
+    // The division inside rounds, unless it is by a power of two.
+    range.exact = x.exact && is_power_of_two(divisor);
+    Some(range)
+}
+
+fn power(x: Range, y: Range) -> Option<Range> {
+    let exponent = y.single()?;
+    let base = inside(x, 0.0, f64::INFINITY);
+    if x.lo.value < 0.0 {
+        return None;
+    }
+    Some(if exponent >= 0.0 {
+        base.rising(|v| v.powf(exponent))
+    } else {
+        (-base).rising(|v| (0.0 - v).powf(exponent))
+    })
+}
+
+/// `mix` with a share between 0 and 1.
+fn blend(x: Range, y: Range, share: Range) -> Option<Range> {
+    if share.lo.value < 0.0 || share.hi.value > 1.0 {
+        return None;
+    }
+    let range = x.join(y);
+    let is_reached = share.lo.is_reached() && share.hi.is_reached();
+    let is_free = (x.sources & share.sources) | (y.sources & share.sources) == 0;
+    let mut range = if is_reached && is_free {
+        range.touched()
+    } else {
+        range.loose()
+    };
+    range.exact &= share.exact;
+    Some(range)
 }
 
 /// The part of a range between two numbers; a function is not defined beyond.

@@ -4,8 +4,9 @@ use super::builtins::{of_function, of_host};
 use super::interval::{Range, Reach, below};
 use super::places::{PlaceId, Write, Written, swizzle};
 use super::{Ranges, is_same};
+use crate::semantic::builtins::Transfer;
 use crate::semantic::flow::Structure;
-use crate::semantic::{FunctionRef, Program, Resolution, Scalar, Storage, VariableId};
+use crate::semantic::{BuiltinId, FunctionRef, Program, Resolution, Scalar, Storage, VariableId};
 use crate::syntax::ast::*;
 
 /// How far the way to an answer may lead.
@@ -158,8 +159,10 @@ impl<'x> Evaluator<'x> {
                     self.result(callee, component, depth, program.tree.args(args))
                 }
                 Resolution::Builtin(_) => {
-                    let name = program.builtin_called(expr).unwrap_or("");
-                    let mut range = self.builtin(name, program.tree.args(args), component, depth);
+                    let function = program.builtin_called(expr);
+                    let transfer = function.map_or(Transfer::Unknown, BuiltinId::transfer);
+                    let args = program.tree.args(args);
+                    let mut range = self.builtin(transfer, args, component, depth);
                     if range.sources == 0 && range.single().is_none() {
                         range.sources = 1 << (expr.0 % 64);
                     }
@@ -482,12 +485,14 @@ impl<'x> Evaluator<'x> {
         }
     }
 
-    fn builtin(&self, name: &str, args: &[ExprId], component: u8, depth: u32) -> Range {
+    fn builtin(&self, transfer: Transfer, args: &[ExprId], component: u8, depth: u32) -> Range {
         let part = |e: ExprId| self.part(e, component, depth);
         let length = |e: ExprId| self.part(e, LENGTH, depth);
-        match (name, args) {
-            ("normalize", &[_]) if component == LENGTH => Range::new(1.0, 1.0, Reach::Touched),
-            ("normalize", &[v]) => {
+        match (transfer, args) {
+            (Transfer::Direction, &[_]) if component == LENGTH => {
+                Range::new(1.0, 1.0, Reach::Touched)
+            }
+            (Transfer::Direction, &[v]) => {
                 let of = part(v);
                 let mut unit = Range::new(-1.0, 1.0, Reach::Touched).like(&of);
                 if of.lo.value >= 0.0 {
@@ -501,8 +506,10 @@ impl<'x> Evaluator<'x> {
                 }
                 unit
             }
-            ("reflect", &[v, n]) if component == LENGTH && is_unit(length(n)) => length(v),
-            ("reflect", &[v, n]) => {
+            (Transfer::Reflection, &[v, n]) if component == LENGTH && is_unit(length(n)) => {
+                length(v)
+            }
+            (Transfer::Reflection, &[v, n]) => {
                 let (v, n) = (length(v), length(n));
                 let sources = self.sources(args, depth);
                 let range = if is_unit(v) && is_unit(n) {
@@ -513,13 +520,13 @@ impl<'x> Evaluator<'x> {
                 Range { sources, ..range }
             }
             (_, _) if component == LENGTH => Range::ANY,
-            ("length", &[v]) => length(v).like(&self.hanging(args, depth)),
-            ("distance", &[a, b]) => {
+            (Transfer::Norm, &[v]) => length(v).like(&self.hanging(args, depth)),
+            (Transfer::Separation, &[a, b]) => {
                 let count = self.program.ty(a).components() as u8;
                 let parts = (0..count).map(|c| self.part(a, c, depth) - self.part(b, c, depth));
                 self.length(parts).like(&self.hanging(args, depth))
             }
-            ("dot", &[a, b]) => {
+            (Transfer::Product, &[a, b]) => {
                 if is_same(self.program, a, b) {
                     return length(a).square().like(&self.hanging(args, depth));
                 }
@@ -531,21 +538,17 @@ impl<'x> Evaluator<'x> {
                 let is_free = a & b == 0 && a_length.hi.is_reached() && b_length.hi.is_reached();
                 if is_free { range } else { range.loose() }
             }
-            ("texture" | "texelFetch" | "textureLod", _) => Range {
+            (Transfer::Texel, _) => Range {
                 sources: self.sources(args, depth),
                 ..Range::ANY
             },
-            ("cross" | "refract" | "faceforward" | "dFdx" | "dFdy" | "fwidth", _) => {
-                let range = if name == "fwidth" {
-                    Range::new(0.0, f64::INFINITY, Reach::Loose)
-                } else {
-                    Range::ANY
-                };
-                range.like(&self.hanging(args, depth))
+            (Transfer::Mixed, _) => Range::ANY.like(&self.hanging(args, depth)),
+            (Transfer::MixedMagnitude, _) => {
+                Range::new(0.0, f64::INFINITY, Reach::Loose).like(&self.hanging(args, depth))
             }
             _ => {
                 let ranges: Vec<Range> = args.iter().map(|&a| part(a)).collect();
-                of_function(name, &ranges)
+                of_function(transfer, &ranges)
             }
         }
     }

@@ -6,7 +6,7 @@ use super::guards::Guard;
 use super::interval::{Range, above, below};
 use super::is_same;
 use super::places::{ChangeKind, PlaceId};
-use crate::semantic::{Base, Scalar, Storage, VariableId};
+use crate::semantic::{Base, BuiltinId, Scalar, Storage, VariableId};
 use crate::syntax::ast::*;
 
 /// How many conditions around an expression are looked at.
@@ -273,7 +273,7 @@ impl Evaluator<'_> {
         let expr = tree.unparen(expr);
         match tree.expr(expr).kind {
             ExprKind::Call(_, args) => {
-                self.program.builtin_called(expr) == Some("abs")
+                self.program.builtin_called(expr) == Some(BuiltinId::Abs)
                     && matches!(tree.args(args), &[x] if self.is_subject(x, subject))
             }
             _ => false,

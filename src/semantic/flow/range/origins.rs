@@ -2,7 +2,7 @@
 
 use super::Evaluator;
 use super::places::{PlaceId, Written, swizzle};
-use crate::semantic::{Program, Resolution};
+use crate::semantic::{BuiltinId, Program, Resolution};
 use crate::syntax::ast::*;
 use rustc_hash::FxHashSet;
 use std::rc::Rc;
@@ -150,14 +150,16 @@ impl Evaluator<'_> {
                 Resolution::Builtin(_) => {
                     let args = program.tree.args(args);
                     match program.builtin_called(expr) {
-                        Some("min" | "max" | "clamp") => {
+                        Some(BuiltinId::Min | BuiltinId::Max | BuiltinId::Clamp) => {
                             todo.extend(args.iter().map(|&a| (a, component)));
                         }
-                        Some("mix") => todo.extend(args.iter().take(2).map(|&a| (a, component))),
-                        Some("abs" | "sign" | "step") => {
+                        Some(BuiltinId::Mix) => {
+                            todo.extend(args.iter().take(2).map(|&a| (a, component)));
+                        }
+                        Some(BuiltinId::Abs | BuiltinId::Sign | BuiltinId::Step) => {
                             todo.extend(args.last().map(|&a| (a, component)))
                         }
-                        Some(name) if name.starts_with("tex") => {
+                        Some(function) if function.kind().is_texture() => {
                             found.insert(Origin::Texture);
                         }
                         _ => {}

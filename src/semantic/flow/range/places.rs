@@ -362,10 +362,15 @@ impl Places {
                         }
                     }
                 }
-                Resolution::Builtin(_) if program.builtin_called(id) == Some("modf") => {
-                    if let Some(&whole) = program.tree.args(args).get(1) {
-                        let kind = ChangeKind::Other;
-                        self.write(program, whole, Written::Unknown, expr.extent.last, kind);
+                Resolution::Builtin(_) => {
+                    let Some(overload) = program.overload_called(id).filter(|o| o.out != 0) else {
+                        return;
+                    };
+                    for (i, &arg) in program.tree.args(args).iter().enumerate() {
+                        if overload.writes(i) {
+                            let (last, kind) = (expr.extent.last, ChangeKind::Other);
+                            self.write(program, arg, Written::Unknown, last, kind);
+                        }
                     }
                 }
                 _ => {}

@@ -1,0 +1,162 @@
+//! The table of built-in functions: one row for each, one column for each thing that the tool asks
+//! of them. A row without one of its columns does not compile. The forms that a function has in a
+//! version and a stage stand as prototypes in `functions_*.glsl`; the table tells what it does.
+
+use super::row::BuiltinKind::{Derivative, Math, Size};
+use super::row::Level::{Explicit, Fetch, Gradient, Implicit};
+use super::row::Transfer::*;
+use super::row::{Axis, Row, lookup, projected, projected_shifted, shifted};
+use crate::semantic::constant::Value;
+use crate::semantic::fold::Folding::{ByColumns, Never, Values};
+use crate::semantic::fold::*;
+use std::f32::consts::PI;
+use std::f64;
+
+/// What is one instruction; the unit of the column of costs.
+const ONE: u8 = 1;
+/// What takes a special unit, or several instructions.
+const SPECIAL: u8 = 4;
+/// What asks a texture.
+const TEXTURE: u8 = 8;
+
+macro_rules! table {
+    ($($id:ident $name:literal $kind:expr, $cost:expr, $range:expr, $fold:expr;)*) => {
+        /// A built-in function by what it means; the lookups of GLSL ES 1.00 are their own.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        #[repr(u8)]
+        pub enum BuiltinId {
+            $(#[doc = concat!("`", $name, "`")] $id,)*
+        }
+
+        impl BuiltinId {
+            /// All built-in functions, in the order of the table.
+            pub const ALL: &[BuiltinId] = &[$(BuiltinId::$id),*];
+
+            /// What the table says of it.
+            pub(super) const fn row(self) -> &'static Row {
+                match self {
+                    $(BuiltinId::$id => const {
+                        &Row { name: $name, kind: $kind, cost: $cost, transfer: $range, fold: $fold }
+                    },)*
+                }
+            }
+        }
+    };
+}
+
+table! {
+    // 8.1 Angle and trigonometry
+    Radians              "radians"               Math, ONE,     Rising(|v| v * f64::consts::PI / 180.0), Values(|a| map(a, |x| x * (PI / 180.0)));
+    Degrees              "degrees"               Math, ONE,     Rising(|v| v * 180.0 / f64::consts::PI), Values(|a| map(a, |x| x * (180.0 / PI)));
+    Sin                  "sin"                   Math, SPECIAL, Sine,                        Values(|a| map(a, f32::sin));
+    Cos                  "cos"                   Math, SPECIAL, Cosine,                      Values(|a| map(a, f32::cos));
+    Tan                  "tan"                   Math, SPECIAL, Unknown,                     Values(|a| map(a, f32::tan));
+    Asin                 "asin"                  Math, SPECIAL, RisingOn(-1.0, 1.0, f64::asin), Values(|a| map(a, |x| if x.abs() > 1.0 { 0.0 } else { x.asin() }));
+    Acos                 "acos"                  Math, SPECIAL, FallingOn(-1.0, 1.0, f64::acos), Values(|a| map(a, |x| if x.abs() > 1.0 { 0.0 } else { x.acos() }));
+    Atan                 "atan"                  Math, SPECIAL, ArcTangent,                  Values(arc_tangent);
+    Sinh                 "sinh"                  Math, SPECIAL, Unknown,                     Values(|a| map(a, f32::sinh));
+    Cosh                 "cosh"                  Math, SPECIAL, Unknown,                     Values(|a| map(a, f32::cosh));
+    Tanh                 "tanh"                  Math, SPECIAL, Rising(f64::tanh),           Values(|a| map(a, f32::tanh));
+    Asinh                "asinh"                 Math, SPECIAL, Unknown,                     Values(|a| map(a, f32::asinh));
+    Acosh                "acosh"                 Math, SPECIAL, Unknown,                     Values(|a| map(a, |x| if x < 1.0 { 0.0 } else { x.acosh() }));
+    Atanh                "atanh"                 Math, SPECIAL, Unknown,                     Values(|a| map(a, |x| if x.abs() >= 1.0 { 0.0 } else { x.atanh() }));
+
+    // 8.2 Exponential
+    Pow                  "pow"                   Math, SPECIAL, Power,                       Values(power);
+    Exp                  "exp"                   Math, SPECIAL, Rising(f64::exp),            Values(|a| map(a, f32::exp));
+    Log                  "log"                   Math, SPECIAL, Logarithm(f64::ln),          Values(|a| map(a, |x| if x <= 0.0 { 0.0 } else { x.ln() }));
+    Exp2                 "exp2"                  Math, SPECIAL, Rising(f64::exp2),           Values(|a| map(a, f32::exp2));
+    Log2                 "log2"                  Math, SPECIAL, Logarithm(f64::log2),        Values(|a| map(a, |x| if x <= 0.0 { 0.0 } else { x.log2() }));
+    Sqrt                 "sqrt"                  Math, SPECIAL, RisingOn(0.0, f64::INFINITY, f64::sqrt), Values(|a| map(a, |x| if x < 0.0 { 0.0 } else { x.sqrt() }));
+    InverseSqrt          "inversesqrt"           Math, SPECIAL, NonNegative,                 Values(|a| map(a, |x| if x <= 0.0 { 0.0 } else { 1.0 / x.sqrt() }));
+
+    // 8.3 Common
+    Abs                  "abs"                   Math, ONE,     Magnitude,                   Values(absolute);
+    Sign                 "sign"                  Math, ONE,     Signum,                      Values(signum);
+    Floor                "floor"                 Math, ONE,     Rounded(f64::floor),         Values(|a| map(a, f32::floor));
+    Trunc                "trunc"                 Math, ONE,     Rounded(f64::trunc),         Values(|a| map(a, f32::trunc));
+    Round                "round"                 Math, ONE,     Rounded(f64::round_ties_even), Values(|a| map(a, f32::round));
+    RoundEven            "roundEven"             Math, ONE,     Rounded(f64::round_ties_even), Values(|a| map(a, f32::round_ties_even));
+    Ceil                 "ceil"                  Math, ONE,     Rounded(f64::ceil),          Values(|a| map(a, f32::ceil));
+    Fract                "fract"                 Math, ONE,     Fraction,                    Values(|a| map(a, |x| x - x.floor()));
+    Mod                  "mod"                   Math, ONE,     Modulo,                      Values(|a| map2(a, |x, y| x - y * (x / y).floor()));
+    Modf                 "modf"                  Math, ONE,     Unknown,                     Never;
+    Min                  "min"                   Math, ONE,     Minimum,                     Values(|a| pair(a, |x, y| if less(y, x) { y } else { x }));
+    Max                  "max"                   Math, ONE,     Maximum,                     Values(|a| pair(a, |x, y| if less(x, y) { y } else { x }));
+    Clamp                "clamp"                 Math, ONE,     Between,                     Values(clamp);
+    Mix                  "mix"                   Math, ONE,     Blend,                       Values(mix);
+    Step                 "step"                  Math, ONE,     Threshold,                   Values(|a| map2(a, |edge, x| if x < edge { 0.0 } else { 1.0 }));
+    Smoothstep           "smoothstep"            Math, SPECIAL, Ramp,                        Values(smoothstep);
+    IsNan                "isnan"                 Math, ONE,     Unknown,                     Values(|a| each(a, |x| Value::Bool(x.as_float().is_nan())));
+    IsInf                "isinf"                 Math, ONE,     Unknown,                     Values(|a| each(a, |x| Value::Bool(x.as_float().is_infinite())));
+    FloatBitsToInt       "floatBitsToInt"        Math, ONE,     Unknown,                     Values(|a| each(a, |x| Value::Int(x.as_float().to_bits() as i32)));
+    FloatBitsToUint      "floatBitsToUint"       Math, ONE,     Unknown,                     Values(|a| each(a, |x| Value::Uint(x.as_float().to_bits())));
+    IntBitsToFloat       "intBitsToFloat"        Math, ONE,     Unknown,                     Values(float_of_bits);
+    UintBitsToFloat      "uintBitsToFloat"       Math, ONE,     Unknown,                     Values(float_of_bits);
+
+    // 8.4 Packing
+    PackSnorm2x16        "packSnorm2x16"         Math, ONE,     Unknown,                     Values(|a| pack(a, snorm_bits));
+    UnpackSnorm2x16      "unpackSnorm2x16"       Math, ONE,     Unknown,                     Values(|a| unpack(a, |x| (x as i16 as f32 / 32767.0).clamp(-1.0, 1.0)));
+    PackUnorm2x16        "packUnorm2x16"         Math, ONE,     Unknown,                     Values(|a| pack(a, |x| (x.clamp(0.0, 1.0) * 65535.0).round() as u16));
+    UnpackUnorm2x16      "unpackUnorm2x16"       Math, ONE,     Unknown,                     Values(|a| unpack(a, |x| x as f32 / 65535.0));
+    PackHalf2x16         "packHalf2x16"          Math, ONE,     Unknown,                     Values(|a| pack(a, half_bits));
+    UnpackHalf2x16       "unpackHalf2x16"        Math, ONE,     Unknown,                     Values(|a| unpack(a, half_value));
+
+    // 8.5 Geometry
+    Length               "length"                Math, SPECIAL, Norm,                        Values(length);
+    Distance             "distance"              Math, SPECIAL, Separation,                  Values(distance);
+    Dot                  "dot"                   Math, ONE,     Product,                     Values(|a| scalar(zip(a)?.map(|(x, y)| x * y).sum()));
+    Cross                "cross"                 Math, ONE,     Mixed,                       Values(cross);
+    Normalize            "normalize"             Math, SPECIAL, Direction,                   Values(normalize);
+    FaceForward          "faceforward"           Math, ONE,     Mixed,                       Values(face_forward);
+    Reflect              "reflect"               Math, SPECIAL, Reflection,                  Values(reflect);
+    Refract              "refract"               Math, SPECIAL, Mixed,                       Values(refract);
+
+    // 8.6 Matrices
+    MatrixCompMult       "matrixCompMult"        Math, ONE,     Unknown,                     Values(|a| map2(a, |x, y| x * y));
+    OuterProduct         "outerProduct"          Math, ONE,     Unknown,                     Values(outer_product);
+    Transpose            "transpose"             Math, ONE,     Unknown,                     ByColumns(transpose);
+    Determinant          "determinant"           Math, SPECIAL, Unknown,                     Values(|a| scalar(determinant(&square(a.first()?)?)));
+    Inverse              "inverse"               Math, SPECIAL, Unknown,                     Values(inverse);
+
+    // 8.7 Vector relations
+    LessThan             "lessThan"              Math, ONE,     Unknown,                     Values(|a| pair(a, |x, y| Value::Bool(less(x, y))));
+    LessThanEqual        "lessThanEqual"         Math, ONE,     Unknown,                     Values(|a| pair(a, |x, y| Value::Bool(less(x, y) || x == y)));
+    GreaterThan          "greaterThan"           Math, ONE,     Unknown,                     Values(|a| pair(a, |x, y| Value::Bool(less(y, x))));
+    GreaterThanEqual     "greaterThanEqual"      Math, ONE,     Unknown,                     Values(|a| pair(a, |x, y| Value::Bool(less(y, x) || x == y)));
+    Equal                "equal"                 Math, ONE,     Unknown,                     Values(|a| pair(a, |x, y| Value::Bool(x == y)));
+    NotEqual             "notEqual"              Math, ONE,     Unknown,                     Values(|a| pair(a, |x, y| Value::Bool(x != y)));
+    Any                  "any"                   Math, ONE,     Unknown,                     Values(|a| Some(vec![Value::Bool(a.first()?.iter().any(|v| v.as_bool()))]));
+    All                  "all"                   Math, ONE,     Unknown,                     Values(|a| Some(vec![Value::Bool(a.first()?.iter().all(|v| v.as_bool()))]));
+    Not                  "not"                   Math, ONE,     Unknown,                     Values(|a| each(a, |x| Value::Bool(!x.as_bool())));
+
+    // 8.8 Texture lookup
+    TextureSize          "textureSize"           Size,                       TEXTURE, Unknown,                     Never;
+    Texture              "texture"               lookup(Implicit),           TEXTURE, Texel,                       Never;
+    TextureOffset        "textureOffset"         shifted(Implicit),          TEXTURE, Texel,                       Never;
+    TextureLod           "textureLod"            lookup(Explicit),           TEXTURE, Texel,                       Never;
+    TextureLodOffset     "textureLodOffset"      shifted(Explicit),          TEXTURE, Texel,                       Never;
+    TextureGrad          "textureGrad"           lookup(Gradient),           TEXTURE, Texel,                       Never;
+    TextureGradOffset    "textureGradOffset"     shifted(Gradient),          TEXTURE, Texel,                       Never;
+    TextureProj          "textureProj"           projected(Implicit),        TEXTURE, Texel,                       Never;
+    TextureProjOffset    "textureProjOffset"     projected_shifted(Implicit), TEXTURE, Texel,                       Never;
+    TextureProjLod       "textureProjLod"        projected(Explicit),        TEXTURE, Texel,                       Never;
+    TextureProjLodOffset "textureProjLodOffset"  projected_shifted(Explicit), TEXTURE, Texel,                      Never;
+    TextureProjGrad      "textureProjGrad"       projected(Gradient),        TEXTURE, Texel,                       Never;
+    TextureProjGradOffset "textureProjGradOffset" projected_shifted(Gradient), TEXTURE, Texel,                      Never;
+    TexelFetch           "texelFetch"            lookup(Fetch),              TEXTURE, Texel,                       Never;
+    TexelFetchOffset     "texelFetchOffset"      shifted(Fetch),             TEXTURE, Texel,                       Never;
+
+    // 8.7 of GLSL ES 1.00: lookups named after the sampler
+    Texture2D            "texture2D"             lookup(Implicit),           TEXTURE, Texel,                       Never;
+    Texture2DProj        "texture2DProj"         projected(Implicit),        TEXTURE, Texel,                       Never;
+    Texture2DLod         "texture2DLod"          lookup(Explicit),           TEXTURE, Texel,                       Never;
+    Texture2DProjLod     "texture2DProjLod"      projected(Explicit),        TEXTURE, Texel,                       Never;
+    TextureCube          "textureCube"           lookup(Implicit),           TEXTURE, Texel,                       Never;
+    TextureCubeLod       "textureCubeLod"        lookup(Explicit),           TEXTURE, Texel,                       Never;
+
+    // 8.9 Fragment processing
+    DFdx                 "dFdx"                  Derivative(Axis::X),        ONE,     Mixed,                       Never;
+    DFdy                 "dFdy"                  Derivative(Axis::Y),        ONE,     Mixed,                       Never;
+    Fwidth               "fwidth"                Derivative(Axis::Both),     ONE,     MixedMagnitude,              Never;
+}
