@@ -99,10 +99,12 @@ pub enum Root {
     Local,
     /// Made by lowering, for a value that control flow brings together.
     Temporary,
-    /// A parameter, set by the caller.
+    /// An `in` parameter.
     Parameter,
-    /// A parameter whose value the caller takes back: `out` and `inout`.
+    /// An `out` parameter: undefined when a call begins, taken back by the caller.
     ParameterOut,
+    /// An `inout` parameter.
+    ParameterInout,
     /// At global scope, as long as the shader runs.
     Global,
     /// Set for all pixels or vertices of a draw.

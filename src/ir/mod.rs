@@ -12,8 +12,10 @@
 )]
 
 mod form;
+mod lower;
 
 pub use form::{
     Access, Binary, Case, Function, Label, Lanes, Loop, LoopId, Module, Op, OpId, OpKind, Origin,
     Place, PlaceId, Precision, Region, Root, Run, Step, Switch, SwitchId, Unary, Variable,
 };
+pub use lower::lower;

@@ -8,7 +8,7 @@ use crate::semantic::flow::{
     CallGraph, Effects, Gradient, Loops, Mentions, Paths, Purity, Reach, Structure, Uniformity,
     Usage, Work, gradients,
 };
-use crate::semantic::{Dialect, FunctionRef, Program, Stage};
+use crate::semantic::{FunctionRef, Program, Stage};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
 use crate::text::embed::Host;
@@ -162,21 +162,7 @@ impl<'a> Facts<'a> {
 
     /// The function that draws: `mainImage` and its kin, or `main`.
     pub fn entry(&self) -> Option<FunctionRef> {
-        *self.entry.get_or_init(|| {
-            let program = self.program;
-            let name = match program.dialect {
-                Dialect::ShaderToy(pass) => pass.entry()?,
-                Dialect::WebGl => "main",
-            };
-            let is_entry = |name| {
-                let functions = program.functions.iter();
-                let mut defined = functions
-                    .enumerate()
-                    .filter(|(_, f)| f.definition.is_some());
-                defined.position(|(_, f)| program.names.text(f.name) == name)
-            };
-            is_entry(name).map(|i| FunctionRef(i as u32))
-        })
+        *self.entry.get_or_init(|| self.program.entry())
     }
 
     /// Which expressions and functions do more than give a value.

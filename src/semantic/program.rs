@@ -49,6 +49,11 @@ pub enum Direction {
 }
 
 impl Direction {
+    /// Whether the caller's value is read.
+    pub const fn reads(self) -> bool {
+        !matches!(self, Direction::Out)
+    }
+
     /// Whether the caller's variable is written to.
     pub const fn writes(self) -> bool {
         matches!(self, Direction::Out | Direction::Inout)
@@ -261,6 +266,25 @@ impl Program {
             }
             _ => None,
         }
+    }
+
+    /// The function that runs for each pixel or vertex: `mainImage` and its kin, or `main`.
+    pub fn entry(&self) -> Option<FunctionRef> {
+        let name = match self.dialect {
+            Dialect::ShaderToy(pass) => pass.entry()?,
+            Dialect::WebGl => "main",
+        };
+        let name = self.names.get(name)?;
+        let is_entry = |f: &Function| f.definition.is_some() && f.name == name;
+        let at = self.functions.iter().position(is_entry)?;
+        Some(FunctionRef(at as u32))
+    }
+
+    /// The precision that the language gives one of its own variables.
+    pub fn builtin_precision(&self, name: Name) -> Option<QualifierKind> {
+        Builtins::of(self.version, self.stage)
+            .variable(self.names.text(name))?
+            .precision
     }
 
     /// A token.

@@ -135,6 +135,8 @@ pub struct BuiltinVariable {
     pub ty: Option<Type>,
     /// How it may be used.
     pub storage: BuiltinStorage,
+    /// How exact it is, where the language says.
+    pub precision: Option<QualifierKind>,
 }
 
 /// Everything that one version of the language defines for one stage.
@@ -368,6 +370,15 @@ impl Loader<'_> {
                     QualifierKind::Const => init.map(BuiltinStorage::Const),
                     _ => None,
                 });
+            let precision = self
+                .tree
+                .qualifiers(qualifiers)
+                .iter()
+                .map(|q| q.kind)
+                .find(|kind| {
+                    use QualifierKind::{Highp, Lowp, Mediump};
+                    matches!(kind, Lowp | Mediump | Highp)
+                });
             let size = self
                 .tree
                 .arrays(declarator.arrays)
@@ -381,7 +392,12 @@ impl Loader<'_> {
             };
             if let Some(storage) = storage {
                 let name = self.names.text(declarator.ident.name).to_string();
-                found.insert(name, BuiltinVariable { ty, storage });
+                let variable = BuiltinVariable {
+                    ty,
+                    storage,
+                    precision,
+                };
+                found.insert(name, variable);
             }
         }
     }

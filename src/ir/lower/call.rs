@@ -1,0 +1,63 @@
+//! Calls: arguments from left to right, values in by copy, values back by copy.
+
+use super::super::form::*;
+use super::Lowerer;
+use super::place::Target;
+use crate::semantic::builtins::Builtins;
+use crate::semantic::{Direction, FunctionRef, Type};
+use crate::syntax::ast::List;
+
+impl Lowerer<'_> {
+    /// A call of a function of the shader.
+    pub(super) fn call(&mut self, function: FunctionRef, args: List, ty: Type) -> OpId {
+        let program = self.program;
+        let params = program.function(function).map_or(&[][..], |f| &f.params);
+        let mut operands = Vec::with_capacity(params.len());
+        let mut back: Vec<(u32, Target, Type)> = Vec::new();
+        for ((number, param), &arg) in (0..).zip(params).zip(program.tree.args(args)) {
+            let operand = match param.direction {
+                Direction::In | Direction::ConstIn => self.value(arg),
+                Direction::Out | Direction::Inout => {
+                    let target = self.target(arg);
+                    back.push((number, target, param.ty));
+                    match param.direction {
+                        Direction::Inout => self.read(target, param.ty),
+                        _ => self.op(OpKind::Undef, param.ty),
+                    }
+                }
+            };
+            operands.push(operand);
+        }
+        let operands = self.operands(&operands);
+        let call = self.op(OpKind::Call(function, operands), ty);
+        self.take_back(call, &back);
+        call
+    }
+
+    /// A call of a built-in function.
+    pub(super) fn builtin(&mut self, overload: u32, args: List, ty: Type) -> OpId {
+        let program = self.program;
+        let found = Builtins::of(program.version, program.stage).overload(overload);
+        let out = found.map_or(0, |(o, _)| o.out);
+        let mut operands = Vec::with_capacity(args.len as usize);
+        let mut back = Vec::new();
+        for (number, &arg) in (0..).zip(program.tree.args(args)) {
+            match out >> number & 1 {
+                0 => operands.push(self.value(arg)),
+                _ => back.push((number, self.target(arg), program.ty(arg))),
+            }
+        }
+        let operands = self.operands(&operands);
+        let call = self.op(OpKind::Builtin(overload, operands), ty);
+        self.take_back(call, &back);
+        call
+    }
+
+    /// Copies what a call left in its parameters to the arguments.
+    fn take_back(&mut self, call: OpId, back: &[(u32, Target, Type)]) {
+        for &(number, target, ty) in back {
+            let value = self.op(OpKind::Returned(call, number), ty);
+            self.write(target, value);
+        }
+    }
+}

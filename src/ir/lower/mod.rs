@@ -1,0 +1,289 @@
+//! From the checked syntax tree to the [form](super::form).
+//!
+//! Everything is lowered, what nobody calls and what has errors too: an expression that was reported
+//! is an [`OpKind::Unknown`], so that what stands around it can still be asked about.
+
+mod call;
+mod construct;
+mod expression;
+mod place;
+mod precision;
+mod statement;
+
+use super::form::*;
+use crate::semantic::{
+    Constant, Direction, FunctionRef, Program, Scalar, Storage, Type, Value, VariableId,
+};
+use crate::syntax::ast::{DeclId, DeclKind, ExprId, FunctionId, Item, List, TokenId};
+use precision::{Precisions, Returned};
+
+/// How deep expressions and statements may nest; what lies deeper is unknown. The browser refuses
+/// trees deeper than 256.
+const MAX_DEPTH: u32 = 600;
+
+/// Lowers a shader, in time linear in its size.
+pub fn lower(program: &Program) -> Module {
+    let mut lowerer = Lowerer {
+        program,
+        module: Module {
+            stage: Some(program.stage),
+            by_expr: vec![None; program.tree.exprs.len()],
+            ops: Vec::with_capacity(program.tree.exprs.len()),
+            origins: Vec::with_capacity(program.tree.exprs.len()),
+            ..Module::default()
+        },
+        precisions: Precisions::new(program.stage),
+        returned: Returned::default(),
+        open: Vec::new(),
+        covered: 0,
+        origin: Origin::Language,
+        function: None,
+        depth: 0,
+    };
+    lowerer.variables();
+    lowerer.items();
+    lowerer.module.entry = program.entry();
+    lowerer.module
+}
+
+/// A module that is being made.
+struct Lowerer<'p> {
+    program: &'p Program,
+    module: Module,
+    precisions: Precisions,
+    returned: Returned,
+    /// The steps of the regions that are being made, the innermost last.
+    open: Vec<Step>,
+    /// How many operations are in a run, or in a region already.
+    covered: u32,
+    /// What is being lowered.
+    origin: Origin,
+    function: Option<FunctionRef>,
+    depth: u32,
+}
+
+impl Lowerer<'_> {
+    /// Takes over the shader's variables.
+    fn variables(&mut self) {
+        let program = self.program;
+        let root = |storage| match storage {
+            Storage::Local => Root::Local,
+            Storage::Global => Root::Global,
+            Storage::Param(Direction::Out) => Root::ParameterOut,
+            Storage::Param(Direction::Inout) => Root::ParameterInout,
+            Storage::Param(Direction::In | Direction::ConstIn) => Root::Parameter,
+            Storage::Uniform => Root::Uniform,
+            Storage::Input => Root::Input,
+            Storage::Output => Root::Output,
+        };
+        let variables = program.variables.iter().map(|v| Variable {
+            ty: v.ty,
+            precision: precision::of_language(v, program),
+            function: v.function,
+            root: root(v.storage),
+        });
+        self.module.variables = variables.collect();
+        self.module.functions = program
+            .functions
+            .iter()
+            .map(|f| Function {
+                parameters: List::default(),
+                returns: f.returns,
+                body: None,
+                ops: Run {
+                    first: OpId(0),
+                    len: 0,
+                },
+            })
+            .collect();
+    }
+
+    /// Lowers what stands at global scope: all initial values first, so that their operations are
+    /// one range, then the functions.
+    fn items(&mut self) {
+        let tree = &self.program.tree;
+        let mut defined = Vec::new();
+        let globals = self.region(|l| {
+            for item in &tree.items {
+                match item {
+                    Item::Decl(id) => l.global(*id),
+                    // Precisions hold from where they stand, so each function keeps its own.
+                    Item::Function(id) => defined.push((*id, l.precisions.clone())),
+                }
+            }
+        });
+        self.module.globals = globals;
+        let mut by_definition: Vec<_> = (0..)
+            .zip(&self.program.functions)
+            .filter_map(|(i, f)| Some((f.definition?, FunctionRef(i))))
+            .collect();
+        by_definition.sort_unstable_by_key(|(definition, _)| *definition);
+        let function_of = |id: FunctionId| {
+            let at = by_definition.binary_search_by_key(&id, |(definition, _)| *definition);
+            Some(by_definition.get(at.ok()?)?.1)
+        };
+        // A call may stand before the definition.
+        for (id, precisions) in &defined {
+            if let Some(function) = function_of(*id) {
+                self.precisions = precisions.clone();
+                self.parameters(function, *id);
+            }
+        }
+        for (id, precisions) in defined {
+            if let Some(function) = function_of(id) {
+                self.precisions = precisions;
+                self.body(function, id);
+            }
+        }
+    }
+
+    fn global(&mut self, id: DeclId) {
+        match self.program.tree.decl(id).map(|d| d.kind) {
+            Some(DeclKind::Block { members, .. }) => self.block(members),
+            Some(_) => self.declaration(id),
+            None => {}
+        }
+    }
+
+    /// Makes an operation for what is being lowered.
+    fn op(&mut self, kind: OpKind, ty: Type) -> OpId {
+        let id = OpId(self.module.ops.len() as u32);
+        let precision = match ty.scalar_kind() {
+            Some(Scalar::Bool) => Precision::None,
+            _ => self.precision_of(kind),
+        };
+        self.module.ops.push(Op {
+            kind,
+            ty,
+            precision,
+        });
+        self.module.origins.push(self.origin);
+        id
+    }
+
+    /// A list of operands.
+    fn operands(&mut self, operands: &[OpId]) -> List {
+        let start = self.module.operand_lists.len() as u32;
+        self.module.operand_lists.extend_from_slice(operands);
+        List {
+            start,
+            len: operands.len() as u32,
+        }
+    }
+
+    fn constant(&mut self, values: impl IntoIterator<Item = Value>, ty: Type) -> OpId {
+        let constant = self.module.pool.add(values);
+        match constant {
+            Constant::NONE => self.op(OpKind::Unknown, ty),
+            constant => self.op(OpKind::Const(constant), ty),
+        }
+    }
+
+    /// A number of a type's kind in all of its components.
+    fn number(&mut self, number: i32, ty: Type) -> OpId {
+        let scalar = ty.scalar_kind().unwrap_or(Scalar::Int);
+        let value = Value::Int(number).to(scalar);
+        self.constant((0..ty.components()).map(|_| value), ty)
+    }
+
+    /// Closes the run of operations that no step holds yet.
+    fn close_run(&mut self) {
+        let end = self.module.ops.len() as u32;
+        if end > self.covered {
+            self.open.push(Step::Run(Run {
+                first: OpId(self.covered),
+                len: end - self.covered,
+            }));
+            self.covered = end;
+        }
+    }
+
+    /// Adds a step behind all operations so far.
+    fn step(&mut self, step: Step) {
+        self.close_run();
+        self.open.push(step);
+    }
+
+    /// What `fill` lowers, as a region of its own.
+    fn region(&mut self, fill: impl FnOnce(&mut Self)) -> Region {
+        self.close_run();
+        let mark = self.open.len();
+        fill(self);
+        self.close_run();
+        let start = self.module.steps.len() as u32;
+        self.module.steps.extend(self.open.drain(mark..));
+        Region(List {
+            start,
+            len: self.module.steps.len() as u32 - start,
+        })
+    }
+
+    /// Lowers what lies one level deeper; `None` where that is too deep.
+    fn deeper<T>(&mut self, lower: impl FnOnce(&mut Self) -> T) -> Option<T> {
+        if self.depth >= MAX_DEPTH {
+            return None;
+        }
+        self.depth += 1;
+        let made = lower(self);
+        self.depth -= 1;
+        Some(made)
+    }
+
+    /// Storage for a value that control flow brings together.
+    fn temporary(&mut self, ty: Type) -> PlaceId {
+        let variable = self.new_variable(ty, Root::Temporary);
+        self.place_of(variable, ty)
+    }
+
+    fn new_variable(&mut self, ty: Type, root: Root) -> VariableId {
+        let id = VariableId(self.module.variables.len() as u32);
+        self.module.variables.push(Variable {
+            ty,
+            precision: self.precisions.default_of(ty),
+            function: self.function,
+            root,
+        });
+        id
+    }
+
+    /// A whole variable.
+    fn place_of(&mut self, variable: VariableId, ty: Type) -> PlaceId {
+        self.add_place(variable, &[], ty)
+    }
+
+    fn add_place(&mut self, variable: VariableId, path: &[Access], ty: Type) -> PlaceId {
+        let id = PlaceId(self.module.places.len() as u32);
+        let start = self.module.access_lists.len() as u32;
+        self.module.access_lists.extend_from_slice(path);
+        self.module.places.push(Place {
+            variable,
+            path: List {
+                start,
+                len: path.len() as u32,
+            },
+            ty,
+        });
+        id
+    }
+
+    fn load(&mut self, place: PlaceId) -> OpId {
+        let ty = self.module.place(place).ty;
+        self.op(OpKind::Load(place), ty)
+    }
+
+    fn store(&mut self, place: PlaceId, value: OpId) {
+        self.op(OpKind::Store(place, value), Type::VOID);
+    }
+
+    /// Lowers for the declaration of a name.
+    fn at_declaration(&mut self, token: TokenId) {
+        self.origin = Origin::Declaration(token);
+    }
+
+    /// Notes which operation gives the value of an expression.
+    fn note(&mut self, expr: ExprId, op: OpId) {
+        if let Some(slot) = self.module.by_expr.get_mut(expr.0 as usize) {
+            *slot = Some(op);
+        }
+    }
+}

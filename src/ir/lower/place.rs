@@ -1,0 +1,217 @@
+//! Places: variables and parts of them, read and written.
+
+use super::super::form::*;
+use super::Lowerer;
+use crate::semantic::{Base, Scalar, Type, VariableId};
+use crate::syntax::Name;
+use crate::syntax::ast::*;
+
+/// A place, before it is kept: what its way leads through.
+pub(super) struct Way {
+    variable: VariableId,
+    path: Vec<Access>,
+    pub ty: Type,
+}
+
+/// Where an assignment writes to.
+#[derive(Clone, Copy)]
+pub(super) enum Target {
+    /// A place.
+    Place(PlaceId),
+    /// The component, whose number is computed, of some components of a vector: `v.zx[i]`.
+    Component {
+        /// The components.
+        of: PlaceId,
+        /// Which of them.
+        index: OpId,
+    },
+    /// What cannot be written to was reported.
+    Nothing,
+}
+
+/// What a `.name` picks.
+pub(super) enum Picked {
+    /// The member with this number, and its type.
+    Member(u32, Type),
+    /// These components.
+    Lanes(Lanes),
+    /// Nothing that there is.
+    Nothing,
+}
+
+impl Lowerer<'_> {
+    /// What `.name` picks of a value of this type.
+    pub(super) fn picked(&self, ty: Type, name: Name) -> Picked {
+        if Self::is_record(ty) {
+            let fields = self.program.struct_of(ty).map_or(&[][..], |s| &s.fields);
+            let mut numbered = (0..).zip(fields);
+            return match numbered.find(|(_, f)| f.name == name) {
+                Some((number, field)) => Picked::Member(number, field.ty),
+                None => Picked::Nothing,
+            };
+        }
+        let sets = ["xyzw", "rgba", "stpq"];
+        let number = |c: char| sets.iter().find_map(|set| set.find(c));
+        let text = self.program.names.text(name);
+        match ty.is_vector() {
+            true => Picked::Lanes(Lanes::new(text.chars().filter_map(number).map(|n| n as u8))),
+            false => Picked::Nothing,
+        }
+    }
+
+    /// The way to what an expression names, where it is a variable or a part of one. Indices on the
+    /// way are computed here, in order.
+    pub(super) fn way(&mut self, id: ExprId) -> Option<Way> {
+        let program = self.program;
+        match program.tree.expr(id).kind {
+            ExprKind::Paren(inner) => self.way(inner),
+            ExprKind::Name(_) => {
+                let variable = program.variable_of(id)?;
+                Some(Way {
+                    variable,
+                    path: Vec::new(),
+                    ty: program.variable(variable)?.ty,
+                })
+            }
+            ExprKind::Member(object, name) => {
+                let mut way = self.deeper(|l| l.way(object))??;
+                match self.picked(way.ty, name) {
+                    Picked::Member(number, ty) => {
+                        way.path.push(Access::Member(number));
+                        way.ty = ty;
+                    }
+                    Picked::Lanes(lanes) => way.take_lanes(lanes),
+                    Picked::Nothing => return None,
+                }
+                Some(way)
+            }
+            ExprKind::Index(object, index) => {
+                // Looked at before anything is computed, since the way is then another.
+                if self.is_swizzle(object) && program.scalar(index).is_none() {
+                    return None;
+                }
+                let mut way = self.deeper(|l| l.way(object))??;
+                self.take_element(&mut way, index)?;
+                Some(way)
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether an expression picks components of a vector by name.
+    fn is_swizzle(&self, id: ExprId) -> bool {
+        let program = self.program;
+        match program.tree.expr(program.tree.unparen(id)).kind {
+            ExprKind::Member(object, _) => program.ty(object).is_vector(),
+            _ => false,
+        }
+    }
+
+    /// One element further on the way.
+    fn take_element(&mut self, way: &mut Way, index: ExprId) -> Option<()> {
+        let element = element_of(way.ty)?;
+        let known = self.program.scalar(index).map(|v| v.as_int().max(0) as u32);
+        match known {
+            Some(number) if way.ty.is_vector() => way.take_lanes(Lanes::new([number.min(3) as u8])),
+            Some(number) => {
+                way.path.push(Access::Element(number));
+                way.ty = element;
+            }
+            None => {
+                let index = self.value(index);
+                way.path.push(Access::Computed(index));
+                way.ty = element;
+            }
+        }
+        Some(())
+    }
+
+    /// Keeps a way as a place.
+    pub(super) fn keep(&mut self, way: &Way) -> PlaceId {
+        self.add_place(way.variable, &way.path, way.ty)
+    }
+
+    /// Where an assignment to an expression writes to.
+    pub(super) fn target(&mut self, id: ExprId) -> Target {
+        if let Some(way) = self.way(id) {
+            return Target::Place(self.keep(&way));
+        }
+        let tree = &self.program.tree;
+        if let ExprKind::Index(object, index) = tree.expr(tree.unparen(id)).kind
+            && let Some(way) = self.way(object)
+        {
+            let index = self.value(index);
+            let of = self.keep(&way);
+            return Target::Component { of, index };
+        }
+        Target::Nothing
+    }
+
+    /// What stands where an assignment writes to.
+    pub(super) fn read(&mut self, target: Target, ty: Type) -> OpId {
+        match target {
+            Target::Place(place) => self.load(place),
+            Target::Component { of, index } => {
+                let base = self.load(of);
+                self.op(OpKind::ExtractComputed { base, index }, ty)
+            }
+            Target::Nothing => self.op(OpKind::Unknown, ty),
+        }
+    }
+
+    /// Writes a value to where an assignment writes to.
+    pub(super) fn write(&mut self, target: Target, value: OpId) {
+        match target {
+            Target::Place(place) => self.store(place, value),
+            Target::Component { of, index } => {
+                let all = self.load(of);
+                let ty = self.module.ty(all);
+                let variable = self.new_variable(ty, Root::Temporary);
+                let whole = self.place_of(variable, ty);
+                self.store(whole, all);
+                let one = self.module.ty(value);
+                let component = self.add_place(variable, &[Access::Computed(index)], one);
+                self.store(component, value);
+                let all = self.load(whole);
+                self.store(of, all);
+            }
+            Target::Nothing => {}
+        }
+    }
+}
+
+impl Way {
+    /// Some components further on the way.
+    fn take_lanes(&mut self, inner: Lanes) {
+        let lanes = match self.path.last().copied() {
+            Some(Access::Lanes(lanes)) => {
+                self.path.pop();
+                lanes.pick(inner)
+            }
+            _ => inner,
+        };
+        self.path.push(Access::Lanes(lanes));
+        let scalar = self.ty.scalar_kind().unwrap_or(Scalar::Float);
+        self.ty = Type::vector(scalar, lanes.count());
+    }
+}
+
+/// The type of an element of an array, of a column of a matrix, of a component of a vector.
+pub(super) fn element_of(ty: Type) -> Option<Type> {
+    if ty.is_array() {
+        return Some(ty.element());
+    }
+    match ty.base {
+        Base::Numeric {
+            scalar,
+            columns: 2..,
+            rows,
+        } => Some(Type::vector(scalar, rows)),
+        Base::Numeric {
+            scalar,
+            columns: 1,
+            rows: 2..,
+        } => Some(Type::scalar(scalar)),
+        _ => None,
+    }
+}

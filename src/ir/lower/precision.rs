@@ -1,0 +1,144 @@
+//! How exact values are (GLSL ES 3.00 section 4.5).
+
+use super::super::form::*;
+use super::Lowerer;
+use crate::semantic::{Base, Program, Sampler, Scalar, Stage, Type, Variable as Declared};
+use crate::syntax::ast::{List, QualifierKind};
+use rustc_hash::FxHashMap;
+
+/// The default precisions in the scope at hand.
+#[derive(Clone)]
+pub(super) struct Precisions {
+    float: Precision,
+    int: Precision,
+    /// Of samplers, where they are not what the language says.
+    samplers: Vec<(Sampler, Precision)>,
+}
+
+impl Precisions {
+    /// What the language says of a stage (section 4.5.4).
+    pub fn new(stage: Stage) -> Precisions {
+        let (float, int) = match stage {
+            Stage::Vertex => (Precision::High, Precision::High),
+            Stage::Fragment => (Precision::None, Precision::Medium),
+        };
+        Precisions {
+            float,
+            int,
+            samplers: Vec::new(),
+        }
+    }
+
+    /// The precision of a type that is declared without one.
+    pub fn default_of(&self, ty: Type) -> Precision {
+        match ty.base {
+            Base::Numeric { scalar, .. } => match scalar {
+                Scalar::Float => self.float,
+                Scalar::Int | Scalar::Uint => self.int,
+                Scalar::Bool => Precision::None,
+            },
+            Base::Sampler(sampler) => {
+                let set = self.samplers.iter().rev().find(|(s, _)| *s == sampler);
+                set.map_or(Precision::Low, |(_, precision)| *precision)
+            }
+            _ => Precision::None,
+        }
+    }
+
+    /// Takes a `precision` statement.
+    pub fn set(&mut self, ty: Type, precision: Precision) {
+        match ty.base {
+            Base::Sampler(sampler) => self.samplers.push((sampler, precision)),
+            _ => match ty.scalar_kind() {
+                Some(Scalar::Float) => self.float = precision,
+                Some(Scalar::Int) => self.int = precision,
+                _ => {}
+            },
+        }
+    }
+}
+
+/// The precision that a qualifier gives.
+pub(super) fn of_qualifier(kind: QualifierKind) -> Option<Precision> {
+    match kind {
+        QualifierKind::Lowp => Some(Precision::Low),
+        QualifierKind::Mediump => Some(Precision::Medium),
+        QualifierKind::Highp => Some(Precision::High),
+        _ => None,
+    }
+}
+
+/// The precision of a variable of the language, which nothing in the text declares.
+pub(super) fn of_language(variable: &Declared, program: &Program) -> Precision {
+    let is_number = matches!(
+        variable.ty.element().scalar_kind(),
+        Some(Scalar::Float | Scalar::Int | Scalar::Uint)
+    );
+    if variable.token.is_some() || !is_number {
+        return Precision::None;
+    }
+    program
+        .builtin_precision(variable.name)
+        .map_or(Precision::High, |q| {
+            of_qualifier(q).unwrap_or(Precision::High)
+        })
+}
+
+impl Lowerer<'_> {
+    /// The precision that qualifiers give, or else that of the type.
+    pub(super) fn declared_precision(&self, qualifiers: List, ty: Type) -> Precision {
+        let given = self.program.tree.qualifiers(qualifiers).iter();
+        let given = given.rev().find_map(|q| of_qualifier(q.kind));
+        given.unwrap_or_else(|| self.precisions.default_of(ty))
+    }
+
+    /// How exact the value of an operation is: as its most exact operand.
+    pub(super) fn precision_of(&self, kind: OpKind) -> Precision {
+        let of = |id: OpId| self.module.op(id).precision;
+        match kind {
+            OpKind::Const(_) | OpKind::Undef | OpKind::Unknown | OpKind::Store(..) => {
+                Precision::None
+            }
+            OpKind::Load(place) => {
+                let variable = self.module.variable(self.module.place(place).variable);
+                variable.map_or(Precision::None, |v| v.precision)
+            }
+            OpKind::Unary(_, a)
+            | OpKind::Convert(a)
+            | OpKind::Splat(a)
+            | OpKind::Swizzle(a, _)
+            | OpKind::Extract(a, _)
+            | OpKind::ExtractComputed { base: a, .. } => of(a),
+            OpKind::Same { .. } => Precision::None,
+            OpKind::Binary(operator, ..) if operator.compares() => Precision::None,
+            OpKind::Binary(Binary::ShiftLeft | Binary::ShiftRight, a, _) => of(a),
+            OpKind::Binary(_, a, b) | OpKind::MatrixProduct(a, b) => of(a).max(of(b)),
+            OpKind::Select {
+                then, otherwise, ..
+            } => of(then).max(of(otherwise)),
+            OpKind::Compose(list) | OpKind::Builtin(_, list) => {
+                let operands = self.module.operands(list).iter();
+                operands.map(|o| of(*o)).max().unwrap_or_default()
+            }
+            OpKind::Call(function, _) => {
+                let set = self.returned.get(&function);
+                set.copied().unwrap_or_default()
+            }
+            OpKind::Returned(call, parameter) => self.precision_of_parameter(call, parameter),
+        }
+    }
+
+    fn precision_of_parameter(&self, call: OpId, parameter: u32) -> Precision {
+        let OpKind::Call(function, _) = self.module.op(call).kind else {
+            return self.module.op(call).precision;
+        };
+        let function = self.module.function(function);
+        let all = function.map_or(&[][..], |f| self.module.parameters(f));
+        let variable = all.get(parameter as usize);
+        let variable = variable.and_then(|v| self.module.variable(*v));
+        variable.map_or(Precision::None, |v| v.precision)
+    }
+}
+
+/// By function: how exact what it returns is.
+pub(super) type Returned = FxHashMap<crate::semantic::FunctionRef, Precision>;
