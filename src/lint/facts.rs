@@ -3,6 +3,7 @@
 use super::broken::Broken;
 use super::march::{March, marches};
 use super::words::{Counts, Unseen};
+use crate::ir::{Module, lower};
 use crate::semantic::flow::range::{Evaluator, Range, Ranges};
 use crate::semantic::flow::{
     CallGraph, Effects, Gradient, Loops, Mentions, Paths, Purity, Reach, Structure, Uniformity,
@@ -17,6 +18,7 @@ use std::cell::OnceCell;
 /// Answers about one shader.
 pub struct Facts<'a> {
     program: &'a Program,
+    module: OnceCell<Module>,
     structure: OnceCell<Structure>,
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
@@ -45,6 +47,7 @@ impl<'a> Facts<'a> {
     pub fn new(program: &'a Program) -> Facts<'a> {
         Facts {
             program,
+            module: OnceCell::new(),
             structure: OnceCell::new(),
             calls: OnceCell::new(),
             loops: OnceCell::new(),
@@ -65,6 +68,11 @@ impl<'a> Facts<'a> {
             host: Host::default(),
             broken: Broken::default(),
         }
+    }
+
+    /// The shader's middle form.
+    pub fn module(&self) -> &Module {
+        self.module.get_or_init(|| lower(self.program))
     }
 
     /// Which node stands in which.
