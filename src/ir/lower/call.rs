@@ -38,7 +38,7 @@ impl Lowerer<'_> {
     pub(super) fn builtin(&mut self, overload: u32, args: List, ty: Type) -> OpId {
         let program = self.program;
         let found = Builtins::of(program.version, program.stage).overload(overload);
-        let out = found.map_or(0, |(o, _)| o.out);
+        let out = found.map_or(0, |o| o.out);
         let mut operands = Vec::with_capacity(args.len as usize);
         let mut back = Vec::new();
         for (number, &arg) in (0..).zip(program.tree.args(args)) {
