@@ -2,7 +2,9 @@
 //!
 //! `src/README.md` draws the house.
 #![forbid(unsafe_code)]
+#![deny(clippy::disallowed_methods)]
 
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod diagnostic;
 pub mod engine;

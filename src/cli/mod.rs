@@ -1,5 +1,9 @@
 //! The commands: arguments, files, exit codes. Together with `lsp` the only place that touches the
 //! outside.
+#![expect(
+    clippy::disallowed_methods,
+    reason = "what the rest of the house may not touch is touched here"
+)]
 
 mod config;
 mod disk;

@@ -54,7 +54,8 @@ impl Options {
 }
 
 /// What the user says a shader is written for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, clap::ValueEnum)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum DialectChoice {
     /// What the text tells.
     #[default]

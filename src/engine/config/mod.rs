@@ -1,9 +1,13 @@
 //! `shaderlint.toml` as data: what it says of files, and how it is read.
 
+#[cfg(feature = "cli")]
 mod read;
+#[cfg(feature = "cli")]
 mod schema;
 
+#[cfg(feature = "cli")]
 pub use read::{ConfigError, parse};
+#[cfg(feature = "cli")]
 pub use schema::schema;
 
 use super::options::{Desktop, DialectChoice, HostNames, Options};
