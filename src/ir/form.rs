@@ -6,7 +6,7 @@
 //! evaluation, functions one after another, so that the operations of one stretch of straight code
 //! are a range of numbers.
 
-use crate::semantic::{Constant, FunctionRef, Pool, Scalar, Stage, Type, VariableId};
+use crate::semantic::{BuiltinId, Constant, FunctionRef, Pool, Scalar, Stage, Type, VariableId};
 use crate::syntax::ast::{ExprId, List, StmtId, TokenId};
 
 /// Index of an [`Op`], and of the value that it gives.
@@ -90,6 +90,8 @@ pub struct Variable {
     pub function: Option<FunctionRef>,
     /// Where it lives.
     pub root: Root,
+    /// Whether it is `flat`: the same all over a triangle.
+    pub is_flat: bool,
 }
 
 /// Where a variable lives and how long.
@@ -230,9 +232,9 @@ pub enum OpKind {
         /// The number.
         index: OpId,
     },
-    /// A built-in function, by the number of its overload; arguments that it only writes to are
-    /// left out. Operands in [`Module::operand_lists`].
-    Builtin(u32, List),
+    /// A built-in function; arguments that it only writes to are left out. Operands in
+    /// [`Module::operand_lists`].
+    Builtin(BuiltinId, List),
     /// A function of the shader: one operand for each parameter, in [`Module::operand_lists`]; that
     /// of an `out` parameter is [`OpKind::Undef`]. What comes back is stored behind it.
     Call(FunctionRef, List),

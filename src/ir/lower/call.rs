@@ -39,6 +39,10 @@ impl Lowerer<'_> {
         let program = self.program;
         let found = Builtins::of(program.version, program.stage).overload(overload);
         let out = found.map_or(0, |o| o.out);
+        let kind = |operands| match found {
+            Some(overload) => OpKind::Builtin(overload.function, operands),
+            None => OpKind::Unknown,
+        };
         let mut operands = Vec::with_capacity(args.len as usize);
         let mut back = Vec::new();
         for (number, &arg) in (0..).zip(program.tree.args(args)) {
@@ -48,7 +52,7 @@ impl Lowerer<'_> {
             }
         }
         let operands = self.operands(&operands);
-        let call = self.op(OpKind::Builtin(overload, operands), ty);
+        let call = self.op(kind(operands), ty);
         self.take_back(call, &back);
         call
     }

@@ -81,6 +81,7 @@ impl Lowerer<'_> {
             precision: precision::of_language(v, program),
             function: v.function,
             root: root(v.storage),
+            is_flat: false,
         });
         self.module.variables = variables.collect();
         self.module.functions = program
@@ -242,6 +243,7 @@ impl Lowerer<'_> {
             precision: self.precisions.default_of(ty),
             function: self.function,
             root,
+            is_flat: false,
         });
         id
     }

@@ -103,6 +103,12 @@ impl Lowerer<'_> {
         };
         let precision = self.declared_precision(qualifiers, found.ty.element());
         self.set_precision(variable, precision);
+        let mut given = self.program.tree.qualifiers(qualifiers).iter();
+        if given.any(|q| q.kind == QualifierKind::Flat)
+            && let Some(slot) = self.module.variables.get_mut(variable.0 as usize)
+        {
+            slot.is_flat = true;
+        }
         let has_value = matches!(found.root, Root::Local | Root::Global | Root::Output);
         if !has_value && declarator.init.is_none() {
             return;

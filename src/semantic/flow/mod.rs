@@ -7,7 +7,7 @@ mod calls;
 mod effects;
 mod estimate;
 mod gradients;
-mod lists;
+pub(crate) mod lists;
 mod loops;
 mod mentions;
 mod paths;
