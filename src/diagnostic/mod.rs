@@ -110,6 +110,29 @@ pub enum Origin {
     Report,
 }
 
+/// What an error of the syntax is about, for code that asks: messages are for people alone.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Subject {
+    /// Nothing that anybody asks for.
+    #[default]
+    Other,
+    /// A `}` that is missing.
+    MissingClose,
+    /// A brace that stands in the wrong place, or a `{` that is missing.
+    Brace,
+    /// A statement outside functions.
+    OuterStatement,
+    /// The head of a function without its type.
+    UntypedFunction,
+}
+
+impl Subject {
+    /// Whether it is about braces, which move what stands where.
+    pub const fn is_brace(self) -> bool {
+        matches!(self, Subject::MissingClose | Subject::Brace)
+    }
+}
+
 /// One finding.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Diagnostic {
@@ -121,6 +144,8 @@ pub struct Diagnostic {
     pub severity: Severity,
     /// What is wrong: lower case, no full stop, names in backticks.
     pub message: String,
+    /// What an error of the syntax is about.
+    pub subject: Subject,
     /// Where.
     pub span: Span,
     /// A short remark printed right under the place; may be empty.
@@ -158,6 +183,7 @@ impl Diagnostic {
             origin,
             severity,
             message: message.into(),
+            subject: Subject::Other,
             span,
             label: String::new(),
             labels: Vec::new(),
@@ -167,6 +193,12 @@ impl Diagnostic {
             fix: None,
             part: None,
         }
+    }
+
+    /// Says what an error of the syntax is about.
+    pub fn about(mut self, subject: Subject) -> Diagnostic {
+        self.subject = subject;
+        self
     }
 
     /// Sets the remark under the place itself.

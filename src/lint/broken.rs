@@ -126,8 +126,7 @@ impl<'a> Broken<'a> {
             error::UNTERMINATED_COMMENT,
             error::MACRO_BUDGET,
         ];
-        let names_brace = error.message.contains("`{`") || error.message.contains("`}`");
-        self.whole |= names_brace || moves.contains(&error.rule);
+        self.whole |= error.subject.is_brace() || moves.contains(&error.rule);
         let calls = error.macros.iter().map(|m| m.call);
         let labels = error.labels.iter().map(|l| l.span);
         let others: Vec<Span> = calls.chain(labels).collect();

@@ -6,9 +6,10 @@
 //! hang on a name of the host may be there or not.
 
 use super::program::{Function, Program};
-use crate::diagnostic::{Diagnostic, MacroUse, Severity, error};
+use crate::diagnostic::{Diagnostic, MacroUse, Severity, Subject, error};
 use crate::syntax::{
-    DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, WordClass, classify,
+    DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify,
+    set,
 };
 use crate::text::{Role, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -210,8 +211,8 @@ impl<'p> Part<'p> {
     /// Whether an error of the syntax may come of what is left out, or of a macro elsewhere that
     /// holds a brace.
     fn is_torn_apart(&self, d: &Diagnostic, is_torn: bool) -> bool {
-        let is_brace = is_brace(d);
-        let is_outside = d.message.starts_with("statements can only stand");
+        let is_brace = is_unclosed_brace(d);
+        let is_outside = d.subject == Subject::OuterStatement;
         let is_piece = matches!(self.extent, Extent::Piece | Extent::Excerpt);
         let is_cut = is_piece && (self.is_at_end(d.span) || is_brace && !self.is_inside(d));
         is_outside
@@ -223,7 +224,6 @@ impl<'p> Part<'p> {
     /// Whether what was taken for the head of a function without its type is a call: a statement that
     /// a host puts into a function.
     fn is_call(&self, d: &Diagnostic) -> bool {
-        let is_head = d.message.starts_with("the function") && d.message.ends_with("has no type");
         let kind = |i: usize| self.token(i).map_or(TokenKind::End, |t| t.kind);
         let at = self.at(d.span.start);
         let close = (at..at + MAX_LOOK).find(|i| kind(*i) == TokenKind::RightParen);
@@ -234,7 +234,8 @@ impl<'p> Part<'p> {
                 TokenKind::Semicolon | TokenKind::LeftBrace | TokenKind::End
             )
         });
-        is_head && behind.is_some_and(|i| kind(i) != TokenKind::LeftBrace)
+        d.subject == Subject::UntypedFunction
+            && behind.is_some_and(|i| kind(i) != TokenKind::LeftBrace)
     }
 
     /// Whether a brace is wrong whatever stands before and behind a piece: a function follows one
@@ -248,7 +249,7 @@ impl<'p> Part<'p> {
             .filter(|f| f.body.is_some());
         let mut places = functions.map(|f| self.program.span(f.extent));
         let own = |span: Span| self.is_user(span);
-        match d.message.starts_with("missing `}`") {
+        match d.subject == Subject::MissingClose {
             true => places.any(|f| own(f) && f.start > d.span.start),
             false => places.any(|f| own(f) && f.end < d.span.start),
         }
@@ -364,9 +365,7 @@ impl<'p> Part<'p> {
     fn statement(&self, span: Span) -> std::ops::Range<usize> {
         let at = self.at(span.start);
         let ends = |i: &usize| {
-            let kind = self.token(*i).map_or(TokenKind::End, |t| t.kind);
-            use TokenKind as T;
-            matches!(kind, T::Semicolon | T::LeftBrace | T::RightBrace | T::End)
+            set::ENDS_STATEMENT.contains(self.token(*i).map_or(TokenKind::End, |t| t.kind))
         };
         let from = (at.saturating_sub(MAX_LOOK)..at).rev().find(ends);
         let to = (at..at + MAX_LOOK).find(ends).unwrap_or(at + MAX_LOOK);
@@ -391,7 +390,7 @@ impl<'p> Part<'p> {
         if self.is_foreign(d.span) || self.is_empty_call(at) {
             return true;
         }
-        let is_delimiter = d.rule == error::UNCLOSED_DELIMITER && !is_brace(d);
+        let is_delimiter = d.rule == error::UNCLOSED_DELIMITER && !d.subject.is_brace();
         if is_delimiter && self.is_unbalanced(at) {
             return false;
         }
@@ -436,13 +435,8 @@ impl<'p> Part<'p> {
     fn is_of_macro(&self, at: usize) -> bool {
         use TokenKind as T;
         let kind = |i: usize| self.token(i).map_or(T::End, |t| t.kind);
-        let is_word = |i: usize| {
-            let kind = kind(i);
-            matches!(
-                kind,
-                T::Type | T::In | T::Out | T::Inout | T::Const | T::Uniform
-            )
-        };
+        const WORDS: TokenSet = set::QUALIFIES_PARAMETER.and(&[T::Type, T::Uniform]);
+        let is_word = |i: usize| WORDS.contains(kind(i));
         if !(at.saturating_sub(2)..=at + 1).any(is_word) {
             return false;
         }
@@ -650,9 +644,9 @@ fn known_names(program: &Program) -> FxHashSet<Name> {
     known
 }
 
-/// Whether an error is about braces.
-fn is_brace(d: &Diagnostic) -> bool {
-    d.rule == error::UNCLOSED_DELIMITER && (d.message.contains("`{`") || d.message.contains("`}`"))
+/// Whether an error is about a brace without its partner.
+fn is_unclosed_brace(d: &Diagnostic) -> bool {
+    d.rule == error::UNCLOSED_DELIMITER && d.subject.is_brace()
 }
 
 /// The calls of macros that stand for nothing, as the user sees them.

@@ -19,6 +19,7 @@ mod names;
 mod parser;
 mod preprocessor;
 mod reduce;
+pub mod set;
 mod token;
 mod translation;
 
@@ -31,5 +32,6 @@ pub use preprocessor::{
     preprocess,
 };
 pub use reduce::{Reduced, reduce};
+pub use set::TokenSet;
 pub use token::{RawKind, RawToken, Token, TokenKind};
 pub use translation::Translated;

@@ -1,5 +1,6 @@
 //! Tokens, before and after the preprocessor.
 
+use super::set;
 use crate::text::Span;
 
 /// What a piece of raw text is, before the preprocessor has looked at it.
@@ -83,36 +84,22 @@ pub enum TokenKind {
 impl TokenKind {
     /// Whether the token alone is an operand.
     pub fn is_operand(self) -> bool {
-        use TokenKind as T;
-        matches!(
-            self,
-            T::Identifier | T::Int | T::Uint | T::Float | T::True | T::False
-        )
+        set::OPERANDS.contains(self)
     }
 
     /// Whether an operand may start with the token.
     pub fn starts_operand(self) -> bool {
-        use TokenKind as T;
-        let is_unary_operator = matches!(self, T::Plus | T::Minus | T::Not | T::Tilde);
-        self.is_operand() || is_unary_operator || matches!(self, T::Type | T::LeftParen)
+        set::STARTS_OPERAND.contains(self)
     }
 
     /// Whether an operand may end with the token.
     pub fn ends_operand(self) -> bool {
-        self.is_operand() || matches!(self, TokenKind::RightParen | TokenKind::RightBracket)
+        set::ENDS_OPERAND.contains(self)
     }
 
     /// Whether the token stands between two operands, of which it changes none (section 5.1).
-    #[rustfmt::skip]
     pub fn is_binary_operator(self) -> bool {
-        use TokenKind as T;
-        matches!(
-            self,
-            T::Plus | T::Minus | T::Star | T::Slash | T::Percent
-                | T::Less | T::Greater | T::LessEqual | T::GreaterEqual | T::EqualEqual | T::NotEqual
-                | T::AndAnd | T::OrOr | T::XorXor
-                | T::And | T::Or | T::Xor | T::ShiftLeft | T::ShiftRight
-        )
+        set::BINARY_OPERATORS.contains(self)
     }
 }
 

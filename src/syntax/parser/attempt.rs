@@ -5,6 +5,7 @@ use super::correction::{Certainty, Change, Choice, VALUE_TYPES, change_tokens};
 use super::{Parser, Repairs};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::ast::Tree;
+use crate::syntax::set::{self, TokenSet};
 use crate::syntax::token::{Token, TokenKind};
 
 /// Tokens behind what has to fit that a trial reads.
@@ -306,7 +307,7 @@ impl<'p, 'a> Around<'p, 'a> {
     /// `(` and `[` that may be missing.
     fn openings(&mut self, at: usize, before: TokenKind) {
         use TokenKind as T;
-        let is_head = matches!(before, T::If | T::For | T::While | T::Switch | T::Layout);
+        let is_head = set::HEADS.contains(before);
         let is_callee = matches!(before, T::Identifier | T::Type);
         let closes = matches!(
             self.kind(self.fault),
@@ -327,7 +328,7 @@ impl<'p, 'a> Around<'p, 'a> {
     /// What may be missing between two operands.
     fn separators(&mut self, at: usize, before: TokenKind, next: TokenKind) {
         use TokenKind as T;
-        let starts_type = matches!(next, T::Type | T::In | T::Out | T::Inout | T::Const);
+        let starts_type = next == T::Type || set::QUALIFIES_PARAMETER.contains(next);
         if !ends_operand(before) && before != T::RightBrace {
             return;
         }
@@ -387,7 +388,7 @@ impl<'p, 'a> Around<'p, 'a> {
             return;
         }
         let ends_before = distance == 1 && self.kind(at) == TokenKind::Semicolon;
-        let cost = match (is_punctuation(self.kind(at)), distance) {
+        let cost = match (set::PUNCTUATION.contains(self.kind(at)), distance) {
             _ if ends_before => 1,
             (true, 0) => 2,
             (true, _) => 3,
@@ -439,25 +440,15 @@ impl<'p, 'a> Around<'p, 'a> {
 /// Whether an operand may end with such a token, a faulty one included.
 fn ends_operand(kind: TokenKind) -> bool {
     use TokenKind as T;
-    kind.ends_operand() || matches!(kind, T::Reserved | T::Increment | T::Decrement | T::Bad)
+    const FAULTY: TokenSet =
+        set::ENDS_OPERAND.and(&[T::Reserved, T::Increment, T::Decrement, T::Bad]);
+    FAULTY.contains(kind)
 }
 
 /// Whether an operand may start with such a token, a faulty one included.
 fn starts_operand(kind: TokenKind) -> bool {
-    kind.starts_operand() || matches!(kind, TokenKind::Reserved | TokenKind::Bad)
-}
-
-/// Whether such a token is put in by a slip more easily than a word.
-#[rustfmt::skip]
-fn is_punctuation(kind: TokenKind) -> bool {
-    use TokenKind as T;
-    kind.is_binary_operator()
-        || matches!(
-            kind,
-            T::LeftParen | T::RightParen | T::LeftBracket | T::RightBracket
-                | T::Dot | T::Comma | T::Semicolon | T::Colon | T::Question | T::Not | T::Tilde
-                | T::Equal | T::PlusEqual | T::MinusEqual | T::StarEqual | T::SlashEqual
-        )
+    const FAULTY: TokenSet = set::STARTS_OPERAND.and(&[TokenKind::Reserved, TokenKind::Bad]);
+    FAULTY.contains(kind)
 }
 
 #[cfg(test)]

@@ -6,7 +6,8 @@
 
 use super::correction::{Change, Choice, change_tokens, is_structural};
 use super::{Correction, Parser};
-use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::diagnostic::{Diagnostic, Fix, Subject, error};
+use crate::syntax::set;
 use crate::syntax::token::{Token, TokenKind};
 use crate::text::{Edit, Span};
 
@@ -104,10 +105,8 @@ impl Parser<'_> {
             _ => self.token(at - 1).kind,
         };
         let is_apart = self.starts_line(at)
-            || matches!(
-                before,
-                T::Semicolon | T::RightBrace | T::Highp | T::Mediump | T::Lowp
-            );
+            || matches!(before, T::Semicolon | T::RightBrace)
+            || set::PRECISIONS.contains(before);
         if !is_head || !is_apart {
             return None;
         }
@@ -139,14 +138,13 @@ impl Parser<'_> {
     fn lists_parameters(&self, at: usize) -> bool {
         use TokenKind as T;
         match self.token(at).kind {
-            T::RightParen | T::Void | T::In | T::Out | T::Inout | T::Const => true,
-            T::Highp | T::Mediump | T::Lowp => true,
+            T::RightParen | T::Void => true,
             T::Type => self.token(at + 1).kind != T::LeftParen,
             T::Identifier => matches!(
                 self.token(at + 1).kind,
                 T::Identifier | T::Comma | T::RightParen
             ),
-            _ => false,
+            kind => set::QUALIFIES_PARAMETER.or(set::PRECISIONS).contains(kind),
         }
     }
 
@@ -274,10 +272,7 @@ impl Parser<'_> {
                     if self.token(now.at).is_direct() {
                         let oddness = if before == T::LeftBrace { 0 } else { 2 };
                         found.push((index, Change::Delete, oddness));
-                        if matches!(
-                            before,
-                            T::Identifier | T::Type | T::If | T::For | T::While | T::Switch
-                        ) {
+                        if set::BEFORE_PAREN.without(&[T::Layout]).contains(before) {
                             found.push((index, Change::Replace(T::LeftParen), 1));
                         }
                     }
@@ -301,7 +296,7 @@ impl Parser<'_> {
         for (index, now) in laid.iter().enumerate() {
             let is_head = matches!(before.1, T::RightParen | T::Else | T::Do)
                 || (before.0 == T::Struct && before.1 == T::Identifier);
-            let starts = !is_operator_like(now.kind);
+            let starts = !set::CONTINUES.contains(now.kind);
             if is_head && starts && now.kind != T::LeftBrace {
                 // A function without a body is none.
                 let oddness = usize::from(open > 0);
@@ -354,6 +349,7 @@ impl Parser<'_> {
             ),
         };
         Diagnostic::error(error::UNCLOSED_DELIMITER, place, "missing `{`")
+            .about(Subject::Brace)
             .mark("expected `{` here")
             .fix(Fix::suggestion("put `{` here", vec![edit]))
     }
@@ -373,6 +369,7 @@ impl Parser<'_> {
         let blanks = partner.map_or("", |open| self.blanks_before_line(open));
         let (place, edit) = self.place_of_close(at, blanks);
         let d = Diagnostic::error(error::UNCLOSED_DELIMITER, place, "missing `}`")
+            .about(Subject::MissingClose)
             .mark("expected `}` here")
             .fix(Fix::suggestion("put `}` here", vec![edit]));
         match partner {
@@ -615,15 +612,4 @@ impl OpenBrackets {
     fn close(&self) -> Option<TokenKind> {
         self.0.last().copied()
     }
-}
-
-/// Whether no statement starts with such a token.
-fn is_operator_like(kind: TokenKind) -> bool {
-    use TokenKind as T;
-    let is_sign = matches!(kind, T::Plus | T::Minus);
-    kind.is_binary_operator() && !is_sign
-        || matches!(
-            kind,
-            T::Dot | T::Comma | T::RightParen | T::RightBracket | T::Question | T::Colon
-        )
 }

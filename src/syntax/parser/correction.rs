@@ -5,8 +5,9 @@
 //! what follows can be read. Where several do, the checker decides: see `semantic::unit`.
 
 use super::Parser;
-use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::diagnostic::{Diagnostic, Fix, Subject, error};
 use crate::syntax::names::{Name, TypeWord};
+use crate::syntax::set;
 use crate::syntax::token::{Token, TokenKind};
 use crate::text::{Edit, Role, Span};
 
@@ -227,8 +228,13 @@ impl Parser<'_> {
             T::Star | T::Plus => (error::SYNTAX_ERROR, "missing operator".to_string()),
             _ => (error::SYNTAX_ERROR, format!("missing `{symbol}`")),
         };
+        let subject = match kind {
+            T::RightBrace => Subject::MissingClose,
+            T::LeftBrace => Subject::Brace,
+            _ => Subject::Other,
+        };
         let mark = match kind {
-            T::LeftParen if is_word(self.token(at.saturating_sub(1)).kind) => {
+            T::LeftParen if set::BEFORE_PAREN.contains(self.token(at.saturating_sub(1)).kind) => {
                 "expected `(` behind this".to_string()
             }
             T::Star | T::Plus => "expected an operator here".to_string(),
@@ -245,11 +251,12 @@ impl Parser<'_> {
             _ => format!("put `{symbol}` here"),
         };
         let callee = self.token(at.saturating_sub(1));
-        let place_told = match kind == T::LeftParen && is_word(callee.kind) {
+        let place_told = match kind == T::LeftParen && set::BEFORE_PAREN.contains(callee.kind) {
             true => callee.span.to(place),
             false => place,
         };
         let mut d = Diagnostic::error(rule, place_told, message)
+            .about(subject)
             .mark(mark)
             .fix(Fix::suggestion(
                 title,
@@ -270,15 +277,16 @@ impl Parser<'_> {
     fn missing_type(&self, at: usize, word: &str) -> Diagnostic {
         let token = self.token(at);
         let name = self.text(&token);
-        let what = match self.token(at + 1).kind {
-            TokenKind::LeftParen => "function",
-            _ => "parameter",
+        let (what, subject) = match self.token(at + 1).kind {
+            TokenKind::LeftParen => ("function", Subject::UntypedFunction),
+            _ => ("parameter", Subject::Other),
         };
         Diagnostic::error(
             error::SYNTAX_ERROR,
             token.span,
             format!("the {what} `{name}` has no type"),
         )
+        .about(subject)
         .fix(Fix::suggestion(
             format!("put its type here, perhaps `{word}`"),
             vec![Edit::insert(token.span.start, format!("{word} "))],
@@ -297,10 +305,13 @@ impl Parser<'_> {
             TokenKind::LeftBrace => Some("}"),
             _ => None,
         };
-        let message = match (partner, reported) {
-            (Some(partner), _) => format!("this `{text}` has no `{partner}`"),
-            (None, Some(d)) if d.span == token.span => d.message.clone(),
-            _ => format!("`{text}` cannot stand here"),
+        let (message, subject) = match (partner, reported) {
+            (Some(partner), _) => (
+                format!("this `{text}` has no `{partner}`"),
+                brace_subject(token.kind),
+            ),
+            (None, Some(d)) if d.span == token.span => (d.message.clone(), d.subject),
+            _ => (format!("`{text}` cannot stand here"), Subject::Other),
         };
         let rule = match partner {
             Some(_) => error::UNCLOSED_DELIMITER,
@@ -308,6 +319,7 @@ impl Parser<'_> {
         };
         let edit = Edit::delete(self.with_blanks(at));
         Diagnostic::error(rule, token.span, message)
+            .about(subject)
             .fix(Fix::suggestion(format!("take `{text}` out"), vec![edit]))
     }
 
@@ -320,6 +332,10 @@ impl Parser<'_> {
             token.span,
             format!("expected `{symbol}`, found `{text}`"),
         )
+        .about(match brace_subject(kind) {
+            Subject::Other => brace_subject(token.kind),
+            subject => subject,
+        })
         .fix(Fix::suggestion(
             format!("write `{symbol}`"),
             vec![Edit::replace(token.span, symbol)],
@@ -409,15 +425,6 @@ fn is_slip(word: &str, keyword: &str) -> bool {
     slips <= most || (slips == 1 && letters(keyword) == letters(&word))
 }
 
-/// Whether a `(` may belong to a word before it.
-fn is_word(kind: TokenKind) -> bool {
-    use TokenKind as T;
-    matches!(
-        kind,
-        T::Identifier | T::Type | T::If | T::For | T::While | T::Switch | T::Layout
-    )
-}
-
 /// How far a partner is looked for, in tokens.
 const MAX_LOOK: usize = 1_000;
 
@@ -426,4 +433,12 @@ const MAX_LOOK: usize = 1_000;
 pub(super) enum Certainty {
     Sure,
     Likely,
+}
+
+/// What an error about a token is about: braces are told apart from all else.
+pub(super) fn brace_subject(kind: TokenKind) -> Subject {
+    match kind {
+        TokenKind::LeftBrace | TokenKind::RightBrace => Subject::Brace,
+        _ => Subject::Other,
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::attempt::Scope;
 use super::{Parsed, Parser, Reported, append};
-use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::diagnostic::{Diagnostic, Fix, Subject, error};
 use crate::syntax::ast::*;
 use crate::syntax::names::{Name, TypeWord};
 use crate::syntax::token::TokenKind;
@@ -62,7 +62,7 @@ impl Parser<'_> {
             }
             TokenKind::RightBrace => {
                 let d = self.error_here(error::UNCLOSED_DELIMITER, "this `}` has no `{`");
-                self.report(d);
+                self.report(d.about(Subject::Brace));
                 self.advance();
                 return Ok(None);
             }

@@ -1,10 +1,11 @@
 //! What to say where the text does not fit, and where to go on.
 
-use super::correction::symbol;
+use super::correction::{brace_subject, symbol};
 use super::{Parsed, Parser, Reported};
-use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::diagnostic::{Diagnostic, Fix, Subject, error};
 use crate::syntax::ast::*;
 use crate::syntax::names::Name;
+use crate::syntax::set;
 use crate::syntax::token::TokenKind;
 use crate::text::{Edit, Span};
 
@@ -51,14 +52,25 @@ impl Parser<'_> {
         if !self.is(TokenKind::Bad) {
             let message = format!("expected {what}, found {}", self.found());
             let d = self.error_here(error::SYNTAX_ERROR, message);
-            self.report(d);
+            self.report(d.about(brace_subject(self.peek())));
         }
         Reported
+    }
+
+    /// Reports that a brace was expected.
+    fn expected_brace(&mut self, what: &str) -> Reported {
+        let before = self.diagnostics.len();
+        let reported = self.unexpected(what);
+        if let Some(d) = self.diagnostics.get_mut(before) {
+            d.subject = Subject::Brace;
+        }
+        reported
     }
 
     pub(super) fn expect(&mut self, kind: TokenKind, what: &str) -> Parsed<TokenId> {
         match self.eat(kind) {
             Some(id) => Ok(id),
+            None if brace_subject(kind).is_brace() => Err(self.expected_brace(what)),
             None => Err(self.unexpected(what)),
         }
     }
@@ -69,19 +81,12 @@ impl Parser<'_> {
             return Reported;
         }
         let found = self.found();
-        let message = match self.peek() {
-            TokenKind::Semicolon
-            | TokenKind::RightParen
-            | TokenKind::RightBracket
-            | TokenKind::Comma
-            | TokenKind::RightBrace
-            | TokenKind::End => {
-                format!("expected an expression before {found}")
-            }
-            _ => format!("expected an expression, found {found}"),
+        let message = match set::ENDS_EXPRESSION.contains(self.peek()) {
+            true => format!("expected an expression before {found}"),
+            false => format!("expected an expression, found {found}"),
         };
         let d = self.error_here(error::SYNTAX_ERROR, message);
-        self.report(d);
+        self.report(d.about(brace_subject(self.peek())));
         Reported
     }
 
@@ -119,7 +124,7 @@ impl Parser<'_> {
     }
 
     pub(super) fn no_body(&mut self) -> Reported {
-        self.unexpected("`{` or `;` behind the function's parameters")
+        self.expected_brace("`{` or `;` behind the function's parameters")
     }
 
     /// The `;` of a statement. Where it is missing although the statement is complete, it is
@@ -153,24 +158,13 @@ impl Parser<'_> {
         match self.peek() {
             T::Type => self.kind(1) == T::Identifier,
             T::Identifier => match self.kind(1) {
-                T::Equal | T::PlusEqual | T::MinusEqual | T::StarEqual | T::SlashEqual => true,
                 T::Identifier => matches!(
                     self.kind(2),
                     T::Equal | T::Semicolon | T::Comma | T::LeftBracket
                 ),
-                _ => false,
+                kind => set::ASSIGNMENTS.contains(kind),
             },
-            T::If
-            | T::For
-            | T::While
-            | T::Do
-            | T::Return
-            | T::Break
-            | T::Continue
-            | T::Discard
-            | T::Switch
-            | T::Const => true,
-            _ => false,
+            kind => set::STARTS_STATEMENT.contains(kind),
         }
     }
 
@@ -205,10 +199,8 @@ impl Parser<'_> {
         } else {
             ")"
         };
-        let ends = matches!(
-            self.peek(),
-            TokenKind::Semicolon | TokenKind::LeftBrace | TokenKind::RightBrace | TokenKind::End
-        ) || (self.is_on_new_line() && self.looks_like_statement());
+        let ends = set::ENDS_STATEMENT.contains(self.peek())
+            || (self.is_on_new_line() && self.looks_like_statement());
         if !ends {
             return Err(self.unexpected(&format!("`{symbol}`")));
         }
@@ -331,6 +323,7 @@ impl Parser<'_> {
         };
         let (open, place) = self.find_unclosed(outermost);
         let d = Diagnostic::error(error::UNCLOSED_DELIMITER, place, "missing `}`")
+            .about(Subject::MissingClose)
             .mark("expected `}` here")
             .label(self.token_span(open), "this `{` is not closed")
             .fix(Fix::suggestion(
@@ -425,10 +418,7 @@ impl Parser<'_> {
                         return self.token(i + 1).kind == TokenKind::LeftBrace;
                     }
                 }
-                TokenKind::Semicolon
-                | TokenKind::LeftBrace
-                | TokenKind::RightBrace
-                | TokenKind::End => return false,
+                kind if set::ENDS_STATEMENT.contains(kind) => return false,
                 _ => {}
             }
         }
@@ -466,23 +456,9 @@ impl Parser<'_> {
     fn starts_afresh(&self) -> bool {
         use TokenKind as T;
         match self.peek() {
-            T::If
-            | T::For
-            | T::While
-            | T::Do
-            | T::Return
-            | T::Break
-            | T::Continue
-            | T::Discard
-            | T::Switch
-            | T::Const
-            | T::Uniform
-            | T::Struct
-            | T::Precision
-            | T::Void => true,
             T::Type => self.kind(1) == T::Identifier,
             T::Identifier => matches!(self.kind(1), T::Identifier | T::Equal),
-            _ => false,
+            kind => set::STARTS_AFRESH.contains(kind),
         }
     }
 
@@ -513,9 +489,8 @@ impl Parser<'_> {
     fn starts_item(&self) -> bool {
         use TokenKind as T;
         match self.peek() {
-            T::Const | T::Uniform | T::Struct | T::Precision | T::Layout | T::In | T::Out => true,
             T::Void | T::Type => self.kind(1) == T::Identifier && self.kind(2) == T::LeftParen,
-            _ => false,
+            kind => set::STARTS_ITEM.contains(kind),
         }
     }
 

@@ -1,9 +1,10 @@
 //! Words that the language keeps for itself, used as if they were free.
 
 use super::{Parsed, Parser, Reported};
-use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::diagnostic::{Diagnostic, Fix, Subject, error};
 use crate::syntax::ast::*;
 use crate::syntax::names::{Name, Version};
+use crate::syntax::set::{self, TokenSet};
 use crate::syntax::token::{Token, TokenKind};
 use crate::text::Edit;
 
@@ -84,16 +85,7 @@ impl Parser<'_> {
         is_word
             && token.is_direct()
             && !matches!(token.kind, TokenKind::End | TokenKind::Bad)
-            && matches!(
-                self.kind(1),
-                TokenKind::Equal
-                    | TokenKind::Semicolon
-                    | TokenKind::Comma
-                    | TokenKind::LeftParen
-                    | TokenKind::RightParen
-                    | TokenKind::LeftBracket
-                    | TokenKind::LeftBrace
-            )
+            && set::FOLLOWS_NAME.contains(self.kind(1))
     }
 
     fn report_keyword(&mut self, token: &Token) {
@@ -239,17 +231,17 @@ impl Parser<'_> {
         if word == "attribute" || word == "varying" {
             return Some(Some(self.legacy_qualifier(&token, word)));
         }
-        let before_declaration = matches!(
-            self.kind(1),
-            TokenKind::Type
-                | TokenKind::Void
-                | TokenKind::Identifier
-                | TokenKind::Const
-                | TokenKind::Uniform
-                | TokenKind::In
-                | TokenKind::Out
-        );
-        if !MODIFIERS.contains(&word) || !before_declaration {
+        use TokenKind as T;
+        const DECLARES: TokenSet = TokenSet::of(&[
+            T::Type,
+            T::Void,
+            T::Identifier,
+            T::Const,
+            T::Uniform,
+            T::In,
+            T::Out,
+        ]);
+        if !MODIFIERS.contains(&word) || !DECLARES.contains(self.kind(1)) {
             return None;
         }
         let d = Diagnostic::error(
@@ -301,24 +293,6 @@ impl Parser<'_> {
     pub(super) fn at_declaration(&self) -> bool {
         use TokenKind as T;
         match self.peek() {
-            T::Const
-            | T::In
-            | T::Out
-            | T::Inout
-            | T::Centroid
-            | T::Uniform
-            | T::Attribute
-            | T::Varying
-            | T::Flat
-            | T::Smooth
-            | T::Invariant
-            | T::Lowp
-            | T::Mediump
-            | T::Highp
-            | T::Layout
-            | T::Precision
-            | T::Struct
-            | T::Void => true,
             T::Type => match self.kind(1) {
                 T::LeftParen => false,
                 T::LeftBracket => self
@@ -344,25 +318,14 @@ impl Parser<'_> {
                         || MODIFIERS.contains(&word)
                         || self.kind(1) == T::Identifier))
             }
-            _ => false,
+            kind => set::STARTS_DECLARATION.contains(kind),
         }
     }
 
     /// Whether a declaration starts here, seen from global scope.
     pub(super) fn at_global_declaration(&self) -> bool {
         match self.peek() {
-            TokenKind::Identifier | TokenKind::Reserved => !matches!(
-                self.kind(1),
-                TokenKind::Equal
-                    | TokenKind::Dot
-                    | TokenKind::LeftParen
-                    | TokenKind::PlusEqual
-                    | TokenKind::MinusEqual
-                    | TokenKind::StarEqual
-                    | TokenKind::SlashEqual
-                    | TokenKind::Increment
-                    | TokenKind::Decrement
-            ),
+            TokenKind::Identifier | TokenKind::Reserved => !set::FOLLOWS_USE.contains(self.kind(1)),
             TokenKind::Type => self.kind(1) != TokenKind::LeftParen,
             _ => self.at_declaration(),
         }
@@ -370,25 +333,13 @@ impl Parser<'_> {
 
     /// Reports code where only declarations may stand.
     pub(super) fn code_outside_function(&mut self) -> Reported {
-        let is_statement = matches!(
-            self.peek(),
-            TokenKind::If
-                | TokenKind::For
-                | TokenKind::While
-                | TokenKind::Do
-                | TokenKind::Return
-                | TokenKind::Switch
-                | TokenKind::LeftBrace
-        ) || matches!(
-            self.peek(),
-            TokenKind::Identifier | TokenKind::Type | TokenKind::Reserved
-        );
-        if is_statement {
+        if set::STARTS_OUTER_STATEMENT.contains(self.peek()) {
             let d = self
                 .error_here(
                     error::SYNTAX_ERROR,
                     "statements can only stand inside a function",
                 )
+                .about(Subject::OuterStatement)
                 .note("perhaps a `}` too many closed the function before");
             self.report(d);
             return Reported;
