@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Dialect, FunctionRef, Pass};
+use crate::semantic::FunctionRef;
 
 pub static RULE: Rule = Rule {
     name: "output-not-written",
@@ -24,7 +24,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
     };
     let is_entry = cx.facts.entry() == Some(function);
     // The player shows a picture without its alpha.
-    let is_picture = program.dialect == Dialect::ShaderToy(Pass::Image) && is_entry;
+    let is_picture = program.dialect.host().hides_alpha && is_entry;
     // A function that returns something tells by it whether the rest has a value.
     let function = program.function(function);
     let tells = function.is_some_and(|f| !f.returns.is_void());

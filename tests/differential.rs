@@ -6,7 +6,7 @@
 use glsl_lang::ast::TranslationUnit;
 use glsl_lang::parse::DefaultParse;
 use shaderlint::diagnostic::Severity;
-use shaderlint::semantic::{Pass, shadertoy_header};
+use shaderlint::semantic::Pass;
 use shaderlint::syntax::{Language, RawKind, TokenKind, parse, preprocess, tokenize, unsplice};
 use shaderlint::text::{Role, Sources, Span};
 use std::collections::HashMap;
@@ -103,7 +103,7 @@ fn reuses_struct_name(text: &str) -> bool {
 /// The other parser is given that, for its own preprocessor knows no macros between statements.
 fn preprocessed(text: &str) -> (String, bool) {
     let mut sources = Sources::new();
-    let header = shadertoy_header(Pass::Image, [None; 4]);
+    let header = Pass::Image.host().prelude([None; 4]);
     let header = sources.add("", None, Role::Prelude, header);
     let file = sources.add("a.glsl", None, Role::User, text);
     let files = [header.unwrap(), file.unwrap()];

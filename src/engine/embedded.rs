@@ -10,7 +10,7 @@ use crate::host::preset;
 use crate::semantic::snippet::{Item, items};
 use crate::semantic::{Kind, Stage, guess, needs_300};
 use crate::syntax::{Version, WordClass, classify};
-use crate::text::embed::{Embedded, Host, Language, Wrapping};
+use crate::text::embed::{Embedded, Embedder, Language, Wrapping};
 use crate::text::kind::own_directive;
 use crate::text::{FileId, Role};
 use std::collections::BTreeMap;
@@ -28,9 +28,9 @@ pub(super) fn parts(
     options: &Options,
 ) -> Option<()> {
     // A text speaks of many programs.
-    let host = match language {
-        Language::Markdown => Host::default(),
-        Language::Html | Language::Script | Language::Component => Host::of(text),
+    let embedder = match language {
+        Language::Markdown => Embedder::default(),
+        Language::Html | Language::Script | Language::Component => Embedder::of(text),
     };
     let all = std::mem::take(&mut read.embedded);
     let is_300 = language == Language::Markdown && speaks_of_300(&all);
@@ -41,7 +41,7 @@ pub(super) fn parts(
         if is_other || foreign::inside(read, file, embedded, options)? {
             continue;
         }
-        let around = Around { host, is_300 };
+        let around = Around { embedder, is_300 };
         let part = part(read, file, embedded, around, &mut known, options)?;
         read.parts.push(part);
     }
@@ -52,7 +52,7 @@ pub(super) fn parts(
 /// What is known of the file around a shader.
 #[derive(Clone, Copy)]
 struct Around {
-    host: Host,
+    embedder: Embedder,
     /// Whether it speaks of GLSL ES 3.00 only.
     is_300: bool,
 }
@@ -104,7 +104,7 @@ fn part(
     Some(Part {
         infer_channels: first.dialect.is_shadertoy(),
         readings,
-        host: around.host,
+        embedder: around.embedder,
         missing: Vec::new(),
     })
 }

@@ -13,7 +13,7 @@ use crate::port::PassUnit;
 use crate::rules::RULES;
 use crate::semantic::{Dialect, Extent, Kind, Stage, guess};
 use crate::syntax::{Lexer, RawKind, Version, WordClass, classify};
-use crate::text::embed::{Host, mask};
+use crate::text::embed::{Embedder, mask};
 use crate::text::kind::ending;
 use crate::text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
@@ -26,7 +26,7 @@ pub struct Part {
     /// Whether its channels may be of any type.
     pub infer_channels: bool,
     /// The page or script around it.
-    pub host: Host,
+    pub embedder: Embedder,
     /// What it includes and is not found.
     pub missing: Vec<Missing>,
 }
@@ -42,7 +42,7 @@ impl Part {
         Part {
             readings: Readings::whole(reading),
             infer_channels: false,
-            host: Host::default(),
+            embedder: Embedder::default(),
             missing: Vec::new(),
         }
     }
@@ -124,7 +124,7 @@ fn tell_part(
     let unrun = if !analysis.open.is_any && extent != Extent::Excerpt {
         let mut found = Vec::new();
         let (program, errors) = (&analysis.program, &analysis.diagnostics);
-        let unrun = lint_within(program, part.host, errors, RULES, settings, &mut found);
+        let unrun = lint_within(program, part.embedder, errors, RULES, settings, &mut found);
         if unrun != Unrun::Everywhere {
             allows.apply(&analysis.program, RULES, &mut found);
         }
@@ -276,7 +276,7 @@ pub(super) fn shader_part(
     read.parts.push(Part {
         infer_channels: first.dialect.is_shadertoy(),
         readings,
-        host: Host::default(),
+        embedder: Embedder::default(),
         missing,
     });
     Some(())

@@ -9,9 +9,9 @@ use crate::host::{HostVersion, Preset};
 use crate::semantic::snippet::is_body;
 use crate::semantic::{
     Analysis, Dialect, Extent, Guess, Kind, PART_OUTPUT, Pass, Stage, Unit, analyze, analyze_part,
-    guess, needs_300, part_declarations, shadertoy_header,
+    guess, needs_300, part_declarations,
 };
-use crate::syntax::Version;
+use crate::syntax::{ES_300, Feature, Version};
 use crate::text::kind::has_main;
 use crate::text::{FileId, Role, Sources};
 use std::cell::OnceCell;
@@ -227,18 +227,15 @@ impl Readings {
             let is_vertex = stage == Stage::Vertex;
             let own = preset.map_or(String::new(), |p| prelude(p, &code, is_vertex));
             let writes = code.contains("gl_FragColor") && !own.contains("gl_FragColor");
-            let own = match version {
-                Version::Es300 if writes && !is_vertex => PART_OUTPUT.to_string() + &own,
-                _ => own,
+            let own = match writes && !is_vertex && version.has(Feature::InOut) {
+                true => PART_OUTPUT.to_string() + &own,
+                false => own,
             };
             let files = if self.has_version() {
                 let prelude = sources.add("", None, Role::Prelude, declared + &own)?;
                 behind_version(sources, self.text.files.clone(), prelude)?
             } else {
-                let first = match version {
-                    Version::Es300 => "#version 300 es\n",
-                    Version::Es100 => "",
-                };
+                let first = version.profile().directive;
                 let header = format!("{first}{declared}{own}");
                 with_host(sources, Some(header), self.text.files.clone(), options)?
             };
@@ -283,16 +280,14 @@ impl Readings {
     ) -> Option<Reading> {
         let (header, dialect) = match kind {
             Some(Kind::ShaderToy(pass)) => (
-                Some(shadertoy_header(pass, [None; 4])),
+                Some(pass.host().prelude([None; 4])),
                 Dialect::ShaderToy(pass),
             ),
-            Some(Kind::WebGl2) => (Some("#version 300 es\n".to_string()), Dialect::WebGl),
+            Some(Kind::WebGl2) => (Some(ES_300.directive.to_string()), Dialect::WebGl),
             _ => (None, Dialect::WebGl),
         };
-        let stage = match dialect {
-            Dialect::ShaderToy(_) => Some(Stage::Fragment),
-            Dialect::WebGl => self.text.stage.or(self.told.stage),
-        };
+        let stage = dialect.host().stage;
+        let stage = stage.or(self.text.stage).or(self.told.stage);
         Some(Reading {
             files: with_host(sources, header, self.text.files.clone(), options)?,
             stage: stage.unwrap_or(Stage::Fragment),

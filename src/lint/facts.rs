@@ -12,7 +12,7 @@ use crate::semantic::flow::{
 use crate::semantic::{FunctionRef, Program, Stage};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
-use crate::text::embed::Host;
+use crate::text::embed::Embedder;
 use std::cell::OnceCell;
 
 /// Answers about one shader.
@@ -37,7 +37,7 @@ pub struct Facts<'a> {
     gradients: OnceCell<Vec<Gradient>>,
     marches: OnceCell<Vec<March>>,
     /// The page or script that the shader stands in.
-    pub host: Host,
+    pub embedder: Embedder,
     /// What of the shader has errors.
     pub broken: Broken<'a>,
 }
@@ -65,7 +65,7 @@ impl<'a> Facts<'a> {
             uniformity: OnceCell::new(),
             gradients: OnceCell::new(),
             marches: OnceCell::new(),
-            host: Host::default(),
+            embedder: Embedder::default(),
             broken: Broken::default(),
         }
     }

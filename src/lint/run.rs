@@ -5,7 +5,7 @@ use super::{Binary, Builtin, Check, Context, Facts, Rule, Settings, Shape};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::semantic::{FunctionRef, Program};
 use crate::syntax::ast::*;
-use crate::text::embed::Host;
+use crate::text::embed::Embedder;
 use crate::text::{Role, Span};
 
 /// Where rules did not run, since what stands there has errors.
@@ -33,21 +33,28 @@ pub fn lint(
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    lint_within(program, Host::default(), &[], rules, settings, diagnostics);
+    lint_within(
+        program,
+        Embedder::default(),
+        &[],
+        rules,
+        settings,
+        diagnostics,
+    );
 }
 
 /// Runs the selected rules over a shader that stands in a page or script, as far as it is free of
 /// the errors given. Says where they did not run.
 pub fn lint_within(
     program: &Program,
-    host: Host,
+    embedder: Embedder,
     errors: &[Diagnostic],
     rules: &[&'static Rule],
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Unrun {
     let mut facts = Facts::new(program);
-    facts.host = host;
+    facts.embedder = embedder;
     facts.broken = Broken::of(program, errors);
     if facts.broken.whole() {
         return Unrun::Everywhere;

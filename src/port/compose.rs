@@ -1,9 +1,7 @@
 //! Each pass as the player compiles it: its header, every Common in order, its own code.
 
 use super::{Project, ProjectPass, Wrapper};
-use crate::semantic::{
-    Analysis, Channels, Dialect, Extent, Pass, Stage, Unit, analyze, shadertoy_header,
-};
+use crate::semantic::{Analysis, Channels, Dialect, Extent, Pass, Stage, Unit, analyze};
 use crate::text::{FileId, Role, Sources};
 use std::sync::Arc;
 
@@ -97,7 +95,7 @@ fn headers(project: &Project, sources: &mut Sources) -> Option<Vec<(Pass, Channe
     for pass in &project.passes {
         let (kind, channels) = (pass.kind, pass.channels());
         if !headers.iter().any(|h| (h.0, h.1) == (kind, channels)) {
-            let text = shadertoy_header(kind, channels);
+            let text = kind.host().prelude(channels);
             headers.push((kind, channels, sources.add("", None, Role::Prelude, text)?));
         }
     }

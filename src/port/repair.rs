@@ -6,7 +6,7 @@
 
 use super::whole::PLACES;
 use crate::diagnostic::{Applicability, Diagnostic, Fix, error};
-use crate::semantic::{Dialect, Pass, Program};
+use crate::semantic::{EntryResult, Program};
 use crate::syntax::TokenKind;
 use crate::syntax::ast::{
     DeclKind, Declarator, FunctionDecl, Item, Param, Qualifier, QualifierKind, TokenId,
@@ -46,11 +46,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
 
 /// The function that the player or the browser calls.
 fn entry(program: &Program) -> Option<&FunctionDecl> {
-    let name = match program.dialect {
-        Dialect::ShaderToy(pass) => pass.entry()?,
-        Dialect::WebGl => "main",
-    };
-    let name = program.names.get(name)?;
+    let name = program.names.get(program.dialect.host().entry?.name)?;
     program.tree.functions.iter().find(|f| {
         f.ident.name == name && f.body.is_some() && is_user(program, program.span(f.header))
     })
@@ -112,21 +108,19 @@ fn varying(program: &Program, word: Span) -> Option<Fix> {
 
 /// The qualifiers and parameters with which the player calls the entry.
 fn signature(program: &Program, header: Span) -> Option<Fix> {
-    let Dialect::ShaderToy(pass) = program.dialect else {
-        return None;
-    };
+    let entry = program.dialect.host().entry?;
     let mut functions = program.tree.functions.iter();
     let decl = functions.find(|f| program.span(f.header) == header)?;
     let params = program.tree.params(decl.params);
     let mut edits = Vec::new();
     for (i, param) in params.iter().enumerate() {
-        let wanted = match (i, pass) {
-            (0, Pass::Image | Pass::Buffer | Pass::Cubemap) => "out",
+        let wanted = match (i, entry.result) {
+            (0, EntryResult::Parameter) => "out",
             _ => "in",
         };
         edits.extend(direct(program, param, wanted)?);
     }
-    let title = format!("declare it as `{}`", pass.signature());
+    let title = format!("declare it as `{}`", entry.signature);
     (!edits.is_empty()).then(|| Fix::safe(title, edits))
 }
 

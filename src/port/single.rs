@@ -4,7 +4,6 @@ use super::whole::{Unsupported, whole};
 use super::{Info, Input, InputKind, Project, ProjectPass, Wrapper};
 use crate::semantic::{
     Dialect, Extent, Kind, Pass, Program, Sampler, Stage, Unit, VariableId, analyze, guess,
-    shadertoy_header,
 };
 use crate::text::{Role, Sources};
 use std::sync::Arc;
@@ -104,7 +103,7 @@ pub(super) fn channels_used(common: Option<&str>, code: &str, kind: Pass) -> Opt
         return Some(Vec::new());
     }
     let mut sources = Sources::new();
-    let header = shadertoy_header(kind, [None; 4]);
+    let header = kind.host().prelude([None; 4]);
     let mut files = vec![sources.add("", None, Role::Prelude, header)?];
     for text in common.into_iter().chain([code]) {
         files.push(sources.add("", None, Role::User, text)?);

@@ -20,30 +20,6 @@ pub enum Pass {
     Common,
 }
 
-impl Pass {
-    /// The function that the pass must define, if it must define one.
-    pub const fn entry(self) -> Option<&'static str> {
-        match self {
-            Pass::Image | Pass::Buffer => Some("mainImage"),
-            Pass::Cubemap => Some("mainCubemap"),
-            Pass::Sound => Some("mainSound"),
-            Pass::Common => None,
-        }
-    }
-
-    /// How the entry is declared by the player.
-    pub const fn signature(self) -> &'static str {
-        match self {
-            Pass::Image | Pass::Buffer => "void mainImage(out vec4 fragColor, in vec2 fragCoord)",
-            Pass::Cubemap => {
-                "void mainCubemap(out vec4 fragColor, in vec2 fragCoord, in vec3 rayOri, in vec3 rayDir)"
-            }
-            Pass::Sound => "vec2 mainSound(in int samp, float time)",
-            Pass::Common => "",
-        }
-    }
-}
-
 /// Who runs the shader.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Dialect {
@@ -55,53 +31,6 @@ pub enum Dialect {
 
 /// The type of each channel of a pass; `None` where it is not known.
 pub type Channels = [Option<Sampler>; 4];
-
-/// The text that the ShaderToy player puts before a pass: the six lines of its renderer, then
-/// uniforms, prototypes and `main`, in its own order (`effect.js`).
-pub fn shadertoy_header(pass: Pass, channels: Channels) -> String {
-    let mut text = String::from(
-        "#version 300 es\n#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n\
-         precision mediump sampler3D;\n#endif\n#define HW_PERFORMANCE 1\n",
-    );
-    let declare = |text: &mut String, kinds: &[Sampler]| {
-        for (i, channel) in channels.iter().enumerate() {
-            let sampler = channel
-                .filter(|c| kinds.contains(c))
-                .unwrap_or(Sampler::Sampler2D);
-            text.push_str(&format!("uniform {} iChannel{i};\n", sampler.name()));
-        }
-    };
-    const ALL: [Sampler; 3] = [Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D];
-    match pass {
-        Pass::Sound => {
-            text.push_str(include_str!("builtins/shadertoy_sound.glsl"));
-            declare(&mut text, &ALL[..2]);
-            text.push_str(include_str!("builtins/shadertoy_sound_main.glsl"));
-        }
-        Pass::Common => {
-            text.push_str(include_str!("builtins/shadertoy.glsl"));
-            declare(&mut text, &ALL);
-        }
-        _ => {
-            text.push_str(include_str!("builtins/shadertoy.glsl"));
-            declare(&mut text, &ALL);
-            if pass == Pass::Image {
-                for (i, channel) in channels.iter().enumerate() {
-                    let sampler = channel.unwrap_or(Sampler::Sampler2D).name();
-                    text.push_str(&format!(
-                        "uniform struct {{ {sampler} sampler; vec3 size; float time; int loaded; }} iCh{i};\n"
-                    ));
-                }
-            }
-            text.push_str(match pass {
-                Pass::Image => include_str!("builtins/shadertoy_image.glsl"),
-                Pass::Buffer => include_str!("builtins/shadertoy_buffer.glsl"),
-                _ => include_str!("builtins/shadertoy_cubemap.glsl"),
-            });
-        }
-    }
-    text
-}
 
 /// The output of a part that writes to `gl_FragColor` and is compiled as GLSL ES 3.00, where its host
 /// declares none.
@@ -127,15 +56,16 @@ pub fn part_declarations(version: Version, stage: Stage) -> String {
         "samplerCubeShadow",
         "sampler2DArrayShadow",
     ];
+    let is_newest = version == Version::NEWEST;
     let mut text = String::new();
     let mut samplers = SAMPLERS.to_vec();
-    if version == Version::Es300 {
+    if is_newest {
         samplers.extend(NEW_SAMPLERS);
     }
     for ty in ["float", "int"].iter().chain(&samplers) {
         text.push_str(&format!("precision highp {ty};\n"));
     }
-    if version == Version::Es100 {
+    if !is_newest {
         return text;
     }
     let varying = match stage {

@@ -22,6 +22,7 @@ mod dialect;
 mod explain;
 pub mod flow;
 mod fold;
+mod host;
 pub mod link;
 mod part;
 mod program;
@@ -37,8 +38,8 @@ pub use checker::check;
 pub use constant::{Constant, Pool, Value};
 pub use dialect::{
     Channels, Dialect, Guess, Kind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
-    shadertoy_header,
 };
+pub use host::{Entry, EntryResult, Host};
 pub use part::{Extent, Open};
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,

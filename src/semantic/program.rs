@@ -270,11 +270,7 @@ impl Program {
 
     /// The function that runs for each pixel or vertex: `mainImage` and its kin, or `main`.
     pub fn entry(&self) -> Option<FunctionRef> {
-        let name = match self.dialect {
-            Dialect::ShaderToy(pass) => pass.entry()?,
-            Dialect::WebGl => "main",
-        };
-        let name = self.names.get(name)?;
+        let name = self.names.get(self.dialect.host().entry?.name)?;
         let is_entry = |f: &Function| f.definition.is_some() && f.name == name;
         let at = self.functions.iter().position(is_entry)?;
         Some(FunctionRef(at as u32))

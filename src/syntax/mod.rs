@@ -14,6 +14,7 @@
 
 pub mod ast;
 mod foreign;
+mod language;
 mod lexer;
 mod names;
 mod parser;
@@ -24,6 +25,7 @@ mod token;
 mod translation;
 
 pub use foreign::{Foreign, Meaning, foreign, type_in_another_case};
+pub use language::{ES_100, ES_300, Feature, LanguageProfile};
 pub use lexer::{Lexer, tokenize, unsplice};
 pub use names::{Name, Names, TypeWord, Version, WordClass, classify};
 pub use parser::{Choice, Correction, Language, Parse, keyword_near, parse, parse_corrected};

@@ -5,8 +5,7 @@ use super::super::input::{InputFile, PassedOver};
 use super::complain;
 use crate::engine::{Extent, Report, Shader};
 use crate::lint::Unrun;
-use crate::semantic::{Dialect, Pass, Stage};
-use crate::syntax::Version;
+use crate::semantic::Stage;
 use std::path::Path;
 
 /// Most names that are told of one shader.
@@ -48,20 +47,9 @@ fn told(shader: &Shader, report: &Report) -> String {
         Stage::Vertex => "vertex shader",
         Stage::Fragment => "fragment shader",
     };
-    let version = match shader.version {
-        Version::Es100 => "GLSL ES 1.00",
-        Version::Es300 => "GLSL ES 3.00",
-    };
-    let kind = match shader.dialect {
-        Dialect::ShaderToy(pass) => match pass {
-            Pass::Image => "ShaderToy image",
-            Pass::Buffer => "ShaderToy buffer",
-            Pass::Cubemap => "ShaderToy cube map",
-            Pass::Sound => "ShaderToy sound",
-            Pass::Common => "ShaderToy common code",
-        }
-        .to_string(),
-        Dialect::WebGl => format!("{stage}, {version}"),
+    let kind = match shader.dialect.host().runs {
+        Some(runs) => runs.to_string(),
+        None => format!("{stage}, {}", shader.version.profile().name),
     };
     let part = file.and_then(|f| f.part.as_deref());
     let part = part.map_or(String::new(), |p| format!(" ({p})"));

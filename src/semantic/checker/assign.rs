@@ -22,7 +22,11 @@ impl Checker<'_> {
         }
         let symbol = op.map_or("=".to_string(), |op| format!("{}=", op.symbol()));
         if let Some(op) = op.filter(|op| op.is_bitwise() || *op == BinaryOp::Rem) {
-            self.needs_300(id, &format!("the operator `{}=`", op.symbol()));
+            self.require(
+                Feature::IntegerOperators,
+                id,
+                &format!("the operator `{}=`", op.symbol()),
+            );
         }
         if !self.check_assignable(left, self.tree.expr(id).extent, &symbol) || r.ty.is_error() {
             return ExprInfo {
@@ -75,7 +79,7 @@ impl Checker<'_> {
         if ty.is_error() {
             return false;
         }
-        if !self.is_300() && ty.is_array() {
+        if !self.has(Feature::ArrayValues) && ty.is_array() {
             let d = self
                 .error(
                     error::NEEDS_WEBGL2,
@@ -157,7 +161,7 @@ impl Checker<'_> {
                 continue;
             }
             if let ExprKind::Comma(left, right) = expr.kind
-                && !self.is_300()
+                && self.has(Feature::ConstantComma)
                 && self.is_temporary(right)
             {
                 // Nor may what is kept for its effect stand there.
@@ -177,7 +181,8 @@ impl Checker<'_> {
     fn may_initialize_global(&self, info: &ExprInfo, kind: &ExprKind) -> bool {
         match (info.resolution, kind) {
             (Resolution::Variable(id), ExprKind::Name(_)) => {
-                info.is_const || (!self.is_300() && self.is_legacy_initializer(id))
+                info.is_const
+                    || (self.has(Feature::LooseInitializers) && self.is_legacy_initializer(id))
             }
             (Resolution::Function(_), _) => false,
             (Resolution::Builtin(overload), _) => !self.is_lookup(overload),

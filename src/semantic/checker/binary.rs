@@ -46,7 +46,11 @@ impl Checker<'_> {
             return self.poisoned(op);
         }
         if op.is_bitwise() || op == BinaryOp::Rem {
-            self.needs_300(id, &format!("the operator `{}`", op.symbol()));
+            self.require(
+                Feature::IntegerOperators,
+                id,
+                &format!("the operator `{}`", op.symbol()),
+            );
         }
         match self.binary_type(op, l.ty, r.ty, false) {
             Ok(ty) => {
@@ -166,8 +170,7 @@ impl Checker<'_> {
                 return Err(Misfit::Struct);
             }
             let inside = self.inside(l.element());
-            let old = !self.is_300();
-            if (old && inside.array) || inside.sampler {
+            if (!self.has(Feature::ArrayValues) && inside.array) || inside.sampler {
                 return Err(Misfit::StructInside);
             }
         }
@@ -175,7 +178,7 @@ impl Checker<'_> {
             return Err(Misfit::Array);
         }
         if l.is_array() {
-            if !self.is_300() || !(compares || assigns) {
+            if !self.has(Feature::ArrayValues) || !(compares || assigns) {
                 return Err(Misfit::Array);
             }
             if l.array != r.array {

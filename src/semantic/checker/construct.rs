@@ -20,7 +20,7 @@ impl Checker<'_> {
             return ExprInfo::ERROR;
         }
         let ty = self.type_spec(ty);
-        if ty.is_array() && !self.is_300() {
+        if ty.is_array() && !self.has(Feature::ArrayValues) {
             let d = self.error_expr(
                 error::NEEDS_WEBGL2,
                 id,

@@ -89,10 +89,10 @@ impl<'a> Checker<'a> {
                 | Wanted::In
                 | Wanted::Out
         );
-        if self.is_300() && varying {
+        if self.has(Feature::InOut) && varying {
             self.check_interface_type(qualified.storage, base, extent);
         }
-        if !self.is_300() {
+        if !self.has(Feature::InOut) {
             if base.is_array() {
                 let d = self
                     .error(
@@ -529,7 +529,9 @@ impl<'a> Checker<'a> {
         let varying = !vertex_in && (storage.is_input() || storage.is_output());
         let message = match storage {
             Wanted::Attribute => "an attribute cannot be an array",
-            Wanted::Const if !self.is_300() => "GLSL ES 1.00 has no constant arrays",
+            Wanted::Const if !self.has(Feature::ArrayValues) => {
+                "GLSL ES 1.00 has no constant arrays"
+            }
             _ if vertex_in => "an input of a vertex shader cannot be an array",
             _ if varying && matches!(base.base, Base::Struct(_)) => {
                 "an array of structs cannot be passed between stages"
@@ -543,7 +545,7 @@ impl<'a> Checker<'a> {
     /// The size that one pair of brackets gives; `None` where it hangs on something unknown.
     fn array_size(&mut self, size: &ArraySize) -> Option<u32> {
         let Some(expr) = size.size else {
-            if !self.is_300() {
+            if !self.has(Feature::ArrayValues) {
                 let d = self.error(error::NEEDS_WEBGL2, size.extent, "the array needs a size");
                 self.report(d.note("GLSL ES 1.00 takes none from an initializer"));
             }

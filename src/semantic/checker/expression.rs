@@ -57,7 +57,7 @@ impl Checker<'_> {
     }
 
     fn uint_literal(&mut self, id: ExprId, value: u32) -> ExprInfo {
-        if !self.is_300() {
+        if !self.has(Feature::UnsignedIntegers) {
             let d = self
                 .error_expr(
                     error::NEEDS_WEBGL2,
@@ -72,7 +72,7 @@ impl Checker<'_> {
     }
 
     fn float_literal(&mut self, id: ExprId, value: f32) -> ExprInfo {
-        if !self.is_300() {
+        if !self.has(Feature::FloatSuffix) {
             let extent = self.tree.expr(id).extent;
             let spelled = self.token(extent.first);
             let text = if spelled.is_direct() {
@@ -132,7 +132,7 @@ impl Checker<'_> {
             return ExprInfo::ERROR;
         }
         if op == UnaryOp::BitNot {
-            self.needs_300(id, "the operator `~`");
+            self.require(Feature::IntegerOperators, id, "the operator `~`");
         }
         let values: Vec<Value> = self.pool.values(info.constant).to_vec();
         let constant = self.pool.add(values.into_iter().map(|v| match (op, v) {
@@ -206,9 +206,9 @@ impl Checker<'_> {
         self.report(d);
     }
 
-    /// Reports what GLSL ES 1.00 does not have.
-    pub(super) fn needs_300(&mut self, id: ExprId, what: &str) {
-        if !self.is_300() {
+    /// Reports what a later version of the language has.
+    pub(super) fn require(&mut self, feature: Feature, id: ExprId, what: &str) {
+        if !self.has(feature) {
             let d = self
                 .error_expr(
                     error::NEEDS_WEBGL2,
@@ -277,14 +277,11 @@ impl Checker<'_> {
             self.report(d);
             return ExprInfo::ERROR;
         }
-        let constant = if self.is_300() {
-            Constant::NONE
-        } else {
-            r.constant
-        };
+        let is_kept = self.has(Feature::ConstantComma);
+        let constant = if is_kept { r.constant } else { Constant::NONE };
         let info = self.result(r.ty, &[l, r], constant);
         ExprInfo {
-            is_const: info.is_const && !self.is_300(),
+            is_const: info.is_const && is_kept,
             ..info
         }
     }
@@ -292,7 +289,7 @@ impl Checker<'_> {
     /// `object.name(...)`: only `length()` of an array exists.
     fn method(&mut self, id: ExprId, object: ExprId, name: Name, args: List) -> ExprInfo {
         let info = self.info(object);
-        self.needs_300(id, "`.length()`");
+        self.require(Feature::ArrayValues, id, "`.length()`");
         if info.ty.is_error() {
             return ExprInfo::ERROR;
         }
@@ -700,7 +697,7 @@ impl Checker<'_> {
             .and_then(|v| self.variables.get(v.0 as usize));
         let is_output = storage.is_some_and(|v| v.storage == Storage::Output);
         let is_builtin = storage.is_some_and(|v| v.token.is_none());
-        if !self.is_300() {
+        if !self.has(Feature::FreeControlFlow) {
             let is_frag_data = is_builtin && is_output && base.ty.is_array();
             return self.check_webgl1_index(id, object, is_frag_data);
         }

@@ -1,5 +1,6 @@
 //! What can be said only when all of the shader is known.
 
+use super::super::host::Entry;
 use super::qualifier::{Qualified, Wanted};
 use super::*;
 use crate::diagnostic::Fix;
@@ -30,7 +31,7 @@ impl Checker<'_> {
     pub(super) fn note_output(&mut self, declarator: &Declarator, qualified: &Qualified, ty: Type) {
         if self.stage == Stage::Fragment
             && qualified.storage == Wanted::Out
-            && self.is_300()
+            && self.has(Feature::InOut)
             && !ty.is_error()
         {
             self.outputs.push(Output {
@@ -89,17 +90,12 @@ impl Checker<'_> {
     }
 
     fn check_entry(&mut self) {
-        match self.dialect {
-            Dialect::ShaderToy(pass) => {
-                if let Some(entry) = pass.entry() {
-                    self.check_shadertoy_entry(entry);
-                }
+        match self.dialect.host().entry {
+            Some(entry) if entry.is_called_by_host() => self.check_called_entry(entry),
+            Some(entry) if !self.defines(entry.name) && !self.main_was_unreadable() => {
+                self.missing_main();
             }
-            Dialect::WebGl => {
-                if !self.defines("main") && !self.main_was_unreadable() {
-                    self.missing_main();
-                }
-            }
+            _ => {}
         }
     }
 
@@ -154,8 +150,12 @@ impl Checker<'_> {
         ))
     }
 
-    fn check_shadertoy_entry(&mut self, entry: &'static str) {
-        let is_entry = |f: &&Function| self.text(f.name) == entry;
+    /// The entry that a host declares and calls must be defined as it is declared.
+    fn check_called_entry(&mut self, entry: Entry) {
+        let Entry {
+            name, signature, ..
+        } = entry;
+        let is_entry = |f: &&Function| self.text(f.name) == name;
         let wanted = self.functions.iter().find(is_entry);
         if wanted.is_none_or(|f| f.definition.is_some()) {
             return;
@@ -169,26 +169,18 @@ impl Checker<'_> {
             return self.wrong_entry(other);
         }
         let unreadable = self.syntax_errors
-            && self.names.get(entry).is_some_and(|n| {
+            && self.names.get(name).is_some_and(|n| {
                 self.tokens.tokens.iter().any(|t| {
                     t.kind == TokenKind::Identifier && t.value == n.0 && !self.in_prelude(t.span)
                 })
             });
-        if unreadable
-            || self
-                .unknown_functions
-                .iter()
-                .any(|&n| self.text(n) == entry)
-        {
+        if unreadable || self.unknown_functions.iter().any(|&n| self.text(n) == name) {
             return;
         }
-        let Dialect::ShaderToy(pass) = self.dialect else {
-            return;
-        };
-        let message = format!("the pass has no `{entry}`");
+        let message = format!("the pass has no `{name}`");
         let d = Diagnostic::error(error::MISSING_MAIN, self.whole_shader(), message)
             .note("the player calls it for every pixel or sample")
-            .help(format!("define `{}`", pass.signature()));
+            .help(format!("define `{signature}`"));
         self.report(d);
     }
 

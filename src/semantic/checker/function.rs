@@ -30,7 +30,7 @@ impl Checker<'_> {
         let Some(params) = params else { return };
         if let Some(function) = self.declare_function(id, decl, params, returns)
             && before == Some(function)
-            && !self.is_300()
+            && !self.has(Feature::RepeatedPrototypes)
         {
             let message = format!("`{}` is declared twice", self.text(decl.ident.name));
             let d = self
@@ -291,9 +291,9 @@ impl Checker<'_> {
             "a function cannot return a sampler"
         } else if ty.array == Type::UNSIZED {
             "an array that is returned needs a size"
-        } else if !self.is_300() && ty.is_array() {
+        } else if !self.has(Feature::ArrayValues) && ty.is_array() {
             "GLSL ES 1.00 functions cannot return arrays"
-        } else if !self.is_300() && self.inside(ty).array {
+        } else if !self.has(Feature::ArrayValues) && self.inside(ty).array {
             "GLSL ES 1.00 functions cannot return structs that hold arrays"
         } else {
             return ty;
@@ -335,10 +335,10 @@ impl Checker<'_> {
         let Some(found) = self.builtins.function(text) else {
             return true;
         };
-        if self.is_300() && found.is_redefinable() {
+        if !self.has(Feature::OverloadedBuiltins) && found.is_redefinable() {
             return true;
         }
-        if !self.is_300() {
+        if self.has(Feature::OverloadedBuiltins) {
             let types: Vec<Type> = params.iter().map(|p| p.ty).collect();
             let (_, overloads) = self.builtins.overloads_of(found);
             if !overloads.iter().any(|o| o.params() == types) {
@@ -445,11 +445,11 @@ impl Checker<'_> {
     }
 
     fn is_entry(&self, text: &str) -> bool {
-        matches!(text, "mainImage" | "mainSound" | "mainCubemap")
+        self.dialect.host().entry.is_some_and(|e| e.name == text)
     }
 
     pub(super) fn wrong_entry(&mut self, decl: &FunctionDecl) {
-        let Dialect::ShaderToy(pass) = self.dialect else {
+        let Some(entry) = self.dialect.host().entry else {
             return;
         };
         let text = self.text(decl.ident.name);
@@ -459,7 +459,7 @@ impl Checker<'_> {
                 decl.header,
                 format!("`{text}` is not declared as the player calls it"),
             )
-            .help(format!("write `{}`", pass.signature()));
+            .help(format!("write `{}`", entry.signature));
         self.report(d);
     }
 

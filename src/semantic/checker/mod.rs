@@ -31,7 +31,7 @@ use super::types::*;
 use crate::diagnostic::{Diagnostic, error};
 use crate::semantic::BuiltinId;
 use crate::syntax::ast::*;
-use crate::syntax::{Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
+use crate::syntax::{Feature, Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
 use crate::text::{Role, Sources, Span};
 pub(super) use binary::Misfit;
 use doubt::{Doubts, settle};
@@ -288,8 +288,9 @@ impl<'a> Checker<'a> {
         left.is_some()
     }
 
-    pub(super) fn is_300(&self) -> bool {
-        self.version == Version::Es300
+    /// Whether the version of the language has something.
+    pub(super) fn has(&self, feature: Feature) -> bool {
+        self.version.has(feature)
     }
 
     pub(super) fn at_global_scope(&self) -> bool {
@@ -445,7 +446,7 @@ impl<'a> Checker<'a> {
     ) -> Diagnostic {
         match token {
             Some(token) if !self.is_prelude(token) => d.label(self.token_span(token), what),
-            Some(_) => d.note("the ShaderToy player declares it"),
+            Some(_) => d.note(format!("{} declares it", self.dialect.host().called)),
             None => d.note("the language declares it"),
         }
     }

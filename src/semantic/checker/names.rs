@@ -121,7 +121,7 @@ impl Checker<'_> {
             token: declared,
             ..
         } = *variable;
-        if declared.is_none() && storage == Storage::Output && !self.is_300() {
+        if declared.is_none() && storage == Storage::Output && !self.has(Feature::InOut) {
             match self.names.text(name) {
                 "gl_FragColor" => self.frag_color = self.frag_color.or(Some(token)),
                 "gl_FragData" => self.frag_data = self.frag_data.or(Some(token)),
@@ -175,7 +175,7 @@ impl Checker<'_> {
     pub(super) fn undeclared_function(&mut self, name: Name, token: TokenId) {
         let text = self.text(name);
         let legacy = LEGACY_FUNCTIONS.iter().find(|(old, _)| *old == text);
-        if let (Some((_, new)), true) = (legacy, self.is_300()) {
+        if let (Some((_, new)), true) = (legacy, self.version == Version::NEWEST) {
             let d = self.explain_legacy_function(text, new, token);
             return self.report(d);
         }

@@ -201,7 +201,7 @@ impl Checker<'_> {
             Q::Layout(_) | Q::Invariant if local => {
                 format!("`{word}` can only stand at global scope")
             }
-            Q::In | Q::Out | Q::Inout if !self.is_300() => {
+            Q::In | Q::Out | Q::Inout if !self.has(Feature::InOut) => {
                 let d = self.error(
                     error::NEEDS_WEBGL2,
                     qualifier.extent,
@@ -264,11 +264,12 @@ impl Checker<'_> {
         use QualifierKind as Q;
         use Wanted as W;
         let vertex = self.stage == Stage::Vertex;
+        let has_in_out = self.has(Feature::InOut);
         // `attribute` and `varying` were reported where the version has them not.
         let kind = match kind {
-            Q::Attribute if self.is_300() => Q::In,
-            Q::Varying if self.is_300() && vertex => Q::Out,
-            Q::Varying if self.is_300() => Q::In,
+            Q::Attribute if has_in_out => Q::In,
+            Q::Varying if has_in_out && vertex => Q::Out,
+            Q::Varying if has_in_out => Q::In,
             kind => kind,
         };
         Some(match (storage, kind) {

@@ -240,7 +240,7 @@ impl Checker<'_> {
             first: extent.first,
             last: decl.name.map_or(extent.first, |n| n.token),
         };
-        if !self.is_300() {
+        if !self.has(Feature::Blocks) {
             let d = self.error(error::NEEDS_WEBGL2, header, "blocks come with GLSL ES 3.00");
             return self.report(d);
         }
@@ -330,7 +330,7 @@ impl Checker<'_> {
             "a default layout can only be set for `uniform`"
         } else if qualified.layout.location.is_some() {
             "a location is for one variable only"
-        } else if !self.is_300() {
+        } else if !self.has(Feature::Layouts) {
             "`layout` comes with GLSL ES 3.00"
         } else {
             return;
@@ -378,11 +378,11 @@ impl Checker<'_> {
         let Some(variable) = self.variables.get(id.0 as usize) else {
             return;
         };
-        let input_of_100 = variable.storage == Storage::Input
+        let may_input = variable.storage == Storage::Input
             && self.stage == Stage::Fragment
-            && !self.is_300()
+            && self.has(Feature::InvariantInputs)
             && text != "gl_FrontFacing";
-        if variable.storage != Storage::Output && !input_of_100 {
+        if variable.storage != Storage::Output && !may_input {
             let message = format!("`{text}` cannot be invariant");
             let d = self
                 .error_at(error::INVALID_QUALIFIER, ident.token, message)

@@ -11,7 +11,7 @@ impl Checker<'_> {
     }
 
     pub(super) fn refuse_webgl1_loop(&mut self, word: &str, extent: Extent) {
-        if !self.is_300() {
+        if !self.has(Feature::FreeControlFlow) {
             let keyword = Extent::token(extent.first);
             self.restricted(keyword, &format!("WebGL1 has no `{word}` loops"));
         }
@@ -19,7 +19,7 @@ impl Checker<'_> {
 
     /// `for (int i = 0; ...`: the index of the loop, if it is declared so.
     pub(super) fn check_webgl1_init(&mut self, init: StmtId, extent: Extent) -> Option<VariableId> {
-        if self.is_300() {
+        if self.has(Feature::FreeControlFlow) {
             return None;
         }
         let tree = self.tree;
@@ -76,7 +76,7 @@ impl Checker<'_> {
         index: Option<VariableId>,
         extent: Extent,
     ) {
-        let (false, Some(index)) = (self.is_300(), index) else {
+        let (false, Some(index)) = (self.has(Feature::FreeControlFlow), index) else {
             return;
         };
         let tree = self.tree;
@@ -111,7 +111,7 @@ impl Checker<'_> {
         index: Option<VariableId>,
         extent: Extent,
     ) {
-        let (false, Some(index)) = (self.is_300(), index) else {
+        let (false, Some(index)) = (self.has(Feature::FreeControlFlow), index) else {
             return;
         };
         let tree = self.tree;
@@ -137,7 +137,8 @@ impl Checker<'_> {
 
     /// The index of a WebGL1 loop must not be changed in the loop's body.
     pub(super) fn check_webgl1_write(&mut self, id: VariableId, extent: Extent) {
-        if !self.is_300() && self.flow.iter().any(|f| f.loop_index == Some(id)) {
+        if !self.has(Feature::FreeControlFlow) && self.flow.iter().any(|f| f.loop_index == Some(id))
+        {
             self.restricted(
                 extent,
                 "the body of a WebGL1 loop must not change its index",

@@ -262,7 +262,7 @@ impl Checker<'_> {
                 error::TYPE_MISMATCH,
                 format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
             ),
-            Misfit::Array if !self.is_300() => (
+            Misfit::Array if !self.has(Feature::ArrayValues) => (
                 error::NEEDS_WEBGL2,
                 format!("GLSL ES 1.00 has no `{symbol}` for arrays"),
             ),
@@ -478,7 +478,7 @@ impl Checker<'_> {
             Misfit::Shape => error::VECTOR_SIZE,
             Misfit::Sampler => error::SAMPLER_RESTRICTION,
             Misfit::StructInside => error::UNSUPPORTED_OPERATION,
-            Misfit::Array if !self.is_300() => error::NEEDS_WEBGL2,
+            Misfit::Array if !self.has(Feature::ArrayValues) => error::NEEDS_WEBGL2,
             _ => error::TYPE_MISMATCH,
         }
     }

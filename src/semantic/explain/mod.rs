@@ -12,10 +12,11 @@ mod resize;
 
 use super::builtins::{Builtins, MAX_PARAMS, Stage};
 use super::checker::{Checker, Misfit};
+use super::host::Entry;
 use super::program::*;
 use super::scope::Binding;
 use super::types::*;
 use crate::diagnostic::{Diagnostic, Fix, error};
 use crate::syntax::ast::*;
-use crate::syntax::{Name, Token, TokenKind, Version};
+use crate::syntax::{Feature, Name, Token, TokenKind, Version};
 use crate::text::{Edit, Span};

@@ -112,11 +112,8 @@ impl Checker<'_> {
         token: TokenId,
     ) -> Diagnostic {
         let text = self.text(name);
-        if !self.is_300()
-            && Builtins::of(Version::Es300, self.stage)
-                .function(text)
-                .is_some()
-        {
+        let newest = Builtins::of(Version::NEWEST, self.stage);
+        if self.version != Version::NEWEST && newest.function(text).is_some() {
             self.error_at(
                 error::NEEDS_WEBGL2,
                 token,
@@ -188,18 +185,18 @@ impl Checker<'_> {
     fn legacy_variable(&self, name: Name, token: TokenId) -> Option<Diagnostic> {
         let text = self.text(name);
         let is_fragment = self.stage == Stage::Fragment;
-        if !self.is_300() {
-            return match text {
-                "gl_FragDepth" | "gl_VertexID" | "gl_InstanceID" => Some(
-                    self.error_at(
-                        error::NEEDS_WEBGL2,
-                        token,
-                        format!("`{text}` comes with GLSL ES 3.00"),
-                    )
-                    .help("start the shader with `#version 300 es`"),
-                ),
-                _ => None,
-            };
+        if self.version != Version::NEWEST {
+            let newest = Builtins::of(Version::NEWEST, self.stage);
+            newest.variable(text)?;
+            let message = format!("`{text}` comes with GLSL ES 3.00");
+            let d = self.error_at(error::NEEDS_WEBGL2, token, message);
+            return Some(d.help("start the shader with `#version 300 es`"));
+        }
+        let host = self.dialect.host();
+        if let Some((old, new, since)) = host.renamed.iter().find(|(old, ..)| *old == text) {
+            let message = format!("`{old}` is called `{new}` since {since}");
+            let fix = Fix::safe(format!("write `{new}`"), self.rename_all(name, new));
+            return Some(self.error_at(error::LEGACY_GLSL, token, message).fix(fix));
         }
         match text {
             "gl_FragColor" | "gl_FragData" if is_fragment => Some(self.legacy_output(name, token)),
@@ -214,15 +211,7 @@ impl Checker<'_> {
                     vec![Edit::replace(self.token_span(token), "gl_FragDepth")],
                 )),
             ),
-            "iGlobalTime" if self.dialect.is_shadertoy() => Some(
-                self.error_at(
-                    error::LEGACY_GLSL,
-                    token,
-                    "`iGlobalTime` is called `iTime` since 2017",
-                )
-                .fix(Fix::safe("write `iTime`", self.rename_all(name, "iTime"))),
-            ),
-            "fragCoord" if is_fragment && !self.dialect.is_shadertoy() => {
+            "fragCoord" if is_fragment && !self.is_called_by_host() => {
                 Some(self.fragcoord_in_main(token))
             }
             _ if is_fragment && OUTPUT_NAMES.contains(&text) && self.is_assigned(token) => {
@@ -230,6 +219,12 @@ impl Checker<'_> {
             }
             _ => None,
         }
+    }
+
+    /// Whether the host declares the shader's outputs, and hands what is computed on to them.
+    fn is_called_by_host(&self) -> bool {
+        let entry = self.dialect.host().entry;
+        entry.is_none_or(Entry::is_called_by_host)
     }
 
     /// `fragCoord` outside ShaderToy's `mainImage`, which gets it as a parameter.
@@ -286,7 +281,7 @@ impl Checker<'_> {
             token,
             format!("`{text}` is gone since GLSL ES 3.00"),
         );
-        if self.dialect.is_shadertoy() {
+        if self.is_called_by_host() {
             return d.help("write to the first parameter of `mainImage`");
         }
         let output = self

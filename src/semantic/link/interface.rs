@@ -3,8 +3,8 @@
 
 use super::live::named;
 use crate::semantic::{Base, Program, Scalar, Stage, Storage, Type, VariableId};
+use crate::syntax::Name;
 use crate::syntax::ast::{self, *};
-use crate::syntax::{Name, Version};
 use crate::text::{Role, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -372,13 +372,5 @@ fn word_of(kind: QualifierKind) -> Option<Precision> {
         QualifierKind::Mediump => Some("mediump"),
         QualifierKind::Highp => Some("highp"),
         _ => None,
-    }
-}
-
-/// How a version is called in messages.
-pub const fn version_name(version: Version) -> &'static str {
-    match version {
-        Version::Es100 => "GLSL ES 1.00",
-        Version::Es300 => "GLSL ES 3.00",
     }
 }

@@ -5,7 +5,7 @@ use super::interface::{Block, Interface, Item};
 use super::{Found, Place};
 use crate::diagnostic::{Diagnostic, error};
 use crate::semantic::{Base, Stage, Type};
-use crate::syntax::Version;
+use crate::syntax::Feature;
 use rustc_hash::FxHashMap;
 
 /// Places for attributes.
@@ -21,12 +21,11 @@ const MAX_VARYING_VECTORS: u64 = 32;
 
 /// Asks that all attributes have a place, and each its own (GLSL ES 3.00 sections 4.3.8.1 and 12.46).
 pub fn attributes(vertex: &Interface, found: &mut Found) {
-    let is_300 = vertex.program.version == Version::Es300;
-    // In GLSL ES 1.00 those that nothing reads take no place.
+    let counts_all = vertex.program.version.has(Feature::UnreadAttributes);
     let all: Vec<&Item> = vertex
         .inputs
         .iter()
-        .filter(|i| is_300 || i.is_active)
+        .filter(|i| counts_all || i.is_active)
         .collect();
     let mut taken: [Option<&Item>; MAX_ATTRIBUTES] = [None; MAX_ATTRIBUTES];
     for item in &all {

@@ -16,7 +16,7 @@ use crate::diagnostic::{Diagnostic, error};
 use crate::syntax::ast::TokenId;
 use crate::text::Span;
 use compare::{Difference, Differing};
-use interface::{Interface, version_name};
+use interface::Interface;
 use rustc_hash::FxHashSet;
 
 /// Finds what keeps two shaders without errors from being linked. Both stand in one address space.
@@ -47,7 +47,7 @@ fn versions(vertex: &Interface, fragment: &Interface, found: &mut Found) {
         let first = tokens.tokens.first().map(|t| t.span);
         tokens.version_span.or(first).unwrap_or_default()
     };
-    let name = |i: &Interface| version_name(i.program.version);
+    let name = |i: &Interface| i.program.version.profile().name;
     let message = format!(
         "the fragment shader is {}, and its vertex shader {}",
         name(fragment),

@@ -5,7 +5,7 @@ use super::interface::{Interface, Item};
 use super::{Found, Place};
 use crate::diagnostic::{Label, error};
 use crate::semantic::Storage;
-use crate::syntax::Version;
+use crate::syntax::Feature;
 use crate::syntax::ast::TokenId;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -36,7 +36,7 @@ pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
             None => qualifiers(vertex, fragment, (output, input), found),
         }
     }
-    if vertex.program.version == Version::Es100 {
+    if vertex.program.version.has(Feature::InvariantInputs) {
         invariant_builtins(vertex, fragment, found);
     }
 }
@@ -57,10 +57,10 @@ fn qualifiers(
     (output, input): (&Item, &Item),
     found: &mut Found,
 ) {
-    let is_100 = vertex.program.version == Version::Es100;
+    let compares_invariance = vertex.program.version.has(Feature::InvariantInputs);
     let (word, section) = if output.is_flat != input.is_flat {
         ("flat", "4.3.9")
-    } else if is_100 && output.is_invariant != input.is_invariant {
+    } else if compares_invariance && output.is_invariant != input.is_invariant {
         ("invariant", "4.6.4")
     } else {
         return;

@@ -3,7 +3,8 @@
 use super::{Parsed, Parser, Reported};
 use crate::diagnostic::{Diagnostic, Fix, Subject, error};
 use crate::syntax::ast::*;
-use crate::syntax::names::{Name, Version};
+use crate::syntax::language::LanguageProfile;
+use crate::syntax::names::Name;
 use crate::syntax::set::{self, TokenSet};
 use crate::syntax::token::{Token, TokenKind};
 use crate::text::Edit;
@@ -106,11 +107,11 @@ impl Parser<'_> {
         }
         self.reserved.push(name);
         let word = self.names.text(name);
-        let section = if self.version == Version::Es300 {
-            "3.00 section 3.8"
-        } else {
-            "1.00 section 3.7"
-        };
+        let LanguageProfile {
+            name: language,
+            reserved_words,
+            ..
+        } = self.version.profile();
         let free = self.free_name(word);
         let edits = self.rename(name, &free);
         let mut d = Diagnostic::error(
@@ -118,7 +119,9 @@ impl Parser<'_> {
             token.span,
             format!("`{word}` is a reserved word and cannot be a name"),
         )
-        .note(format!("GLSL ES {section} keeps it for the future"));
+        .note(format!(
+            "{language} {reserved_words} keeps it for the future"
+        ));
         d = match edits {
             Some(edits) => {
                 let uses = edits.len();

@@ -154,14 +154,14 @@ impl Embedded {
 
 /// What a file says of the shaders in it.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Host {
+pub struct Embedder {
     /// It asks for WebGL1, and nowhere for WebGL2.
     pub is_webgl1: bool,
 }
 
-impl Host {
+impl Embedder {
     /// Reads what a page or script says.
-    pub fn of(text: &str) -> Host {
+    pub fn of(text: &str) -> Embedder {
         let asks_for_webgl1 = || {
             text.match_indices("getContext(").any(|(at, call)| {
                 let rest = text.get(at + call.len()..).unwrap_or("").trim_start();
@@ -169,7 +169,7 @@ impl Host {
                 word.starts_with("webgl") || word.starts_with("experimental-webgl")
             })
         };
-        Host {
+        Embedder {
             is_webgl1: !text.contains("webgl2") && asks_for_webgl1(),
         }
     }
@@ -242,8 +242,8 @@ mod tests {
 
     #[test]
     fn a_host_says_what_it_is() {
-        assert!(Host::of("c.getContext('webgl')").is_webgl1);
-        assert!(!Host::of("c.getContext('webgl2') || c.getContext('webgl')").is_webgl1);
-        assert!(!Host::of("c.getContext('2d')").is_webgl1);
+        assert!(Embedder::of("c.getContext('webgl')").is_webgl1);
+        assert!(!Embedder::of("c.getContext('webgl2') || c.getContext('webgl')").is_webgl1);
+        assert!(!Embedder::of("c.getContext('2d')").is_webgl1);
     }
 }

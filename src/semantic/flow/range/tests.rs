@@ -2,7 +2,7 @@
 
 use super::{Evaluator, Ranges};
 use crate::semantic::flow::Structure;
-use crate::semantic::{Dialect, Extent, Pass, Stage, Unit, analyze, shadertoy_header};
+use crate::semantic::{Dialect, Extent, Pass, Stage, Unit, analyze};
 use crate::syntax::ast::{ExprKind, StmtKind};
 use crate::text::{Role, Sources};
 use std::sync::Arc;
@@ -15,7 +15,7 @@ fn range(code: &str) -> (String, bool, bool) {
             "header",
             None,
             Role::Prelude,
-            shadertoy_header(Pass::Image, [None; 4]),
+            Pass::Image.host().prelude([None; 4]),
         )
         .unwrap();
     let user = sources.add("test", None, Role::User, code).unwrap();

@@ -1,0 +1,219 @@
+//! Hosts: who runs a shader, what stands around its text there, and what it has to define.
+
+use super::builtins::Stage;
+use super::dialect::{Channels, Dialect, Pass};
+use super::types::Sampler;
+
+/// Who runs a shader.
+#[derive(Debug)]
+pub struct Host {
+    /// What it runs, as people call it; `None` where the stage and the version say it.
+    pub runs: Option<&'static str>,
+    /// How notes call it.
+    pub called: &'static str,
+    /// The stage of all that it runs, if there is one alone.
+    pub stage: Option<Stage>,
+    /// The function that every shader must define.
+    pub entry: Option<Entry>,
+    /// Whether it shows the result without its alpha.
+    pub hides_alpha: bool,
+    /// Names that it had in former times: the old one, what it is called now, and since when.
+    pub renamed: &'static [(&'static str, &'static str, &'static str)],
+    prelude: &'static [Piece],
+}
+
+/// The function at which a shader starts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Entry {
+    /// Its name.
+    pub name: &'static str,
+    /// How it is declared.
+    pub signature: &'static str,
+    /// Where what it computes goes.
+    pub result: EntryResult,
+}
+
+/// Where what an entry computes goes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum EntryResult {
+    /// To outputs of the shader.
+    Outputs,
+    /// To its first parameter, which the host writes to its own output.
+    Parameter,
+    /// It is returned to the host.
+    Returned,
+}
+
+impl Entry {
+    /// Whether the host's text declares the function, and calls it from a `main` of its own.
+    pub fn is_called_by_host(self) -> bool {
+        self.result != EntryResult::Outputs
+    }
+}
+
+/// A part of what a host puts before a shader.
+#[derive(Debug)]
+enum Piece {
+    Text(&'static str),
+    /// The four channels, each of one of these types.
+    Channels(&'static [Sampler]),
+    /// A struct for each channel.
+    ChannelStructs,
+}
+
+/// The six lines that the renderer of ShaderToy's player puts first.
+const RENDERER: Piece = Piece::Text(
+    "#version 300 es\n#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n\
+     precision mediump sampler3D;\n#endif\n#define HW_PERFORMANCE 1\n",
+);
+const UNIFORMS: Piece = Piece::Text(include_str!("builtins/shadertoy.glsl"));
+const CHANNELS: Piece =
+    Piece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D]);
+
+const MAIN: Entry = Entry {
+    name: "main",
+    signature: "void main()",
+    result: EntryResult::Outputs,
+};
+const MAIN_IMAGE: Entry = Entry {
+    name: "mainImage",
+    signature: "void mainImage(out vec4 fragColor, in vec2 fragCoord)",
+    result: EntryResult::Parameter,
+};
+const MAIN_CUBEMAP: Entry = Entry {
+    name: "mainCubemap",
+    signature: "void mainCubemap(out vec4 fragColor, in vec2 fragCoord, in vec3 rayOri, in vec3 rayDir)",
+    result: EntryResult::Parameter,
+};
+const MAIN_SOUND: Entry = Entry {
+    name: "mainSound",
+    signature: "vec2 mainSound(in int samp, float time)",
+    result: EntryResult::Returned,
+};
+
+/// A page, which compiles the text as it stands or completes it first.
+static PAGE: Host = Host {
+    runs: None,
+    called: "the host",
+    stage: None,
+    entry: Some(MAIN),
+    hides_alpha: false,
+    renamed: &[],
+    prelude: &[],
+};
+
+/// What all passes of ShaderToy have: its player puts a header before them, in the order of its
+/// `effect.js`: the renderer's lines, then uniforms, prototypes and `main`.
+const PLAYER: Host = Host {
+    runs: None,
+    called: "the ShaderToy player",
+    stage: Some(Stage::Fragment),
+    entry: None,
+    hides_alpha: false,
+    renamed: &[("iGlobalTime", "iTime", "2017")],
+    prelude: &[],
+};
+
+static IMAGE: Host = Host {
+    runs: Some("ShaderToy image"),
+    entry: Some(MAIN_IMAGE),
+    hides_alpha: true,
+    prelude: &[
+        RENDERER,
+        UNIFORMS,
+        CHANNELS,
+        Piece::ChannelStructs,
+        Piece::Text(include_str!("builtins/shadertoy_image.glsl")),
+    ],
+    ..PLAYER
+};
+static BUFFER: Host = Host {
+    runs: Some("ShaderToy buffer"),
+    entry: Some(MAIN_IMAGE),
+    prelude: &[
+        RENDERER,
+        UNIFORMS,
+        CHANNELS,
+        Piece::Text(include_str!("builtins/shadertoy_buffer.glsl")),
+    ],
+    ..PLAYER
+};
+static CUBEMAP: Host = Host {
+    runs: Some("ShaderToy cube map"),
+    entry: Some(MAIN_CUBEMAP),
+    prelude: &[
+        RENDERER,
+        UNIFORMS,
+        CHANNELS,
+        Piece::Text(include_str!("builtins/shadertoy_cubemap.glsl")),
+    ],
+    ..PLAYER
+};
+static SOUND: Host = Host {
+    runs: Some("ShaderToy sound"),
+    entry: Some(MAIN_SOUND),
+    prelude: &[
+        RENDERER,
+        Piece::Text(include_str!("builtins/shadertoy_sound.glsl")),
+        Piece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube]),
+        Piece::Text(include_str!("builtins/shadertoy_sound_main.glsl")),
+    ],
+    ..PLAYER
+};
+static COMMON: Host = Host {
+    runs: Some("ShaderToy common code"),
+    prelude: &[RENDERER, UNIFORMS, CHANNELS],
+    ..PLAYER
+};
+
+impl Pass {
+    /// ShaderToy's player, as it runs passes of this kind.
+    pub fn host(self) -> &'static Host {
+        match self {
+            Pass::Image => &IMAGE,
+            Pass::Buffer => &BUFFER,
+            Pass::Cubemap => &CUBEMAP,
+            Pass::Sound => &SOUND,
+            Pass::Common => &COMMON,
+        }
+    }
+}
+
+impl Dialect {
+    /// Who runs the shader.
+    pub fn host(self) -> &'static Host {
+        match self {
+            Dialect::ShaderToy(pass) => pass.host(),
+            Dialect::WebGl => &PAGE,
+        }
+    }
+}
+
+impl Host {
+    /// The text that it puts before a shader whose channels are of these types.
+    pub fn prelude(&self, channels: Channels) -> String {
+        let mut text = String::new();
+        for piece in self.prelude {
+            match piece {
+                Piece::Text(piece) => text.push_str(piece),
+                Piece::Channels(kinds) => {
+                    for (i, channel) in channels.iter().enumerate() {
+                        let sampler = channel
+                            .filter(|c| kinds.contains(c))
+                            .unwrap_or(Sampler::Sampler2D);
+                        text.push_str(&format!("uniform {} iChannel{i};\n", sampler.name()));
+                    }
+                }
+                Piece::ChannelStructs => {
+                    for (i, channel) in channels.iter().enumerate() {
+                        let sampler = channel.unwrap_or(Sampler::Sampler2D).name();
+                        text.push_str(&format!(
+                            "uniform struct {{ {sampler} sampler; vec3 size; float time; int loaded; }} iCh{i};\n"
+                        ));
+                    }
+                }
+            }
+        }
+        text
+    }
+}
