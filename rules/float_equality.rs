@@ -35,14 +35,10 @@ fn check(cx: &mut Context, e: &Binary) {
     } else {
         ("!=", ">=")
     };
-    let distance = if program.ty(e.left).is_vector() {
-        "distance"
+    let instead = if program.ty(e.left).is_vector() {
+        format!("distance({left}, {right}) {relation} 1e-4")
     } else {
-        "abs"
-    };
-    let instead = match distance {
-        "abs" => format!("abs({left} - {right}) {relation} 1e-4"),
-        _ => format!("distance({left}, {right}) {relation} 1e-4"),
+        format!("abs({left} - {right}) {relation} 1e-4")
     };
     cx.report_expr(
         e.id,

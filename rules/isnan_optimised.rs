@@ -22,8 +22,10 @@ fn check(cx: &mut Context, call: &Builtin) {
     let finding = cx
         .report_expr(call.id, format!("the compiler may leave `{name}` out"))
         .note("it may take it that such numbers never come up, and on some machines it does");
-    finding.help(match name {
-        "isnan" => "keep the number from becoming one: guard the division, root or power before",
+    finding.help(match call.function {
+        BuiltinId::IsNan => {
+            "keep the number from becoming one: guard the division, root or power before"
+        }
         _ => "compare with a large number: `abs(x) > 1e30`",
     });
 }

@@ -3,6 +3,7 @@
 use shaderlint::diagnostic::ERRORS;
 use shaderlint::lint::Page;
 use shaderlint::rules::RULES;
+use shaderlint::semantic::BuiltinId;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -234,6 +235,61 @@ fn functions_fit_a_screen() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What a built-in function does is told by its row in the table and by its number, never by its name
+/// or how the name begins.
+#[test]
+fn no_built_in_is_told_by_its_name() {
+    // Below these layers nothing knows of functions; `port` speaks of textures and how they wrap.
+    let folders = ["src/semantic", "src/lint", "rules", "src/port/naga"];
+    let later = ["src/ir", "src/flow", "src/exec"];
+    let later = later.iter().filter(|f| root().join(f).exists());
+    let folders: Vec<&str> = folders.iter().chain(later).copied().collect();
+    let mut wrong = Vec::new();
+    for (file, text) in files(&folders, ".rs") {
+        if file == "src/semantic/builtins/table.rs" {
+            continue;
+        }
+        let code = text.split("#[cfg(test)]").next().unwrap();
+        for (number, line) in code.lines().enumerate() {
+            if compares_a_built_in(line) {
+                wrong.push(format!("{file}:{}: {}", number + 1, line.trim()));
+            }
+        }
+    }
+    // What selects all rules.
+    wrong.retain(|w| !w.contains("\"all\" => Some(Reach::All)"));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Whether the name of a built-in function, or the beginning of one, stands on a line where it is
+/// compared with something: beside `==`, in a pattern, or as what a text starts with or holds.
+fn compares_a_built_in(line: &str) -> bool {
+    let parts: Vec<&str> = line.split('"').collect();
+    (1..parts.len()).step_by(2).any(|i| {
+        let (before, word) = (parts[..i].join("\"").trim_end().to_string(), parts[i]);
+        let after = parts[i + 1..].join("\"").trim_start().to_string();
+        let is_word = !word.is_empty() && word.chars().all(char::is_alphanumeric);
+        let is_part = ["starts_with(", "ends_with(", "strip_prefix(", "contains("]
+            .iter()
+            .any(|p| before.ends_with(p));
+        let begins = |id: &BuiltinId| match is_part {
+            true => word.len() > 2 && id.name().contains(word),
+            false => id.name() == word,
+        };
+        let is_compared = ["==", "!=", "|"]
+            .iter()
+            .any(|op| before.ends_with(op) || after.starts_with(op))
+            || after.contains("=>")
+            || before.contains("matches!")
+            || before.ends_with("contains(&")
+            || before
+                .rsplit("let ")
+                .next()
+                .is_some_and(|rest| rest.len() < before.len() && !rest.contains('='));
+        is_word && (is_part || is_compared) && BuiltinId::ALL.iter().any(begins)
+    })
 }
 
 /// Messages are lower case and without a full stop, as every page prints them.

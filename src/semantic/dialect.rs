@@ -1,9 +1,18 @@
 //! Who runs the shader, and what that host puts around it.
 
-use super::builtins::Stage;
+use super::builtins::{BuiltinId, Stage};
 use super::checker::LEGACY_FUNCTIONS;
 use super::types::Sampler;
 use crate::syntax::Version;
+
+/// Lookups that only GLSL ES 1.00 has, and that its shaders hardly do without.
+const OLD_LOOKUPS: [BuiltinId; 2] = [BuiltinId::Texture2D, BuiltinId::TextureCube];
+/// Lookups that only GLSL ES 3.00 has.
+const NEW_LOOKUPS: [BuiltinId; 3] = [
+    BuiltinId::Texture,
+    BuiltinId::TexelFetch,
+    BuiltinId::TextureLod,
+];
 
 /// The kinds of ShaderToy pass.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -330,20 +339,20 @@ impl Seen {
             }
             "mainCubemap" if self.pass.is_none() => self.pass = Some(Pass::Cubemap),
             "mainSound" if self.pass.is_none() => self.pass = Some(Pass::Sound),
-            "attribute" | "varying" | "gl_FragColor" | "gl_FragData" | "texture2D"
-            | "textureCube" => {
+            "attribute" | "varying" | "gl_FragColor" | "gl_FragData" => {
                 self.old = true;
                 self.attribute |= word == "attribute";
             }
-            "texture" | "texelFetch" | "textureLod" | "out" | "uint" | "flat" | "layout" => {
-                self.new = true
-            }
+            "out" | "uint" | "flat" | "layout" => self.new = true,
             "precision" => self.precision = true,
             "main" => {
                 self.main = true;
                 self.defines_main |= last == "void";
             }
-            _ => {}
+            _ => {
+                self.old |= OLD_LOOKUPS.iter().any(|f| f.name() == word);
+                self.new |= NEW_LOOKUPS.iter().any(|f| f.name() == word);
+            }
         }
     }
 }

@@ -35,6 +35,12 @@ impl BuiltinId {
         self.row().name
     }
 
+    /// The function of a name, in whatever version. Looks through the table, so it is for words that
+    /// are looked at once.
+    pub fn named(name: &str) -> Option<BuiltinId> {
+        BuiltinId::ALL.iter().copied().find(|id| id.name() == name)
+    }
+
     /// What it does.
     pub const fn kind(self) -> BuiltinKind {
         self.row().kind
@@ -489,8 +495,7 @@ mod tests {
                 let lines = prototypes.lines().filter(|l| !l.starts_with("//"));
                 for line in lines.filter(|l| l.ends_with(");")) {
                     let name = line.split(['(', ' ']).nth(1);
-                    let has_row = |id: &&BuiltinId| Some(id.name()) == name;
-                    assert!(BuiltinId::ALL.iter().any(|id| has_row(&id)), "{line}");
+                    assert!(name.and_then(BuiltinId::named).is_some(), "{line}");
                 }
             }
         }

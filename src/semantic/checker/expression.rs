@@ -6,6 +6,9 @@ use crate::diagnostic::Fix;
 use crate::syntax::{Meaning, foreign};
 use crate::text::Edit;
 
+/// The one method there is, of arrays.
+const LENGTH: &str = "length";
+
 impl Checker<'_> {
     /// Checks the expression `root` and everything in it.
     pub(super) fn eval(&mut self, root: ExprId) {
@@ -294,7 +297,7 @@ impl Checker<'_> {
             return ExprInfo::ERROR;
         }
         let text = self.text(name);
-        let message = if text != "length" {
+        let message = if text != LENGTH {
             format!("there is no method `{text}`; only arrays have one, `length()`")
         } else if args.len > 0 {
             "`length()` takes no argument".to_string()
@@ -321,7 +324,7 @@ impl Checker<'_> {
             };
         };
         let d = self.error_expr(error::NOT_A_FUNCTION, id, message);
-        let d = match info.ty.is_vector() && text == "length" {
+        let d = match info.ty.is_vector() && text == LENGTH {
             true => d.note("the number of a vector's components is fixed"),
             false => d,
         };
@@ -402,7 +405,7 @@ impl Checker<'_> {
                 format!("an array has no member `{text}`"),
             );
             let d = match text {
-                "length" => d.help("write `.length()`"),
+                LENGTH => d.help("write `.length()`"),
                 _ => d.help("take an element first: `a[0]`"),
             };
             self.report(d);
@@ -576,7 +579,7 @@ impl Checker<'_> {
             d.note("`xyzw`, `rgba` and `stpq` cannot be mixed (section 5.5)")
         } else if text.len() > 4 {
             d.note("at most four components can be taken at once (section 5.5)")
-        } else if text == "length" {
+        } else if text == LENGTH {
             d.help("a vector's length is `length(v)`")
         } else {
             d.note("a component is one of `xyzw`, `rgba` or `stpq` (section 5.5)")

@@ -2,15 +2,18 @@
 
 use super::overload::Candidate;
 use super::*;
+use crate::semantic::BuiltinId;
 
 /// What is usually given for a parameter of a built-in function, by its number, where it is left
 /// out.
 #[rustfmt::skip]
-const USUAL: &[(&str, usize, &str)] = &[
-    ("max", 1, "0.0"), ("min", 1, "1.0"), ("pow", 1, "2.0"), ("mod", 1, "1.0"), ("mix", 2, "0.5"),
-    ("clamp", 1, "0.0"), ("clamp", 2, "1.0"), ("smoothstep", 0, "0.0"), ("smoothstep", 1, "1.0"),
-    ("step", 0, "0.5"), ("refract", 2, "0.66"), ("textureLod", 2, "0.0"), ("texelFetch", 2, "0"),
-    ("textureSize", 1, "0"),
+const USUAL: &[(BuiltinId, usize, &str)] = &[
+    (BuiltinId::Max, 1, "0.0"), (BuiltinId::Min, 1, "1.0"), (BuiltinId::Pow, 1, "2.0"),
+    (BuiltinId::Mod, 1, "1.0"), (BuiltinId::Mix, 2, "0.5"), (BuiltinId::Clamp, 1, "0.0"),
+    (BuiltinId::Clamp, 2, "1.0"), (BuiltinId::Smoothstep, 0, "0.0"),
+    (BuiltinId::Smoothstep, 1, "1.0"), (BuiltinId::Step, 0, "0.5"),
+    (BuiltinId::Refract, 2, "0.66"), (BuiltinId::TextureLod, 2, "0.0"),
+    (BuiltinId::TexelFetch, 2, "0"), (BuiltinId::TextureSize, 1, "0"),
 ];
 
 /// Most arguments that are tried in another order.
@@ -169,7 +172,10 @@ impl Checker<'_> {
         }
         let is_given = |v: &&Variable| args.iter().any(|&a| self.expr_text(a) == self.text(v.name));
         let text = self.text(name);
-        let usual = USUAL.iter().find(|(f, i, _)| *f == text && *i == index);
+        let function = self.builtins.function(text);
+        let usual = USUAL
+            .iter()
+            .find(|(f, i, _)| Some(*f) == function && *i == index);
         if let (Some((_, _, value)), false) = (usual, writes) {
             return Some(match ty.is_scalar() {
                 true => value.to_string(),

@@ -1,6 +1,7 @@
 //! What to say when types do not fit, and how to mend it.
 
 use super::*;
+use crate::semantic::BuiltinId;
 
 const NO_CONVERSION: &str = "GLSL ES converts nothing by itself (section 4.1.10)";
 
@@ -59,7 +60,7 @@ impl Checker<'_> {
         let (l, r) = (self.name_of(self.ty(left)), self.name_of(self.ty(right)));
         let message = format!("`%` works on integers, not on `{l}` and `{r}`");
         let d = self.error_expr(error::INT_FLOAT_MIX, id, message);
-        let fix = self.as_call(id, "mod", left, right);
+        let fix = self.as_call(id, BuiltinId::Mod, left, right);
         Some(self.both(d, left, right).fix(fix))
     }
 
@@ -310,9 +311,9 @@ impl Checker<'_> {
         misfit: Misfit,
     ) -> Diagnostic {
         use BinaryOp as B;
-        let as_call = |name| self.as_call(id, name, left, right);
+        let as_call = |function| self.as_call(id, function, left, right);
         let fix = match (op, misfit) {
-            (B::Rem, Misfit::NeedsInteger) => as_call("mod"),
+            (B::Rem, Misfit::NeedsInteger) => as_call(BuiltinId::Mod),
             (B::BitXor, Misfit::NeedsInteger) => self.as_power(id, left, right),
             (B::BitAnd | B::BitOr, Misfit::NeedsInteger | Misfit::Scalars)
                 if self.ty(left) == Type::BOOL && self.ty(right) == Type::BOOL =>
@@ -321,10 +322,10 @@ impl Checker<'_> {
             }
             (_, Misfit::NeedsScalar) => {
                 let function = match op {
-                    B::Less => "lessThan",
-                    B::Greater => "greaterThan",
-                    B::LessEqual => "lessThanEqual",
-                    _ => "greaterThanEqual",
+                    B::Less => BuiltinId::LessThan,
+                    B::Greater => BuiltinId::GreaterThan,
+                    B::LessEqual => BuiltinId::LessThanEqual,
+                    _ => BuiltinId::GreaterThanEqual,
                 };
                 as_call(function).map(|mut fix| {
                     for edit in &mut fix.edits {
@@ -349,8 +350,8 @@ impl Checker<'_> {
         is_direct.then(|| Fix::suggestion(format!("write `{symbol}`"), edits))
     }
 
-    /// `l op r` becomes `name(l, r)`, in floats and with a number made a vector beside one.
-    fn as_call(&self, id: ExprId, name: &str, left: ExprId, right: ExprId) -> Option<Fix> {
+    /// `l op r` becomes `function(l, r)`, in floats and with a number made a vector beside one.
+    fn as_call(&self, id: ExprId, function: BuiltinId, left: ExprId, right: ExprId) -> Option<Fix> {
         let all = Extent {
             first: self.tree.expr(left).extent.first,
             last: self.tree.expr(right).extent.last,
@@ -374,10 +375,11 @@ impl Checker<'_> {
         }
         let ty = Type::vector(scalar, rows);
         let ty = if rows == 1 { Type::scalar(scalar) } else { ty };
-        let keeps = name == "mod" && rr == 1;
+        let keeps = function == BuiltinId::Mod && rr == 1;
         let right_type = if keeps { Type::scalar(scalar) } else { ty };
         let text = format!(
-            "{name}({}, {})",
+            "{}({}, {})",
+            function.name(),
             self.text_as(left, ty),
             self.text_as(right, right_type)
         );
@@ -401,7 +403,7 @@ impl Checker<'_> {
         while let ExprKind::Binary(_, first, _) = self.tree.expr(exponent).kind {
             exponent = first;
         }
-        self.as_call(id, "pow", base, exponent)
+        self.as_call(id, BuiltinId::Pow, base, exponent)
     }
 
     /// The text of an expression, as a value of a type.

@@ -1,6 +1,7 @@
 //! How to make vectors of different sizes fit.
 
 use super::*;
+use crate::semantic::BuiltinId;
 
 /// Longest code that a fix's title shows.
 const MAX_SHOWN: usize = 60;
@@ -118,7 +119,10 @@ impl Checker<'_> {
         use ExprKind as E;
         let is_part = match self.tree.expr(self.core(init)).kind {
             E::Name(_) | E::Member(..) | E::Index(..) | E::Method(..) => true,
-            E::Call(name, _) => self.text(name).starts_with("tex"),
+            E::Call(name, _) => {
+                let function = BuiltinId::named(self.text(name));
+                function.is_some_and(|f| f.kind().is_texture())
+            }
             _ => false,
         };
         let found = self.ty(init);
