@@ -1,50 +1,143 @@
-//! Small shaders and what Chromium says of them: `tests/verdicts.txt`. The browser's own step asks it
-//! again.
+//! Small shaders and what the browser says of each: `corpus/verdicts`, whose README has the form.
+//! `tests/browser/verdicts.js` asks the browser again.
+//!
+//! `INSTA_UPDATE=always cargo test` records under which rule shaderlint refuses what the browser refuses.
 
 use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
 use shaderlint::lint::Settings;
+use std::fs;
+use std::path::{Path, PathBuf};
 
-/// The whole shader that a line stands for, and the name of its file.
-fn shader(kind: &str, code: &str) -> (String, &'static str) {
-    let is_fragment = kind.contains('f');
-    let (globals, body) = match code.split_once("@@") {
-        Some((globals, body)) => (globals.trim(), format!("void main(){{{body}}}\n")),
-        None => (code, String::new()),
-    };
-    let mut text = String::new();
-    if kind.starts_with('3') {
-        text.push_str("#version 300 es\n");
-    }
-    if is_fragment {
-        text.push_str("precision highp float;\n");
-        if kind.starts_with('3') && !kind.contains('O') {
-            text.push_str("out vec4 o;\n");
+/// What the line above a case says, and the lines below it.
+struct Case<'a> {
+    head: &'a str,
+    /// `accepted`, `refused LINE` or `refused LINE RULE`.
+    verdict: Vec<&'a str>,
+    is_new: bool,
+    is_fragment: bool,
+    code: String,
+}
+
+/// The head of a case, `//: VERDICT[, VERSION STAGE][: TITLE]`, without its code.
+fn head(line: &str) -> Option<Case<'_>> {
+    let said = line.strip_prefix("//: ")?;
+    let said = said.split_once(": ").map_or(said, |(said, _)| said);
+    let (verdict, kind) = said.split_once(", ").unwrap_or((said, ""));
+    assert!(
+        kind.split_whitespace()
+            .all(|w| ["100", "300", "vertex", "fragment"].contains(&w)),
+        "{line}"
+    );
+    Some(Case {
+        head: line,
+        verdict: verdict.split(' ').collect(),
+        is_new: !kind.contains("100"),
+        is_fragment: !kind.contains("vertex"),
+        code: String::new(),
+    })
+}
+
+fn cases(text: &str) -> Vec<Case<'_>> {
+    let mut found: Vec<Case> = Vec::new();
+    for line in text.lines().filter(|l| !l.starts_with("//#")) {
+        match (head(line), found.last_mut()) {
+            (Some(case), _) => found.push(case),
+            (None, Some(last)) => last.code.push_str(&format!("{line}\n")),
+            (None, None) => {}
         }
     }
-    let name = if is_fragment { "a.frag" } else { "a.vert" };
-    (format!("{text}{globals}\n{body}"), name)
+    found
+}
+
+/// The whole shader, and the name of its file.
+fn shader(case: &Case) -> (String, &'static str) {
+    let name = if case.is_fragment { "a.frag" } else { "a.vert" };
+    let code = case.code.trim_end();
+    let is_version = |line: &str| {
+        let name = line.trim_start().strip_prefix('#').map(str::trim_start);
+        name.is_some_and(|name| name.starts_with("version"))
+    };
+    if code.lines().any(is_version) {
+        return (format!("{code}\n"), name);
+    }
+    let version = if case.is_new { "300 es" } else { "100" };
+    let precision = if case.is_fragment {
+        "precision highp float;\n"
+    } else {
+        ""
+    };
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let has_main = code.split(|c| !is_word(c)).any(|w| w == "main");
+    let main = if has_main { "" } else { "void main() {}\n" };
+    (
+        format!("#version {version}\n{precision}{code}\n{main}"),
+        name,
+    )
+}
+
+/// The rule of the first error that shaderlint finds.
+fn judge(case: &Case) -> Option<&'static str> {
+    let options = Options::new(DialectChoice::Auto, Settings::of_rules(&[]));
+    let (text, name) = shader(case);
+    let report = check(name, &text, &options, &NoFiles);
+    assert!(report.unread.is_none(), "it is not read: {}", case.head);
+    let mut all = report.diagnostics.iter();
+    all.find(|d| d.severity == Severity::Error).map(|d| d.rule)
+}
+
+fn files() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/verdicts");
+    let entries = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path());
+    let mut found: Vec<PathBuf> = entries
+        .filter(|p| p.extension().is_some_and(|e| e == "glsl"))
+        .collect();
+    found.sort();
+    found
+}
+
+/// Puts the rules into the heads, where shaderlint refuses what the browser refuses.
+fn record_rules() {
+    for path in files() {
+        let mut text = fs::read_to_string(&path).unwrap();
+        let all = text.clone();
+        for case in cases(&all) {
+            if let (["refused", line, ..], Some(rule)) = (case.verdict.as_slice(), judge(&case)) {
+                let verdict = format!("refused {line} {rule}");
+                let head = case.head.replacen(&case.verdict.join(" "), &verdict, 1);
+                let with = |head: &str| format!("{head}\n{}", case.code);
+                text = text.replace(&with(case.head), &with(&head));
+            }
+        }
+        fs::write(path, text).unwrap();
+    }
 }
 
 #[test]
 fn the_verdict_is_the_browsers() {
-    let options = Options::new(DialectChoice::Auto, Settings::of_rules(&[]));
+    if std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always") {
+        record_rules();
+    }
+    let (mut accepted, mut refused) = (0, 0);
     let mut wrong = Vec::new();
-    for line in include_str!("verdicts.txt").lines() {
-        let Some((expected, rest)) = line.split_once(": ").filter(|_| !line.starts_with('#'))
-        else {
-            continue;
-        };
-        let (kind, code) = rest.split_once(' ').unwrap();
-        let (text, name) = shader(kind, code);
-        let report = check(name, &text, &options, &NoFiles);
-        assert!(report.unread.is_none(), "{line} cannot be judged");
-        let mut errors = report.diagnostics.iter();
-        let found = errors.find(|d| d.severity == Severity::Error);
-        let found = found.map_or("ok", |d| d.rule);
-        if found != expected {
-            wrong.push(format!("{found}, not {line}"));
+    for path in files() {
+        let text = fs::read_to_string(&path).unwrap();
+        for case in cases(&text) {
+            let found = judge(&case);
+            let is_right = match (case.verdict.as_slice(), found) {
+                (["accepted"], found) => found.is_none(),
+                (["refused", _, rule], Some(found)) => *rule == found,
+                _ => false,
+            };
+            accepted += usize::from(case.verdict[0] == "accepted");
+            refused += usize::from(case.verdict[0] == "refused");
+            if !is_right {
+                let name = path.file_name().unwrap().display();
+                let found = found.unwrap_or("accepted");
+                wrong.push(format!("{name}: {found}, not {}\n{}", case.head, case.code));
+            }
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(accepted > 300 && refused > 300, "{accepted} and {refused}");
 }

@@ -226,12 +226,22 @@ fn seeds() -> Vec<String> {
     for path in paths {
         let text = fs::read_to_string(&path).unwrap_or_default();
         match path.extension().and_then(|e| e.to_str()) {
-            Some("glsl" | "frag" | "vert" | "json") => seeds.push(text),
+            Some("glsl" | "frag" | "vert" | "json") => seeds.extend(cases(&text)),
             Some("md") => seeds.extend(fences(&text)),
             _ => {}
         }
     }
     seeds
+}
+
+/// The cases of a file in `corpus/verdicts`. Any other file is one.
+fn cases(text: &str) -> Vec<String> {
+    let Some((head, rest)) = text.split_once("\n//: ") else {
+        return vec![text.to_string()];
+    };
+    let all = std::iter::once(head).chain(rest.split("\n//: "));
+    let code = all.filter_map(|case| case.split_once('\n'));
+    code.map(|(_, code)| code.to_string()).collect()
 }
 
 fn fences(page: &str) -> Vec<String> {

@@ -1,72 +1,58 @@
-// shaderlint's verdict is Chromium's: over the small shaders of tests/verdicts.txt, and over programs
-// that fuzz/ writes.
+// shaderlint's verdict is Chromium's: over the small shaders of corpus/verdicts, where tests/verdicts.rs
+// holds it to what is recorded, and over programs that fuzz/ writes.
 //
+//   node verdicts.js ask              records what the browser says of corpus/verdicts
 //   node verdicts.js [COUNT] [SEED]   asks COUNT programs from SEED on, and prints where the two differ
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
-import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { launch, top } from './browser.js';
+import { files, head } from './recorded.js';
 
 /** Shaders that one page compiles at once. */
 const BATCH = 200;
 
-/** Compiles shaders until the compiler dies of one; gives whether each is accepted. */
+/** Compiles shaders until the compiler dies of one; gives whether each is accepted, and the line of the first error. */
 function compile(page, shaders) {
   return page.evaluate((all) => {
     const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
-    const accepted = [];
+    const said = [];
     for (const { stage, source } of all) {
       const shader = gl.createShader(stage === 'vertex' ? gl.VERTEX_SHADER : gl.FRAGMENT_SHADER);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
       const ok = gl.getShaderParameter(shader, gl.COMPILE_STATUS) === true;
+      const log = gl.getShaderInfoLog(shader) ?? '';
       // A compiler that died says nothing, to all that comes behind as well.
-      if (!ok && !gl.getShaderInfoLog(shader)) break;
-      accepted.push(ok);
+      if (!ok && !log) break;
+      said.push({ ok, line: Number(log.match(/ERROR: \d+:(\d+)/)?.[1] ?? 0), log });
       gl.deleteShader(shader);
     }
-    return accepted;
+    return said;
   }, shaders);
 }
 
-/** The shaders of which the browser says otherwise. One on which its compiler dies has no verdict. */
-async function disagreements(context, shaders) {
-  const wrong = [];
-  for (let at = 0; at < shaders.length; ) {
+/** What the browser says of each shader. One on which its compiler dies has no verdict. */
+async function ask(context, shaders) {
+  const said = [];
+  for (let at = 0; at < shaders.length; at = said.length) {
     const page = await context.newPage();
     const batch = shaders.slice(at, at + BATCH);
-    const accepted = await compile(page, batch);
-    accepted.forEach((ok, i) => {
-      if (ok !== batch[i].ok) wrong.push(batch[i]);
-    });
-    if (accepted.length < batch.length) console.log(`no verdict: ${batch[accepted.length].id}`);
-    at += accepted.length + (accepted.length < batch.length ? 1 : 0);
+    said.push(...(await compile(page, batch)));
+    if (said.length < at + batch.length) {
+      console.log(`no verdict: ${shaders[said.length].id}`);
+      said.push(null);
+    }
     await page.close();
   }
-  return wrong;
+  return said;
 }
 
-/** The shader that a line of tests/verdicts.txt stands for. */
-function small(line) {
-  const [, rule, kind, code] = line.match(/^([^:]+): (\S+) (.*)$/);
-  const [globals, body] = code.split('@@');
-  const isFragment = kind.includes('f');
-  const isNew = kind.startsWith('3');
-  const source = [
-    isNew ? '#version 300 es\n' : '',
-    isFragment ? 'precision highp float;\n' : '',
-    isFragment && isNew && !kind.includes('O') ? 'out vec4 o;\n' : '',
-    `${globals.trim()}\n`,
-    body === undefined ? '' : `void main(){${body}}\n`,
-  ].join('');
-  return { id: line, stage: isFragment ? 'fragment' : 'vertex', source, ok: rule === 'ok' };
-}
-
-function smallShaders() {
-  const text = fs.readFileSync(path.join(top, 'tests/verdicts.txt'), 'utf8');
-  return text.split('\n').filter((l) => l !== '' && !l.startsWith('#')).map(small);
+/** The shaders of which the browser says otherwise. */
+async function disagreements(context, shaders) {
+  const said = await ask(context, shaders);
+  return shaders.filter((s, i) => said[i] && said[i].ok !== s.ok);
 }
 
 /** Programs of `count` seeds, with shaderlint's verdict. */
@@ -81,20 +67,53 @@ async function agree(context, shaders) {
   assert.deepEqual(wrong.map((s) => `${s.id}: ${s.ok ? 'refused' : 'accepted'} by the browser`), []);
 }
 
+/** What is recorded is what the browser says: verdict and line. */
+async function isRecorded(context) {
+  const cases = files().flatMap((f) => f.cases.map((one) => ({ ...one, head: f.lines[one.at] })));
+  assert.ok(cases.length >= 300, `${cases.length} cases`);
+  const said = await ask(context, cases);
+  const wrong = cases.flatMap((one, i) => {
+    const now = said[i] ? head(one, said[i]) : one.head;
+    return now === one.head ? [] : [`${one.id}: ${one.head}\n  is now ${now}`];
+  });
+  assert.deepEqual(wrong, []);
+}
+
+/** Writes what the browser says into the heads of corpus/verdicts; names those that changed. */
+async function record(context) {
+  for (const { path, lines, cases } of files()) {
+    const said = await ask(context, cases);
+    cases.forEach((one, i) => {
+      if (!said[i]) return;
+      const now = head(one, said[i]);
+      if (now === lines[one.at]) return;
+      console.log(`${one.id}\n  ${lines[one.at]}\n  ${now}\n  ${said[i].log.split('\n')[0]}`);
+      lines[one.at] = now;
+    });
+    fs.writeFileSync(path, lines.join('\n'));
+  }
+}
+
 export const verdictTests = [
-  { name: 'verdicts of small shaders', run: (context) => agree(context, smallShaders()) },
+  { name: 'verdicts of small shaders', run: isRecorded },
   { name: 'verdicts of programs', seconds: 600, run: (context) => agree(context, programs(300, 1)) },
 ];
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const [count, seed] = process.argv.slice(2).map(Number);
-  const running = await launch();
-  const context = await running.browser.newContext();
-  const wrong = await disagreements(context, programs(count || 1000, seed || 1));
+/** Asks for programs, and prints those that are judged otherwise; gives how many there are. */
+async function compare(context, count, seed) {
+  const wrong = await disagreements(context, programs(count, seed));
   for (const { id, ok, source } of wrong) {
     console.log(`--- seed ${id}: ${ok ? 'refused' : 'accepted'} by the browser alone\n${source}`);
   }
-  console.log(`${count || 1000} programs, ${wrong.length} verdicts differ`);
+  console.log(`${count} programs, ${wrong.length} verdicts differ`);
+  return wrong.length;
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const running = await launch();
+  const context = await running.browser.newContext();
+  const [first, seed] = process.argv.slice(2);
+  const wrong = first === 'ask' ? await record(context) : await compare(context, Number(first) || 1000, Number(seed) || 1);
   await running.kill();
-  process.exit(wrong.length > 0 ? 1 : 0);
+  process.exit(wrong ? 1 : 0);
 }

@@ -552,7 +552,7 @@ mod tests {
             old.variable("gl_FragData")
                 .and_then(|v| v.ty)
                 .map(|t| t.array),
-            Some(8)
+            Some(1)
         );
     }
 

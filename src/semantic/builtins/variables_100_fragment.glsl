@@ -3,4 +3,4 @@ in mediump vec4 gl_FragCoord;
 in bool gl_FrontFacing;
 in mediump vec2 gl_PointCoord;
 out mediump vec4 gl_FragColor;
-out mediump vec4 gl_FragData[8];
+out mediump vec4 gl_FragData[1];

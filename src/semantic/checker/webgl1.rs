@@ -154,8 +154,8 @@ impl Checker<'_> {
         };
         let info = self.info(index);
         if is_frag_data {
-            let value = self.pool.scalar(info.constant).map(|v| v.as_int());
-            if !info.is_const || value != Some(0) {
+            // Constants that lie outside of it are found as those of any array are.
+            if !info.is_const {
                 let extent = self.tree.expr(index).extent;
                 let d = self
                     .error(

@@ -1,0 +1,49 @@
+// The small shaders of corpus/verdicts and what the browser said of each; its README has the form.
+import fs from 'node:fs';
+import path from 'node:path';
+import { top } from './browser.js';
+
+const folder = path.join(top, 'corpus/verdicts');
+
+/** The line above a case: what the browser said, the rule that says so too, version and stage, and a title. */
+const HEAD = /^\/\/: (\?|accepted|refused \d+)(?: ([a-z][a-z0-9-]*))?(?:, ([a-z0-9 ]+))?(?:: (.+))?$/;
+
+/** What stands around a case: as little as lets it compile. */
+function wrap(code, isNew, isFragment) {
+  if (/^\s*#\s*version/m.test(code)) return { before: '', after: '' };
+  const before = [isNew ? '#version 300 es\n' : '#version 100\n', isFragment ? 'precision highp float;\n' : ''].join('');
+  return { before, after: /\bmain\b/.test(code) ? '' : 'void main() {}\n' };
+}
+
+function read(file, head, at, code) {
+  const found = head.match(HEAD);
+  if (!found) throw new Error(`${file}:${at + 1}: this is no head of a case: ${head}`);
+  const [, verdict, rule, where, title] = found;
+  const isNew = !/\b100\b/.test(where ?? '');
+  const isFragment = !/\bvertex\b/.test(where ?? '');
+  const { before, after } = wrap(code, isNew, isFragment);
+  return {
+    id: `${file}:${at + 1}`, at, verdict, rule, where, title, ok: verdict === 'accepted',
+    stage: isFragment ? 'fragment' : 'vertex',
+    source: before + code + after,
+    linesBefore: before.split('\n').length - 1,
+  };
+}
+
+/** The lines of each file, and the cases in it. */
+export function files() {
+  return fs.readdirSync(folder).filter((f) => f.endsWith('.glsl')).sort().map((file) => {
+    const lines = fs.readFileSync(path.join(folder, file), 'utf8').split('\n');
+    const heads = lines.flatMap((line, i) => (line.startsWith('//:') ? [i] : []));
+    const ends = (i) => lines.findIndex((l, k) => k > i && (/^\/\/[:#]/.test(l) || k === lines.length - 1));
+    const code = (i) => `${lines.slice(i + 1, ends(i)).join('\n').trimEnd()}\n`;
+    return { path: path.join(folder, file), lines, cases: heads.map((i) => read(file, lines[i], i, code(i))) };
+  });
+}
+
+/** The head that says what the browser says now: of a refusal, on which of the case's lines. */
+export function head(one, { ok, line }) {
+  const verdict = ok ? 'accepted' : `refused ${Math.max(0, line - one.linesBefore)}`;
+  const rule = !ok && one.rule ? ` ${one.rule}` : '';
+  return `//: ${verdict}${rule}${one.where ? `, ${one.where}` : ''}${one.title ? `: ${one.title}` : ''}`;
+}
