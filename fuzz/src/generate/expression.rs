@@ -372,7 +372,7 @@ impl Writer {
                 self.expression(param, depth)
             });
         }
-        Some(self.call_text(name.clone(), args))
+        Some(self.call_text(name.to_string(), args))
     }
 
     /// A call, with an argument too many or too few if that goes wrong.
