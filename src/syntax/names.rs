@@ -203,9 +203,9 @@ const TYPES: &[(&str, In100, TypeWord)] = {
 };
 
 struct Entry {
+    key: u64,
     start: u32,
     len: u32,
-    hash: u32,
     classes: Classes,
     is_odd: bool,
 }
@@ -233,31 +233,32 @@ impl Default for Names {
 
 impl Names {
     /// The name of `word`, which is stored if it is new.
+    #[inline]
     pub fn intern(&mut self, word: &str) -> Name {
-        let hash = hash(word);
-        let mask = self.slots.len() - 1;
-        let mut slot = hash as usize & mask;
-        while let Some(index) = self.slots.get(slot).and_then(|s| s.checked_sub(1)) {
-            if self.is(index, hash, word) {
-                return Name(index);
-            }
-            slot = (slot + 1) & mask;
+        let key = key(word);
+        match self.find(key, word) {
+            Ok(name) => name,
+            Err(slot) => self.insert(slot, key, word),
         }
-        self.insert(slot, hash, word)
     }
 
     /// The name of `word` if the shader uses it at all.
     pub fn get(&self, word: &str) -> Option<Name> {
-        let hash = hash(word);
+        self.find(key(word), word).ok()
+    }
+
+    /// The name of `word`, or the slot in which it belongs.
+    #[inline]
+    fn find(&self, key: u64, word: &str) -> Result<Name, usize> {
         let mask = self.slots.len() - 1;
-        let mut slot = hash as usize & mask;
+        let mut slot = slot_of(key) & mask;
         while let Some(index) = self.slots.get(slot).and_then(|s| s.checked_sub(1)) {
-            if self.is(index, hash, word) {
-                return Some(Name(index));
+            if self.is(index, key, word) {
+                return Ok(Name(index));
             }
             slot = (slot + 1) & mask;
         }
-        None
+        Err(slot)
     }
 
     /// The text of a name.
@@ -296,15 +297,15 @@ impl Names {
     }
 
     #[inline]
-    fn is(&self, index: u32, hash: u32, word: &str) -> bool {
-        let entry = self.entries.get(index as usize);
-        entry.is_some_and(|e| {
-            let range = e.start as usize..(e.start + e.len) as usize;
-            e.hash == hash && self.text.as_bytes().get(range) == Some(word.as_bytes())
+    fn is(&self, index: u32, key: u64, word: &str) -> bool {
+        self.entries.get(index as usize).is_some_and(|e| {
+            let is_likely = e.key == key && e.len as usize == word.len();
+            is_likely && (word.len() <= SHORT || self.text(Name(index)) == word)
         })
     }
 
-    fn insert(&mut self, slot: usize, hash: u32, word: &str) -> Name {
+    #[cold]
+    fn insert(&mut self, slot: usize, key: u64, word: &str) -> Name {
         let index = self.entries.len() as u32;
         let classes = special_words().get(word).copied().unwrap_or(Classes {
             es100: WordClass::Plain,
@@ -313,9 +314,9 @@ impl Names {
         let start = self.text.len() as u32;
         self.text.push_str(word);
         self.entries.push(Entry {
+            key,
             start,
             len: word.len() as u32,
-            hash,
             classes,
             is_odd: word.len() > USUAL_LENGTH || !word.is_ascii(),
         });
@@ -332,7 +333,7 @@ impl Names {
         let mask = self.slots.len() * 2 - 1;
         self.slots = vec![0; mask + 1];
         for (index, entry) in self.entries.iter().enumerate() {
-            let mut slot = entry.hash as usize & mask;
+            let mut slot = slot_of(entry.key) & mask;
             while self.slots.get(slot).is_some_and(|&s| s != 0) {
                 slot = (slot + 1) & mask;
             }
@@ -343,11 +344,31 @@ impl Names {
     }
 }
 
-fn hash(word: &str) -> u32 {
-    let mut hasher = FxHasher::default();
-    hasher.write(word.as_bytes());
-    let h = hasher.finish();
-    (h >> 32) as u32 ^ h as u32
+/// Longest word, in bytes, of which the key and the length say all.
+const SHORT: usize = 8;
+
+/// What tells words apart: of a short one its letters, of a longer one a hash.
+#[inline]
+fn key(word: &str) -> u64 {
+    let bytes = word.as_bytes();
+    let pair = |first: u32, last: u32| u64::from(first) << 32 | u64::from(last);
+    match (bytes.first_chunk(), bytes.last_chunk()) {
+        (Some(first), Some(last)) if bytes.len() <= SHORT => {
+            pair(u32::from_le_bytes(*first), u32::from_le_bytes(*last))
+        }
+        (None, _) => bytes.iter().fold(0, |key, b| key << 8 | u64::from(*b)),
+        _ => {
+            let mut hasher = FxHasher::default();
+            hasher.write(bytes);
+            hasher.finish()
+        }
+    }
+}
+
+/// Where the search for a key starts.
+#[inline]
+fn slot_of(key: u64) -> usize {
+    (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as usize
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The strings of a JSON text: where they stand, and how one is changed while the rest stays byte for
 //! byte.
 
+use memchr::{memchr, memchr2};
 use std::ops::Range;
 
 /// A string of a JSON text.
@@ -8,8 +9,9 @@ use std::ops::Range;
 pub struct JsonString {
     /// What it says.
     pub value: String,
-    /// Where each byte of the value is written in the JSON text; one more for the end.
-    places: Vec<u32>,
+    /// Where the value goes on behind an escape, and at its start: the offset in the value, and the
+    /// one in the JSON text. Between two of them both run side by side.
+    stretches: Vec<(u32, u32)>,
     /// Whether `/` is written `\/`.
     escapes_slashes: bool,
     /// Whether all that is not ASCII is written in escapes.
@@ -20,30 +22,40 @@ impl JsonString {
     /// Reads the string whose text between the quotes stands at `range`.
     fn read(text: &str, range: Range<usize>) -> Option<JsonString> {
         let raw = text.get(range.clone())?;
-        let mut string = JsonString {
-            value: String::with_capacity(raw.len()),
-            places: Vec::with_capacity(raw.len() + 1),
-            escapes_slashes: raw.contains("\\/"),
-            escapes_others: raw.is_ascii() && raw.contains("\\u"),
-        };
+        let mut value = String::with_capacity(raw.len());
+        let mut stretches = vec![(0, range.start as u32)];
+        let (mut escapes_slashes, mut has_units) = (false, false);
         let mut at = 0;
-        while let Some(rest) = raw.get(at..).filter(|r| !r.is_empty()) {
-            let (c, length) = character(rest)?;
-            let before = string.value.len();
-            string.value.push(c);
-            let bytes = string.value.len() - before;
-            string
-                .places
-                .extend(std::iter::repeat_n((range.start + at) as u32, bytes));
+        while let Some(plain) = memchr(b'\\', raw.as_bytes().get(at..)?) {
+            value.push_str(raw.get(at..at + plain)?);
+            at += plain;
+            let (c, length) = escape(raw.get(at..)?)?;
+            let kind = raw.as_bytes().get(at + 1);
+            escapes_slashes |= kind == Some(&b'/');
+            has_units |= kind == Some(&b'u');
+            value.push(c);
             at += length;
+            stretches.push((value.len() as u32, (range.start + at) as u32));
         }
-        string.places.push(range.end as u32);
-        Some(string)
+        value.push_str(raw.get(at..)?);
+        Some(JsonString {
+            value,
+            stretches,
+            escapes_slashes,
+            escapes_others: has_units && raw.is_ascii(),
+        })
     }
 
     /// Where a stretch of the value is written.
     pub fn place(&self, from: usize, to: usize) -> Option<Range<u32>> {
-        Some(*self.places.get(from)?..*self.places.get(to)?)
+        let place = |at: usize| {
+            let at = u32::try_from(at).ok()?;
+            let before = self.stretches.partition_point(|(own, _)| *own <= at);
+            let (own, written) = self.stretches.get(before.checked_sub(1)?)?;
+            Some(written + (at - own))
+        };
+        let is_inside = from <= self.value.len() && to <= self.value.len();
+        is_inside.then_some(place(from)?..place(to)?)
     }
 
     /// Writes a text as the string is written.
@@ -70,12 +82,8 @@ impl JsonString {
     }
 }
 
-/// The first character of what stands between quotes, and how long it is written.
-fn character(rest: &str) -> Option<(char, usize)> {
-    let first = rest.chars().next()?;
-    if first != '\\' {
-        return Some((first, first.len_utf8()));
-    }
+/// The character of the escape that a text starts with, and how long it is written.
+fn escape(rest: &str) -> Option<(char, usize)> {
     let c = match rest.as_bytes().get(1)? {
         b'n' => '\n',
         b'r' => '\r',
@@ -158,12 +166,11 @@ pub fn strings_in(text: &str, list: &str, key: &str) -> Option<Vec<(usize, JsonS
 fn string_end(bytes: &[u8], open: usize) -> Option<usize> {
     let mut at = open + 1;
     loop {
-        match bytes.get(at)? {
-            b'\\' => at += 1,
-            b'"' => return Some(at),
-            _ => {}
+        at += memchr2(b'\\', b'"', bytes.get(at..)?)?;
+        if bytes.get(at) == Some(&b'"') {
+            return Some(at);
         }
-        at += 1;
+        at += 2;
     }
 }
 

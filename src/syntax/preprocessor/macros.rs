@@ -134,10 +134,7 @@ impl Expander {
             } else {
                 self.take(pp, input)
             };
-            if piece.token.kind != TokenKind::Identifier || piece.frozen {
-                return piece;
-            }
-            let Some(id) = pp.macro_named(Name(piece.token.value)) else {
+            let Some(id) = pp.macro_of_piece(&piece) else {
                 return piece;
             };
             if let Some(piece) = self.call(pp, input, id, piece) {
@@ -146,8 +143,13 @@ impl Expander {
         }
     }
 
+    /// Reads a token before all others.
+    pub fn put_back(&mut self, piece: Piece) {
+        self.put_back = Some(piece);
+    }
+
     /// Whether the next token comes straight from the input, as most do.
-    fn is_idle(&self) -> bool {
+    pub fn is_idle(&self) -> bool {
         self.open.is_empty() && self.put_back.is_none()
     }
 

@@ -210,12 +210,19 @@ impl<'a> Preprocessor<'a> {
     fn run(&mut self) {
         self.next_file();
         let mut expander = Expander::default();
-        loop {
-            let piece = expander.next(self, &mut Input::Files);
-            if piece.token.kind == TokenKind::End || self.gave_up {
+        while !self.gave_up {
+            let piece = self.next_piece();
+            if piece.token.kind == TokenKind::End {
                 break;
             }
-            self.emit(piece.token);
+            if self.macro_of_piece(&piece).is_some() {
+                expander.put_back(piece);
+                if !self.emit_expanded(&mut expander) {
+                    break;
+                }
+            } else {
+                self.emit(piece.token);
+            }
             if self.expanded > MAX_EXPANDED {
                 self.too_much_expansion(piece.token.span);
             }
@@ -233,6 +240,24 @@ impl<'a> Preprocessor<'a> {
             );
             self.report(d.note("the condition runs to the end of the shader"));
         }
+    }
+
+    /// Hands on what a macro call expands to, and whatever it took to see where the call ends; false
+    /// where the shader ends in it.
+    #[inline(never)]
+    fn emit_expanded(&mut self, expander: &mut Expander) -> bool {
+        while !expander.is_idle() {
+            let piece = expander.next(self, &mut Input::Files);
+            if piece.token.kind == TokenKind::End || self.gave_up {
+                return false;
+            }
+            self.emit(piece.token);
+            if self.expanded > MAX_EXPANDED {
+                self.too_much_expansion(piece.token.span);
+                return false;
+            }
+        }
+        true
     }
 
     /// Goes on with the next file; false when there is none.
@@ -374,6 +399,15 @@ impl<'a> Preprocessor<'a> {
             RawKind::BadNumber => (TokenKind::Bad, bad::NUMBER),
             RawKind::Hash => (TokenKind::Bad, bad::HASH),
             _ => (TokenKind::Bad, bad::CHARACTER),
+        }
+    }
+
+    /// The macro that a token names, where it may be expanded.
+    #[inline]
+    fn macro_of_piece(&self, piece: &Piece) -> Option<MacroId> {
+        match piece.token.kind == TokenKind::Identifier && !piece.frozen {
+            true => self.macro_named(Name(piece.token.value)),
+            false => None,
         }
     }
 
@@ -625,27 +659,48 @@ pub fn macro_uses(
 }
 
 fn integer(text: &str) -> Option<(TokenKind, u32)> {
-    let digits = text.trim_end_matches(['u', 'U']);
-    let kind = if digits.len() < text.len() {
-        TokenKind::Uint
-    } else {
-        TokenKind::Int
+    let (kind, digits) = match text.strip_suffix(['u', 'U']) {
+        Some(digits) => (TokenKind::Uint, digits),
+        None => (TokenKind::Int, text),
     };
-    let value = match digits
-        .strip_prefix("0x")
-        .or_else(|| digits.strip_prefix("0X"))
-    {
-        Some(hex) => u32::from_str_radix(hex, 16),
-        None if digits.starts_with('0') && digits.len() > 1 => u32::from_str_radix(digits, 8),
-        None => digits.parse(),
+    let value = match digits.as_bytes() {
+        [digit @ b'0'..=b'9'] => Ok(u32::from(digit - b'0')),
+        [b'0', b'x' | b'X', ..] => u32::from_str_radix(digits.get(2..)?, 16),
+        [b'0', ..] => u32::from_str_radix(digits, 8),
+        _ => digits.parse(),
     };
     value.ok().map(|v| (kind, v))
 }
 
 /// The value of a floating point literal; one that is too large becomes the largest there is.
 fn float(text: &str) -> f32 {
-    let digits = text.trim_end_matches(['f', 'F']);
-    digits.parse::<f32>().map_or(0.0, |v| v.min(f32::MAX))
+    let digits = text.strip_suffix(['f', 'F']).unwrap_or(text);
+    let short = short_decimal(digits.as_bytes());
+    short.unwrap_or_else(|| digits.parse::<f32>().map_or(0.0, |v| v.min(f32::MAX)))
+}
+
+/// The value of a decimal of few digits, as most are: both the digits and the power of ten are
+/// exact, so that one division rounds as it should.
+fn short_decimal(digits: &[u8]) -> Option<f32> {
+    const POWERS: [f32; 8] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7];
+    if digits.len() > POWERS.len() {
+        return None;
+    }
+    let mut whole: u32 = 0;
+    let mut behind_point = None;
+    for &byte in digits {
+        match byte {
+            b'0'..=b'9' => {
+                whole = whole * 10 + u32::from(byte - b'0');
+                behind_point = behind_point.map(|n| n + 1);
+            }
+            b'.' => behind_point = Some(0),
+            _ => return None,
+        }
+    }
+    let power = POWERS.get(behind_point.unwrap_or(0))?;
+    // A float holds whole numbers of up to 24 bits.
+    (whole < 1 << 24).then_some(whole as f32 / power)
 }
 
 fn bad_number(token: &Token, text: &str) -> Diagnostic {
