@@ -72,7 +72,7 @@ impl<'a> Lexer<'a> {
     }
 
     /// The next token; at the end of the text an empty `End`, again and again.
-    #[inline]
+    #[inline(always)]
     pub fn next_token(&mut self) -> RawToken {
         let start = self.at;
         let (kind, len) = scan(self.bytes.get(start..).unwrap_or(&[]));
@@ -192,7 +192,7 @@ fn splice_len(bytes: &[u8], at: usize) -> Option<usize> {
 }
 
 /// Kind and length of the token that starts `bytes`.
-#[inline]
+#[inline(always)]
 fn scan(bytes: &[u8]) -> (RawKind, usize) {
     let Some(&first) = bytes.first() else {
         return (RawKind::End, 0);

@@ -290,6 +290,7 @@ impl<'a> Preprocessor<'a> {
     }
 
     /// The next token of the files that is neither blank nor comment nor part of a directive.
+    #[inline(always)]
     fn next_piece(&mut self) -> Piece {
         let mut space = false;
         loop {
@@ -364,6 +365,7 @@ impl<'a> Preprocessor<'a> {
         self.text.get(start as usize..end as usize).unwrap_or("")
     }
 
+    #[inline(always)]
     fn piece(&mut self, raw: RawToken, space: bool) -> Piece {
         let (kind, value) = match raw.kind {
             RawKind::Operator(kind) => (kind, 0),
@@ -386,7 +388,7 @@ impl<'a> Preprocessor<'a> {
     }
 
     /// Kind and value of a token; every word is an identifier as yet.
-    #[inline]
+    #[inline(always)]
     fn classify(&mut self, kind: RawKind, text: &str) -> (TokenKind, u32) {
         match kind {
             RawKind::Word | RawKind::ForeignWord => {
