@@ -61,12 +61,15 @@ fn name_length(text: &str) -> Option<usize> {
     let end = text.find(|c: char| !c.is_ascii_alphanumeric());
     let end = end.unwrap_or(text.len());
     let split = ["shader-lint", "shader_lint", "shader lint"];
-    let lower = text.get(..split[0].len()).map(str::to_ascii_lowercase);
-    if lower.is_some_and(|l| split.contains(&l.as_str())) {
+    let head = text.get(..split[0].len());
+    if head.is_some_and(|h| split.iter().any(|s| s.eq_ignore_ascii_case(h))) {
         return Some(split[0].len());
     }
     let word = text.get(..end)?;
+    // Each letter that the name has not is a slip.
+    let is_other = |b: &u8| !NAME.as_bytes().contains(&b.to_ascii_lowercase());
     let is_near = word.len().abs_diff(NAME.len()) <= 2
+        && word.bytes().filter(is_other).count() <= 2
         && strsim::damerau_levenshtein(&word.to_ascii_lowercase(), NAME) <= 2;
     is_near.then_some(end)
 }

@@ -96,6 +96,11 @@ impl Constant {
         self.len > 0
     }
 
+    /// How many scalars it is made of; 0 where they are not known.
+    pub const fn scalars(self) -> u32 {
+        self.len
+    }
+
     /// `len` scalars from the one with number `from`; nothing where it has fewer.
     pub fn part(self, from: u32, len: u32) -> Constant {
         if from.checked_add(len).is_some_and(|end| end <= self.len) {
@@ -129,6 +134,44 @@ impl Pool {
         Constant {
             start: start as u32,
             len: (self.values.len() - start) as u32,
+        }
+    }
+
+    /// Stores the values of constants, end to end, each as `f` makes it; nothing where one of them
+    /// is not known.
+    pub fn join(
+        &mut self,
+        parts: impl IntoIterator<Item = Constant>,
+        f: impl Fn(Value) -> Value,
+    ) -> Constant {
+        let start = self.values.len();
+        for part in parts {
+            let stored = self.map(part, &f);
+            if !stored.is_known() {
+                self.values.truncate(start);
+                return Constant::NONE;
+            }
+        }
+        Constant {
+            start: start as u32,
+            len: (self.values.len() - start) as u32,
+        }
+    }
+
+    /// Stores the values of a constant as `f` makes them.
+    pub fn map(&mut self, of: Constant, f: impl Fn(Value) -> Value) -> Constant {
+        let start = self.values.len();
+        if start > Pool::LIMIT {
+            return Constant::NONE;
+        }
+        for at in of.start as usize..(of.start + of.len) as usize {
+            if let Some(&value) = self.values.get(at) {
+                self.values.push(f(value));
+            }
+        }
+        Constant {
+            start: start as u32,
+            len: of.len,
         }
     }
 

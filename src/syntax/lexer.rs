@@ -57,7 +57,7 @@ impl<'a> Lexer<'a> {
             bytes: text.as_bytes(),
             base,
             at: 0,
-            splices: text.contains('\\'),
+            splices: memchr(b'\\', text.as_bytes()).is_some(),
         }
     }
 

@@ -104,22 +104,34 @@ impl LineIndex {
     }
 }
 
+/// Stretch of a text that is passed by at once where it is ASCII.
+const CHUNK: usize = 64;
+
 /// Finds the characters of more than one byte.
 fn wide(text: &str) -> Vec<Wide> {
-    if text.is_ascii() {
-        return Vec::new();
-    }
     let mut last = Wide::default();
-    let found = text.char_indices().filter(|(_, c)| !c.is_ascii());
-    let counted = found.map(|(at, c)| {
-        last = Wide {
-            at: at as u32,
-            extra: last.extra + c.len_utf8() as u32 - 1,
-            pairs: last.pairs + c.len_utf16() as u32 - 1,
-        };
-        last
-    });
-    counted.collect()
+    let mut found = Vec::new();
+    for (start, chunk) in (0..).step_by(CHUNK).zip(text.as_bytes().chunks(CHUNK)) {
+        if chunk.is_ascii() {
+            continue;
+        }
+        for (at, byte) in (start..).zip(chunk) {
+            // The first byte of a character says how long it is (RFC 3629).
+            let length = match byte {
+                0xc0..0xe0 => 2,
+                0xe0..0xf0 => 3,
+                0xf0.. => 4,
+                _ => continue,
+            };
+            last = Wide {
+                at,
+                extra: last.extra + length - 1,
+                pairs: last.pairs + u32::from(length == 4),
+            };
+            found.push(last);
+        }
+    }
+    found
 }
 
 #[cfg(test)]

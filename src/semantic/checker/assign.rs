@@ -47,7 +47,7 @@ impl Checker<'_> {
         }
         ExprInfo {
             is_const: false,
-            ..self.result(l.ty, &[l, r], Constant::NONE)
+            ..self.result(l.ty, [l, r], Constant::NONE)
         }
     }
 

@@ -45,7 +45,8 @@ impl Checker<'_> {
         if l.ty.is_error() || r.ty.is_error() {
             return self.poisoned(op);
         }
-        if op.is_bitwise() || op == BinaryOp::Rem {
+        let is_of_integers = op.is_bitwise() || op == BinaryOp::Rem;
+        if is_of_integers && !self.has(Feature::IntegerOperators) {
             self.require(
                 Feature::IntegerOperators,
                 id,
@@ -59,7 +60,7 @@ impl Checker<'_> {
                 } else {
                     Constant::NONE
                 };
-                self.result(ty, &[l, r], constant)
+                self.result(ty, [l, r], constant)
             }
             Err(misfit) => {
                 let d = self.explain_operands(id, op, left, right, misfit);

@@ -118,12 +118,11 @@ impl Checker<'_> {
     fn call_user(&mut self, id: ExprId, name: Name, args: List) -> Option<ExprInfo> {
         let tree = self.tree;
         let list = tree.args(args);
-        let types: Vec<Type> = list.iter().map(|&a| self.ty(a)).collect();
-        if types.iter().any(|t| t.is_error()) {
+        if list.iter().any(|&a| self.ty(a).is_error()) {
             self.note_call_with_errors(id, name);
             return Some(self.result_of_any(name));
         }
-        let callee = *self.by_signature.get(&(name, types))?;
+        let callee = self.function_of(name, list.iter().map(|&a| self.ty(a)))?;
         let returns = self.functions.get(callee.0 as usize)?.returns;
         for (i, &arg) in list.iter().enumerate() {
             let function = self.functions.get(callee.0 as usize)?;
@@ -137,8 +136,8 @@ impl Checker<'_> {
             callee,
             expr: id,
         });
-        let infos: Vec<ExprInfo> = list.iter().map(|&a| self.info(a)).collect();
-        let info = self.result(returns, &infos, Constant::NONE);
+        let infos = list.iter().map(|&a| self.info(a));
+        let info = self.result(returns, infos, Constant::NONE);
         Some(ExprInfo {
             resolution: Resolution::Function(callee),
             is_const: false,
@@ -212,15 +211,16 @@ impl Checker<'_> {
     ) -> ExprInfo {
         let tree = self.tree;
         let list = tree.args(args);
-        let types: Vec<Type> = list.iter().map(|&a| self.ty(a)).collect();
-        if types.iter().any(|t| t.is_error()) {
-            return self.builtin_result_of_any(function, types.len());
+        if list.iter().any(|&a| self.ty(a).is_error()) {
+            return self.builtin_result_of_any(function, list.len());
         }
         let (first, overloads) = self.builtins.overloads_of(function);
-        let Some(at) = overloads.iter().position(|o| o.params() == types) else {
+        let types = list.iter().map(|&a| self.ty(a));
+        let fits = |o: &Overload| types.clone().eq(o.params().iter().copied());
+        let Some(at) = overloads.iter().position(fits) else {
             let d = self.explain_builtin_call(id, name, function, list);
             d.into_iter().for_each(|d| self.report(d));
-            return self.builtin_result_of_any(function, types.len());
+            return self.builtin_result_of_any(function, list.len());
         };
         let Some(overload) = overloads.get(at) else {
             return ExprInfo::ERROR;
@@ -233,14 +233,14 @@ impl Checker<'_> {
                 self.check_offset(arg);
             }
         }
-        let infos: Vec<ExprInfo> = list.iter().map(|&a| self.info(a)).collect();
         let is_math = function.kind() == BuiltinKind::Math && overload.out == 0;
         let constant = if is_math {
-            self.fold_call(overload, &infos)
+            self.fold_call(overload, list)
         } else {
             Constant::NONE
         };
-        let mut info = self.result(overload.returns, &infos, constant);
+        let infos = list.iter().map(|&a| self.info(a));
+        let mut info = self.result(overload.returns, infos, constant);
         info.is_const &= is_math;
         info.resolution = Resolution::Builtin(first + at as u32);
         info
@@ -266,11 +266,12 @@ impl Checker<'_> {
         }
     }
 
-    fn fold_call(&mut self, overload: &Overload, args: &[ExprInfo]) -> Constant {
-        if !args.iter().all(|a| a.is_const && a.constant.is_known()) {
+    fn fold_call(&mut self, overload: &Overload, args: &[ExprId]) -> Constant {
+        let infos = args.iter().map(|&a| self.info(a));
+        if !infos.clone().all(|a| a.is_const && a.constant.is_known()) {
             return Constant::NONE;
         }
-        let values: Vec<&[Value]> = args.iter().map(|a| self.pool.values(a.constant)).collect();
+        let values: Vec<&[Value]> = infos.map(|a| self.pool.values(a.constant)).collect();
         match overload.fold(&values) {
             Some(values) if values.len() as u32 == overload.returns.components() => {
                 self.pool.add(values)

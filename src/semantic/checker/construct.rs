@@ -71,13 +71,14 @@ impl Checker<'_> {
                 ..ExprInfo::ERROR
             };
         }
-        let infos: Vec<ExprInfo> = args.iter().map(|&a| self.info(a)).collect();
-        let constant = if infos.iter().all(|i| i.is_const && i.constant.is_known()) {
-            self.fold_construct(ty, &infos)
-        } else {
-            Constant::NONE
+        let infos = || args.iter().map(|&a| self.info(a));
+        let is_known = infos().all(|i| i.is_const && i.constant.is_known());
+        let constant = match is_known {
+            true => self.fold_construct(ty, args),
+            false => Constant::NONE,
         };
-        let mut info = self.result(ty, &infos, constant);
+        let infos = args.iter().map(|&a| self.info(a));
+        let mut info = self.result(ty, infos, constant);
         if let Base::Struct(index) = ty.base {
             info.resolution = Resolution::Struct(index);
         }
@@ -151,10 +152,10 @@ impl Checker<'_> {
         let Some(record) = self.structs.get(index as usize) else {
             return false;
         };
-        let fields: Vec<Field> = record.fields.clone();
-        let opened = record.token;
-        let name = record.name.map_or("struct", |n| self.text(n));
+        let fields = &record.fields;
         if fields.len() != args.len() {
+            let opened = record.token;
+            let name = record.name.map_or("struct", |n| self.text(n));
             let message = format!(
                 "`{name}` has {} members, but {} values are given",
                 fields.len(),
@@ -165,14 +166,14 @@ impl Checker<'_> {
             self.report(d);
             return false;
         }
-        for (&arg, field) in args.iter().zip(&fields) {
-            if self.ty(arg) != field.ty && !field.ty.is_error() {
-                let what = format!("the member `{}`", self.text(field.name));
-                self.bad_part(arg, field.ty, &what);
-                return false;
-            }
-        }
-        true
+        let mut pairs = args.iter().zip(fields);
+        let misfit = pairs.find(|(arg, f)| self.ty(**arg) != f.ty && !f.ty.is_error());
+        let Some((&arg, &Field { name, ty, .. })) = misfit else {
+            return true;
+        };
+        let what = format!("the member `{}`", self.text(name));
+        self.bad_part(arg, ty, &what);
+        false
     }
 
     /// An argument that is not of the type of the part it stands for.
@@ -300,36 +301,49 @@ impl Checker<'_> {
         d
     }
 
-    fn fold_construct(&mut self, ty: Type, args: &[ExprInfo]) -> Constant {
-        let pool = &self.pool;
-        let all = args
-            .iter()
-            .flat_map(|a| pool.values(a.constant).iter().copied());
+    /// The value of a constructor whose arguments are known.
+    fn fold_construct(&mut self, ty: Type, args: &[ExprId]) -> Constant {
+        let exprs = &self.exprs;
+        let info = |id: &ExprId| exprs.get(id.0 as usize).copied();
+        let parts = args.iter().filter_map(|a| Some(info(a)?.constant));
         let Some((scalar, columns, rows)) = ty.numeric() else {
-            let values: Vec<Value> = all.collect();
-            return self.pool.add(values);
+            return self.pool.join(parts, |value| value);
         };
-        let values: Vec<Value> = all.map(|v| v.to(scalar)).collect();
-        let len = ty.components() as usize;
-        let from = args.first().and_then(|a| a.ty.numeric());
-        let out: Vec<Value> = match (values.as_slice(), from) {
-            (&[one], _) if columns == 1 => vec![one; len],
-            (&[one], _) => diagonal(columns, rows, |_, _| None, one),
-            (all, Some((_, c @ 2.., r))) if columns > 1 && args.len() == 1 => {
-                let at = |column: u8, row: u8| {
-                    let inside = column < c && row < r;
-                    inside
-                        .then(|| {
-                            all.get(column as usize * r as usize + row as usize)
-                                .copied()
-                        })
-                        .flatten()
-                };
-                diagonal(columns, rows, at, Value::Float(1.0))
+        let given: u32 = parts.clone().map(Constant::scalars).sum();
+        let from = args.first().and_then(|a| info(a)?.ty.numeric());
+        match from {
+            _ if given == 1 && columns == 1 => {
+                let one = parts.cycle().take(rows.into());
+                self.pool.join(one, |value| value.to(scalar))
             }
-            (all, _) => all.iter().take(len).copied().collect(),
-        };
-        self.pool.add(out)
+            _ if columns > 1 && (given == 1 || args.len() == 1) => {
+                let all: Vec<Value> = parts
+                    .flat_map(|p| self.pool.values(p))
+                    .map(|v| v.to(scalar))
+                    .collect();
+                let out = match (all.as_slice(), from) {
+                    (&[one], _) => diagonal(columns, rows, |_, _| None, one),
+                    (all, Some((_, c @ 2.., r))) => {
+                        let at = |column: u8, row: u8| {
+                            let place = column as usize * r as usize + row as usize;
+                            all.get(place).copied().filter(|_| column < c && row < r)
+                        };
+                        diagonal(columns, rows, at, Value::Float(1.0))
+                    }
+                    (all, _) => all.iter().take(ty.components() as usize).copied().collect(),
+                };
+                self.pool.add(out)
+            }
+            _ => {
+                let mut left = ty.components();
+                let parts = parts.map_while(|part| {
+                    let taken = part.scalars().min(left);
+                    left -= taken;
+                    (taken > 0).then(|| part.part(0, taken))
+                });
+                self.pool.join(parts, |value| value.to(scalar))
+            }
+        }
     }
 }
 

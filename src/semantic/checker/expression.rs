@@ -96,15 +96,23 @@ impl Checker<'_> {
     }
 
     /// The info of a result that is constant if its operands are.
-    pub(super) fn result(&self, ty: Type, operands: &[ExprInfo], constant: Constant) -> ExprInfo {
-        let is_const = operands.iter().all(|o| o.is_const);
+    pub(super) fn result(
+        &self,
+        ty: Type,
+        operands: impl IntoIterator<Item = ExprInfo>,
+        constant: Constant,
+    ) -> ExprInfo {
+        let (mut is_const, mut deepest) = (true, None);
+        for operand in operands {
+            is_const &= operand.is_const;
+            deepest = deepest.max(Some(operand.height));
+        }
         // What the browser folds leaves no tree behind.
         let folded = is_const && constant.is_known() && ty.components() > 0;
-        let deepest = operands.iter().map(|o| o.height).max();
         let height = if folded {
             0
         } else {
-            deepest.map_or(0, |h| h.saturating_add(1))
+            deepest.map_or(0, |h: u16| h.saturating_add(1))
         };
         let constant = if is_const { constant } else { Constant::NONE };
         ExprInfo {
@@ -137,8 +145,7 @@ impl Checker<'_> {
         if op == UnaryOp::BitNot {
             self.require(Feature::IntegerOperators, id, "the operator `~`");
         }
-        let values: Vec<Value> = self.pool.values(info.constant).to_vec();
-        let constant = self.pool.add(values.into_iter().map(|v| match (op, v) {
+        let constant = self.pool.map(info.constant, |v| match (op, v) {
             (UnaryOp::Minus, Value::Int(v)) => Value::Int(v.wrapping_neg()),
             (UnaryOp::Minus, Value::Uint(v)) => Value::Uint(v.wrapping_neg()),
             (UnaryOp::Minus, Value::Float(v)) => Value::Float(-v),
@@ -146,8 +153,8 @@ impl Checker<'_> {
             (UnaryOp::BitNot, Value::Int(v)) => Value::Int(!v),
             (UnaryOp::BitNot, Value::Uint(v)) => Value::Uint(!v),
             (_, v) => v,
-        }));
-        self.result(info.ty, &[info], constant)
+        });
+        self.result(info.ty, [info], constant)
     }
 
     /// `++` and `--`.
@@ -165,7 +172,7 @@ impl Checker<'_> {
         }
         ExprInfo {
             is_const: false,
-            ..self.result(info.ty, &[info], Constant::NONE)
+            ..self.result(info.ty, [info], Constant::NONE)
         }
     }
 
@@ -249,7 +256,7 @@ impl Checker<'_> {
                     Some(_) => n.constant,
                     None => Constant::NONE,
                 };
-                return self.result(y.ty, &[c, y, n], constant);
+                return self.result(y.ty, [c, y, n], constant);
             }
         };
         let d = self
@@ -282,7 +289,7 @@ impl Checker<'_> {
         }
         let is_kept = self.has(Feature::ConstantComma);
         let constant = if is_kept { r.constant } else { Constant::NONE };
-        let info = self.result(r.ty, &[l, r], constant);
+        let info = self.result(r.ty, [l, r], constant);
         ExprInfo {
             is_const: info.is_const && is_kept,
             ..info
@@ -330,7 +337,8 @@ impl Checker<'_> {
         };
         let fix = self.method_as_call(id, object, name, args);
         let fix = fix.or_else(|| {
-            let is_swizzle = info.ty.is_vector() && components(text).is_some();
+            let is_swizzle =
+                info.ty.is_vector() && components(text, &mut [0; MOST_COMPONENTS]).is_some();
             let behind = self.expr_span(object).end + 1 + text.len() as u32;
             let is_direct = self.is_direct(self.tree.expr(id).extent) && args.len == 1;
             let edits = vec![Edit::insert(behind, " * ")];
@@ -397,7 +405,6 @@ impl Checker<'_> {
         }
         let field = self.tree.expr(id).extent.last;
         let text = self.text(name);
-        let of = self.name_of(info.ty);
         if info.ty.is_array() {
             let d = self.error_at(
                 error::NO_SUCH_FIELD,
@@ -418,6 +425,7 @@ impl Checker<'_> {
                 ExprInfo::ERROR
             }
             _ => {
+                let of = self.name_of(info.ty);
                 let d = self.error_at(
                     error::INVALID_SWIZZLE,
                     field,
@@ -467,7 +475,7 @@ impl Checker<'_> {
             let size = self.scalars_in(field.ty);
             if field.name == name {
                 let constant = info.constant.part(offset, size);
-                let mut result = self.result(field.ty, &[info], constant);
+                let mut result = self.result(field.ty, [info], constant);
                 if !info.constant.is_known() {
                     result.constant = Constant::NONE;
                 }
@@ -505,7 +513,8 @@ impl Checker<'_> {
     ) -> ExprInfo {
         let text = self.text(name);
         let token = self.tree.expr(id).extent.last;
-        let Some(components) = components(text) else {
+        let mut room = [0; MOST_COMPONENTS];
+        let Some(components) = components(text, &mut room) else {
             let d = self.bad_swizzle(text, token, &self.name_of(info.ty));
             self.report(d);
             return ExprInfo::ERROR;
@@ -543,18 +552,10 @@ impl Checker<'_> {
                 ..ExprInfo::ERROR
             };
         }
-        let constant = if info.constant.is_known() {
-            let values = self.pool.values(info.constant);
-            let picked: Option<Vec<Value>> = components
-                .iter()
-                .map(|&c| values.get(c as usize).copied())
-                .collect();
-            picked.map_or(Constant::NONE, |values| self.pool.add(values))
-        } else {
-            Constant::NONE
-        };
+        let picked = components.iter().map(|&c| info.constant.part(c.into(), 1));
+        let constant = self.pool.join(picked, |value| value);
         let ty = Type::vector(scalar, components.len() as u8);
-        let mut result = self.result(ty, &[info], constant);
+        let mut result = self.result(ty, [info], constant);
         // The browser makes one swizzle of two.
         if let ExprKind::Member(inner, _) = self.tree.expr(self.tree.unparen(object)).kind
             && self.ty(inner).is_vector()
@@ -612,7 +613,7 @@ impl Checker<'_> {
             self.bad_index(index);
             return ExprInfo {
                 is_const: false,
-                ..self.result(element, &[base], Constant::NONE)
+                ..self.result(element, [base], Constant::NONE)
             };
         }
         self.check_index_range(id, object, index, size);
@@ -624,7 +625,7 @@ impl Checker<'_> {
                 .part(value.as_uint().saturating_mul(each), each),
             None => Constant::NONE,
         };
-        self.result(element, &[base, at], constant)
+        self.result(element, [base, at], constant)
     }
 
     fn bad_index(&mut self, index: ExprId) {
@@ -724,13 +725,17 @@ impl Checker<'_> {
     }
 }
 
+/// Most components that can be picked at once.
+const MOST_COMPONENTS: usize = 4;
+
 /// The components that a member's name picks, if it does.
-fn components(text: &str) -> Option<Vec<u8>> {
-    if text.len() > 4 {
-        return None;
-    }
+fn components<'a>(text: &str, room: &'a mut [u8; MOST_COMPONENTS]) -> Option<&'a [u8]> {
     let set = ["xyzw", "rgba", "stpq"]
         .into_iter()
-        .find(|s| text.chars().all(|c| s.contains(c)))?;
-    text.chars().map(|c| set.find(c).map(|i| i as u8)).collect()
+        .find(|set| text.starts_with(|c| set.contains(c)))?;
+    let picked = room.get_mut(..text.len())?;
+    for (slot, letter) in picked.iter_mut().zip(text.bytes()) {
+        *slot = set.bytes().position(|c| c == letter)? as u8;
+    }
+    Some(picked)
 }

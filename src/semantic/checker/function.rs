@@ -1,7 +1,10 @@
 //! Functions: headers, prototypes and bodies (GLSL ES 3.00 section 6.1).
 
+use super::super::builtins::Overload;
 use super::qualifier::Wanted;
 use super::*;
+use rustc_hash::FxHasher;
+use std::hash::{Hash, Hasher};
 
 impl Checker<'_> {
     /// A declaration without a body.
@@ -253,12 +256,14 @@ impl Checker<'_> {
             return None;
         }
         self.check_hidden(decl.ident);
-        let types: Vec<Type> = params.iter().map(|p| p.ty).collect();
-        if let Some(&known) = self.by_signature.get(&(name, types.clone())) {
+        let types = params.iter().map(|p| p.ty);
+        if let Some(known) = self.function_of(name, types.clone()) {
             self.check_redeclaration(known, decl, &params, returns);
             return Some(known);
         }
         let function = FunctionRef(self.functions.len() as u32);
+        let hash = signature(name, types);
+        self.by_signature.entry(hash).or_insert(function);
         self.functions.push(Function {
             name,
             params,
@@ -266,11 +271,27 @@ impl Checker<'_> {
             declaration: id,
             definition: None,
         });
-        self.by_signature.insert((name, types), function);
         self.by_name.entry(name).or_default().push(function);
         self.declare_globally(name);
         self.check_main(decl, returns);
         Some(function)
+    }
+
+    /// The function of the shader with this name and these parameters.
+    pub(super) fn function_of(
+        &self,
+        name: Name,
+        types: impl Iterator<Item = Type> + Clone,
+    ) -> Option<FunctionRef> {
+        let fits = |function: &FunctionRef| {
+            let known = self.functions.get(function.0 as usize);
+            known.is_some_and(|f| f.name == name && f.params.iter().map(|p| p.ty).eq(types.clone()))
+        };
+        let first = self.by_signature.get(&signature(name, types.clone()))?;
+        if fits(first) {
+            return Some(*first);
+        }
+        self.by_name.get(&name)?.iter().copied().find(fits)
     }
 
     /// A function belongs to global scope, although its parameters' scope is open.
@@ -339,9 +360,10 @@ impl Checker<'_> {
             return true;
         }
         if self.has(Feature::OverloadedBuiltins) {
-            let types: Vec<Type> = params.iter().map(|p| p.ty).collect();
+            let types = params.iter().map(|p| p.ty);
             let (_, overloads) = self.builtins.overloads_of(found);
-            if !overloads.iter().any(|o| o.params() == types) {
+            let is_same = |o: &Overload| types.clone().eq(o.params().iter().copied());
+            if !overloads.iter().any(is_same) {
                 return true;
             }
         }
@@ -484,4 +506,12 @@ impl Checker<'_> {
             .help("write `void main()`");
         self.report(d);
     }
+}
+
+/// The hash of what tells functions apart.
+fn signature(name: Name, types: impl Iterator<Item = Type>) -> u64 {
+    let mut hasher = FxHasher::default();
+    name.hash(&mut hasher);
+    types.for_each(|ty| ty.hash(&mut hasher));
+    hasher.finish()
 }

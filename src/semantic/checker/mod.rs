@@ -223,7 +223,8 @@ pub(super) struct Checker<'a> {
     declared: Vec<Option<VariableId>>,
     declared_params: Vec<Option<VariableId>>,
     pool: Pool,
-    by_signature: FxHashMap<(Name, Vec<Type>), FunctionRef>,
+    /// By the hash of name and parameters, the first function that has it.
+    by_signature: FxHashMap<u64, FunctionRef>,
     pub(super) by_name: FxHashMap<Name, Vec<FunctionRef>>,
     /// By name: the built-in function, once it was looked up.
     builtin_names: Vec<Option<Option<BuiltinId>>>,
@@ -454,6 +455,9 @@ impl<'a> Checker<'a> {
     /// Asks whether a name is free for the user: no `gl_`, no `webgl_`, no two underscores.
     pub(super) fn check_not_reserved(&mut self, ident: Ident) -> bool {
         let text = self.text(ident.name);
+        if !text.as_bytes().contains(&b'_') {
+            return true;
+        }
         let why = if text.starts_with("gl_") {
             "names that start with `gl_` belong to the language (section 3.9)"
         } else if text.starts_with("webgl_") || text.starts_with("_webgl_") {

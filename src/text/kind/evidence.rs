@@ -49,6 +49,9 @@ impl Sign {
 struct Signs {
     all: Vec<Sign>,
     heads: FxHashMap<&'static str, usize>,
+    /// By the first byte of a token, a bit for each length that a first token has: most tokens start
+    /// no row.
+    lengths: [u32; 256],
 }
 
 impl Signs {
@@ -70,14 +73,35 @@ impl Signs {
         for (number, sign) in all.iter_mut().enumerate().rev() {
             sign.next = heads.insert(sign.first(), number);
         }
-        Signs { all, heads }
+        let mut lengths = [0; 256];
+        for head in heads.keys() {
+            if let Some(slot) = lengths.get_mut(first_byte(head)) {
+                *slot |= length_bit(head);
+            }
+        }
+        Signs {
+            all,
+            heads,
+            lengths,
+        }
     }
 
     /// Those that start with a token, in their order.
     fn starting_with(&self, first: &str) -> impl Iterator<Item = &Sign> {
-        let head = self.heads.get(first).and_then(|&head| self.all.get(head));
+        let lengths = self.lengths.get(first_byte(first)).copied().unwrap_or(0);
+        let may_start = lengths & length_bit(first) != 0;
+        let head = may_start.then(|| self.heads.get(first)).flatten();
+        let head = head.and_then(|&head| self.all.get(head));
         std::iter::successors(head, |sign| self.all.get(sign.next?))
     }
+}
+
+fn first_byte(token: &str) -> usize {
+    token.bytes().next().map_or(0, usize::from)
+}
+
+fn length_bit(token: &str) -> u32 {
+    1 << token.len().min(31)
 }
 
 /// A sign that a text shows.

@@ -1,0 +1,146 @@
+//! Numbers: what they are worth, and what was meant by those that are none (GLSL ES 3.00 sections
+//! 4.1.3 and 4.1.4).
+
+use super::error_at;
+use crate::diagnostic::{Diagnostic, Fix, error};
+use crate::syntax::token::{Token, TokenKind};
+use crate::text::Edit;
+
+/// Kind and value of an integer; `None` where it needs more than 32 bits.
+pub(super) fn integer(text: &str) -> Option<(TokenKind, u32)> {
+    let (kind, digits) = match text.strip_suffix(['u', 'U']) {
+        Some(digits) => (TokenKind::Uint, digits),
+        None => (TokenKind::Int, text),
+    };
+    let value = match digits.as_bytes() {
+        [digit @ b'0'..=b'9'] => Ok(u32::from(digit - b'0')),
+        [b'0', b'x' | b'X', ..] => u32::from_str_radix(digits.get(2..)?, 16),
+        [b'0', ..] => u32::from_str_radix(digits, 8),
+        _ => digits.parse(),
+    };
+    value.ok().map(|v| (kind, v))
+}
+
+/// The value of a floating point literal; one that is too large becomes the largest there is.
+pub(super) fn float(text: &str) -> f32 {
+    let digits = text.strip_suffix(['f', 'F']).unwrap_or(text);
+    let short = short_decimal(digits.as_bytes());
+    short.unwrap_or_else(|| digits.parse::<f32>().map_or(0.0, |v| v.min(f32::MAX)))
+}
+
+/// The value of a decimal of few digits, as most are: both the digits and the power of ten are
+/// exact, so that one division rounds as it should.
+fn short_decimal(digits: &[u8]) -> Option<f32> {
+    const POWERS: [f32; 8] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7];
+    if digits.len() > POWERS.len() {
+        return None;
+    }
+    let mut whole: u32 = 0;
+    let mut behind_point = None;
+    for &byte in digits {
+        match byte {
+            b'0'..=b'9' => {
+                whole = whole * 10 + u32::from(byte - b'0');
+                behind_point = behind_point.map(|n| n + 1);
+            }
+            b'.' => behind_point = Some(0),
+            _ => return None,
+        }
+    }
+    let power = POWERS.get(behind_point.unwrap_or(0))?;
+    // A float holds whole numbers of up to 24 bits.
+    (whole < 1 << 24).then_some(whole as f32 / power)
+}
+
+/// What is wrong with something that starts like a number.
+pub(super) fn bad_number(token: &Token, text: &str) -> Diagnostic {
+    let d = error_at(
+        error::INVALID_NUMBER,
+        token.span,
+        format!("`{text}` is not a number"),
+    );
+    let lower = text.to_ascii_lowercase();
+    let digits = lower.trim_end_matches(['f', 'l']);
+    let is_int = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+    if lower.ends_with('f') && is_int {
+        let fixed = format!("{digits}.0");
+        return d
+            .note("the suffix `f` needs a point or an exponent before it: `1.0f`, `1.f`")
+            .fix(Fix::safe(
+                format!("write `{fixed}`"),
+                vec![Edit::replace(token.span, fixed)],
+            ));
+    }
+    if lower.ends_with('l') && is_int {
+        return d
+            .note("GLSL has no long integers, hence no suffix `l`")
+            .fix(rewritten(token, digits.to_string()));
+    }
+    if let Some(number) = foreign_number(&lower) {
+        return d.note(number.1).fix(rewritten(token, number.0));
+    }
+    if lower.starts_with('0') && lower.bytes().all(|b| b.is_ascii_digit()) {
+        let fixed = lower.trim_start_matches('0').to_string();
+        return d
+            .note("a leading 0 makes a number octal, with digits from 0 to 7")
+            .fix(Fix::suggestion(
+                format!("write `{fixed}`"),
+                vec![Edit::replace(token.span, fixed)],
+            ));
+    }
+    d
+}
+
+fn rewritten(token: &Token, number: String) -> Fix {
+    let edit = Edit::replace(token.span, number.clone());
+    Fix::safe(format!("write `{number}`"), vec![edit])
+}
+
+/// A number as other languages write it, in the way of GLSL, and what GLSL has not.
+fn foreign_number(lower: &str) -> Option<(String, &'static str)> {
+    if let Some(bits) = lower.strip_prefix("0b") {
+        let value = u32::from_str_radix(&bits.replace('_', ""), 2).ok()?;
+        return Some((format!("0x{value:X}"), "GLSL has no binary numbers"));
+    }
+    let plain = lower.replace(['_', '\''], "");
+    let digits = plain.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let suffix = plain.get(digits.len()..)?;
+    let is_float = digits.contains('.') && digits.parse::<f32>().is_ok();
+    let is_int = digits.parse::<u32>().is_ok() && (digits == "0" || !digits.starts_with('0'));
+    Some(match suffix {
+        "" | "f" if is_float && plain != lower => (plain, "digits stand together in GLSL"),
+        "" | "u" if is_int && plain != lower => (plain, "digits stand together in GLSL"),
+        "h" | "d" | "lf" | "l" | "m" | "f16" | "f32" | "f64" if is_float => {
+            (digits.to_string(), "every number with a point is a `float`")
+        }
+        "h" | "d" | "lf" | "m" | "f16" | "f32" | "f64" if is_int => {
+            (format!("{digits}.0"), "a `float` is written with a point")
+        }
+        "i" | "s" | "i32" | "i64" | "ll" if is_int => {
+            (digits.to_string(), "GLSL has no such suffix")
+        }
+        "ul" | "ull" | "u32" | "u64" if is_int => (format!("{digits}u"), "the suffix is `u` alone"),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_numbers_are_worth_what_the_long_way_says() {
+        for text in [
+            "0.1", ".5", "5.", "16777215", "1.234567", "0.000001", "3.14159", "99999.99",
+        ] {
+            let short = short_decimal(text.as_bytes());
+            assert_eq!(short, text.parse().ok(), "{text}");
+        }
+        for text in ["1e3", "123456789", "1.2345678"] {
+            assert_eq!(short_decimal(text.as_bytes()), None, "{text}");
+        }
+        assert_eq!(integer("017u"), Some((TokenKind::Uint, 15)));
+        assert_eq!(integer("0xFFFFFFFF"), Some((TokenKind::Int, u32::MAX)));
+        assert_eq!(integer("4294967296"), None);
+    }
+}
