@@ -51,10 +51,9 @@ fn check(cx: &mut Context) {
 
 /// Whether a name is called in a macro's body.
 fn holds_call(definition: &Macro) -> bool {
-    definition.body.windows(2).any(|pair| {
-        let kinds = [pair[0].token.kind, pair[1].token.kind];
-        kinds == [TokenKind::Identifier, TokenKind::LeftParen]
-    })
+    let kinds: Vec<TokenKind> = definition.body.iter().map(|t| t.token.kind).collect();
+    let call = [TokenKind::Identifier, TokenKind::LeftParen];
+    kinds.windows(2).any(|pair| pair == call)
 }
 
 /// By macro: the type of what it stands for, where that is a whole expression with a constant value

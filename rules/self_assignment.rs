@@ -25,7 +25,9 @@ fn check(cx: &mut Context) {
     for stmt in &tree.stmts {
         if let StmtKind::Block(body) = stmt.kind {
             for pair in tree.block(body).windows(2) {
-                check_copy(cx, pair[0], pair[1]);
+                if let [first, second] = *pair {
+                    check_copy(cx, first, second);
+                }
             }
         }
     }

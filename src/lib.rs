@@ -3,6 +3,19 @@
 //! `src/README.md` draws the house.
 #![forbid(unsafe_code)]
 #![deny(clippy::disallowed_methods)]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::todo,
+        clippy::unimplemented,
+        clippy::indexing_slicing,
+        clippy::string_slice
+    )
+)]
 
 #[cfg(feature = "cli")]
 pub mod cli;

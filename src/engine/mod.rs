@@ -3,16 +3,6 @@
 //! A text is *whole* or a *part* by evidence; a host completes a part. What a shader includes, what
 //! holds it (a page, a script, an export) and how it is configured is dealt with here, so that every
 //! front only reads files and prints.
-#![cfg_attr(
-    not(test),
-    deny(
-        clippy::unwrap_used,
-        clippy::expect_used,
-        clippy::panic,
-        clippy::indexing_slicing,
-        clippy::string_slice
-    )
-)]
 
 pub mod config;
 mod document;

@@ -78,11 +78,11 @@ impl<'p> Context<'_, 'p> {
     }
 
     /// Reports a finding at a place in the text.
+    #[expect(clippy::indexing_slicing, reason = "the last one was just pushed")]
     pub fn report_span(&mut self, span: Span, message: impl Into<String>) -> Finding<'_> {
         let diagnostic =
             Diagnostic::new(self.rule.name, Origin::Rule, self.severity, span, message);
         self.diagnostics.push(diagnostic);
-        // Just pushed, so there is a last one.
         let last = self.diagnostics.len() - 1;
         Finding(&mut self.diagnostics[last])
     }

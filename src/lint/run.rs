@@ -118,7 +118,9 @@ fn walk<'p>(
             Check::Builtin(check) => exprs.builtin.push((active, check)),
             Check::Expr(shapes, check) => {
                 for &shape in shapes {
-                    exprs.by_shape[shape as usize].push((active, check));
+                    if let Some(all) = exprs.by_shape.get_mut(shape as usize) {
+                        all.push((active, check));
+                    }
                 }
             }
             Check::Stmt(check) => stmts.push((active, check)),
@@ -212,7 +214,7 @@ impl<'p> Run<'_, 'p> {
         let Some(shape) = Shape::of(&expr.kind) else {
             return;
         };
-        for (rule, check) in &rules.by_shape[shape as usize] {
+        for (rule, check) in rules.by_shape.get(shape as usize).into_iter().flatten() {
             check(&mut self.context(*rule), id);
         }
         match expr.kind {

@@ -89,7 +89,7 @@ impl Project {
                 }
             })?;
         let shader = match &json {
-            Value::Array(all) if all.len() == 1 => &json[0],
+            Value::Array(all) if all.len() == 1 => all.first().unwrap_or(&json),
             Value::Array(all)
                 if all.len() > 1 && all.iter().all(|s| s.get("renderpass").is_some()) =>
             {

@@ -32,7 +32,7 @@ pub fn write(
         .iter()
         .map(|l| {
             let mut place = location(sources, l.span, root);
-            place["message"] = json!({"text": l.message});
+            put(&mut place, "message", json!({"text": l.message}));
             place
         })
         .collect();
@@ -44,12 +44,16 @@ pub fn write(
         "partialFingerprints": {"shaderlint/v1": fingerprint}
     });
     if !related.is_empty() {
-        result["relatedLocations"] = Value::Array(related);
+        put(&mut result, "relatedLocations", Value::Array(related));
     }
     if let Some(fix) = &d.fix
         && let Some(changes) = changes(sources, &fix.edits, root)
     {
-        result["fixes"] = json!([{"description": {"text": fix.title}, "artifactChanges": changes}]);
+        put(
+            &mut result,
+            "fixes",
+            json!([{"description": {"text": fix.title}, "artifactChanges": changes}]),
+        );
     }
     serde_json::to_writer(out, &result)?;
     Ok(())
@@ -63,14 +67,25 @@ fn level(severity: Severity) -> &'static str {
     }
 }
 
-fn location(sources: &Sources, span: Span, root: &str) -> Value {
-    let mut place =
-        json!({"physicalLocation": {"artifactLocation": {"uri": uri(path(sources, span, root))}}});
-    if let Some(region) = region_of(sources, span) {
-        place["physicalLocation"]["region"] = region;
+/// Gives an object one more member.
+fn put(object: &mut Value, name: &str, value: Value) {
+    if let Value::Object(members) = object {
+        members.insert(name.to_string(), value);
     }
+}
+
+fn location(sources: &Sources, span: Span, root: &str) -> Value {
+    let mut physical = json!({"artifactLocation": {"uri": uri(path(sources, span, root))}});
+    if let Some(region) = region_of(sources, span) {
+        put(&mut physical, "region", region);
+    }
+    let mut place = json!({"physicalLocation": physical});
     if let Some(part) = sources.file_at(span.start).and_then(|f| f.part.as_ref()) {
-        place["logicalLocations"] = json!([{"name": part, "kind": "module"}]);
+        put(
+            &mut place,
+            "logicalLocations",
+            json!([{"name": part, "kind": "module"}]),
+        );
     }
     place
 }

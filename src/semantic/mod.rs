@@ -3,16 +3,6 @@
 //! [`check`] takes a parsed shader and gives a [`Program`], which later layers read and never
 //! change, and what is wrong. The rules follow GLSL ES 3.00 and 1.00 as ANGLE, the compiler of the
 //! browsers, reads them.
-#![cfg_attr(
-    not(test),
-    deny(
-        clippy::unwrap_used,
-        clippy::expect_used,
-        clippy::panic,
-        clippy::indexing_slicing,
-        clippy::string_slice
-    )
-)]
 
 mod blame;
 pub mod builtins;

@@ -231,7 +231,8 @@ fn media(path: &Path, is_cube: bool) -> Result<Media, String> {
     let name = shown(path);
     let (_, kind) = kind_of_file(&name)
         .ok_or_else(|| format!("{name}: this is no picture, film, music or volume"))?;
-    let mut urls = vec![data_address(path, kind)?];
+    let first = data_address(path, kind)?;
+    let mut urls = vec![first.clone()];
     if is_cube {
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
         for face in 1..6 {
@@ -239,7 +240,7 @@ fn media(path: &Path, is_cube: bool) -> Result<Media, String> {
             let url = if path.is_file() {
                 data_address(&path, kind)?
             } else {
-                urls[0].clone()
+                first.clone()
             };
             urls.push(url);
         }

@@ -70,7 +70,10 @@ impl Body<'_, '_> {
                     .map_or(y, |(y, ty)| self.widen(*y, *ty, first));
                 Ok(self.modulo(x, y))
             }
-            (Lowering::Mix, &[x, y, a]) => Ok(self.mix(x, y, (a, program.ty(args[2])), first)),
+            (Lowering::Mix, &[x, y, a]) => {
+                let share = args.get(2).map_or(ty, |a| program.ty(*a));
+                Ok(self.mix(x, y, (a, share), first))
+            }
             (Lowering::ByColumns(op), &[l, r]) => self.by_columns(op, (l, ty), (r, ty)),
             (Lowering::OuterProduct, &[column, row]) => self.outer_product(column, row, ty),
             (Lowering::Inverse, &[matrix]) => self.inverse(matrix, ty),

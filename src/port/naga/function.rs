@@ -8,6 +8,7 @@ use crate::semantic::{FunctionRef, Parameter, Program, VariableId};
 use ::naga::{
     AddressSpace, Expression, FunctionArgument, FunctionResult, Handle, Statement, TypeInner,
 };
+use std::collections::HashSet;
 
 /// The functions that `main` needs, each behind all that it calls.
 pub(super) fn order(program: &Program, main: FunctionRef) -> Vec<FunctionRef> {
@@ -20,17 +21,17 @@ pub(super) fn order(program: &Program, main: FunctionRef) -> Vec<FunctionRef> {
         }
     }
     let mut done = Vec::new();
-    let mut seen = vec![false; program.functions.len()];
+    let mut seen = HashSet::new();
     let mut stack = vec![(main, 0)];
     while let Some((function, next)) = stack.pop() {
-        let index = function.0 as usize;
-        if next == 0 && std::mem::replace(&mut seen[index], true) {
+        if next == 0 && !seen.insert(function) {
             continue;
         }
-        match calls[index].get(next) {
+        let callees = calls.get(function.0 as usize);
+        match callees.and_then(|all| all.get(next)) {
             Some(callee) => {
                 stack.push((function, next + 1));
-                if !seen[callee.0 as usize] {
+                if !seen.contains(callee) {
                     stack.push((*callee, 0));
                 }
             }
