@@ -3,9 +3,13 @@
 
 mod form;
 mod lower;
+mod print;
+mod verify;
 
 pub use form::{
     Access, Binary, Case, Function, Label, Lanes, Loop, LoopId, Module, Op, OpId, OpKind, Origin,
     Place, PlaceId, Precision, Region, Root, Run, Step, Switch, SwitchId, Unary, Variable,
 };
 pub use lower::lower;
+pub use print::print;
+pub use verify::{Problem, verify};

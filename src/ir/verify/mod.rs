@@ -1,0 +1,444 @@
+//! What a well-formed module is. Lowering is held to it in tests and by the fuzzers; whoever reads a
+//! module relies on it.
+
+mod op;
+mod place;
+
+use super::{
+    Case, Function, Label, Loop, Module, OpId, Origin, PlaceId, Region, Root, Run, Step, Switch,
+};
+use crate::semantic::builtins::Builtins;
+use crate::semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
+use std::fmt;
+
+/// Something that a module must not have.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Problem {
+    /// The operation; `None` where it is of no single one.
+    pub op: Option<OpId>,
+    /// What is wrong.
+    pub text: String,
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.op {
+            Some(op) => write!(f, "%{}: {}", op.0, self.text),
+            None => f.write_str(&self.text),
+        }
+    }
+}
+
+/// What is wrong with the module that a shader was lowered to; nothing, if lowering is right.
+pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
+    let mut verifier = Verifier {
+        program,
+        module,
+        builtins: Builtins::of(program.version, program.stage),
+        at: At::default(),
+        next: 0,
+        defined: vec![false; module.ops.len()],
+        trail: Vec::new(),
+        seen: vec![false; module.steps.len()],
+        problems: Vec::new(),
+    };
+    verifier.tables();
+    verifier.places();
+    verifier.walk(None, module.globals);
+    for (i, function) in module.functions.iter().enumerate() {
+        verifier.function(FunctionRef(i as u32), function);
+    }
+    let ops = module.ops.len() as u32;
+    if verifier.next != ops {
+        verifier.tell(format!(
+            "{} of {ops} operations stand in runs",
+            verifier.next
+        ));
+    }
+    verifier.expressions();
+    verifier.problems
+}
+
+/// What is around the step that is looked at.
+#[derive(Clone, Copy, Default)]
+struct At {
+    function: Option<FunctionRef>,
+    /// Inside how many loops.
+    loops: u32,
+    /// Inside how many loops and `switch` statements.
+    breakable: u32,
+}
+
+struct Verifier<'a> {
+    program: &'a Program,
+    module: &'a Module,
+    builtins: &'static Builtins,
+    at: At,
+    /// The operation that the next run must start with: all of them stand in runs, in order.
+    next: u32,
+    /// By operation: whether its value is there on every path to here.
+    defined: Vec<bool>,
+    /// The operations that are defined, in order.
+    trail: Vec<OpId>,
+    /// By step: whether a region that was looked at has it.
+    seen: Vec<bool>,
+    problems: Vec<Problem>,
+}
+
+impl Verifier<'_> {
+    /// A problem of no single operation.
+    fn tell(&mut self, text: impl Into<String>) {
+        let text = match self.at.function.and_then(|f| self.program.function(f)) {
+            Some(f) => format!("`{}`: {}", self.program.names.text(f.name), text.into()),
+            None => text.into(),
+        };
+        self.problems.push(Problem { op: None, text });
+    }
+
+    fn tell_op(&mut self, op: OpId, text: impl Into<String>) {
+        let text = text.into();
+        self.problems.push(Problem { op: Some(op), text });
+    }
+
+    fn name(&self, ty: Type) -> String {
+        self.program.type_name(ty)
+    }
+
+    /// The tables that go by the program's numbers.
+    fn tables(&mut self) {
+        let (program, module) = (self.program, self.module);
+        if module.origins.len() != module.ops.len() {
+            self.tell("not every operation has an origin");
+        }
+        if module.functions.len() != program.functions.len() {
+            self.tell("the functions are not those of the program");
+        }
+        if module.stage != Some(program.stage) {
+            self.tell("the stage is not that of the program");
+        }
+        if module.variables.len() < program.variables.len() {
+            self.tell("there are fewer variables than in the program");
+        }
+        for (i, variable) in module.variables.iter().enumerate() {
+            let Some(declared) = program.variables.get(i) else {
+                if variable.root != Root::Temporary && variable.root != Root::Parameter {
+                    self.tell(format!(
+                        "variable {i}, made by lowering, is {:?}",
+                        variable.root
+                    ));
+                }
+                continue;
+            };
+            if variable.ty != declared.ty {
+                let (a, b) = (self.name(variable.ty), self.name(declared.ty));
+                self.tell(format!("variable {i} is {a} and was declared as {b}"));
+            }
+            if !lives_in(declared.storage, variable.root) {
+                let (is, was) = (variable.root, declared.storage);
+                self.tell(format!(
+                    "variable {i} is {is:?} and was declared as {was:?}"
+                ));
+            }
+        }
+        if let Some(entry) = module.entry
+            && module.function(entry).is_none_or(|f| f.body.is_none())
+        {
+            self.tell("the entry has no body");
+        }
+    }
+
+    fn places(&mut self) {
+        for id in (0..self.module.places.len() as u32).map(PlaceId) {
+            if let Err(text) = place::check(self.program, self.module, id) {
+                self.tell(format!("place {}: {text}", id.0));
+            }
+        }
+    }
+
+    fn function(&mut self, id: FunctionRef, function: &Function) {
+        self.at.function = Some(id);
+        self.parameters(id, function);
+        let first = self.next;
+        match function.body {
+            Some(body) => {
+                if function.ops.first.0 != first {
+                    self.tell(format!("its operations start with %{first}"));
+                }
+                self.walk(Some(id), body);
+                if function.ops.first.0 + function.ops.len != self.next {
+                    self.tell(format!("its operations end before %{}", self.next));
+                }
+            }
+            None if function.ops.len > 0 => self.tell("it has operations and no body"),
+            None => {}
+        }
+        self.at = At::default();
+    }
+
+    fn parameters(&mut self, id: FunctionRef, function: &Function) {
+        let Some(declared) = self.program.function(id) else {
+            return;
+        };
+        if function.returns != declared.returns {
+            self.tell("it returns what it does not");
+        }
+        let parameters = self.module.parameters(function);
+        if function.body.is_none() && parameters.is_empty() {
+            return;
+        }
+        if parameters.len() != declared.params.len() {
+            self.tell("its parameters are not those of the program");
+        }
+        for (parameter, declared) in parameters.iter().zip(&declared.params) {
+            let root = match declared.direction {
+                Direction::In | Direction::ConstIn => Root::Parameter,
+                Direction::Out | Direction::Inout => Root::ParameterOut,
+            };
+            let variable = self.module.variable(*parameter);
+            let is_right = variable
+                .is_some_and(|v| v.ty == declared.ty && v.root == root && v.function == Some(id));
+            if !is_right {
+                self.tell(format!("parameter {} is not as declared", parameter.0));
+            }
+        }
+    }
+
+    /// Looks at everything that runs in a function, or before the entry.
+    fn walk(&mut self, function: Option<FunctionRef>, body: Region) {
+        self.at = At {
+            function,
+            ..At::default()
+        };
+        self.region(body);
+        self.undefine(0);
+    }
+
+    /// What is defined in a region is there up to its end.
+    fn region(&mut self, region: Region) {
+        let mark = self.trail.len();
+        self.steps(region);
+        self.undefine(mark);
+    }
+
+    fn undefine(&mut self, mark: usize) {
+        for op in self.trail.drain(mark.min(self.trail.len())..) {
+            if let Some(slot) = self.defined.get_mut(op.0 as usize) {
+                *slot = false;
+            }
+        }
+    }
+
+    fn is_defined(&self, op: OpId) -> bool {
+        self.defined.get(op.0 as usize).copied().unwrap_or(false)
+    }
+
+    fn steps(&mut self, region: Region) {
+        let module = self.module;
+        let steps = module.steps(region);
+        if steps.len() != region.0.len as usize {
+            return self.tell("a region reaches past the steps");
+        }
+        for (i, step) in (region.0.start as usize..).zip(steps) {
+            match self.seen.get_mut(i) {
+                Some(slot) if !*slot => *slot = true,
+                _ => return self.tell(format!("step {i} stands in two regions")),
+            }
+            self.step(step);
+        }
+    }
+
+    fn step(&mut self, step: &Step) {
+        match *step {
+            Step::Run(run) => self.run(run),
+            Step::If {
+                condition,
+                then,
+                otherwise,
+                ..
+            } => {
+                self.needs(condition, Type::BOOL, "the condition of an `if`");
+                self.region(then);
+                self.region(otherwise);
+            }
+            Step::Loop(id) => match self.module.looped(id) {
+                Some(found) => self.looped(found),
+                None => self.tell(format!("there is no loop {}", id.0)),
+            },
+            Step::Switch(id) => match self.module.switch(id) {
+                Some(found) => self.switch(found),
+                None => self.tell(format!("there is no switch {}", id.0)),
+            },
+            Step::Break(_) if self.at.breakable == 0 => self.tell("a `break` leaves nothing"),
+            Step::Continue(_) if self.at.loops == 0 => self.tell("a `continue` is in no loop"),
+            Step::Break(_) | Step::Continue(_) => {}
+            Step::Return(value, _) => self.returned(value),
+            Step::Discard(_) if self.module.stage != Some(Stage::Fragment) => {
+                self.tell("a `discard` outside a fragment shader");
+            }
+            Step::Discard(_) => {}
+        }
+    }
+
+    fn run(&mut self, run: Run) {
+        if run.first.0 != self.next || run.len == 0 {
+            let (first, len, next) = (run.first.0, run.len, self.next);
+            self.tell(format!(
+                "a run of {len} starts with %{first} and not %{next}"
+            ));
+        }
+        self.next = run.first.0.saturating_add(run.len);
+        if self.next as usize > self.module.ops.len() {
+            return self.tell("a run reaches past the operations");
+        }
+        for id in run.ops() {
+            let module = self.module;
+            module.each_operand(id, |operand| {
+                if !self.is_defined(operand) {
+                    self.tell_op(id, format!("%{} is not defined here", operand.0));
+                }
+            });
+            if let Err(text) = op::check(self, id) {
+                self.tell_op(id, text);
+            }
+            if let Some(slot) = self.defined.get_mut(id.0 as usize) {
+                *slot = true;
+                self.trail.push(id);
+            }
+        }
+    }
+
+    /// A value that a construct works on.
+    fn needs(&mut self, op: OpId, ty: Type, what: &str) {
+        if !self.is_defined(op) {
+            self.tell(format!("{what}, %{}, is not defined here", op.0));
+        }
+        let found = self.module.ty(op);
+        if !op::fits(found, ty) {
+            let (found, ty) = (self.name(found), self.name(ty));
+            self.tell(format!("{what}, %{}, is {found} and not {ty}", op.0));
+        }
+    }
+
+    fn returned(&mut self, value: Option<OpId>) {
+        let Some(function) = self.at.function.and_then(|f| self.module.function(f)) else {
+            return self.tell("a `return` outside any function");
+        };
+        match value {
+            Some(value) => self.needs(value, function.returns, "what is returned"),
+            None if op::fits(function.returns, Type::VOID) => {}
+            None => self.tell("a `return` gives nothing"),
+        }
+    }
+
+    fn looped(&mut self, found: &Loop) {
+        let outer = self.at;
+        let inner = At {
+            loops: outer.loops + 1,
+            breakable: outer.breakable + 1,
+            ..outer
+        };
+        if found.tests_first {
+            self.test(found);
+        }
+        self.at = inner;
+        self.region(found.body);
+        self.at = outer;
+        self.region(found.step);
+        if !found.tests_first {
+            self.test(found);
+        }
+    }
+
+    /// The value of the condition is needed where it was computed, and nowhere else.
+    fn test(&mut self, found: &Loop) {
+        let mark = self.trail.len();
+        // Nothing leaves the loop from its condition but the condition.
+        let outer = self.at;
+        self.at = At {
+            function: outer.function,
+            ..At::default()
+        };
+        self.steps(found.test);
+        if let Some(condition) = found.condition {
+            self.needs(condition, Type::BOOL, "the condition of a loop");
+        }
+        self.at = outer;
+        self.undefine(mark);
+    }
+
+    fn switch(&mut self, found: &Switch) {
+        let is_integer = self
+            .module
+            .scalar(found.selector)
+            .is_none_or(Scalar::is_integer);
+        let selector = self.module.ty(found.selector);
+        self.needs(found.selector, selector, "the selector of a `switch`");
+        if !is_integer || !(selector.is_scalar() || selector.is_error()) {
+            self.tell("the selector of a `switch` is no integer");
+        }
+        let module = self.module;
+        let cases = module.cases(found);
+        self.labels(cases);
+        let outer = self.at;
+        self.at.breakable += 1;
+        for case in cases {
+            self.region(case.body);
+        }
+        self.at = outer;
+    }
+
+    fn labels(&mut self, cases: &[Case]) {
+        let mut seen: Vec<Label> = Vec::new();
+        for case in cases {
+            let labels = self.module.labels(case);
+            if labels.is_empty() {
+                self.tell("a case has no label");
+            }
+            for &label in labels {
+                if seen.contains(&label) {
+                    self.tell(format!("two cases for {label:?}"));
+                }
+                seen.push(label);
+            }
+        }
+    }
+
+    /// The operations that stand for expressions have the expressions' types.
+    fn expressions(&mut self) {
+        let (program, module) = (self.program, self.module);
+        for (i, op) in module.by_expr.iter().enumerate() {
+            let Some(op) = *op else { continue };
+            let id = crate::syntax::ast::ExprId(i as u32);
+            if op.0 as usize >= module.ops.len() {
+                self.tell(format!("expression {i} is no operation"));
+            } else if !op::fits(module.ty(op), program.ty(id)) {
+                let (is, was) = (self.name(module.ty(op)), self.name(program.ty(id)));
+                self.tell_op(op, format!("it is {is}, and its expression is {was}"));
+            }
+        }
+        for (i, origin) in module.origins.iter().enumerate() {
+            let exists = match *origin {
+                Origin::Expr(e) => program.tree.exprs.len() > e.0 as usize,
+                Origin::Stmt(s) => program.tree.stmts.len() > s.0 as usize,
+                Origin::Declaration(t) => program.token(t).is_some(),
+                Origin::Language => true,
+            };
+            if !exists {
+                self.tell_op(OpId(i as u32), "its origin is not in the program");
+            }
+        }
+    }
+}
+
+/// Whether what was declared as `storage` may live in `root`.
+fn lives_in(storage: Storage, root: Root) -> bool {
+    match storage {
+        Storage::Local => root == Root::Local,
+        Storage::Global => root == Root::Global,
+        Storage::Param(d) if d.writes() => root == Root::ParameterOut,
+        Storage::Param(_) => root == Root::Parameter,
+        Storage::Uniform => root == Root::Uniform,
+        Storage::Input => root == Root::Input,
+        Storage::Output => root == Root::Output,
+    }
+}

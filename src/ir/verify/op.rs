@@ -1,0 +1,298 @@
+//! Operations: what they may work on and what they give.
+
+use super::{Verifier, place};
+use crate::ir::{Binary, Module, OpId, OpKind, PlaceId, Root, Unary};
+use crate::semantic::{Direction, FunctionRef, Scalar, Type};
+use crate::syntax::ast::List;
+
+type Checked = Result<(), String>;
+
+/// Whether a value of one type may stand where the other is asked for. What is wrong in the text
+/// fits everywhere.
+pub(super) fn fits(a: Type, b: Type) -> bool {
+    a == b || a.is_error() || b.is_error()
+}
+
+/// Whether an operation is well-formed, its operands being there.
+pub(super) fn check(v: &Verifier<'_>, id: OpId) -> Checked {
+    let module = v.module;
+    let op = *module.op(id);
+    let ty = |operand| module.ty(operand);
+    match op.kind {
+        OpKind::Const(constant) => constant_fits(v, op.ty, module.pool.values(constant).len()),
+        OpKind::Undef | OpKind::Unknown => Ok(()),
+        OpKind::Load(place) => {
+            inside(v, place)?;
+            gives(v, op.ty, module.place(place).ty)
+        }
+        OpKind::Store(place, value) => {
+            inside(v, place)?;
+            gives(v, op.ty, Type::VOID)?;
+            writable(module, place)?;
+            takes(v, ty(value), module.place(place).ty)
+        }
+        OpKind::Unary(unary, a) => {
+            let scalar = v.module.scalar(a);
+            holds(
+                match unary {
+                    Unary::Negate => scalar != Some(Scalar::Bool),
+                    Unary::Not => fits(ty(a), Type::BOOL),
+                    Unary::BitNot => scalar.is_none_or(Scalar::is_integer),
+                },
+                || format!("{unary:?} of {}", v.name(ty(a))),
+            )?;
+            gives(v, op.ty, ty(a))
+        }
+        OpKind::Binary(binary, a, b) => {
+            takes_both(v, binary, ty(a), ty(b))?;
+            let result = if binary.compares() { Type::BOOL } else { ty(a) };
+            gives(v, op.ty, result)
+        }
+        OpKind::MatrixProduct(a, b) => product(v, op.ty, ty(a), ty(b)),
+        OpKind::Same { left, right, .. } => {
+            takes(v, ty(right), ty(left))?;
+            gives(v, op.ty, Type::BOOL)
+        }
+        OpKind::Select {
+            condition,
+            then,
+            otherwise,
+        } => {
+            takes(v, ty(condition), Type::BOOL)?;
+            takes(v, ty(otherwise), ty(then))?;
+            gives(v, op.ty, ty(then))
+        }
+        OpKind::Convert(a) => converts(v, op.ty, ty(a)),
+        OpKind::Splat(a) => {
+            holds(op.ty.components() > 1, || "a splat of one component".into())?;
+            takes(v, ty(a), scalar_of(op.ty))
+        }
+        OpKind::Swizzle(a, lanes) => match place::picked(ty(a), lanes) {
+            Some(found) => gives(v, op.ty, found),
+            None if ty(a).is_error() => Ok(()),
+            None => Err(format!(
+                "components {:?} of {}",
+                lanes.numbers(),
+                v.name(ty(a))
+            )),
+        },
+        OpKind::Compose(parts) => composes(v, op.ty, parts),
+        OpKind::Extract(a, number) => {
+            let part =
+                place::element(ty(a), number).or_else(|| place::member(v.program, ty(a), number));
+            match part {
+                Some(found) => gives(v, op.ty, found),
+                None if ty(a).is_error() => Ok(()),
+                None => Err(format!("part {number} of {}", v.name(ty(a)))),
+            }
+        }
+        OpKind::ExtractComputed { base, index } => {
+            let kind = ty(index).scalar_kind();
+            holds(
+                ty(index).is_error()
+                    || ty(index).is_scalar() && kind.is_some_and(Scalar::is_integer),
+                || format!("{} is no index", v.name(ty(index))),
+            )?;
+            match place::computed(ty(base)) {
+                Some(found) => gives(v, op.ty, found),
+                None if ty(base).is_error() => Ok(()),
+                None => Err(format!("{} has no elements", v.name(ty(base)))),
+            }
+        }
+        OpKind::Builtin(overload, arguments) => builtin(v, op.ty, overload, arguments),
+        OpKind::Call(callee, arguments) => call(v, op.ty, callee, arguments),
+        OpKind::Returned(call, number) => returned(v, op.ty, call, number),
+    }
+}
+
+fn holds(what: bool, otherwise: impl FnOnce() -> String) -> Checked {
+    if what { Ok(()) } else { Err(otherwise()) }
+}
+
+fn gives(v: &Verifier<'_>, said: Type, found: Type) -> Checked {
+    holds(fits(said, found), || {
+        format!("it gives {} and not {}", v.name(found), v.name(said))
+    })
+}
+
+fn takes(v: &Verifier<'_>, found: Type, needed: Type) -> Checked {
+    holds(fits(found, needed), || {
+        format!("it takes {} and not {}", v.name(needed), v.name(found))
+    })
+}
+
+fn scalar_of(ty: Type) -> Type {
+    ty.scalar_kind().map_or(Type::ERROR, Type::scalar)
+}
+
+fn constant_fits(v: &Verifier<'_>, ty: Type, len: usize) -> Checked {
+    let scalars = place::scalars(v.program, ty);
+    holds(scalars == Some(len as u64) || ty.is_error(), || {
+        format!("a constant of {len} scalars is no {}", v.name(ty))
+    })
+}
+
+/// A place is read and written where its variable is.
+fn inside(v: &Verifier<'_>, place: PlaceId) -> Checked {
+    let variable = v.module.variable(v.module.place(place).variable);
+    let owner = variable.and_then(|v| v.function);
+    holds(owner.is_none() || owner == v.at.function, || {
+        "a variable of another function".into()
+    })
+}
+
+fn writable(module: &Module, place: PlaceId) -> Checked {
+    let variable = module.variable(module.place(place).variable);
+    let root = variable.map(|v| v.root);
+    holds(
+        !matches!(root, None | Some(Root::Uniform | Root::Input)),
+        || "it writes to what cannot be written".into(),
+    )?;
+    holds(!place::repeats(module, place), || {
+        "it writes to a component twice".into()
+    })
+}
+
+fn takes_both(v: &Verifier<'_>, binary: Binary, a: Type, b: Type) -> Checked {
+    use Binary::*;
+    if a.is_error() || b.is_error() {
+        return Ok(());
+    }
+    let is_integer = |ty: Type| ty.scalar_kind().is_some_and(Scalar::is_integer);
+    let is_right = match binary {
+        Add | Subtract | Multiply | Divide => {
+            a == b && !matches!(a.scalar_kind(), None | Some(Scalar::Bool))
+        }
+        Remainder | BitAnd | BitOr | BitXor => a == b && is_integer(a),
+        ShiftLeft | ShiftRight => {
+            is_integer(a) && is_integer(b) && a.components() == b.components()
+        }
+        Less | LessEqual | Greater | GreaterEqual => {
+            a == b && a.is_scalar() && a.scalar_kind() != Some(Scalar::Bool)
+        }
+        And | Or | Xor => a == b && a == Type::BOOL,
+    };
+    holds(is_right, || {
+        format!("{} {} {}", v.name(a), binary.symbol(), v.name(b))
+    })
+}
+
+/// The shape of a matrix, or of a vector as the matrix that it is on its side of a product.
+fn product(v: &Verifier<'_>, ty: Type, a: Type, b: Type) -> Checked {
+    let (Some((_, ac, ar)), Some((_, bc, br))) = (a.numeric(), b.numeric()) else {
+        return holds(a.is_error() || b.is_error(), || {
+            "a product of no matrices".into()
+        });
+    };
+    let found = match (a.is_matrix(), b.is_matrix()) {
+        (true, true) if ac == br => Some(Type::matrix(bc, ar)),
+        (true, false) if b.is_vector() && ac == br => Some(Type::vector(Scalar::Float, ar)),
+        (false, true) if a.is_vector() && ar == br => Some(Type::vector(Scalar::Float, bc)),
+        _ => None,
+    };
+    match found {
+        Some(found) => gives(v, ty, found),
+        None => Err(format!("the product of {} and {}", v.name(a), v.name(b))),
+    }
+}
+
+fn converts(v: &Verifier<'_>, ty: Type, from: Type) -> Checked {
+    let (Some(to), Some(of)) = (ty.scalar_kind(), from.scalar_kind()) else {
+        return holds(ty.is_error() || from.is_error(), || {
+            format!("{} converted to {}", v.name(from), v.name(ty))
+        });
+    };
+    holds(to != of && from.with_scalar(to) == ty, || {
+        format!("{} converted to {}", v.name(from), v.name(ty))
+    })
+}
+
+fn composes(v: &Verifier<'_>, ty: Type, list: List) -> Checked {
+    let parts: Vec<Type> = v
+        .module
+        .operands(list)
+        .iter()
+        .map(|&p| v.module.ty(p))
+        .collect();
+    if ty.is_error() || parts.iter().any(|p| p.is_error()) {
+        return Ok(());
+    }
+    let is_right = if ty.is_array() {
+        let is_whole = ty.array as usize == parts.len();
+        is_whole && parts.iter().all(|p| *p == ty.element())
+    } else if ty.is_vector() {
+        let count: u32 = parts.iter().map(|p| p.components()).sum();
+        let are_numbers = parts
+            .iter()
+            .all(|p| !p.is_matrix() && scalar_of(*p) == scalar_of(ty));
+        are_numbers && count == ty.components() && parts.len() > 1
+    } else if let Some((scalar, columns @ 2.., rows)) = ty.numeric() {
+        let column = Type::vector(scalar, rows);
+        parts.len() == columns as usize && parts.iter().all(|p| *p == column)
+    } else {
+        let fields = v
+            .program
+            .struct_of(ty)
+            .map(|s| s.fields.iter().map(|f| f.ty));
+        fields.is_some_and(|f| f.eq(parts.iter().copied()))
+    };
+    holds(is_right, || {
+        let parts: Vec<String> = parts.iter().map(|p| v.name(*p)).collect();
+        format!("{} put together from {}", v.name(ty), parts.join(", "))
+    })
+}
+
+fn each_takes(v: &Verifier<'_>, list: List, needed: impl Iterator<Item = Type>) -> Checked {
+    let arguments = v.module.operands(list);
+    let needed: Vec<Type> = needed.collect();
+    holds(arguments.len() == needed.len(), || {
+        format!("{} arguments instead of {}", arguments.len(), needed.len())
+    })?;
+    let mut pairs = arguments.iter().zip(needed);
+    pairs.try_for_each(|(&argument, needed)| takes(v, v.module.ty(argument), needed))
+}
+
+fn builtin(v: &Verifier<'_>, ty: Type, overload: u32, arguments: List) -> Checked {
+    let Some((overload, _)) = v.builtins.overload(overload) else {
+        return Err(format!("there is no built-in function {overload}"));
+    };
+    let params = overload.params().iter().enumerate();
+    let read = params.filter(|(i, _)| overload.out >> i & 1 == 0);
+    each_takes(v, arguments, read.map(|(_, ty)| *ty))?;
+    gives(v, ty, overload.returns)
+}
+
+fn call(v: &Verifier<'_>, ty: Type, callee: FunctionRef, arguments: List) -> Checked {
+    let Some(function) = v.program.function(callee) else {
+        return Err(format!("there is no function {}", callee.0));
+    };
+    each_takes(v, arguments, function.params.iter().map(|p| p.ty))?;
+    for (&argument, param) in v.module.operands(arguments).iter().zip(&function.params) {
+        let is_undefined = v.module.op(argument).kind == OpKind::Undef;
+        holds(param.direction != Direction::Out || is_undefined, || {
+            format!("%{} is given to an `out` parameter", argument.0)
+        })?;
+    }
+    gives(v, ty, function.returns)
+}
+
+/// What comes back is that of a parameter which the callee writes to.
+fn returned(v: &Verifier<'_>, ty: Type, call: OpId, number: u32) -> Checked {
+    let found = match v.module.op(call).kind {
+        OpKind::Call(callee, _) => {
+            let params = v.program.function(callee).map(|f| &f.params);
+            let param = params.and_then(|p| p.get(number as usize));
+            param.filter(|p| p.direction.writes()).map(|p| p.ty)
+        }
+        OpKind::Builtin(overload, _) => {
+            let overload = v.builtins.overload(overload).map(|(o, _)| o);
+            let written = overload.filter(|o| number < 8 && o.out >> number & 1 == 1);
+            written.and_then(|o| o.params().get(number as usize).copied())
+        }
+        _ => None,
+    };
+    match found {
+        Some(found) => gives(v, ty, found),
+        None => Err(format!("%{} leaves nothing in parameter {number}", call.0)),
+    }
+}

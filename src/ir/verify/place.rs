@@ -1,0 +1,122 @@
+//! Places: ways into variables, and the types of what stands at their ends.
+
+use crate::ir::{Access, Lanes, Module, PlaceId};
+use crate::semantic::{Base, Program, Scalar, Type};
+
+/// Whether the way into a place fits the variable, and its type what stands at its end.
+pub(super) fn check(program: &Program, module: &Module, id: PlaceId) -> Result<(), String> {
+    let place = module.place(id);
+    let Some(variable) = module.variable(place.variable) else {
+        return Err(format!("there is no variable {}", place.variable.0));
+    };
+    let path = module.path(place);
+    if path.len() != place.path.len as usize {
+        return Err("its way reaches past the lists".into());
+    }
+    let mut ty = variable.ty;
+    for (i, access) in path.iter().enumerate() {
+        if matches!(access, Access::Lanes(_)) && i + 1 != path.len() {
+            return Err("components are picked before the end of the way".into());
+        }
+        ty = step(program, module, ty, access)?;
+    }
+    if ty != place.ty && !ty.is_error() {
+        let (end, said) = (program.type_name(ty), program.type_name(place.ty));
+        return Err(format!("at its end is {end} and not {said}"));
+    }
+    Ok(())
+}
+
+/// The type behind a step into something.
+fn step(program: &Program, module: &Module, ty: Type, access: &Access) -> Result<Type, String> {
+    if ty.is_error() {
+        return Ok(ty);
+    }
+    let none = |what: &str| Err(format!("{} has no {what}", program.type_name(ty)));
+    match *access {
+        Access::Member(n) => match member(program, ty, n) {
+            Some(ty) => Ok(ty),
+            None => none(&format!("member {n}")),
+        },
+        Access::Element(n) => match element(ty, n) {
+            Some(ty) => Ok(ty),
+            None => none(&format!("element {n}")),
+        },
+        Access::Computed(index) => {
+            let index = module.ty(index);
+            let is_integer = index.scalar_kind().is_some_and(Scalar::is_integer);
+            if !index.is_error() && !(is_integer && index.is_scalar()) {
+                return Err(format!("{} is no index", program.type_name(index)));
+            }
+            match computed(ty) {
+                Some(ty) => Ok(ty),
+                None => none("elements"),
+            }
+        }
+        Access::Lanes(lanes) => match picked(ty, lanes) {
+            Some(ty) => Ok(ty),
+            None => none(&format!("components {:?}", lanes.numbers())),
+        },
+    }
+}
+
+/// The type of a member of a struct or block.
+pub(super) fn member(program: &Program, ty: Type, number: u32) -> Option<Type> {
+    let fields = &program.struct_of(ty).filter(|_| !ty.is_array())?.fields;
+    Some(fields.get(number as usize)?.ty)
+}
+
+/// The type of an element of an array, or a column of a matrix.
+pub(super) fn element(ty: Type, number: u32) -> Option<Type> {
+    if ty.is_array() {
+        let size = ty.array;
+        return (size == Type::UNSIZED || number < size).then(|| ty.element());
+    }
+    let (scalar, columns, rows) = ty.numeric()?;
+    (columns > 1 && number < columns as u32).then(|| Type::vector(scalar, rows))
+}
+
+/// The type of what is reached by a computed number: an element, column or component.
+pub(super) fn computed(ty: Type) -> Option<Type> {
+    if ty.is_vector() {
+        return ty.scalar_kind().map(Type::scalar);
+    }
+    element(ty, 0)
+}
+
+/// The type of some components of a vector.
+pub(super) fn picked(ty: Type, lanes: Lanes) -> Option<Type> {
+    let (scalar, 1, rows @ 2..) = ty.numeric()? else {
+        return None;
+    };
+    let is_inside = lanes.count() > 0 && lanes.numbers().iter().all(|n| *n < rows);
+    is_inside.then(|| Type::vector(scalar, lanes.count()))
+}
+
+/// Whether some component is picked twice, so that nothing can be written there.
+pub(super) fn repeats(module: &Module, id: PlaceId) -> bool {
+    let last = module.path(module.place(id)).last();
+    let Some(Access::Lanes(lanes)) = last else {
+        return false;
+    };
+    let mask = lanes.numbers().iter().fold(0u8, |mask, n| mask | 1 << n);
+    mask.count_ones() != lanes.count() as u32
+}
+
+/// How many scalars something is made of; `None` where that is not known, or it has none.
+pub(super) fn scalars(program: &Program, ty: Type) -> Option<u64> {
+    let one = match ty.base {
+        Base::Numeric { columns, rows, .. } => columns as u64 * rows as u64,
+        Base::Struct(_) => {
+            let fields = &program.struct_of(ty)?.fields;
+            let sizes = fields.iter().map(|f| scalars(program, f.ty));
+            sizes.sum::<Option<u64>>()?
+        }
+        _ => return None,
+    };
+    match ty.array {
+        0 => Some(one),
+        Type::UNSIZED => None,
+        size => one.checked_mul(size as u64),
+    }
+}
