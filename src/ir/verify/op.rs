@@ -87,12 +87,9 @@ pub(super) fn check(v: &Verifier<'_>, id: OpId) -> Checked {
             }
         }
         OpKind::ExtractComputed { base, index } => {
-            let kind = ty(index).scalar_kind();
-            holds(
-                ty(index).is_error()
-                    || ty(index).is_scalar() && kind.is_some_and(Scalar::is_integer),
-                || format!("{} is no index", v.name(ty(index))),
-            )?;
+            holds(place::is_index(ty(index)), || {
+                format!("{} is no index", v.name(ty(index)))
+            })?;
             match place::computed(ty(base)) {
                 Some(found) => gives(v, op.ty, found),
                 None if ty(base).is_error() => Ok(()),

@@ -44,8 +44,7 @@ fn step(program: &Program, module: &Module, ty: Type, access: &Access) -> Result
         },
         Access::Computed(index) => {
             let index = module.ty(index);
-            let is_integer = index.scalar_kind().is_some_and(Scalar::is_integer);
-            if !index.is_error() && !(is_integer && index.is_scalar()) {
+            if !is_index(index) {
                 return Err(format!("{} is no index", program.type_name(index)));
             }
             match computed(ty) {
@@ -58,6 +57,12 @@ fn step(program: &Program, module: &Module, ty: Type, access: &Access) -> Result
             None => none(&format!("components {:?}", lanes.numbers())),
         },
     }
+}
+
+/// Whether a value of a type may be the number of an element.
+pub(super) fn is_index(ty: Type) -> bool {
+    let is_integer = ty.scalar_kind().is_some_and(Scalar::is_integer);
+    ty.is_error() || ty.is_scalar() && is_integer
 }
 
 /// The type of a member of a struct or block.
