@@ -375,6 +375,14 @@ pub enum Origin {
 const _: () = assert!(size_of::<Op>() <= 32);
 const _: () = assert!(size_of::<Step>() <= 32);
 
+impl Root {
+    /// Whether it is a parameter of a function.
+    pub const fn is_parameter(self) -> bool {
+        use Root::*;
+        matches!(self, Parameter | ParameterOut | ParameterInout)
+    }
+}
+
 impl Precision {
     /// As it is written; nothing where there is none.
     pub const fn name(self) -> &'static str {

@@ -506,8 +506,8 @@ impl Printer<'_> {
                 format!("{}[{}]", self.tight(base), self.value(index).0)
             }
             OpKind::Builtin(overload, list) => {
-                let function = self.builtins.overload(overload).map(|(_, f)| &f.name);
-                let name = function.map_or("?", String::as_str);
+                let overload = self.builtins.overload(overload);
+                let name = overload.map_or("?", |o| o.function.name());
                 format!("{name}({})", self.values(list))
             }
             OpKind::Call(callee, list) => {

@@ -45,8 +45,11 @@ pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
     verifier.tables();
     verifier.places();
     verifier.walk(None, module.globals);
-    for (i, function) in module.functions.iter().enumerate() {
-        verifier.function(FunctionRef(i as u32), function);
+    // They stand in the order of the text, which is not that of their numbers.
+    let mut functions: Vec<_> = (0..).map(FunctionRef).zip(&module.functions).collect();
+    functions.sort_by_key(|(_, function)| function.ops.first);
+    for (id, function) in functions {
+        verifier.function(id, function);
     }
     let ops = module.ops.len() as u32;
     if verifier.next != ops {
@@ -121,11 +124,9 @@ impl Verifier<'_> {
         }
         for (i, variable) in module.variables.iter().enumerate() {
             let Some(declared) = program.variables.get(i) else {
-                if variable.root != Root::Temporary && variable.root != Root::Parameter {
-                    self.tell(format!(
-                        "variable {i}, made by lowering, is {:?}",
-                        variable.root
-                    ));
+                if variable.root != Root::Temporary && !variable.root.is_parameter() {
+                    let root = variable.root;
+                    self.tell(format!("variable {i}, made by lowering, is {root:?}"));
                 }
                 continue;
             };
@@ -133,8 +134,8 @@ impl Verifier<'_> {
                 let (a, b) = (self.name(variable.ty), self.name(declared.ty));
                 self.tell(format!("variable {i} is {a} and was declared as {b}"));
             }
-            if !lives_in(declared.storage, variable.root) {
-                let (is, was) = (variable.root, declared.storage);
+            let (is, was) = (variable.root, declared.storage);
+            if is != root_of(was) {
                 self.tell(format!(
                     "variable {i} is {is:?} and was declared as {was:?}"
                 ));
@@ -190,10 +191,7 @@ impl Verifier<'_> {
             self.tell("its parameters are not those of the program");
         }
         for (parameter, declared) in parameters.iter().zip(&declared.params) {
-            let root = match declared.direction {
-                Direction::In | Direction::ConstIn => Root::Parameter,
-                Direction::Out | Direction::Inout => Root::ParameterOut,
-            };
+            let root = root_of(Storage::Param(declared.direction));
             let variable = self.module.variable(*parameter);
             let is_right = variable
                 .is_some_and(|v| v.ty == declared.ty && v.root == root && v.function == Some(id));
@@ -430,15 +428,16 @@ impl Verifier<'_> {
     }
 }
 
-/// Whether what was declared as `storage` may live in `root`.
-fn lives_in(storage: Storage, root: Root) -> bool {
+/// Where lives what was declared as `storage`.
+fn root_of(storage: Storage) -> Root {
     match storage {
-        Storage::Local => root == Root::Local,
-        Storage::Global => root == Root::Global,
-        Storage::Param(d) if d.writes() => root == Root::ParameterOut,
-        Storage::Param(_) => root == Root::Parameter,
-        Storage::Uniform => root == Root::Uniform,
-        Storage::Input => root == Root::Input,
-        Storage::Output => root == Root::Output,
+        Storage::Local => Root::Local,
+        Storage::Global => Root::Global,
+        Storage::Param(Direction::In | Direction::ConstIn) => Root::Parameter,
+        Storage::Param(Direction::Out) => Root::ParameterOut,
+        Storage::Param(Direction::Inout) => Root::ParameterInout,
+        Storage::Uniform => Root::Uniform,
+        Storage::Input => Root::Input,
+        Storage::Output => Root::Output,
     }
 }

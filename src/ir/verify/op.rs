@@ -250,11 +250,11 @@ fn each_takes(v: &Verifier<'_>, list: List, needed: impl Iterator<Item = Type>) 
 }
 
 fn builtin(v: &Verifier<'_>, ty: Type, overload: u32, arguments: List) -> Checked {
-    let Some((overload, _)) = v.builtins.overload(overload) else {
+    let Some(overload) = v.builtins.overload(overload) else {
         return Err(format!("there is no built-in function {overload}"));
     };
     let params = overload.params().iter().enumerate();
-    let read = params.filter(|(i, _)| overload.out >> i & 1 == 0);
+    let read = params.filter(|(i, _)| !overload.writes(*i));
     each_takes(v, arguments, read.map(|(_, ty)| *ty))?;
     gives(v, ty, overload.returns)
 }
@@ -282,8 +282,8 @@ fn returned(v: &Verifier<'_>, ty: Type, call: OpId, number: u32) -> Checked {
             param.filter(|p| p.direction.writes()).map(|p| p.ty)
         }
         OpKind::Builtin(overload, _) => {
-            let overload = v.builtins.overload(overload).map(|(o, _)| o);
-            let written = overload.filter(|o| number < 8 && o.out >> number & 1 == 1);
+            let overload = v.builtins.overload(overload);
+            let written = overload.filter(|o| number < o.count as u32 && o.writes(number as usize));
             written.and_then(|o| o.params().get(number as usize).copied())
         }
         _ => None,
