@@ -4,12 +4,13 @@ use super::export::Written;
 use super::host::Hosts;
 use super::include::Hushed;
 use super::options::Desktop;
-use super::part::{Part, Shader, check_part, shader_part};
+use super::part::{Part, Shader, check_part, shader_part, understand};
 use super::{World, embedded, foreign, partner};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::lint::{Allows, Judged};
 use crate::port::{Project, ProjectError, compose};
 use crate::rules::RULES;
+use crate::semantic::Program;
 use crate::text::embed::{Embedded, extract_named};
 use crate::text::kind::{Decision, FileKind, Tongue, decide};
 use crate::text::{Encoding, FileId, Role, Sources, Span};
@@ -120,11 +121,7 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
     let mut allows = Allows::default();
     let mut judged: Option<Judged> = None;
     let mut shaders: Vec<Shader> = Vec::new();
-    let script = read.file.and_then(|id| read.sources.file(id));
-    let script = script
-        .filter(|_| !read.embedded.is_empty())
-        .map(|f| f.text.clone());
-    let hosts = Hosts::new(name, script, world);
+    let hosts = hosts(&read, name, world);
     for part in &mut read.parts {
         let sources = &mut read.sources;
         let checked = check_part(
@@ -176,6 +173,26 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
     }
     report.diagnostics = diagnostics;
     Ok(report)
+}
+
+/// The shaders of a text, checked.
+pub(super) fn programs(name: &str, text: &str, world: World) -> Result<Vec<Program>, Unread> {
+    let decision = decide(name, text, world.options.claim);
+    let mut read = read(name, text, world, decision)?;
+    let hosts = hosts(&read, name, world);
+    let sources = &mut read.sources;
+    let all = read.parts.iter_mut();
+    let checked = all.filter_map(|part| understand(sources, part, &hosts, world.options));
+    Ok(checked.map(|c| c.analysis.program).collect())
+}
+
+/// What may complete the shaders of a text.
+fn hosts<'a>(read: &Read, name: &'a str, world: World<'a>) -> Hosts<'a> {
+    let script = read.file.and_then(|id| read.sources.file(id));
+    let script = script
+        .filter(|_| !read.embedded.is_empty())
+        .map(|f| f.text.clone());
+    Hosts::new(name, script, world)
 }
 
 /// An input, split into shaders.

@@ -29,6 +29,7 @@ pub use mend::{Offer, mend, offer};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Options};
 pub use part::Shader;
 
+use crate::semantic::Program;
 use crate::text::{Content, Encoding};
 
 /// Finds what is to be said of a text. `name` is its path, whose ending tells what it may be and
@@ -61,6 +62,20 @@ pub fn check_content(
 ) -> Report {
     let world = World { options, files };
     document::judge(name, &content.text, content.encoding, world)
+}
+
+/// The shaders of a text, as they are understood, and nothing said of them: for tools that show what
+/// becomes of a shader.
+///
+/// # Errors
+/// The text is nothing that is read.
+pub fn programs(
+    name: &str,
+    text: &str,
+    options: &Options,
+    files: &dyn Files,
+) -> Result<Vec<Program>, Unread> {
+    document::programs(name, text, World { options, files })
 }
 
 /// What a text is judged with.

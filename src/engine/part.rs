@@ -60,7 +60,7 @@ impl Part {
 }
 
 /// Finds what is to be said of a shader, and says what was looked at; of one with errors also what
-/// was judged at all. Where it lacks something, its host is looked for first.
+/// was judged at all.
 pub fn check_part(
     sources: &mut Arc<Sources>,
     part: &mut Part,
@@ -69,6 +69,24 @@ pub fn check_part(
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(Shader, Option<Judged>)> {
+    let checked = understand(sources, part, hosts, options)?;
+    tell_part(
+        sources,
+        part,
+        checked,
+        &options.settings,
+        allows,
+        diagnostics,
+    )
+}
+
+/// Checks a shader. Where it lacks something, its host is looked for first.
+pub(super) fn understand(
+    sources: &mut Arc<Sources>,
+    part: &mut Part,
+    hosts: &Hosts,
+    options: &Options,
+) -> Option<Checked> {
     let is_open = options.dialect == DialectChoice::Auto
         && options.host.preset.is_none()
         && !part.readings.is_shadertoy();
@@ -78,28 +96,13 @@ pub fn check_part(
         hosts.of(&lacking, &part.readings)
     });
     if presets.is_empty() {
-        return tell_part(
-            sources,
-            part,
-            checked,
-            &options.settings,
-            allows,
-            diagnostics,
-        );
+        return Some(checked);
     }
     drop(checked);
     part.readings
         .host(Arc::make_mut(sources), &presets, options)?;
     part.readings.is_guessed = !is_sure;
-    let checked = part.readings.check(sources, part.infer_channels)?;
-    tell_part(
-        sources,
-        part,
-        checked,
-        &options.settings,
-        allows,
-        diagnostics,
-    )
+    part.readings.check(sources, part.infer_channels)
 }
 
 /// Runs the rules over a shader that was checked, and gathers what is to be said.

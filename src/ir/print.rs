@@ -30,8 +30,9 @@ pub fn print(program: &Program, module: &Module) -> String {
         out: String::new(),
     };
     printer.globals();
-    for (i, function) in module.functions.iter().enumerate() {
-        let id = FunctionRef(i as u32);
+    let mut functions: Vec<_> = (0..).map(FunctionRef).zip(&module.functions).collect();
+    functions.sort_by_key(|(_, function)| function.ops.first);
+    for (id, function) in functions {
         let declared = program.function(id).and_then(|f| f.definition);
         let token = declared.and_then(|d| program.tree.function(d));
         if token.is_some_and(|f| printer.is_users(f.ident.token)) {
@@ -255,10 +256,16 @@ impl Printer<'_> {
                     otherwise,
                     origin,
                 } => {
-                    let head = format!("if {} {{", self.value(condition).0);
+                    let is_turned = module.steps(then).is_empty();
+                    let head = match is_turned {
+                        true => format!("if !{} {{", self.tight(condition)),
+                        false => format!("if {} {{", self.value(condition).0),
+                    };
                     self.put(depth, &head, self.token(origin));
                     self.region(then, depth + 1, None);
-                    if !module.steps(otherwise).is_empty() {
+                    if is_turned {
+                        self.region(otherwise, depth + 1, None);
+                    } else if !module.steps(otherwise).is_empty() {
                         self.put(depth, "} else {", None);
                         self.region(otherwise, depth + 1, None);
                     }
@@ -403,7 +410,7 @@ impl Printer<'_> {
                 let value = self.value(value).0;
                 let to = self.place(place);
                 match origin {
-                    Origin::Declaration(_) if self.module.place(place).path.len == 0 => {
+                    Origin::Declaration(_) if self.is_local(place) => {
                         let ty = self.program.type_name(self.module.place(place).ty);
                         format!("local {to}: {ty} = {value}")
                     }
@@ -423,6 +430,11 @@ impl Printer<'_> {
             }
         };
         self.put(depth, &text, self.token(origin));
+    }
+
+    fn is_local(&self, place: PlaceId) -> bool {
+        let variable = self.module.variable(self.module.place(place).variable);
+        variable.is_some_and(|v| v.root == Root::Local)
     }
 
     /// A value where it is used.

@@ -165,6 +165,13 @@ pub enum Command {
     },
     /// Make a shader small while what is reported of it stays
     Reduce(super::reduce::Args),
+    /// Print what a shader becomes before it is looked at
+    #[command(hide = true)]
+    Ir {
+        /// The shader
+        #[arg(value_name = "FILE")]
+        file: PathBuf,
+    },
     /// Print the completions for a shell
     Completions {
         /// The shell

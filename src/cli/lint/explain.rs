@@ -1,4 +1,4 @@
-//! `explain`, `rules`, `completions`, `man`, `schema`; `reduce` has a file of its own.
+//! `explain`, `rules`, `completions`, `man`, `schema`; `reduce` and `ir` have files of their own.
 
 use super::super::{CLEAN, FAILED};
 use super::args::{Args, Command, ListFormat};
@@ -19,6 +19,7 @@ pub fn run(command: &Command) -> io::Result<u8> {
     match command {
         Command::Explain { name } => return explain(name),
         Command::Reduce(args) => return super::reduce::run(args),
+        Command::Ir { file } => return super::middle::run(file),
         Command::Rules { format } => match format {
             ListFormat::Human => text.extend_from_slice(rules().as_bytes()),
             ListFormat::Json => {

@@ -5,6 +5,7 @@ mod baseline;
 mod examine;
 mod explain;
 mod mend;
+mod middle;
 mod reduce;
 mod verbose;
 mod watch;

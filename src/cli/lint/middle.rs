@@ -1,0 +1,34 @@
+//! `ir`: the middle form of a shader, for whoever works on the analyses.
+
+use super::super::{CLEAN, FAILED};
+use super::complain;
+use crate::engine::{NoFiles, Options, programs};
+use crate::ir::{lower, print, verify};
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Prints the middle form of each shader of a file, and gives the exit code.
+pub fn run(file: &Path) -> io::Result<u8> {
+    let name = file.display().to_string();
+    let text = fs::read_to_string(file).map_err(|e| io::Error::other(format!("{name}: {e}")))?;
+    let programs = match programs(&name, &text, &Options::default(), &NoFiles) {
+        Ok(programs) => programs,
+        Err(unread) => {
+            complain(&format!("{name}: {unread}"));
+            return Ok(FAILED);
+        }
+    };
+    let mut code = CLEAN;
+    let printed = programs.iter().map(|program| {
+        let module = lower(program);
+        for problem in verify(program, &module) {
+            complain(&format!("{name}: not well-formed: {problem}"));
+            code = FAILED;
+        }
+        print(program, &module)
+    });
+    let text = printed.collect::<Vec<_>>().join("\n");
+    io::stdout().lock().write_all(text.as_bytes())?;
+    Ok(code)
+}
