@@ -5,7 +5,6 @@ use super::{
     Access, Case, Function, Label, Lanes, Loop, Module, Op, OpId, OpKind, Origin, PlaceId, Region,
     Root, Run, Step, Switch, Unary,
 };
-use crate::semantic::builtins::Builtins;
 use crate::semantic::{FunctionRef, Program, Type, Value, VariableId};
 use crate::syntax::ast::{List, TokenId};
 use rustc_hash::FxHashMap;
@@ -22,7 +21,6 @@ pub fn print(program: &Program, module: &Module) -> String {
     let mut printer = Printer {
         program,
         module,
-        builtins: Builtins::of(program.version, program.stage),
         uses: uses(module),
         nested: vec![false; module.ops.len()],
         names: FxHashMap::default(),
@@ -86,7 +84,6 @@ enum Bound {
 struct Printer<'a> {
     program: &'a Program,
     module: &'a Module,
-    builtins: &'static Builtins,
     uses: Vec<u32>,
     /// By operation: whether it stands in the line of its use.
     nested: Vec<bool>,
@@ -517,10 +514,8 @@ impl Printer<'_> {
             OpKind::ExtractComputed { base, index } => {
                 format!("{}[{}]", self.tight(base), self.value(index).0)
             }
-            OpKind::Builtin(overload, list) => {
-                let overload = self.builtins.overload(overload);
-                let name = overload.map_or("?", |o| o.function.name());
-                format!("{name}({})", self.values(list))
+            OpKind::Builtin(function, list) => {
+                format!("{}({})", function.name(), self.values(list))
             }
             OpKind::Call(callee, list) => {
                 let function = self.program.function(callee);

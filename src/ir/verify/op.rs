@@ -2,6 +2,7 @@
 
 use super::{Verifier, place};
 use crate::ir::{Binary, Module, OpId, OpKind, PlaceId, Root, Unary};
+use crate::semantic::builtins::{BuiltinId, Overload};
 use crate::semantic::{Direction, FunctionRef, Scalar, Type};
 use crate::syntax::ast::List;
 
@@ -96,7 +97,7 @@ pub(super) fn check(v: &Verifier<'_>, id: OpId) -> Checked {
                 None => Err(format!("{} has no elements", v.name(ty(base)))),
             }
         }
-        OpKind::Builtin(overload, arguments) => builtin(v, op.ty, overload, arguments),
+        OpKind::Builtin(function, arguments) => builtin(v, op.ty, function, arguments),
         OpKind::Call(callee, arguments) => call(v, op.ty, callee, arguments),
         OpKind::Returned(call, number) => returned(v, op.ty, call, number),
     }
@@ -249,14 +250,23 @@ fn each_takes(v: &Verifier<'_>, list: List, needed: impl Iterator<Item = Type>) 
     pairs.try_for_each(|(&argument, needed)| takes(v, v.module.ty(argument), needed))
 }
 
-fn builtin(v: &Verifier<'_>, ty: Type, overload: u32, arguments: List) -> Checked {
-    let Some(overload) = v.builtins.overload(overload) else {
-        return Err(format!("there is no built-in function {overload}"));
+/// The form of a built-in function that takes these operands.
+fn form<'v>(v: &'v Verifier<'_>, function: BuiltinId, arguments: List) -> Option<&'v Overload> {
+    let arguments = v.module.operands(arguments);
+    let takes_them = |overload: &&Overload| {
+        let params = overload.params().iter().enumerate();
+        let read = params.filter(|(i, _)| !overload.writes(*i));
+        let mut pairs = arguments.iter().zip(read.clone());
+        read.count() == arguments.len() && pairs.all(|(a, (_, ty))| fits(v.module.ty(*a), *ty))
     };
-    let params = overload.params().iter().enumerate();
-    let read = params.filter(|(i, _)| !overload.writes(*i));
-    each_takes(v, arguments, read.map(|(_, ty)| *ty))?;
-    gives(v, ty, overload.returns)
+    v.builtins.overloads_of(function).1.iter().find(takes_them)
+}
+
+fn builtin(v: &Verifier<'_>, ty: Type, function: BuiltinId, arguments: List) -> Checked {
+    match form(v, function, arguments) {
+        Some(overload) => gives(v, ty, overload.returns),
+        None => Err(format!("`{}` does not take its operands", function.name())),
+    }
 }
 
 fn call(v: &Verifier<'_>, ty: Type, callee: FunctionRef, arguments: List) -> Checked {
@@ -281,9 +291,9 @@ fn returned(v: &Verifier<'_>, ty: Type, call: OpId, number: u32) -> Checked {
             let param = params.and_then(|p| p.get(number as usize));
             param.filter(|p| p.direction.writes()).map(|p| p.ty)
         }
-        OpKind::Builtin(overload, _) => {
-            let overload = v.builtins.overload(overload);
-            let written = overload.filter(|o| number < o.count as u32 && o.writes(number as usize));
+        OpKind::Builtin(function, arguments) => {
+            let written = form(v, function, arguments)
+                .filter(|o| number < o.count as u32 && o.writes(number as usize));
             written.and_then(|o| o.params().get(number as usize).copied())
         }
         _ => None,
