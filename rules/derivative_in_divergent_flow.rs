@@ -1,10 +1,11 @@
 //! Derivatives in code that only some pixels run.
 
 use crate::diagnostic::Severity;
+use crate::flow::{ControlId, Parted, Varying};
+use crate::ir::{OpId, Origin};
 use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::flow::{Parted, Varying};
-use crate::semantic::{BuiltinId, Program, Storage};
-use crate::syntax::ast::{ExprId, StmtId, StmtKind};
+use crate::semantic::{BuiltinId, Storage};
+use crate::syntax::ast::StmtKind;
 use crate::text::Span;
 
 pub static RULE: Rule = Rule {
@@ -24,15 +25,15 @@ const MAX_FINDINGS: usize = 8;
 
 fn check(cx: &mut Context) {
     let facts = cx.facts;
-    let program = cx.program;
     let branched = facts.gradients().iter().filter_map(|g| match g.parted {
-        Parted::Branch(stmt) => Some((g, stmt)),
+        Parted::Branch(control) => Some((g, control)),
         Parted::Loop(_) => None,
     });
-    for (gradient, stmt) in branched.take(MAX_FINDINGS) {
-        let labels = labels(cx, stmt);
+    for (gradient, control) in branched.take(MAX_FINDINGS) {
+        let labels = labels(cx, control);
+        let help = help(cx, gradient.call, gradient.function);
         let name = gradient.function.name();
-        let mut finding = cx.report_expr(
+        let mut finding = cx.report_op(
             gradient.call,
             format!("`{name}` compares neighbouring pixels, but only some of them run this"),
         );
@@ -42,7 +43,7 @@ fn check(cx: &mut Context) {
         let finding = finding.note(
             "its derivatives are undefined here: seams and single wrong pixels along the edge",
         );
-        match help(program, gradient.call, gradient.function) {
+        match help {
             Some(help) => finding.help(help),
             None => finding.help("compute it before the branch"),
         };
@@ -50,8 +51,11 @@ fn check(cx: &mut Context) {
 }
 
 /// What to write instead of a texture call.
-fn help(program: &Program, call: ExprId, function: BuiltinId) -> Option<String> {
-    let text = program.expr_text(call);
+fn help(cx: &Context, call: OpId, function: BuiltinId) -> Option<String> {
+    let Origin::Expr(call) = cx.facts.module().origin(call) else {
+        return None;
+    };
+    let text = cx.program.expr_text(call);
     let is_short = text.len() < 60 && !text.contains('\n');
     let rest = text
         .strip_prefix("texture(")
@@ -63,25 +67,30 @@ fn help(program: &Program, call: ExprId, function: BuiltinId) -> Option<String> 
 }
 
 /// The way from the branch back to what differs: first the condition, last the source.
-fn labels(cx: &Context, stmt: StmtId) -> Vec<(Span, String)> {
-    let program = cx.program;
+fn labels(cx: &Context, control: ControlId) -> Vec<(Span, String)> {
+    let (program, facts) = (cx.program, cx.facts);
     let mut labels: Vec<(Span, String)> = Vec::new();
     let mut last_variable = None;
     let mut has_condition = false;
-    for why in cx.facts.uniformity().why(Varying::Stmt(stmt)) {
+    for why in facts.uniformity().why(Varying::Control(control)) {
         match why {
-            Varying::Expr(e) => {
-                let structure = cx.facts.structure();
-                let is_whole = structure.parent(e).is_none();
-                let of = structure.stmt_of(e);
-                if is_whole && !has_condition && of.is_some_and(|s| decides(cx, s)) {
-                    has_condition = true;
+            // The first value on the way is what the code hangs on.
+            Varying::Value(op) if !has_condition => {
+                has_condition = true;
+                if let Origin::Expr(e) = facts.module().origin(op) {
                     labels.push((program.expr_span(e), "not the same for all pixels".into()));
                 }
             }
-            Varying::Behind(s) if matches!(program.tree.stmt(s).kind, StmtKind::Return(_)) => {
-                let span = program.span(program.tree.stmt(s).extent);
-                labels.push((span, "some pixels leave here".into()));
+            Varying::Parting(p) => {
+                let left = facts.uniformity().parting(p).and_then(|p| p.left_at);
+                if let Some(stmt) = left.map(|s| program.tree.stmt(s))
+                    && matches!(stmt.kind, StmtKind::Return(_))
+                {
+                    let span = program.span(stmt.extent);
+                    if labels.iter().all(|(known, _)| *known != span) {
+                        labels.push((span, "some pixels leave here".into()));
+                    }
+                }
             }
             Varying::Variable(v) if has_condition => last_variable = Some(v),
             _ => {}
@@ -106,21 +115,4 @@ fn labels(cx: &Context, stmt: StmtId) -> Vec<(Span, String)> {
         }
     }
     labels
-}
-
-/// Whether a statement is a condition: that of an `if`, a `switch` or a loop.
-fn decides(cx: &Context, stmt: StmtId) -> bool {
-    let tree = &cx.program.tree;
-    match tree.stmt(stmt).kind {
-        StmtKind::If { .. } | StmtKind::Switch { .. } | StmtKind::Do { .. } => true,
-        StmtKind::Expr(_) => {
-            let outer = cx.facts.structure().outer(stmt);
-            outer.is_some_and(|o| match tree.stmt(o).kind {
-                StmtKind::For { condition, .. } => condition == Some(stmt),
-                StmtKind::While { condition, .. } => condition == stmt,
-                _ => false,
-            })
-        }
-        _ => false,
-    }
 }

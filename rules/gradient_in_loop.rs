@@ -1,8 +1,8 @@
 //! Textures with derivatives inside loops that pixels leave apart.
 
 use crate::diagnostic::Severity;
+use crate::flow::Parted;
 use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::flow::Parted;
 use crate::syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
@@ -22,14 +22,14 @@ fn check(cx: &mut Context) {
     let facts = cx.facts;
     let program = cx.program;
     let looped = facts.gradients().iter().filter_map(|g| match g.parted {
-        Parted::Loop(stmt) => Some((g, stmt)),
+        Parted::Loop(looped) => Some((g, facts.module().looped(looped)?.stmt)),
         Parted::Branch(_) => None,
     });
     for (gradient, stmt) in looped.take(MAX_FINDINGS) {
         let head = program.span(Extent::token(program.tree.stmt(stmt).extent.first));
         let name = gradient.function.name();
         let finding = cx
-            .report_expr(
+            .report_op(
                 gradient.call,
                 format!("`{name}` takes derivatives in a loop that pixels leave apart"),
             )

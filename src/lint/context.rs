@@ -2,6 +2,7 @@
 
 use super::{Facts, Rule, Settings};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
+use crate::ir::{self, OpId};
 use crate::semantic::Program;
 use crate::syntax::ast::{ExprId, ExprKind, Extent, TokenId};
 use crate::text::{Role, Span};
@@ -74,6 +75,17 @@ impl<'p> Context<'_, 'p> {
     /// Reports a finding at an expression.
     pub fn report_expr(&mut self, expr: ExprId, message: impl Into<String>) -> Finding<'_> {
         let extent = self.program.tree.expr(expr).extent;
+        self.report(extent, message)
+    }
+
+    /// Reports a finding at what an operation comes from.
+    pub fn report_op(&mut self, op: OpId, message: impl Into<String>) -> Finding<'_> {
+        let extent = match self.facts.module().origin(op) {
+            ir::Origin::Expr(expr) => self.program.tree.expr(expr).extent,
+            ir::Origin::Declaration(token) => Extent::token(token),
+            ir::Origin::Stmt(stmt) => self.program.tree.stmt(stmt).extent,
+            ir::Origin::Language => Extent::default(),
+        };
         self.report(extent, message)
     }
 

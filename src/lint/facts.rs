@@ -3,11 +3,11 @@
 use super::broken::Broken;
 use super::march::{March, marches};
 use super::words::{Counts, Unseen};
+use crate::flow::{Gradient, Uniformity, gradients};
 use crate::ir::{Module, lower};
 use crate::semantic::flow::range::{Evaluator, Range, Ranges};
 use crate::semantic::flow::{
-    CallGraph, Effects, Gradient, Loops, Mentions, Paths, Purity, Reach, Structure, Uniformity,
-    Usage, Work, gradients,
+    CallGraph, Effects, Loops, Mentions, Paths, Purity, Reach, Structure, Usage, Work,
 };
 use crate::semantic::{FunctionRef, Program, Stage};
 use crate::syntax::ast::ExprId;
@@ -111,28 +111,18 @@ impl<'a> Facts<'a> {
     /// What differs from pixel to pixel; nothing does where nothing draws pixels.
     pub fn uniformity(&self) -> &Uniformity {
         self.uniformity.get_or_init(|| {
-            let entry = self
-                .entry()
-                .filter(|_| self.program.stage == Stage::Fragment);
-            entry.map_or_else(Uniformity::default, |entry| {
-                let (structure, calls) = (self.structure(), self.calls());
-                Uniformity::of(self.program, structure, calls, self.mentions(), entry)
-            })
+            let has_pixels = self.program.stage == Stage::Fragment && self.entry().is_some();
+            match has_pixels {
+                true => Uniformity::of(self.module()),
+                false => Uniformity::default(),
+            }
         })
     }
 
     /// The calls that take derivatives where neighbouring pixels may have parted.
     pub fn gradients(&self) -> &[Gradient] {
-        self.gradients.get_or_init(|| {
-            let (structure, calls) = (self.structure(), self.calls());
-            gradients(
-                self.program,
-                structure,
-                calls,
-                self.loops(),
-                self.uniformity(),
-            )
-        })
+        self.gradients
+            .get_or_init(|| gradients(self.module(), self.uniformity()))
     }
 
     /// The loops that march along a ray.

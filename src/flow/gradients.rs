@@ -1,0 +1,109 @@
+//! Calls that take derivatives between neighbouring pixels, and the code that parts the pixels.
+
+use super::uniformity::{ControlId, Uniformity, Varying};
+use crate::ir::{LoopId, Module, OpId, OpKind};
+use crate::semantic::{BuiltinId, FunctionRef};
+
+/// A call that compares neighbouring pixels, in code that not all of them run.
+#[derive(Clone, Copy, Debug)]
+pub struct Gradient {
+    /// The call.
+    pub call: OpId,
+    /// The built-in function.
+    pub function: BuiltinId,
+    /// What parts the pixels.
+    pub parted: Parted,
+}
+
+/// What parts neighbouring pixels.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Parted {
+    /// A loop that some leave before others; the call stands in it, or in a function that is called
+    /// from it.
+    Loop(LoopId),
+    /// A branch, or a return before.
+    Branch(ControlId),
+}
+
+/// The calls that take derivatives where the pixels may have parted, in the order of evaluation.
+pub fn gradients(module: &Module, uniformity: &Uniformity) -> Vec<Gradient> {
+    let mut found = Vec::new();
+    let mut looped: Option<Vec<Option<LoopId>>> = None;
+    for call in (0..module.ops.len() as u32).map(OpId) {
+        let OpKind::Builtin(function, operands) = module.op(call).kind else {
+            continue;
+        };
+        // What is the same everywhere has no slope; a sampler always is.
+        let is_compared = || {
+            let mut operands = module.operands(operands).iter();
+            operands.any(|o| uniformity.varies(Varying::Value(*o)))
+        };
+        if !function.kind().takes_derivatives() || !uniformity.is_divergent(call) || !is_compared()
+        {
+            continue;
+        }
+        let Some(control) = uniformity.control_of(call) else {
+            continue;
+        };
+        let around = loop_around(uniformity, control).or_else(|| {
+            let from = looped.get_or_insert_with(|| called_from(module, uniformity));
+            let function = uniformity.control(control)?.function?;
+            from.get(function.0 as usize).copied().flatten()
+        });
+        found.push(Gradient {
+            call,
+            function,
+            parted: around.map_or(Parted::Branch(control), Parted::Loop),
+        });
+    }
+    found
+}
+
+/// The innermost loop around code that some pixels leave before others.
+fn loop_around(uniformity: &Uniformity, control: ControlId) -> Option<LoopId> {
+    let mut at = uniformity.control(control)?.looped;
+    while let Some(looped) = at {
+        let turns = uniformity.turns(looped)?;
+        // A loop that only some pixels reach is not yet one that they leave apart.
+        let parting = uniformity.control(turns.inside)?.parting;
+        if parting.is_some_and(|p| uniformity.varies(Varying::Parting(p))) {
+            return Some(looped);
+        }
+        at = uniformity.control(turns.outside)?.looped;
+    }
+    None
+}
+
+/// By function: a loop that pixels leave apart from which it is called, directly or not.
+fn called_from(module: &Module, uniformity: &Uniformity) -> Vec<Option<LoopId>> {
+    let mut calls: Vec<(FunctionRef, FunctionRef, Option<LoopId>)> = Vec::new();
+    for op in (0..module.ops.len() as u32).map(OpId) {
+        if let OpKind::Call(callee, _) = module.op(op).kind
+            && let Some(control) = uniformity.control_of(op)
+            && let Some(caller) = uniformity.control(control).and_then(|c| c.function)
+        {
+            calls.push((caller, callee, loop_around(uniformity, control)));
+        }
+    }
+    let mut from: Vec<Option<LoopId>> = vec![None; module.functions.len()];
+    let mut todo: Vec<FunctionRef> = Vec::new();
+    for &(_, callee, looped) in &calls {
+        if let (Some(looped), Some(slot @ None)) = (looped, from.get_mut(callee.0 as usize)) {
+            *slot = Some(looped);
+            todo.push(callee);
+        }
+    }
+    calls.sort_by_key(|(caller, ..)| *caller);
+    while let Some(next) = todo.pop() {
+        let handed = from.get(next.0 as usize).copied().flatten();
+        let start = calls.partition_point(|(caller, ..)| *caller < next);
+        let own = calls.get(start..).unwrap_or(&[]).iter();
+        for &(_, callee, _) in own.take_while(|(caller, ..)| *caller == next) {
+            if let Some(slot @ None) = from.get_mut(callee.0 as usize) {
+                *slot = handed;
+                todo.push(callee);
+            }
+        }
+    }
+    from
+}
