@@ -21,6 +21,7 @@ mod settle;
 pub mod snippet;
 pub mod tunable;
 mod types;
+mod typing;
 mod unit;
 
 pub use builtins::{BuiltinId, Stage};

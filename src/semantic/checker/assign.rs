@@ -1,6 +1,5 @@
 //! Assignments, initializers, and what can be assigned to (GLSL ES 3.00 sections 5.8 and 4.3).
 
-use super::binary::Misfit;
 use super::qualifier::{Qualified, Wanted};
 use super::*;
 
@@ -35,31 +34,15 @@ impl Checker<'_> {
             };
         }
         let fits = match op {
-            None => self.assignable_type(l.ty, r.ty),
-            Some(op) => self.binary_type(op, l.ty, r.ty, true).map(|_| ()),
+            None => typing::assign(self.types(), l.ty, r.ty),
+            Some(op) => typing::compound(self.types(), op, l.ty, r.ty).map(|_| ()),
         };
         if let Err(misfit) = fits {
-            let d = match op {
-                None => self.explain_assignment(id, left, right, misfit),
-                Some(op) => self.explain_operands(id, op, left, right, misfit),
-            };
-            self.report(d);
+            self.refuse(id, &[left, right], misfit);
         }
         ExprInfo {
             is_const: false,
             ..self.result(l.ty, [l, r], Constant::NONE)
-        }
-    }
-
-    /// Whether a value of type `r` can be put into a variable of type `l`.
-    pub(super) fn assignable_type(&self, l: Type, r: Type) -> Result<(), Misfit> {
-        self.check_aggregates(false, true, l, r)?;
-        if l == r {
-            return Ok(());
-        }
-        match (l.element().scalar_kind(), r.element().scalar_kind()) {
-            (Some(a), Some(b)) if a != b => Err(Misfit::Scalars),
-            _ => Err(Misfit::Shape),
         }
     }
 
@@ -102,7 +85,7 @@ impl Checker<'_> {
             self.report(d);
             return true;
         }
-        if let Err(misfit) = self.assignable_type(ty, info.ty) {
+        if let Err(misfit) = typing::assign(self.types(), ty, info.ty) {
             let d = self.explain_initializer(declarator, spec, ty, init, misfit);
             self.report(d);
             return false;

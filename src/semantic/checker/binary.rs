@@ -4,35 +4,6 @@ use super::super::constant::Value;
 use super::*;
 use std::cmp::Ordering;
 
-/// Why two operands do not fit an operator.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(in crate::semantic) enum Misfit {
-    /// One has no value.
-    Void,
-    /// One is a sampler.
-    Sampler,
-    /// One is a struct or block and the operator is not for those, or they are of two types.
-    Struct,
-    /// A struct that holds an array or a sampler cannot be compared or assigned.
-    StructInside,
-    /// One is an array, the other is not; or arrays have no such operator.
-    Array,
-    /// Two arrays of different sizes.
-    ArraySize,
-    /// `int`, `uint`, `float` or `bool` mixed.
-    Scalars,
-    /// Vectors or matrices of sizes that do not fit.
-    Shape,
-    /// The operator is for integers.
-    NeedsInteger,
-    /// The operator is for numbers.
-    NeedsNumber,
-    /// The operator is for single truth values.
-    NeedsBool,
-    /// The operator compares single numbers.
-    NeedsScalar,
-}
-
 impl Checker<'_> {
     pub(super) fn binary(
         &mut self,
@@ -53,7 +24,7 @@ impl Checker<'_> {
                 &format!("the operator `{}`", op.symbol()),
             );
         }
-        match self.binary_type(op, l.ty, r.ty, false) {
+        match typing::binary(self.types(), op, l.ty, r.ty) {
             Ok(ty) => {
                 let constant = if l.is_const && r.is_const {
                     self.fold_binary(op, l, r)
@@ -63,8 +34,7 @@ impl Checker<'_> {
                 self.result(ty, [l, r], constant)
             }
             Err(misfit) => {
-                let d = self.explain_operands(id, op, left, right, misfit);
-                self.report(d);
+                self.refuse(id, &[left, right], misfit);
                 self.poisoned(op)
             }
         }
@@ -80,122 +50,6 @@ impl Checker<'_> {
         } else {
             ExprInfo::ERROR
         }
-    }
-
-    /// Type of `l op r`. `assigns` is set for `l op= r`, where the result must fit `l`.
-    pub(super) fn binary_type(
-        &self,
-        op: BinaryOp,
-        l: Type,
-        r: Type,
-        assigns: bool,
-    ) -> Result<Type, Misfit> {
-        use BinaryOp as B;
-        self.check_aggregates(matches!(op, B::Equal | B::NotEqual), false, l, r)?;
-        if l.is_array() || matches!(l.base, Base::Struct(_)) {
-            return Ok(Type::BOOL);
-        }
-        let (Some((ls, lc, lr)), Some((rs, rc, rr))) = (l.numeric(), r.numeric()) else {
-            return Err(Misfit::Struct);
-        };
-        let is_shift = matches!(op, B::ShiftLeft | B::ShiftRight);
-        if op.is_bitwise() && (!ls.is_integer() || (is_shift && !rs.is_integer())) {
-            return Err(Misfit::NeedsInteger);
-        }
-        if ls != rs && !is_shift {
-            return Err(Misfit::Scalars);
-        }
-        let same_shape = (lc, lr) == (rc, rr);
-        match op {
-            B::Equal | B::NotEqual => {
-                if same_shape {
-                    Ok(Type::BOOL)
-                } else {
-                    Err(Misfit::Shape)
-                }
-            }
-            B::Less | B::Greater | B::LessEqual | B::GreaterEqual => {
-                if !l.is_scalar() || !r.is_scalar() {
-                    Err(Misfit::NeedsScalar)
-                } else if ls == Scalar::Bool {
-                    Err(Misfit::NeedsNumber)
-                } else {
-                    Ok(Type::BOOL)
-                }
-            }
-            B::And | B::Or | B::Xor => {
-                if l == Type::BOOL && r == Type::BOOL {
-                    Ok(Type::BOOL)
-                } else {
-                    Err(Misfit::NeedsBool)
-                }
-            }
-            _ if ls == Scalar::Bool => Err(Misfit::NeedsNumber),
-            B::Mul => product(l, r, assigns).ok_or(Misfit::Shape),
-            B::Rem if !ls.is_integer() => Err(Misfit::NeedsInteger),
-            _ => {
-                let mixed = (l.is_matrix() && r.is_vector()) || (l.is_vector() && r.is_matrix());
-                if same_shape {
-                    Ok(l)
-                } else if mixed
-                    || !(l.is_scalar() || r.is_scalar())
-                    || (!r.is_scalar() && (assigns || is_shift))
-                {
-                    Err(Misfit::Shape)
-                } else {
-                    Ok(if l.is_scalar() { r } else { l })
-                }
-            }
-        }
-    }
-
-    /// What holds for every operator: no `void`, no sampler, structs and arrays only compared and
-    /// assigned.
-    pub(super) fn check_aggregates(
-        &self,
-        compares: bool,
-        assigns: bool,
-        l: Type,
-        r: Type,
-    ) -> Result<(), Misfit> {
-        if l.is_void() || r.is_void() {
-            return Err(Misfit::Void);
-        }
-        if l.is_sampler() || r.is_sampler() {
-            return Err(Misfit::Sampler);
-        }
-        let is_struct = |t: Type| matches!(t.base, Base::Struct(_) | Base::Block(_));
-        if is_struct(l) || is_struct(r) {
-            let is_block = matches!(l.base, Base::Block(_)) || matches!(r.base, Base::Block(_));
-            if is_block || !(compares || assigns) || l != r {
-                return Err(Misfit::Struct);
-            }
-            let inside = self.inside(l.element());
-            if (!self.has(Feature::ArrayValues) && inside.array) || inside.sampler {
-                return Err(Misfit::StructInside);
-            }
-        }
-        if l.is_array() != r.is_array() {
-            return Err(Misfit::Array);
-        }
-        if l.is_array() {
-            if !self.has(Feature::ArrayValues) || !(compares || assigns) {
-                return Err(Misfit::Array);
-            }
-            if l.array != r.array {
-                return Err(Misfit::ArraySize);
-            }
-            if l.base != r.base {
-                let scalars = |t: Type| t.element().scalar_kind();
-                let mixed = scalars(l) != scalars(r);
-                return Err(if mixed {
-                    Misfit::Scalars
-                } else {
-                    Misfit::Shape
-                });
-            }
-        }
-        Ok(())
     }
 
     pub(super) fn fold_binary(&mut self, op: BinaryOp, l: ExprInfo, r: ExprInfo) -> Constant {
@@ -232,23 +86,6 @@ impl Checker<'_> {
         };
         self.pool.add(values)
     }
-}
-
-/// Type of `l * r`, if they can be multiplied.
-fn product(l: Type, r: Type, assigns: bool) -> Option<Type> {
-    let ((scalar, lc, lr), (_, rc, rr)) = (l.numeric()?, r.numeric()?);
-    let result = match (l.is_matrix(), r.is_matrix()) {
-        (true, true) if lc == rr => Type::matrix(rc, lr),
-        (true, false) if r.is_vector() && lc == rr => Type::vector(scalar, lr),
-        (false, true) if l.is_vector() && lr == rr => Type::vector(scalar, rc),
-        (true, true) => return None,
-        (true, false) if r.is_vector() => return None,
-        (false, true) if l.is_vector() => return None,
-        _ if l.is_scalar() => r,
-        _ if r.is_scalar() || lr == rr => l,
-        _ => return None,
-    };
-    (!assigns || result == l).then_some(result)
 }
 
 /// `l * r` where one is a matrix; matrices are stored column by column.
@@ -389,18 +226,5 @@ mod tests {
             multiply(mat, &m, mat, &m),
             Some(values(&[7.0, 10.0, 15.0, 22.0]))
         );
-    }
-
-    #[test]
-    fn products_have_the_shape_that_section_5_9_gives() {
-        let vec = |n| Type::vector(Scalar::Float, n);
-        assert_eq!(product(Type::matrix(2, 3), vec(2), false), Some(vec(3)));
-        assert_eq!(product(vec(3), Type::matrix(2, 3), false), Some(vec(2)));
-        assert_eq!(
-            product(Type::matrix(2, 3), Type::matrix(4, 2), false),
-            Some(Type::matrix(4, 3))
-        );
-        assert_eq!(product(vec(2), vec(3), false), None);
-        assert_eq!(product(vec(3), Type::matrix(2, 3), true), None);
     }
 }

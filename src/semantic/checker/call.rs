@@ -3,8 +3,6 @@
 use super::super::builtins::{BuiltinId, BuiltinKind, Overload};
 use super::super::constant::Value;
 use super::*;
-use crate::diagnostic::Fix;
-use crate::text::Edit;
 
 /// Least and greatest offset of a texture lookup.
 const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
@@ -28,7 +26,8 @@ impl Checker<'_> {
             }
             Some(Binding::Error) => return ExprInfo::ERROR,
             Some(Binding::Variable(variable)) => {
-                self.call_of_variable(id, name, variable, args);
+                let d = self.explain_call_of_variable(id, name, variable, args);
+                self.report(d);
                 return ExprInfo::ERROR;
             }
             Some(Binding::Function) => {
@@ -62,56 +61,6 @@ impl Checker<'_> {
         let text = self.names.text(name);
         let slot = self.builtin_names.get_mut(index)?;
         *slot.get_or_insert_with(|| self.builtins.function(text))
-    }
-
-    fn call_of_variable(&mut self, id: ExprId, name: Name, variable: VariableId, args: List) {
-        let token = self.tree.expr(id).extent.first;
-        let text = self.text(name);
-        let d = self.error_at(
-            error::NOT_A_FUNCTION,
-            token,
-            format!("`{text}` is a variable, not a function"),
-        );
-        let declared = self
-            .variables
-            .get(variable.0 as usize)
-            .and_then(|v| v.token);
-        let d = self.with_declaration(d, declared, "declared here");
-        let d = match self.by_name.contains_key(&name) || self.builtins.function(text).is_some() {
-            true => d
-                .note("the variable hides the function of the same name")
-                .help("rename the variable"),
-            false => {
-                let product = self.product_of_call(token, variable, args);
-                d.fix(product.or_else(|| self.index_of_call(token, variable, args)))
-            }
-        };
-        self.report(d);
-    }
-
-    /// `a(0)`, where an element is meant.
-    fn index_of_call(&self, token: TokenId, variable: VariableId, args: List) -> Option<Fix> {
-        let &[arg] = self.tree.args(args) else {
-            return None;
-        };
-        let ty = self.variables.get(variable.0 as usize)?.ty;
-        let has_elements = ty.is_array() || ty.is_matrix() || ty.is_vector();
-        let is_index = matches!(self.ty(arg), Type::INT | Type::UINT);
-        (has_elements && is_index)
-            .then(|| self.other_brackets(token + 1, TokenKind::LeftParen, ("[", "]")))
-            .flatten()
-    }
-
-    /// `a (b + c)`, where a `*` was left out.
-    fn product_of_call(&self, token: TokenId, variable: VariableId, args: List) -> Option<Fix> {
-        let &[arg] = self.tree.args(args) else {
-            return None;
-        };
-        let ty = self.variables.get(variable.0 as usize)?.ty;
-        self.binary_type(BinaryOp::Mul, ty, self.ty(arg), false)
-            .ok()?;
-        let edit = Edit::insert(self.token_span(token).end, " * ");
-        Some(Fix::suggestion("multiply with `*`", vec![edit]))
     }
 
     /// A call of the shader's own function, if one has these parameters.
@@ -159,15 +108,10 @@ impl Checker<'_> {
     /// The result of a call that fits no function of the name: known if all return the same.
     fn result_of_any(&self, name: Name) -> ExprInfo {
         let all = self.by_name.get(&name).map_or(&[][..], Vec::as_slice);
-        let mut returns = all
-            .iter()
-            .filter_map(|f| self.functions.get(f.0 as usize))
-            .map(|f| f.returns);
-        let Some(first) = returns.next() else {
-            return ExprInfo::ERROR;
-        };
-        let same = returns.all(|r| r == first) && self.builtins.function(self.text(name)).is_none();
-        let ty = if same { first } else { Type::ERROR };
+        let functions = all.iter().filter_map(|f| self.functions.get(f.0 as usize));
+        let common = typing::common(functions.map(|f| f.returns));
+        let is_builtin = self.builtins.function(self.text(name)).is_some();
+        let ty = common.filter(|_| !is_builtin).unwrap_or(Type::ERROR);
         ExprInfo {
             ty,
             ..ExprInfo::ERROR
@@ -248,18 +192,8 @@ impl Checker<'_> {
 
     fn builtin_result_of_any(&self, function: BuiltinId, count: usize) -> ExprInfo {
         let (_, overloads) = self.builtins.overloads_of(function);
-        let mut returns = overloads
-            .iter()
-            .filter(|o| o.params().len() == count)
-            .map(|o| o.returns);
-        let Some(first) = returns.next() else {
-            return ExprInfo::ERROR;
-        };
-        let ty = if returns.all(|r| r == first) {
-            first
-        } else {
-            Type::ERROR
-        };
+        let fitting = overloads.iter().filter(|o| o.params().len() == count);
+        let ty = typing::common(fitting.map(|o| o.returns)).unwrap_or(Type::ERROR);
         ExprInfo {
             ty,
             ..ExprInfo::ERROR

@@ -188,8 +188,7 @@ impl<'a> Checker<'a> {
 
     /// What lies inside a type.
     pub(super) fn inside(&self, ty: Type) -> Inside {
-        let record = |id: u32| self.structs.get(id as usize).map(|s| s.inside);
-        Inside::of(ty, |id| record(id).unwrap_or_default())
+        self.types().inside(ty)
     }
 
     fn bad_interface_struct(&self, ty: Type) -> Option<&'static str> {

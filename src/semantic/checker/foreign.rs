@@ -131,7 +131,7 @@ impl Checker<'_> {
                     .map(|o| o.returns)
             }),
             (Meaning::Code("($1 * $2)", _), &[l, r]) => {
-                self.binary_type(BinaryOp::Mul, l, r, false).ok()
+                typing::binary(self.types(), BinaryOp::Mul, l, r).ok()
             }
             (Meaning::Code(code, _) | Meaning::Nearly(code, ..), &[first, ..]) => {
                 let keeps = !["tex", "int", "!", "($1 <"]

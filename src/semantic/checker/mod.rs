@@ -28,12 +28,12 @@ use super::dialect::{Channels, Dialect};
 use super::program::*;
 use super::scope::{Binding, Scopes};
 use super::types::*;
+use super::typing::{self, Member, Misfit, Types};
 use crate::diagnostic::{Diagnostic, error};
 use crate::semantic::BuiltinId;
 use crate::syntax::ast::*;
 use crate::syntax::{Feature, Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
 use crate::text::{Role, Sources, Span};
-pub(super) use binary::Misfit;
 use doubt::{Doubts, settle};
 use finish::LoopCheck;
 pub(super) use names::LEGACY_FUNCTIONS;
@@ -287,6 +287,14 @@ impl<'a> Checker<'a> {
         let left = self.advice.get().checked_sub(looks);
         self.advice.set(left.unwrap_or(0));
         left.is_some()
+    }
+
+    /// What types mean in this shader.
+    pub(super) fn types(&self) -> Types<'_> {
+        Types {
+            structs: &self.structs,
+            version: self.version,
+        }
     }
 
     /// Whether the version of the language has something.

@@ -3,8 +3,6 @@
 use super::super::constant::Value;
 use super::finish::LoopCheck;
 use super::*;
-use crate::diagnostic::Fix;
-use crate::text::Edit;
 
 /// How deep the checker follows statements; the parser stops before.
 const MAX_DEPTH: u32 = 400;
@@ -196,10 +194,15 @@ impl Checker<'_> {
     fn condition(&mut self, expr: ExprId, what: &str) {
         self.root(expr, self.level + 1);
         let ty = self.ty(expr);
-        if !ty.is_error() && ty != Type::BOOL {
-            let d = self.explain_condition(expr, what);
-            self.report(d);
+        if ty.is_error() {
+            return;
         }
+        let d = match typing::condition(ty) {
+            Ok(()) => return,
+            Err(Misfit::Condition(ty)) => self.explain_condition(expr, ty, what),
+            Err(misfit) => self.explain(expr, &[expr], misfit),
+        };
+        self.report(d);
     }
 
     /// A chain of `if` and `else if`, without recursion.
@@ -406,20 +409,9 @@ impl Checker<'_> {
         }
         let wanted = self.returned;
         let Some(value) = value else {
-            if !wanted.is_void() && !wanted.is_error() {
-                let name = self.name_of(wanted);
-                let d = self.error(
-                    error::RETURN_TYPE,
-                    extent,
-                    format!("this `return` gives nothing, but the function is `{name}`"),
-                );
-                let zero = self.zero_of(wanted);
-                let place = self.token_span(extent.first);
-                let fix = zero.filter(|_| self.is_direct(extent)).map(|zero| {
-                    let edit = Edit::insert(place.end, format!(" {zero}"));
-                    Fix::suggestion(format!("return `{zero}`"), vec![edit])
-                });
-                self.report(d.fix(fix));
+            if let Err(misfit) = typing::returned(wanted, None) {
+                let d = self.explain_return(None, extent, misfit);
+                self.report(d);
                 self.returns_value = true;
             }
             return;
@@ -428,78 +420,9 @@ impl Checker<'_> {
         self.wanted = Some(wanted);
         self.root(value, self.level + 1);
         self.wanted = None;
-        let found = self.ty(value);
-        if found.is_error() || wanted.is_error() || found == wanted {
-            if found.is_void() {
-                self.return_of_void(value, extent);
-            }
-            return;
-        }
-        if wanted.is_void() {
-            return self.return_of_void(value, extent);
-        }
-        if found.is_void() {
-            return self.void_value(value);
-        }
-        self.return_misfit(value, wanted, extent);
-    }
-
-    fn return_of_void(&mut self, value: ExprId, extent: Extent) {
-        let name = self.name_of(self.ty(value));
-        let d = self.error(
-            error::RETURN_TYPE,
-            extent,
-            format!("a `void` function cannot return a value (this is `{name}`)"),
-        );
-        let d = self.label_return_type(d);
-        let span = Span::new(self.token_span(extent.first).end, self.expr_span(value).end);
-        let edits = match self.ty(value).is_void() {
-            true => {
-                let start = self.token_span(extent.first).start;
-                let (call, end) = (self.expr_text(value), self.expr_span(value).end);
-                vec![Edit::replace(
-                    Span::new(start, end),
-                    format!("{call}; return"),
-                )]
-            }
-            false => vec![Edit::delete(span)],
-        };
-        let title = match self.ty(value).is_void() {
-            true => "call it, then return",
-            false => "return nothing",
-        };
-        let fix = self
-            .is_direct(extent)
-            .then(|| Fix::suggestion(title, edits));
-        self.report(d.fix(fix));
-    }
-
-    fn return_misfit(&mut self, value: ExprId, wanted: Type, extent: Extent) {
-        let found = self.ty(value);
-        let numbers = |t: Type| t.scalar_kind().filter(|s| *s != Scalar::Bool);
-        let rule = match (numbers(wanted), numbers(found)) {
-            (Some(a), Some(b)) if a != b && wanted.components() == found.components() => {
-                error::INT_FLOAT_MIX
-            }
-            (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
-            _ => error::RETURN_TYPE,
-        };
-        let mut d = self.misfit_at(extent, wanted, value, rule);
-        d.message = format!(
-            "the function returns `{}`, but this is `{}`",
-            self.name_of(wanted),
-            self.name_of(found)
-        );
-        let d = self.label_return_type(d);
-        self.report(d);
-    }
-
-    fn label_return_type(&self, d: Diagnostic) -> Diagnostic {
-        let function = self.current.and_then(|f| self.functions.get(f.0 as usize));
-        let decl = function.and_then(|f| self.tree.function(f.definition?));
-        match decl.filter(|f| !self.is_prelude(f.ident.token)) {
-            Some(decl) => d.label(self.span(self.tree.ty(decl.ty).extent), "the return type"),
-            None => d,
+        if let Err(misfit) = typing::returned(wanted, Some(self.ty(value))) {
+            let d = self.explain_return(Some(value), extent, misfit);
+            self.report(d);
         }
     }
 

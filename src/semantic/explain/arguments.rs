@@ -1,6 +1,6 @@
 //! Calls with too few, too many or swapped arguments: the edit that makes them fit.
 
-use super::overload::Candidate;
+use super::call::Candidate;
 use super::*;
 use crate::semantic::BuiltinId;
 

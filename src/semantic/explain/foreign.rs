@@ -173,21 +173,6 @@ impl Checker<'_> {
         }
     }
 
-    /// 0 as a value of a type of numbers.
-    pub(in crate::semantic) fn zero_of(&self, ty: Type) -> Option<String> {
-        let zero = match ty.scalar_kind()? {
-            Scalar::Float => "0.0",
-            Scalar::Int => "0",
-            Scalar::Uint => "0u",
-            Scalar::Bool => "false",
-        };
-        match ty.is_scalar() {
-            true => Some(zero.to_string()),
-            false if ty.is_array() => None,
-            false => Some(format!("{}({zero})", self.name_of(ty))),
-        }
-    }
-
     /// Edits that take the name of a namespace away before names that GLSL has or has a word for.
     fn unqualify(&self, name: Name) -> Vec<Edit> {
         let all = &self.tokens.tokens;
@@ -325,16 +310,6 @@ impl Checker<'_> {
         }
         let title = text.lines().next().unwrap_or("").chars().take(60).collect();
         Some((title, edits))
-    }
-
-    /// Whether an expression can stand beside any operator without parentheses.
-    pub(super) fn binds_tightly(&self, id: ExprId) -> bool {
-        use ExprKind as E;
-        let is_literal = matches!(
-            self.tree.expr(id).kind,
-            E::Int(_) | E::Uint(_) | E::Float(_) | E::Bool(_)
-        );
-        is_literal || self.is_atom(id)
     }
 }
 

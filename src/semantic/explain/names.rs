@@ -514,43 +514,6 @@ impl Checker<'_> {
             .map(|(_, n)| n.to_string())
     }
 
-    /// A member that a struct has not.
-    pub(in crate::semantic) fn no_such_field(
-        &self,
-        id: ExprId,
-        object: ExprId,
-        record: &Struct,
-        name: Name,
-    ) -> Diagnostic {
-        const MAX_LISTED: usize = 12;
-        let token = self.tree.expr(id).extent.last;
-        let text = self.text(name);
-        let of = self.name_of(self.ty(object));
-        let message = format!("`{of}` has no member `{text}`");
-        let d = self.error_at(error::NO_SUCH_FIELD, token, message);
-        let d = self.with_declaration(d, Some(record.token), "declared here");
-        let fields = || record.fields.iter().map(|f| self.text(f.name));
-        let near = fields()
-            .filter(|f| f.len().abs_diff(text.len()) <= 2)
-            .take_while(|f| self.affords(f.len() * text.len()))
-            .map(|f| (strsim::damerau_levenshtein(f, text), f))
-            .filter(|(distance, _)| *distance <= 2)
-            .min();
-        if let Some((_, near)) = near {
-            let edit = Edit::replace(self.token_span(token), near);
-            return d.fix(Fix::suggestion(
-                format!("did you mean `{near}`?"),
-                vec![edit],
-            ));
-        }
-        let listed = fields().take(MAX_LISTED).map(|f| format!("`{f}`"));
-        let list = listed.collect::<Vec<_>>().join(", ");
-        d.note(match record.fields.len().saturating_sub(MAX_LISTED) {
-            0 => format!("it has {list}"),
-            more => format!("it has {list} and {more} more"),
-        })
-    }
-
     /// The type that an unknown one is probably meant to be.
     fn advise_type(&self, d: Diagnostic, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);

@@ -269,43 +269,4 @@ impl Checker<'_> {
         let title = format!("write `{text}{longer}`");
         Some(Fix::suggestion(title, vec![edit]))
     }
-
-    /// Letters that the vector has in the place of those that it has not, or that stand twice where
-    /// each may stand once: the one that belongs to the place, else one that is free.
-    pub(in crate::semantic) fn mend_swizzle(
-        &self,
-        text: &str,
-        rows: u8,
-        token: TokenId,
-    ) -> Option<Fix> {
-        let sets = ["xyzw", "rgba", "stpq"];
-        let letters = sets
-            .iter()
-            .find(|set| text.chars().all(|c| set.contains(c)))?;
-        let has = letters.get(..rows as usize)?;
-        let mut out: Vec<Option<char>> = Vec::new();
-        for c in text.chars() {
-            let is_free = has.contains(c) && !out.contains(&Some(c));
-            let repeats = text.chars().all(|c| has.contains(c));
-            out.push(Some(c).filter(|&c| if repeats { is_free } else { has.contains(c) }));
-        }
-        for at in 0..out.len() {
-            if out.get(at).is_some_and(Option::is_some) {
-                continue;
-            }
-            let own = match out.len() {
-                1 => has.chars().last(),
-                _ => has.chars().nth(at),
-            };
-            let own = own.filter(|&c| !out.contains(&Some(c)));
-            let free = own.or_else(|| has.chars().find(|&c| !out.contains(&Some(c))));
-            let letter = free.or(has.chars().last());
-            if let Some(slot) = out.get_mut(at) {
-                *slot = letter;
-            }
-        }
-        let mended: String = out.into_iter().flatten().collect();
-        let edits = vec![Edit::replace(self.token_span(token), mended.clone())];
-        Some(Fix::suggestion(format!("write `.{mended}`"), edits))
-    }
 }

@@ -1,40 +1,34 @@
-//! What to say when types do not fit, and how to mend it.
+//! Operands that do not fit their operator, and what GLSL has in its place.
 
 use super::*;
 use crate::semantic::BuiltinId;
 
-const NO_CONVERSION: &str = "GLSL ES converts nothing by itself (section 4.1.10)";
-
 impl Checker<'_> {
-    /// A value of type `void` where one is needed.
-    pub(in crate::semantic) fn explain_void(&self, id: ExprId) -> Diagnostic {
-        let message = "this has no value: its type is `void`";
-        self.error_expr(error::VOID_VALUE, id, message)
-    }
-
     /// Operands that do not fit an operator. `id` is the whole expression, which may be an
     /// assignment like `l += r`.
-    pub(in crate::semantic) fn explain_operands(
+    pub(super) fn explain_operands(
         &self,
         id: ExprId,
-        op: BinaryOp,
         left: ExprId,
         right: ExprId,
-        misfit: Misfit,
+        clash: Clash,
     ) -> Diagnostic {
+        let (ExprKind::Binary(op, ..) | ExprKind::Assign(Some(op), ..)) = self.tree.expr(id).kind
+        else {
+            return self.explain_assignment(id, left, right, clash);
+        };
         let (l, r) = (self.ty(left), self.ty(right));
-        let d = match misfit {
-            Misfit::Void => return self.explain_void(if l.is_void() { left } else { right }),
-            Misfit::Scalars if l.is_array() => {
-                self.other_misfit(id, op.symbol(), left, right, misfit)
+        let d = match clash {
+            Clash::Scalars if l.is_array() => {
+                self.other_misfit(id, op.symbol(), left, right, clash)
             }
-            Misfit::Scalars
+            Clash::Scalars
                 if l.scalar_kind() == Some(Scalar::Bool)
                     || r.scalar_kind() == Some(Scalar::Bool) =>
             {
                 self.bool_misfit(id, op, left, right)
             }
-            Misfit::Scalars => {
+            Clash::Scalars => {
                 if op == BinaryOp::Rem
                     && let Some(d) = self.float_remainder(id, left, right)
                 {
@@ -43,10 +37,10 @@ impl Checker<'_> {
                 let prefer_int = op.compares() || op == BinaryOp::Rem;
                 return self.mixed(id, op.symbol(), left, right, prefer_int);
             }
-            Misfit::Shape => self.shape_misfit(id, op.symbol(), left, right),
-            _ => self.other_misfit(id, op.symbol(), left, right, misfit),
+            Clash::Shape => self.shape_misfit(id, op.symbol(), left, right),
+            _ => self.other_misfit(id, op.symbol(), left, right, clash),
         };
-        self.advise_operator(d, id, op, left, right, misfit)
+        self.advise_operator(d, id, op, left, right, clash)
     }
 
     /// `%` with an operand that is a float for good: only `mod` can be meant.
@@ -238,52 +232,52 @@ impl Checker<'_> {
         symbol: &str,
         left: ExprId,
         right: ExprId,
-        misfit: Misfit,
+        clash: Clash,
     ) -> Diagnostic {
         let (l, r) = (self.ty(left), self.ty(right));
         let (ln, rn) = (self.name_of(l), self.name_of(r));
-        let (rule, message) = match misfit {
-            Misfit::Sampler => (
+        let (rule, message) = match clash {
+            Clash::Sampler => (
                 error::SAMPLER_RESTRICTION,
                 format!("a sampler cannot stand in `{symbol}`"),
             ),
-            Misfit::Struct if ln == rn => (
+            Clash::Struct if ln == rn => (
                 error::TYPE_MISMATCH,
                 format!("`{symbol}` has no meaning for `{ln}`"),
             ),
-            Misfit::Struct | Misfit::Scalars => (
+            Clash::Struct | Clash::Scalars => (
                 error::TYPE_MISMATCH,
                 format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
             ),
-            Misfit::StructInside => (
+            Clash::StructInside => (
                 error::UNSUPPORTED_OPERATION,
                 format!("`{symbol}` cannot stand between structs that hold arrays or samplers"),
             ),
-            Misfit::Array if l.is_array() != r.is_array() => (
+            Clash::Array if l.is_array() != r.is_array() => (
                 error::TYPE_MISMATCH,
                 format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
             ),
-            Misfit::Array if !self.has(Feature::ArrayValues) => (
+            Clash::Array if !self.has(Feature::ArrayValues) => (
                 error::NEEDS_WEBGL2,
                 format!("GLSL ES 1.00 has no `{symbol}` for arrays"),
             ),
-            Misfit::Array => (
+            Clash::Array => (
                 error::TYPE_MISMATCH,
                 format!("`{symbol}` has no meaning for arrays"),
             ),
-            Misfit::ArraySize => (
+            Clash::ArraySize => (
                 error::TYPE_MISMATCH,
                 format!("the arrays `{ln}` and `{rn}` differ in size"),
             ),
-            Misfit::NeedsInteger => (
+            Clash::NeedsInteger => (
                 error::TYPE_MISMATCH,
                 format!("`{symbol}` works on integers, not on `{ln}` and `{rn}`"),
             ),
-            Misfit::NeedsNumber => (
+            Clash::NeedsNumber => (
                 error::TYPE_MISMATCH,
                 format!("`{symbol}` works on numbers, not on `{ln}`"),
             ),
-            Misfit::NeedsBool => (
+            Clash::NeedsBool => (
                 error::TYPE_MISMATCH,
                 format!("`{symbol}` works on single `bool`s, not on `{ln}` and `{rn}`"),
             ),
@@ -308,19 +302,19 @@ impl Checker<'_> {
         op: BinaryOp,
         left: ExprId,
         right: ExprId,
-        misfit: Misfit,
+        clash: Clash,
     ) -> Diagnostic {
         use BinaryOp as B;
         let as_call = |function| self.as_call(id, function, left, right);
-        let fix = match (op, misfit) {
-            (B::Rem, Misfit::NeedsInteger) => as_call(BuiltinId::Mod),
-            (B::BitXor, Misfit::NeedsInteger) => self.as_power(id, left, right),
-            (B::BitAnd | B::BitOr, Misfit::NeedsInteger | Misfit::Scalars)
+        let fix = match (op, clash) {
+            (B::Rem, Clash::NeedsInteger) => as_call(BuiltinId::Mod),
+            (B::BitXor, Clash::NeedsInteger) => self.as_power(id, left, right),
+            (B::BitAnd | B::BitOr, Clash::NeedsInteger | Clash::Scalars)
                 if self.ty(left) == Type::BOOL && self.ty(right) == Type::BOOL =>
             {
                 self.double_operator(op, left, right)
             }
-            (_, Misfit::NeedsScalar) => {
+            (_, Clash::NeedsScalar) => {
                 let function = match op {
                     B::Less => BuiltinId::LessThan,
                     B::Greater => BuiltinId::GreaterThan,
@@ -335,7 +329,7 @@ impl Checker<'_> {
                     fix
                 })
             }
-            (B::And | B::Or | B::Xor, Misfit::NeedsBool) => self.compare_with_zero(&[left, right]),
+            (B::And | B::Or | B::Xor, Clash::NeedsBool) => self.compare_with_zero(&[left, right]),
             _ => return d,
         };
         d.fix(fix)
@@ -422,177 +416,9 @@ impl Checker<'_> {
         }
     }
 
-    /// `l = r` whose types do not fit.
-    pub(in crate::semantic) fn explain_assignment(
-        &self,
-        id: ExprId,
-        left: ExprId,
-        right: ExprId,
-        misfit: Misfit,
-    ) -> Diagnostic {
-        let (l, r) = (self.ty(left), self.ty(right));
-        if misfit == Misfit::Void {
-            return self.explain_void(right);
-        }
-        let (ln, rn) = (self.name_of(l), self.name_of(r));
-        let rule = self.rule_for(l, r, misfit);
-        let d = self.misfit_at(self.tree.expr(id).extent, l, right, rule);
-        let d = d.label(self.expr_span(left), format!("a variable of type `{ln}`"));
-        if d.span == self.expr_span(right) {
-            d
-        } else {
-            d.label(self.expr_span(right), format!("`{rn}`"))
-        }
-    }
-
-    /// A declaration whose initializer does not fit.
-    pub(in crate::semantic) fn explain_initializer(
-        &self,
-        declarator: &Declarator,
-        spec: Option<Extent>,
-        ty: Type,
-        init: ExprId,
-        misfit: Misfit,
-    ) -> Diagnostic {
-        let found = self.ty(init);
-        if misfit == Misfit::Void {
-            return self.explain_void(init);
-        }
-        let rule = self.rule_for(ty, found, misfit);
-        let d = self.misfit_at(declarator.extent, ty, init, rule);
-        let retyped = spec.and_then(|spec| self.retype(spec, declarator, init));
-        let d = match retyped.filter(|_| rule == error::VECTOR_SIZE) {
-            Some(fix) => d.fix(fix),
-            None => d,
-        };
-        match d.span == self.expr_span(init) {
-            true => d,
-            false => d.label(self.expr_span(init), format!("`{}`", self.name_of(found))),
-        }
-    }
-
-    fn rule_for(&self, wanted: Type, found: Type, misfit: Misfit) -> &'static str {
-        let has_bool = |t: Type| t.element().scalar_kind() == Some(Scalar::Bool);
-        match misfit {
-            Misfit::Scalars if has_bool(wanted) || has_bool(found) => error::TYPE_MISMATCH,
-            Misfit::Scalars if wanted.components() == found.components() => error::INT_FLOAT_MIX,
-            Misfit::Scalars => error::TYPE_MISMATCH,
-            Misfit::Shape => error::VECTOR_SIZE,
-            Misfit::Sampler => error::SAMPLER_RESTRICTION,
-            Misfit::StructInside => error::UNSUPPORTED_OPERATION,
-            Misfit::Array if !self.has(Feature::ArrayValues) => error::NEEDS_WEBGL2,
-            _ => error::TYPE_MISMATCH,
-        }
-    }
-
-    /// "a `float` is wanted, but this is `int`": at the value where it is a literal that is easily
-    /// mended, else at all of `extent`.
-    pub(in crate::semantic) fn misfit_at(
-        &self,
-        extent: Extent,
-        wanted: Type,
-        value: ExprId,
-        rule: &'static str,
-    ) -> Diagnostic {
-        let found = self.ty(value);
-        let (wn, fname) = (self.name_of(wanted), self.name_of(found));
-        let message = format!("`{fname}` cannot become `{wn}` by itself");
-        let fix = self.become_type(value, wanted);
-        let at_value = rule == error::INT_FLOAT_MIX && self.literal_token(value).is_some();
-        let d = if at_value {
-            self.error_expr(rule, value, message)
-                .mark(format!("`{fname}`"))
-        } else {
-            self.error(rule, extent, message)
-        };
-        d.note(NO_CONVERSION).fix(fix)
-    }
-
-    /// Makes a number, vector or matrix one of another type.
-    pub(super) fn become_type(&self, value: ExprId, wanted: Type) -> Option<Fix> {
-        let (ws, wc, wr) = wanted.numeric()?;
-        let (fs, fc, fr) = self.ty(value).numeric()?;
-        if (wc, wr) == (fc, fr) {
-            return self.convert(value, ws);
-        }
-        if let Some(fix) = self.component_list(value, wanted) {
-            return Some(fix);
-        }
-        if ws == fs && wc == 1 && fc == 1 {
-            return self.resize(value, wanted);
-        }
-        let fills = (fc, fr) == (1, 1);
-        let is_direct = self.is_direct(self.tree.expr(value).extent);
-        if !is_direct || !(fills || (fc > 1 && wc > 1)) {
-            return None;
-        }
-        let name = self.name_of(wanted);
-        let title = format!("make a `{name}` of it");
-        Some(Fix::suggestion(
-            title,
-            self.wrap(value, &format!("{name}("), ")"),
-        ))
-    }
-
-    /// `(1.0, 2.0, 3.0)` in the place of a vector.
-    fn component_list(&self, value: ExprId, wanted: Type) -> Option<Fix> {
-        let ExprKind::Paren(inner) = self.tree.expr(value).kind else {
-            return None;
-        };
-        let (mut at, mut components) = (inner, 0);
-        loop {
-            let (next, last) = match self.tree.expr(at).kind {
-                ExprKind::Comma(left, right) => (Some(left), right),
-                _ => (None, at),
-            };
-            components += self.ty(last).components();
-            match next {
-                Some(next) => at = next,
-                None => break,
-            }
-        }
-        let is_list = at != inner && components == wanted.components() && wanted.is_vector();
-        let name = self.name_of(wanted);
-        let edit = Edit::insert(self.expr_span(value).start, name.clone());
-        (is_list && self.is_direct(self.tree.expr(value).extent))
-            .then(|| Fix::safe(format!("write `{name}(...)`"), vec![edit]))
-    }
-
-    /// Edits that put text around an expression.
-    pub(super) fn wrap(&self, id: ExprId, before: &str, behind: &str) -> Vec<Edit> {
-        let span = self.expr_span(id);
-        vec![
-            Edit::insert(span.start, before),
-            Edit::insert(span.end, behind),
-        ]
-    }
-
-    /// Whether an expression needs no parentheses before a `.`.
-    pub(super) fn is_atom(&self, id: ExprId) -> bool {
-        use ExprKind as E;
-        matches!(
-            self.tree.expr(id).kind,
-            E::Name(_)
-                | E::Paren(_)
-                | E::Call(..)
-                | E::Construct(..)
-                | E::Member(..)
-                | E::Index(..)
-                | E::Method(..)
-        )
-    }
-
     /// `c ? a : b` whose arms differ.
-    pub(in crate::semantic) fn explain_arms(
-        &self,
-        id: ExprId,
-        yes: ExprId,
-        no: ExprId,
-    ) -> Diagnostic {
+    pub(super) fn explain_arms(&self, id: ExprId, yes: ExprId, no: ExprId) -> Diagnostic {
         let (y, n) = (self.ty(yes), self.ty(no));
-        if y.is_void() || n.is_void() {
-            return self.explain_void(if y.is_void() { yes } else { no });
-        }
         let scalars = (y.scalar_kind(), n.scalar_kind());
         let mixed = matches!(scalars, (Some(a), Some(b)) if a != b && a != Scalar::Bool && b != Scalar::Bool);
         if mixed && y.components() == n.components() {
@@ -618,55 +444,6 @@ impl Checker<'_> {
         self.both(d, yes, no).fix(fix)
     }
 
-    /// A condition that is no `bool`.
-    pub(in crate::semantic) fn explain_condition(&self, id: ExprId, what: &str) -> Diagnostic {
-        let ty = self.ty(id);
-        if ty.is_void() {
-            return self.explain_void(id);
-        }
-        let name = self.name_of(ty);
-        let d = self
-            .error_expr(
-                error::CONDITION_TYPE,
-                id,
-                format!("{what} must be `bool`, not `{name}`"),
-            )
-            .note("a number does not count as true or false here");
-        let zero = match ty {
-            Type::INT => "0",
-            Type::UINT => "0u",
-            Type::FLOAT => "0.0",
-            _ => "",
-        };
-        let is_assignment = matches!(
-            self.tree.expr(self.tree.unparen(id)).kind,
-            ExprKind::Assign(None, ..)
-        );
-        if is_assignment {
-            d.note("`=` assigns; `==` compares")
-                .fix(self.compare_instead(id))
-        } else if !zero.is_empty() && self.is_direct(self.tree.expr(id).extent) {
-            let span = self.expr_span(id);
-            let atom = self.is_atom(id);
-            let mut edits = vec![Edit::insert(
-                span.end,
-                format!("{} != {zero}", if atom { "" } else { ")" }),
-            )];
-            if !atom {
-                edits.insert(0, Edit::insert(span.start, "("));
-            }
-            d.fix(Fix::safe(format!("compare with `{zero}`"), edits))
-        } else if ty.scalar_kind() == Some(Scalar::Bool) {
-            let fix = Fix::suggestion("true where all are: `all(...)`", self.wrap(id, "all(", ")"));
-            d.note("`any(...)` is true where one is").fix(fix)
-        } else if let Some(zero) = self.zero_of(ty).filter(|_| ty.is_vector()) {
-            let edits = self.wrap(id, "any(notEqual(", &format!(", {zero}))"));
-            d.fix(Fix::suggestion("true where one is not 0", edits))
-        } else {
-            d
-        }
-    }
-
     /// `=` where `==` must be meant.
     pub(in crate::semantic) fn compare_instead(&self, id: ExprId) -> Option<Fix> {
         let ExprKind::Assign(None, left, _) = self.tree.expr(self.tree.unparen(id)).kind else {
@@ -678,100 +455,61 @@ impl Checker<'_> {
             .then(|| Fix::suggestion("write `==`", edits))
     }
 
-    /// The token of a literal number, through parentheses and signs.
-    pub(in crate::semantic) fn literal_token(&self, id: ExprId) -> Option<Token> {
-        let mut at = id;
-        loop {
-            match self.tree.expr(at).kind {
-                ExprKind::Paren(inner) | ExprKind::Unary(UnaryOp::Minus | UnaryOp::Plus, inner) => {
-                    at = inner
-                }
-                ExprKind::Int(_) | ExprKind::Uint(_) | ExprKind::Float(_) => {
-                    return Some(self.token(self.tree.expr(at).extent.first));
-                }
-                _ => return None,
-            }
-        }
-    }
-
-    /// The digits of a floating point literal without fraction: `2.0` gives `2`.
-    fn whole_literal(&self, id: ExprId) -> Option<String> {
-        let token = self.literal_token(id)?;
-        let value = f32::from_bits(token.value);
-        let small = token.kind == TokenKind::Float && value.fract() == 0.0 && value.abs() < 1e7;
-        small.then(|| format!("{}", value as i64))
-    }
-
-    /// Makes an expression of another scalar kind: a literal is rewritten, everything else wrapped.
-    pub(in crate::semantic) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
-        if let Some(token) = self.literal_token(id)
-            && let Some(text) = self.converted_literal(id, &token, to)
-        {
-            let is_own = token.is_direct()
-                || self
-                    .sources
-                    .text(token.span)
-                    .starts_with(|c: char| c.is_ascii_digit());
-            return is_own.then(|| {
-                Fix::safe(
-                    format!("write `{text}`"),
-                    vec![Edit::replace(token.span, text)],
-                )
-            });
-        }
-        let extent = self.tree.expr(id).extent;
-        if !self.is_direct(extent) {
-            return None;
-        }
-        let ty = self.ty(id);
-        let name = self.name_of(ty.with_scalar(to));
-        let span = self.expr_span(id);
-        let text = self.sources.text(span);
-        let has_parens = matches!(self.tree.expr(id).kind, ExprKind::Paren(_));
-        let mut edits = vec![Edit::insert(
-            span.start,
-            if has_parens {
-                name.clone()
-            } else {
-                format!("{name}(")
-            },
-        )];
-        if !has_parens {
-            edits.push(Edit::insert(span.end, ")"));
-        }
-        let shown = if has_parens {
-            format!("{name}{text}")
-        } else {
-            format!("{name}({text})")
+    /// An operand that its operator has no meaning for.
+    pub(super) fn explain_operand(&self, id: ExprId, operand: ExprId, ty: Type) -> Diagnostic {
+        let symbol = match self.tree.expr(id).kind {
+            ExprKind::Unary(op, _) => op.symbol(),
+            ExprKind::Postfix(op, _) => op.symbol(),
+            _ => "",
         };
-        let title = if shown.len() < 60 && !shown.contains('\n') {
-            format!("write `{shown}`")
-        } else {
-            format!("convert it with `{name}(...)`")
+        let name = self.name_of(ty);
+        let d = self.error_expr(
+            error::TYPE_MISMATCH,
+            id,
+            format!("`{symbol}` has no meaning for `{name}`"),
+        );
+        let sign = self.token(self.tree.expr(id).extent.first);
+        let is_direct = self.is_direct(self.tree.expr(id).extent);
+        let negated = |before: &str, behind: &str| {
+            let end = self.expr_span(operand).end;
+            let edits = vec![Edit::replace(sign.span, before), Edit::insert(end, behind)];
+            Some(edits).filter(|_| is_direct)
         };
-        let loses = ty.scalar_kind() == Some(Scalar::Float);
-        Some(if loses {
-            Fix::suggestion(title, edits)
-        } else {
-            Fix::safe(title, edits)
-        })
+        match (symbol, ty.scalar_kind()) {
+            ("!", Some(Scalar::Bool)) => {
+                let edits = negated("not(", ")");
+                d.fix(edits.map(|e| Fix::suggestion("negate each component with `not(...)`", e)))
+            }
+            ("!", Some(_)) if ty.is_scalar() => {
+                let zero = self.zero_of(ty).unwrap_or_default();
+                let edits = negated("(", &format!(" == {zero})"));
+                d.fix(edits.map(|e| Fix::suggestion(format!("compare with `{zero}`"), e)))
+            }
+            ("~", _) => d.note("`~` works on `int` and `uint`"),
+            _ => d,
+        }
     }
 
-    fn converted_literal(&self, id: ExprId, token: &Token, to: Scalar) -> Option<String> {
-        let text = self.sources.text(token.span);
-        let digits = text.trim_end_matches(['u', 'U']);
-        let is_decimal = digits.bytes().all(|b| b.is_ascii_digit())
-            && (digits == "0" || !digits.starts_with('0'))
-            && !digits.is_empty();
-        match (token.kind, to) {
-            (TokenKind::Int | TokenKind::Uint, Scalar::Float) if is_decimal => {
-                Some(format!("{digits}.0"))
-            }
-            (TokenKind::Int, Scalar::Uint) => Some(format!("{digits}u")),
-            (TokenKind::Uint, Scalar::Int) => Some(digits.to_string()),
-            (TokenKind::Float, Scalar::Int) => self.whole_literal(id),
-            (TokenKind::Float, Scalar::Uint) => self.whole_literal(id).map(|d| format!("{d}u")),
-            _ => None,
-        }
+    /// `? :` between values of which it chooses none.
+    pub(super) fn explain_unchosen(&self, id: ExprId, kind: Kind) -> Diagnostic {
+        let what = match kind {
+            Kind::Void => "`void`",
+            Kind::Samplers => "samplers",
+            Kind::Structs => "structs",
+            Kind::Blocks => "blocks",
+            Kind::Arrays => "arrays",
+        };
+        let message = format!("`? :` cannot choose between {what}");
+        self.error_expr(error::UNSUPPORTED_OPERATION, id, message)
+            .note("WebGL2 does not have it (WebGL 2.0 section 5.26)")
+            .help("use `if` and `else`")
+    }
+
+    /// `,` between values that it cannot stand between.
+    pub(super) fn explain_sequence(&self, id: ExprId) -> Diagnostic {
+        let message = "the operator `,` cannot stand between `void`s or arrays";
+        self.error_expr(error::UNSUPPORTED_OPERATION, id, message)
+            .note("WebGL2 does not have it (WebGL 2.0 section 5.26)")
+            .help("write two statements")
     }
 }

@@ -40,6 +40,37 @@ fn distance(wanted: Type, found: Type, is_literal: bool) -> u32 {
 }
 
 impl Checker<'_> {
+    /// A call of what is a variable.
+    pub(in crate::semantic) fn explain_call_of_variable(
+        &self,
+        id: ExprId,
+        name: Name,
+        variable: VariableId,
+        args: List,
+    ) -> Diagnostic {
+        let token = self.tree.expr(id).extent.first;
+        let text = self.text(name);
+        let d = self.error_at(
+            error::NOT_A_FUNCTION,
+            token,
+            format!("`{text}` is a variable, not a function"),
+        );
+        let declared = self
+            .variables
+            .get(variable.0 as usize)
+            .and_then(|v| v.token);
+        let d = self.with_declaration(d, declared, "declared here");
+        match self.by_name.contains_key(&name) || self.builtins.function(text).is_some() {
+            true => d
+                .note("the variable hides the function of the same name")
+                .help("rename the variable"),
+            false => {
+                let product = self.product_of_call(token, variable, args);
+                d.fix(product.or_else(|| self.index_of_call(token, variable, args)))
+            }
+        }
+    }
+
     /// A call that fits none of the functions that the shader declares; `None` where the one that is
     /// meant may be among what could not be read.
     pub(in crate::semantic) fn explain_user_call(
@@ -359,6 +390,30 @@ impl Checker<'_> {
             d = d.label(self.expr_span(arg), shown.clone());
         }
         d.fix(self.negation(id, text, args))
+    }
+
+    /// `a(0)`, where an element is meant.
+    fn index_of_call(&self, token: TokenId, variable: VariableId, args: List) -> Option<Fix> {
+        let &[arg] = self.tree.args(args) else {
+            return None;
+        };
+        let ty = self.variables.get(variable.0 as usize)?.ty;
+        let has_elements = ty.is_array() || ty.is_matrix() || ty.is_vector();
+        let is_index = matches!(self.ty(arg), Type::INT | Type::UINT);
+        (has_elements && is_index)
+            .then(|| self.other_brackets(token + 1, TokenKind::LeftParen, ("[", "]")))
+            .flatten()
+    }
+
+    /// `a (b + c)`, where a `*` was left out.
+    fn product_of_call(&self, token: TokenId, variable: VariableId, args: List) -> Option<Fix> {
+        let &[arg] = self.tree.args(args) else {
+            return None;
+        };
+        let ty = self.variables.get(variable.0 as usize)?.ty;
+        typing::binary(self.types(), BinaryOp::Mul, ty, self.ty(arg)).ok()?;
+        let edit = Edit::insert(self.token_span(token).end, " * ");
+        Some(Fix::suggestion("multiply with `*`", vec![edit]))
     }
 }
 

@@ -1,0 +1,187 @@
+//! Constructors whose arguments do not fit.
+
+use super::*;
+
+impl Checker<'_> {
+    /// A constructor of which no value comes.
+    pub(super) fn explain_construction(
+        &self,
+        id: ExprId,
+        args: &[ExprId],
+        misfit: Misfit,
+    ) -> Diagnostic {
+        let error = |at: ExprId, message: String| {
+            self.error_expr(error::CONSTRUCTOR_ARGUMENTS, at, message)
+        };
+        let arg = |number: usize| args.get(number).copied().unwrap_or(id);
+        match misfit {
+            Misfit::NotConstructible(ty) => {
+                error(id, format!("`{}` cannot be constructed", self.name_of(ty)))
+            }
+            Misfit::NoArguments(ty) => self.no_arguments(id, ty),
+            Misfit::SamplerArgument(number) => self.sampler_argument(arg(number)),
+            Misfit::Count(ty) => self.wrong_number_of_parts(id, ty, args.len()),
+            Misfit::Part(number, wanted) => {
+                let what = self.part_in_words(id, number);
+                self.bad_part(arg(number), wanted, &what)
+            }
+            Misfit::NoNumber(number, ty) => {
+                let (name, what) = (self.name_of(ty), self.name_of(self.ty(arg(number))));
+                error(arg(number), format!("`{name}` cannot be made of `{what}`"))
+            }
+            Misfit::TooFew(ty, given) => {
+                let (name, wanted) = (self.name_of(ty), ty.components());
+                let message =
+                    format!("`{name}` needs {wanted} components, but only {given} are given");
+                let fix = self.add_components(ty, args, given);
+                self.label_arguments(error(id, message), args).fix(fix)
+            }
+            Misfit::TooMany(ty, given, surplus) => {
+                let (name, wanted) = (self.name_of(ty), ty.components());
+                let plural = if wanted == 1 {
+                    "component"
+                } else {
+                    "components"
+                };
+                let message = format!("`{name}` has {wanted} {plural}, but {given} are given");
+                error(id, message)
+                    .label(self.expr_span(arg(surplus)), "nothing is left for this")
+                    .fix(self.drop_from(args, arg(surplus)))
+            }
+            _ => error(
+                id,
+                "a matrix made of a matrix takes no other argument".to_string(),
+            ),
+        }
+    }
+
+    fn no_arguments(&self, id: ExprId, ty: Type) -> Diagnostic {
+        let name = self.name_of(ty);
+        let message = format!("`{name}()` has no arguments");
+        let d = self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
+        let zero = self.zero_of(ty).map(|zero| match ty.is_scalar() {
+            true => format!("{name}({zero})"),
+            false => zero,
+        });
+        let is_direct = self.is_direct(self.tree.expr(id).extent);
+        d.fix(zero.filter(|_| is_direct).map(|zero| {
+            let edits = vec![Edit::replace(self.expr_span(id), zero.clone())];
+            Fix::suggestion(format!("write `{zero}`"), edits)
+        }))
+    }
+
+    fn sampler_argument(&self, arg: ExprId) -> Diagnostic {
+        let message = if self.ty(arg).is_sampler() {
+            "a sampler cannot be an argument of a constructor"
+        } else {
+            "a struct that holds a sampler cannot be an argument of a constructor"
+        };
+        self.error_expr(error::SAMPLER_RESTRICTION, arg, message)
+            .note("samplers cannot be copied (section 4.1.7)")
+    }
+
+    /// Another number of arguments than an array has elements or a struct members.
+    fn wrong_number_of_parts(&self, id: ExprId, ty: Type, given: usize) -> Diagnostic {
+        let record = match ty.base {
+            Base::Struct(index) if !ty.is_array() => self.structs.get(index as usize),
+            _ => None,
+        };
+        let Some(record) = record else {
+            let (name, size) = (self.name_of(ty), ty.array);
+            let message = format!("`{name}` takes {size} elements, not {given}");
+            return self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
+        };
+        let name = record.name.map_or("struct", |n| self.text(n));
+        let message = format!(
+            "`{name}` has {} members, but {given} values are given",
+            record.fields.len()
+        );
+        let d = self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
+        self.with_declaration(d, Some(record.token), "declared here")
+    }
+
+    /// What an argument of a constructor becomes.
+    fn part_in_words(&self, id: ExprId, number: usize) -> String {
+        let field = match (self.tree.expr(id).kind, self.constructed(id)) {
+            (ExprKind::Call(..), Some(index)) => {
+                let record = self.structs.get(index as usize);
+                record.and_then(|r| r.fields.get(number))
+            }
+            _ => None,
+        };
+        match field {
+            Some(field) => format!("the member `{}`", self.text(field.name)),
+            None => "an element of the array".to_string(),
+        }
+    }
+
+    /// The struct that is constructed by its name.
+    fn constructed(&self, id: ExprId) -> Option<u32> {
+        match self.tree.expr(id).kind {
+            ExprKind::Call(name, _) => match self.scopes.get(name)? {
+                Binding::Struct(index) => Some(index),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// An argument that is not of the type of the part it stands for.
+    fn bad_part(&self, arg: ExprId, wanted: Type, what: &str) -> Diagnostic {
+        let found = self.ty(arg);
+        let scalars = (wanted.scalar_kind(), found.scalar_kind());
+        let same_size = wanted.components() == found.components();
+        let rule = match scalars {
+            (Some(a), Some(b)) if a != b && a != Scalar::Bool && b != Scalar::Bool && same_size => {
+                error::INT_FLOAT_MIX
+            }
+            (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
+            _ => error::CONSTRUCTOR_ARGUMENTS,
+        };
+        let mut d = self.misfit_at(self.tree.expr(arg).extent, wanted, arg, rule);
+        d.message = format!(
+            "{what} is `{}`, not `{}`",
+            self.name_of(wanted),
+            self.name_of(found)
+        );
+        d
+    }
+
+    /// Takes the arguments from `arg` on away.
+    fn drop_from(&self, args: &[ExprId], arg: ExprId) -> Option<Fix> {
+        let at = args.iter().position(|&a| a == arg)?;
+        let (&before, &last) = (args.get(at.checked_sub(1)?)?, args.last()?);
+        let span = Span::new(self.expr_span(before).end, self.expr_span(last).end);
+        let text = self
+            .sources
+            .text(self.expr_span(arg).to(self.expr_span(last)));
+        let title = match text.len() < 40 && !text.contains('\n') {
+            true => format!("take `{text}` away"),
+            false => "take what is too much away".to_string(),
+        };
+        Some(Fix::suggestion(title, vec![Edit::delete(span)]))
+    }
+
+    /// Adds the components that a vector lacks.
+    fn add_components(&self, ty: Type, args: &[ExprId], given: u32) -> Option<Fix> {
+        let (scalar, 1, size) = ty.numeric()? else {
+            return None;
+        };
+        let added = Checker::added_components(scalar, given as u8, size);
+        let end = self.expr_span(*args.last()?).end;
+        let title = format!("add `{}`", added.trim_start_matches(", "));
+        Some(Fix::suggestion(title, vec![Edit::insert(end, added)]))
+    }
+
+    fn label_arguments(&self, mut d: Diagnostic, args: &[ExprId]) -> Diagnostic {
+        if args.len() > 1 {
+            for &arg in args {
+                d = d.label(
+                    self.expr_span(arg),
+                    format!("`{}`", self.name_of(self.ty(arg))),
+                );
+            }
+        }
+        d
+    }
+}

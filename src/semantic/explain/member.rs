@@ -1,0 +1,267 @@
+//! Members, components and elements that are not there.
+
+use super::*;
+use crate::semantic::typing::{LENGTH, SWIZZLES};
+use crate::syntax::{Meaning, foreign};
+
+/// Most members of a struct that a message lists.
+const MAX_LISTED: usize = 12;
+
+impl Checker<'_> {
+    /// A member that its object has not.
+    pub(super) fn explain_member(&self, id: ExprId, object: ExprId, misfit: Misfit) -> Diagnostic {
+        let token = self.tree.expr(id).extent.last;
+        let ExprKind::Member(_, name) = self.tree.expr(id).kind else {
+            return self.explain_no_elements(id, self.ty(object));
+        };
+        let text = self.text(name);
+        match misfit {
+            Misfit::Letters(ty) => self.bad_swizzle(text, token, &self.name_of(ty)),
+            Misfit::Component(ty, letter) => self.no_such_component(id, object, ty, letter),
+            Misfit::Field(record) => match self.structs.get(record as usize) {
+                Some(record) => self.no_such_field(id, object, record, name),
+                None => self.no_members(object, text, token),
+            },
+            Misfit::ArrayMember => {
+                let message = format!("an array has no member `{text}`");
+                let d = self.error_at(error::NO_SUCH_FIELD, token, message);
+                match text {
+                    LENGTH => d.help("write `.length()`"),
+                    _ => d.help("take an element first: `a[0]`"),
+                }
+            }
+            _ => self.no_members(object, text, token),
+        }
+    }
+
+    /// A number, a matrix or a sampler, of which no component is named.
+    fn no_members(&self, object: ExprId, text: &str, token: TokenId) -> Diagnostic {
+        let ty = self.ty(object);
+        let message = format!("`{}` has no component `{text}`", self.name_of(ty));
+        let d = self.error_at(error::INVALID_SWIZZLE, token, message);
+        match ty.numeric() {
+            Some((_, 1, 1)) => d.note("only vectors have components; GLSL has no `.x` of a number"),
+            Some(_) => {
+                d.help("a column of a matrix is `m[0]`, a number in it `m[0].x` or `m[0][0]`")
+            }
+            None => d,
+        }
+    }
+
+    /// A letter of a swizzle for which the vector is too short.
+    fn no_such_component(&self, id: ExprId, object: ExprId, ty: Type, letter: usize) -> Diagnostic {
+        let token = self.tree.expr(id).extent.last;
+        let ExprKind::Member(_, name) = self.tree.expr(id).kind else {
+            return self.explain_no_elements(id, ty);
+        };
+        let text = self.text(name);
+        let rows = ty.components() as u8;
+        let of = self.name_of(ty);
+        let has = "xyzw".get(..rows as usize).unwrap_or("");
+        let letters: Vec<String> = has.chars().map(|c| format!("`{c}`")).collect();
+        let letters = letters.join(", ");
+        let letter = text.chars().nth(letter).unwrap_or(' ');
+        let message = format!("`{of}` has no component `{letter}`");
+        let d = self
+            .error_at(error::SWIZZLE_OUT_OF_RANGE, token, message)
+            .mark(format!("the vector has {letters}"));
+        let d = match self.tree.expr(self.tree.unparen(object)).kind {
+            ExprKind::Member(..) => {
+                let shown = self.expr_text(object);
+                d.note(format!(
+                    "`{shown}` is a new `{of}`, whose components are {letters} again"
+                ))
+            }
+            _ => d,
+        };
+        let fix = self.lack_of_components(id, object, text, rows);
+        d.fix(fix.or_else(|| self.mend_swizzle(text, rows, token)))
+    }
+
+    /// `v.xyz` of a vector with two components and `v.xyzw` of one with three: the components that
+    /// it lacks are added.
+    fn lack_of_components(&self, id: ExprId, object: ExprId, text: &str, rows: u8) -> Option<Fix> {
+        let size = text.len() as u8;
+        let is_whole = SWIZZLES.iter().any(|set| set.starts_with(text));
+        let is_written = self.token(self.tree.expr(id).extent.last + 1).kind == TokenKind::Equal;
+        let scalar = self.ty(object).scalar_kind()?;
+        let is_wanted = self.wanted_size(id).is_none_or(|wanted| wanted == size);
+        let is_direct = self.is_direct(self.tree.expr(id).extent);
+        if !is_whole || size < rows + 1 || size < 2 || is_written || !is_wanted || !is_direct {
+            return None;
+        }
+        let name = self.name_of(Type::vector(scalar, size));
+        let added = Checker::added_components(scalar, rows, size);
+        let written = format!("{name}({}{added})", self.expr_text(object));
+        let edits = vec![Edit::replace(self.expr_span(id), written.clone())];
+        Some(Fix::suggestion(format!("write `{written}`"), edits))
+    }
+
+    fn bad_swizzle(&self, text: &str, token: TokenId, of: &str) -> Diagnostic {
+        let d = self.error_at(
+            error::INVALID_SWIZZLE,
+            token,
+            format!("`{text}` are no components of `{of}`"),
+        );
+        let letters = |set: &str| text.chars().any(|c| set.contains(c));
+        let sets = SWIZZLES.iter().filter(|s| letters(s)).count();
+        if text.chars().all(|c| "xyzwrgbastpq".contains(c)) && sets > 1 {
+            d.note("`xyzw`, `rgba` and `stpq` cannot be mixed (section 5.5)")
+        } else if text.len() > 4 {
+            d.note("at most four components can be taken at once (section 5.5)")
+        } else if text == LENGTH {
+            d.help("a vector's length is `length(v)`")
+        } else {
+            d.note("a component is one of `xyzw`, `rgba` or `stpq` (section 5.5)")
+        }
+    }
+
+    /// What has no elements.
+    pub(super) fn explain_no_elements(&self, id: ExprId, ty: Type) -> Diagnostic {
+        let message = format!("`{}` cannot be indexed", self.name_of(ty));
+        self.error_expr(error::INVALID_INDEX, id, message)
+            .note("arrays, vectors and matrices can (section 5.7)")
+    }
+
+    /// An index that is no integer.
+    pub(super) fn explain_index(&self, index: ExprId, ty: Type) -> Diagnostic {
+        let name = self.name_of(ty);
+        let d = self.error_expr(
+            error::INVALID_INDEX,
+            index,
+            format!("an index must be an integer, not `{name}`"),
+        );
+        let fix = match ty {
+            Type::FLOAT => self.convert(index, Scalar::Int),
+            _ => None,
+        };
+        d.fix(fix)
+    }
+
+    /// A method that is none; only `length()` of arrays is one.
+    pub(in crate::semantic) fn explain_method(
+        &self,
+        id: ExprId,
+        object: ExprId,
+        name: Name,
+        args: List,
+    ) -> Diagnostic {
+        let (ty, text) = (self.ty(object), self.text(name));
+        let message = if text != LENGTH {
+            format!("there is no method `{text}`; only arrays have one, `length()`")
+        } else if args.len > 0 {
+            "`length()` takes no argument".to_string()
+        } else {
+            let of = self.name_of(ty);
+            format!("`.length()` is for arrays; this is `{of}`")
+        };
+        let d = self.error_expr(error::NOT_A_FUNCTION, id, message);
+        let d = match ty.is_vector() && text == LENGTH {
+            true => d.note("the number of a vector's components is fixed"),
+            false => d,
+        };
+        let fix = self.method_as_call(id, object, name, args);
+        let fix = fix.or_else(|| {
+            let is_swizzle = ty.is_vector() && typing::components(text).is_some();
+            let behind = self.expr_span(object).end + 1 + text.len() as u32;
+            let is_direct = self.is_direct(self.tree.expr(id).extent) && args.len == 1;
+            let edits = vec![Edit::insert(behind, " * ")];
+            (is_swizzle && is_direct).then(|| Fix::suggestion("multiply with `*`", edits))
+        });
+        d.fix(fix)
+    }
+
+    /// `v.f(a)` becomes `f(v, a)`, where there is such a function.
+    fn method_as_call(&self, id: ExprId, object: ExprId, name: Name, args: List) -> Option<Fix> {
+        let text = self.text(name);
+        let function = match foreign(text, self.version).map(|f| f.meaning) {
+            Some(Meaning::Function(function)) => function,
+            _ if self.builtins.function(text).is_some() => text,
+            _ if self.by_name.contains_key(&name) => text,
+            _ => return None,
+        };
+        let span = self.expr_span(object);
+        let end = match self.tree.args(args).first() {
+            Some(&first) => Span::new(span.end, self.expr_span(first).start),
+            None => Span::new(span.end, self.expr_span(id).end),
+        };
+        let edits = vec![
+            Edit::insert(span.start, format!("{function}(")),
+            Edit::replace(end, if args.len > 0 { ", " } else { ")" }),
+        ];
+        self.is_direct(self.tree.expr(id).extent).then(|| {
+            Fix::suggestion(
+                format!("write `{function}({}...`", self.expr_text(object)),
+                edits,
+            )
+        })
+    }
+
+    /// A member that a struct has not.
+    fn no_such_field(&self, id: ExprId, object: ExprId, record: &Struct, name: Name) -> Diagnostic {
+        let token = self.tree.expr(id).extent.last;
+        let text = self.text(name);
+        let of = self.name_of(self.ty(object));
+        let message = format!("`{of}` has no member `{text}`");
+        let d = self.error_at(error::NO_SUCH_FIELD, token, message);
+        let d = self.with_declaration(d, Some(record.token), "declared here");
+        let fields = || record.fields.iter().map(|f| self.text(f.name));
+        let near = fields()
+            .filter(|f| f.len().abs_diff(text.len()) <= 2)
+            .take_while(|f| self.affords(f.len() * text.len()))
+            .map(|f| (strsim::damerau_levenshtein(f, text), f))
+            .filter(|(distance, _)| *distance <= 2)
+            .min();
+        if let Some((_, near)) = near {
+            let edit = Edit::replace(self.token_span(token), near);
+            return d.fix(Fix::suggestion(
+                format!("did you mean `{near}`?"),
+                vec![edit],
+            ));
+        }
+        let listed = fields().take(MAX_LISTED).map(|f| format!("`{f}`"));
+        let list = listed.collect::<Vec<_>>().join(", ");
+        d.note(match record.fields.len().saturating_sub(MAX_LISTED) {
+            0 => format!("it has {list}"),
+            more => format!("it has {list} and {more} more"),
+        })
+    }
+
+    /// Letters that the vector has in the place of those that it has not, or that stand twice where
+    /// each may stand once: the one that belongs to the place, else one that is free.
+    pub(in crate::semantic) fn mend_swizzle(
+        &self,
+        text: &str,
+        rows: u8,
+        token: TokenId,
+    ) -> Option<Fix> {
+        let letters = SWIZZLES
+            .iter()
+            .find(|set| text.chars().all(|c| set.contains(c)))?;
+        let has = letters.get(..rows as usize)?;
+        let mut out: Vec<Option<char>> = Vec::new();
+        for c in text.chars() {
+            let is_free = has.contains(c) && !out.contains(&Some(c));
+            let repeats = text.chars().all(|c| has.contains(c));
+            out.push(Some(c).filter(|&c| if repeats { is_free } else { has.contains(c) }));
+        }
+        for at in 0..out.len() {
+            if out.get(at).is_some_and(Option::is_some) {
+                continue;
+            }
+            let own = match out.len() {
+                1 => has.chars().last(),
+                _ => has.chars().nth(at),
+            };
+            let own = own.filter(|&c| !out.contains(&Some(c)));
+            let free = own.or_else(|| has.chars().find(|&c| !out.contains(&Some(c))));
+            let letter = free.or(has.chars().last());
+            if let Some(slot) = out.get_mut(at) {
+                *slot = letter;
+            }
+        }
+        let mended: String = out.into_iter().flatten().collect();
+        let edits = vec![Edit::replace(self.token_span(token), mended.clone())];
+        Some(Fix::suggestion(format!("write `.{mended}`"), edits))
+    }
+}

@@ -1,0 +1,290 @@
+//! Values that are no values of the type that is wanted, and how they become ones.
+
+use super::*;
+
+impl Checker<'_> {
+    /// `l = r` whose types do not fit.
+    pub(super) fn explain_assignment(
+        &self,
+        id: ExprId,
+        left: ExprId,
+        right: ExprId,
+        clash: Clash,
+    ) -> Diagnostic {
+        let (l, r) = (self.ty(left), self.ty(right));
+        let (ln, rn) = (self.name_of(l), self.name_of(r));
+        let rule = self.rule_for(l, r, clash);
+        let d = self.misfit_at(self.tree.expr(id).extent, l, right, rule);
+        let d = d.label(self.expr_span(left), format!("a variable of type `{ln}`"));
+        if d.span == self.expr_span(right) {
+            d
+        } else {
+            d.label(self.expr_span(right), format!("`{rn}`"))
+        }
+    }
+
+    /// A declaration whose initializer does not fit.
+    pub(in crate::semantic) fn explain_initializer(
+        &self,
+        declarator: &Declarator,
+        spec: Option<Extent>,
+        ty: Type,
+        init: ExprId,
+        misfit: Misfit,
+    ) -> Diagnostic {
+        let found = self.ty(init);
+        let clash = match misfit {
+            Misfit::Value(clash) => clash,
+            _ => return self.explain_void(init),
+        };
+        let rule = self.rule_for(ty, found, clash);
+        let d = self.misfit_at(declarator.extent, ty, init, rule);
+        let retyped = spec.and_then(|spec| self.retype(spec, declarator, init));
+        let d = match retyped.filter(|_| rule == error::VECTOR_SIZE) {
+            Some(fix) => d.fix(fix),
+            None => d,
+        };
+        match d.span == self.expr_span(init) {
+            true => d,
+            false => d.label(self.expr_span(init), format!("`{}`", self.name_of(found))),
+        }
+    }
+
+    fn rule_for(&self, wanted: Type, found: Type, clash: Clash) -> &'static str {
+        let has_bool = |t: Type| t.element().scalar_kind() == Some(Scalar::Bool);
+        match clash {
+            Clash::Scalars if has_bool(wanted) || has_bool(found) => error::TYPE_MISMATCH,
+            Clash::Scalars if wanted.components() == found.components() => error::INT_FLOAT_MIX,
+            Clash::Scalars => error::TYPE_MISMATCH,
+            Clash::Shape => error::VECTOR_SIZE,
+            Clash::Sampler => error::SAMPLER_RESTRICTION,
+            Clash::StructInside => error::UNSUPPORTED_OPERATION,
+            Clash::Array if !self.has(Feature::ArrayValues) => error::NEEDS_WEBGL2,
+            _ => error::TYPE_MISMATCH,
+        }
+    }
+
+    /// "a `float` is wanted, but this is `int`": at the value where it is a literal that is easily
+    /// mended, else at all of `extent`.
+    pub(in crate::semantic) fn misfit_at(
+        &self,
+        extent: Extent,
+        wanted: Type,
+        value: ExprId,
+        rule: &'static str,
+    ) -> Diagnostic {
+        let found = self.ty(value);
+        let (wn, fname) = (self.name_of(wanted), self.name_of(found));
+        let message = format!("`{fname}` cannot become `{wn}` by itself");
+        let fix = self.become_type(value, wanted);
+        let at_value = rule == error::INT_FLOAT_MIX && self.literal_token(value).is_some();
+        let d = if at_value {
+            self.error_expr(rule, value, message)
+                .mark(format!("`{fname}`"))
+        } else {
+            self.error(rule, extent, message)
+        };
+        d.note(NO_CONVERSION).fix(fix)
+    }
+
+    /// Makes a number, vector or matrix one of another type.
+    pub(super) fn become_type(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+        let (ws, wc, wr) = wanted.numeric()?;
+        let (fs, fc, fr) = self.ty(value).numeric()?;
+        if (wc, wr) == (fc, fr) {
+            return self.convert(value, ws);
+        }
+        if let Some(fix) = self.component_list(value, wanted) {
+            return Some(fix);
+        }
+        if ws == fs && wc == 1 && fc == 1 {
+            return self.resize(value, wanted);
+        }
+        let fills = (fc, fr) == (1, 1);
+        let is_direct = self.is_direct(self.tree.expr(value).extent);
+        if !is_direct || !(fills || (fc > 1 && wc > 1)) {
+            return None;
+        }
+        let name = self.name_of(wanted);
+        let title = format!("make a `{name}` of it");
+        Some(Fix::suggestion(
+            title,
+            self.wrap(value, &format!("{name}("), ")"),
+        ))
+    }
+
+    /// `(1.0, 2.0, 3.0)` in the place of a vector.
+    fn component_list(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+        let ExprKind::Paren(inner) = self.tree.expr(value).kind else {
+            return None;
+        };
+        let (mut at, mut components) = (inner, 0);
+        loop {
+            let (next, last) = match self.tree.expr(at).kind {
+                ExprKind::Comma(left, right) => (Some(left), right),
+                _ => (None, at),
+            };
+            components += self.ty(last).components();
+            match next {
+                Some(next) => at = next,
+                None => break,
+            }
+        }
+        let is_list = at != inner && components == wanted.components() && wanted.is_vector();
+        let name = self.name_of(wanted);
+        let edit = Edit::insert(self.expr_span(value).start, name.clone());
+        (is_list && self.is_direct(self.tree.expr(value).extent))
+            .then(|| Fix::safe(format!("write `{name}(...)`"), vec![edit]))
+    }
+
+    /// The token of a literal number, through parentheses and signs.
+    pub(in crate::semantic) fn literal_token(&self, id: ExprId) -> Option<Token> {
+        let mut at = id;
+        loop {
+            match self.tree.expr(at).kind {
+                ExprKind::Paren(inner) | ExprKind::Unary(UnaryOp::Minus | UnaryOp::Plus, inner) => {
+                    at = inner
+                }
+                ExprKind::Int(_) | ExprKind::Uint(_) | ExprKind::Float(_) => {
+                    return Some(self.token(self.tree.expr(at).extent.first));
+                }
+                _ => return None,
+            }
+        }
+    }
+
+    /// The digits of a floating point literal without fraction: `2.0` gives `2`.
+    pub(super) fn whole_literal(&self, id: ExprId) -> Option<String> {
+        let token = self.literal_token(id)?;
+        let value = f32::from_bits(token.value);
+        let small = token.kind == TokenKind::Float && value.fract() == 0.0 && value.abs() < 1e7;
+        small.then(|| format!("{}", value as i64))
+    }
+
+    /// Makes an expression of another scalar kind: a literal is rewritten, everything else wrapped.
+    pub(in crate::semantic) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
+        if let Some(token) = self.literal_token(id)
+            && let Some(text) = self.converted_literal(id, &token, to)
+        {
+            let is_own = token.is_direct()
+                || self
+                    .sources
+                    .text(token.span)
+                    .starts_with(|c: char| c.is_ascii_digit());
+            return is_own.then(|| {
+                Fix::safe(
+                    format!("write `{text}`"),
+                    vec![Edit::replace(token.span, text)],
+                )
+            });
+        }
+        let extent = self.tree.expr(id).extent;
+        if !self.is_direct(extent) {
+            return None;
+        }
+        let ty = self.ty(id);
+        let name = self.name_of(ty.with_scalar(to));
+        let span = self.expr_span(id);
+        let text = self.sources.text(span);
+        let has_parens = matches!(self.tree.expr(id).kind, ExprKind::Paren(_));
+        let mut edits = vec![Edit::insert(
+            span.start,
+            if has_parens {
+                name.clone()
+            } else {
+                format!("{name}(")
+            },
+        )];
+        if !has_parens {
+            edits.push(Edit::insert(span.end, ")"));
+        }
+        let shown = if has_parens {
+            format!("{name}{text}")
+        } else {
+            format!("{name}({text})")
+        };
+        let title = if shown.len() < 60 && !shown.contains('\n') {
+            format!("write `{shown}`")
+        } else {
+            format!("convert it with `{name}(...)`")
+        };
+        let loses = ty.scalar_kind() == Some(Scalar::Float);
+        Some(if loses {
+            Fix::suggestion(title, edits)
+        } else {
+            Fix::safe(title, edits)
+        })
+    }
+
+    pub(super) fn converted_literal(
+        &self,
+        id: ExprId,
+        token: &Token,
+        to: Scalar,
+    ) -> Option<String> {
+        let text = self.sources.text(token.span);
+        let digits = text.trim_end_matches(['u', 'U']);
+        let is_decimal = digits.bytes().all(|b| b.is_ascii_digit())
+            && (digits == "0" || !digits.starts_with('0'))
+            && !digits.is_empty();
+        match (token.kind, to) {
+            (TokenKind::Int | TokenKind::Uint, Scalar::Float) if is_decimal => {
+                Some(format!("{digits}.0"))
+            }
+            (TokenKind::Int, Scalar::Uint) => Some(format!("{digits}u")),
+            (TokenKind::Uint, Scalar::Int) => Some(digits.to_string()),
+            (TokenKind::Float, Scalar::Int) => self.whole_literal(id),
+            (TokenKind::Float, Scalar::Uint) => self.whole_literal(id).map(|d| format!("{d}u")),
+            _ => None,
+        }
+    }
+
+    /// Edits that put text around an expression.
+    pub(super) fn wrap(&self, id: ExprId, before: &str, behind: &str) -> Vec<Edit> {
+        let span = self.expr_span(id);
+        vec![
+            Edit::insert(span.start, before),
+            Edit::insert(span.end, behind),
+        ]
+    }
+
+    /// Whether an expression needs no parentheses before a `.`.
+    pub(super) fn is_atom(&self, id: ExprId) -> bool {
+        use ExprKind as E;
+        matches!(
+            self.tree.expr(id).kind,
+            E::Name(_)
+                | E::Paren(_)
+                | E::Call(..)
+                | E::Construct(..)
+                | E::Member(..)
+                | E::Index(..)
+                | E::Method(..)
+        )
+    }
+
+    /// 0 as a value of a type of numbers.
+    pub(in crate::semantic) fn zero_of(&self, ty: Type) -> Option<String> {
+        let zero = match ty.scalar_kind()? {
+            Scalar::Float => "0.0",
+            Scalar::Int => "0",
+            Scalar::Uint => "0u",
+            Scalar::Bool => "false",
+        };
+        match ty.is_scalar() {
+            true => Some(zero.to_string()),
+            false if ty.is_array() => None,
+            false => Some(format!("{}({zero})", self.name_of(ty))),
+        }
+    }
+
+    /// Whether an expression can stand beside any operator without parentheses.
+    pub(super) fn binds_tightly(&self, id: ExprId) -> bool {
+        use ExprKind as E;
+        let is_literal = matches!(
+            self.tree.expr(id).kind,
+            E::Int(_) | E::Uint(_) | E::Float(_) | E::Bool(_)
+        );
+        is_literal || self.is_atom(id)
+    }
+}

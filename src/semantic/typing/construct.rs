@@ -1,0 +1,96 @@
+//! Constructors (GLSL ES 3.00 section 5.4).
+
+use super::{Misfit, Types};
+use crate::semantic::types::*;
+
+/// A type with the size that its constructor's arguments give it.
+pub fn sized(mut ty: Type, arguments: usize) -> Type {
+    if ty.array == Type::UNSIZED {
+        ty.array = (arguments as u32).max(1);
+    }
+    ty
+}
+
+/// A value of `ty`, which has a size, made of arguments. One whose type is not known fits.
+pub fn construct(
+    types: Types,
+    ty: Type,
+    arguments: impl ExactSizeIterator<Item = Type> + Clone,
+) -> Result<(), Misfit> {
+    if ty.is_void() || ty.is_sampler() {
+        return Err(Misfit::NotConstructible(ty));
+    }
+    if arguments.clone().any(Type::is_error) {
+        return Ok(());
+    }
+    if arguments.len() == 0 {
+        return Err(Misfit::NoArguments(ty));
+    }
+    for (i, argument) in arguments.clone().enumerate() {
+        if argument.is_void() {
+            return Err(Misfit::Void(i));
+        }
+        if types.inside(argument).sampler {
+            return Err(Misfit::SamplerArgument(i));
+        }
+    }
+    match ty.base {
+        _ if ty.is_array() => {
+            let parts = std::iter::repeat_n(ty.element(), ty.array as usize);
+            each(ty, parts, arguments)
+        }
+        Base::Struct(index) => {
+            let record = types.structs.get(index as usize);
+            let fields = record.map_or(&[][..], |s| &s.fields);
+            each(ty, fields.iter().map(|f| f.ty), arguments)
+        }
+        _ => numbers(ty, arguments),
+    }
+}
+
+/// Each argument is one part of the value.
+fn each(
+    ty: Type,
+    parts: impl ExactSizeIterator<Item = Type>,
+    arguments: impl ExactSizeIterator<Item = Type>,
+) -> Result<(), Misfit> {
+    if parts.len() != arguments.len() {
+        return Err(Misfit::Count(ty));
+    }
+    let mut pairs = parts.zip(arguments).enumerate();
+    match pairs.find(|(_, (part, argument))| part != argument && !part.is_error()) {
+        Some((i, (part, _))) => Err(Misfit::Part(i, part)),
+        None => Ok(()),
+    }
+}
+
+/// All numbers of the arguments in a row become the components of the value, which needs as many;
+/// one number fills it, and a matrix is made of another of any size.
+fn numbers(ty: Type, arguments: impl ExactSizeIterator<Item = Type>) -> Result<(), Misfit> {
+    let wanted = ty.components();
+    let count = arguments.len();
+    let mut given = 0;
+    let mut surplus = None;
+    let mut has_matrix = false;
+    for (i, argument) in arguments.enumerate() {
+        if argument.numeric().is_none() {
+            return Err(Misfit::NoNumber(i, ty));
+        }
+        if given >= wanted && surplus.is_none() {
+            surplus = Some(i);
+        }
+        given += argument.components();
+        has_matrix |= argument.is_matrix();
+    }
+    if ty.is_matrix() && has_matrix {
+        return match count {
+            1 => Ok(()),
+            _ => Err(Misfit::MatrixBeside),
+        };
+    }
+    match surplus {
+        Some(first) => Err(Misfit::TooMany(ty, given, first)),
+        None if given != 1 && given < wanted => Err(Misfit::TooFew(ty, given)),
+        None => Ok(()),
+    }
+}

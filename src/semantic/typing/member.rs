@@ -1,0 +1,86 @@
+//! Members, components and elements (GLSL ES 3.00 sections 5.5 and 5.7).
+
+use super::{Misfit, Types};
+use crate::semantic::types::*;
+use crate::syntax::Name;
+
+/// What a member is of its object.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Member {
+    /// Components of a vector, as many as the type has.
+    Components(Type, [u8; 4]),
+    /// A member of a struct or block, whose scalars start behind so many others.
+    Field(Type, u32),
+}
+
+/// The one method there is, of arrays.
+pub const LENGTH: &str = "length";
+/// The letters of components, by set.
+pub const SWIZZLES: [&str; 3] = ["xyzw", "rgba", "stpq"];
+
+/// `object.name`; `text` is the name.
+pub fn member(types: Types, object: Type, name: Name, text: &str) -> Result<Member, Misfit> {
+    if let Some((scalar, 1, rows @ 2..)) = object.numeric() {
+        let lanes = components(text).ok_or(Misfit::Letters(object))?;
+        let picked = lanes.get(..text.len()).unwrap_or(&[]);
+        if let Some(letter) = picked.iter().position(|&c| c >= rows) {
+            return Err(Misfit::Component(object, letter));
+        }
+        return Ok(Member::Components(
+            Type::vector(scalar, text.len() as u8),
+            lanes,
+        ));
+    }
+    match object.base {
+        _ if object.is_array() => Err(Misfit::ArrayMember),
+        Base::Struct(index) | Base::Block(index) => field(types, index, name),
+        Base::Void => Err(Misfit::Void(0)),
+        _ => Err(Misfit::NoMembers(object)),
+    }
+}
+
+fn field(types: Types, index: u32, name: Name) -> Result<Member, Misfit> {
+    let fields = types
+        .structs
+        .get(index as usize)
+        .map_or(&[][..], |s| &s.fields);
+    let mut offset = 0;
+    for field in fields {
+        if field.name == name {
+            return Ok(Member::Field(field.ty, offset));
+        }
+        offset += types.scalars_in(field.ty);
+    }
+    Err(Misfit::Field(index))
+}
+
+/// The components that letters pick, if they do.
+pub fn components(text: &str) -> Option<[u8; 4]> {
+    let set = SWIZZLES
+        .iter()
+        .find(|set| text.starts_with(|c| set.contains(c)))?;
+    let mut lanes = [0; 4];
+    let picked = lanes.get_mut(..text.len())?;
+    for (lane, letter) in picked.iter_mut().zip(text.bytes()) {
+        *lane = set.bytes().position(|c| c == letter)? as u8;
+    }
+    Some(lanes)
+}
+
+/// The type of an element, and how many there are: of an array, a matrix (its columns) or a vector.
+pub fn element(object: Type) -> Result<(Type, u32), Misfit> {
+    match object.numeric() {
+        _ if object.is_array() => Ok((object.element(), object.array)),
+        Some((scalar, columns @ 2.., rows)) => Ok((Type::vector(scalar, rows), columns as u32)),
+        Some((scalar, 1, rows @ 2..)) => Ok((Type::scalar(scalar), rows as u32)),
+        _ => Err(Misfit::NoElements(object)),
+    }
+}
+
+/// An index is an integer.
+pub fn index(ty: Type) -> Result<(), Misfit> {
+    match ty {
+        Type::INT | Type::UINT => Ok(()),
+        ty => Err(Misfit::Index(ty)),
+    }
+}

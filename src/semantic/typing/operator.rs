@@ -1,0 +1,232 @@
+//! Operators, assignments and `return` (GLSL ES 3.00 sections 5.8, 5.9 and 6.1).
+
+use super::{Clash, Kind, Misfit, Types};
+use crate::semantic::types::*;
+use crate::syntax::Feature;
+use crate::syntax::ast::{BinaryOp, UnaryOp};
+
+/// What becomes of a result.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Use {
+    /// It is a value of its own.
+    Value,
+    /// It takes the place of the left operand.
+    Update,
+}
+
+/// `op operand`, without `++` and `--`.
+pub fn unary(op: UnaryOp, operand: Type) -> Result<Type, Misfit> {
+    let scalar = operand.scalar_kind();
+    let fits = match op {
+        UnaryOp::Not => operand == Type::BOOL,
+        UnaryOp::BitNot => scalar.is_some_and(Scalar::is_integer) && !operand.is_matrix(),
+        _ => scalar.is_some_and(|s| s != Scalar::Bool),
+    };
+    match fits {
+        true => Ok(operand),
+        false if operand.is_void() => Err(Misfit::Void(0)),
+        false => Err(Misfit::Operand(operand)),
+    }
+}
+
+/// `++` and `--`.
+pub fn step(operand: Type) -> Result<Type, Misfit> {
+    unary(UnaryOp::Plus, operand)
+}
+
+/// `l op r`
+pub fn binary(types: Types, op: BinaryOp, l: Type, r: Type) -> Result<Type, Misfit> {
+    let is_equality = matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
+    values(l, r)?;
+    let fits = aggregates(types, is_equality, l, r);
+    fits.and_then(|()| operate(op, l, r, Use::Value))
+        .map_err(Misfit::Operands)
+}
+
+/// `l op= r`, whose result must fit `l`.
+pub fn compound(types: Types, op: BinaryOp, l: Type, r: Type) -> Result<Type, Misfit> {
+    values(l, r)?;
+    let fits = aggregates(types, false, l, r);
+    fits.and_then(|()| operate(op, l, r, Use::Update))
+        .map_err(Misfit::Operands)
+}
+
+/// `l = r`, or `r` as the initial value of `l`.
+pub fn assign(types: Types, l: Type, r: Type) -> Result<(), Misfit> {
+    values(l, r)?;
+    aggregates(types, true, l, r).map_err(Misfit::Value)?;
+    if l == r {
+        return Ok(());
+    }
+    Err(Misfit::Value(
+        match (l.element().scalar_kind(), r.element().scalar_kind()) {
+            (Some(a), Some(b)) if a != b => Clash::Scalars,
+            _ => Clash::Shape,
+        },
+    ))
+}
+
+/// A condition is a single truth value.
+pub fn condition(ty: Type) -> Result<(), Misfit> {
+    match ty {
+        Type::BOOL => Ok(()),
+        ty if ty.is_void() => Err(Misfit::Void(0)),
+        ty => Err(Misfit::Condition(ty)),
+    }
+}
+
+/// `c ? yes : no`. WebGL2 chooses between numbers, vectors and matrices alone (WebGL 2.0 section
+/// 5.26).
+pub fn choice(yes: Type, no: Type) -> Result<Type, Misfit> {
+    if yes != no {
+        return Err(match (yes.is_void(), no.is_void()) {
+            (true, _) => Misfit::Void(0),
+            (_, true) => Misfit::Void(1),
+            _ => Misfit::Arms,
+        });
+    }
+    let kind = match yes.base {
+        Base::Void => Kind::Void,
+        Base::Sampler(_) => Kind::Samplers,
+        Base::Struct(_) if !yes.is_array() => Kind::Structs,
+        Base::Block(_) => Kind::Blocks,
+        _ if yes.is_array() => Kind::Arrays,
+        _ => return Ok(yes),
+    };
+    Err(Misfit::Unchosen(kind))
+}
+
+/// `l, r`. WebGL2 has it not for arrays and what holds them (WebGL 2.0 section 5.26).
+pub fn sequence(types: Types, l: Type, r: Type) -> Result<Type, Misfit> {
+    let fits =
+        |ty: Type| !ty.is_void() && !matches!(ty.base, Base::Block(_)) && !types.inside(ty).array;
+    match fits(l) && fits(r) {
+        true => Ok(r),
+        false => Err(Misfit::Sequence),
+    }
+}
+
+/// `return` with a value or without one, in a function that gives `wanted`.
+pub fn returned(wanted: Type, value: Option<Type>) -> Result<(), Misfit> {
+    let is_unknown = wanted.is_error() || value.is_some_and(Type::is_error);
+    match value {
+        None if wanted.is_void() || wanted.is_error() => Ok(()),
+        None => Err(Misfit::NothingReturned(wanted)),
+        Some(found) if found.is_void() && (wanted.is_void() || wanted.is_error()) => {
+            Err(Misfit::ValueReturned)
+        }
+        Some(found) if is_unknown || found == wanted => Ok(()),
+        Some(_) if wanted.is_void() => Err(Misfit::ValueReturned),
+        Some(found) if found.is_void() => Err(Misfit::Void(0)),
+        Some(_) => Err(Misfit::Returned(wanted)),
+    }
+}
+
+/// Asks that both operands have a value.
+fn values(l: Type, r: Type) -> Result<(), Misfit> {
+    match (l.is_void(), r.is_void()) {
+        (true, _) => Err(Misfit::Void(0)),
+        (_, true) => Err(Misfit::Void(1)),
+        _ => Ok(()),
+    }
+}
+
+/// What holds for every operator: no sampler, structs and arrays only where whole values are
+/// compared or assigned.
+fn aggregates(types: Types, takes_whole: bool, l: Type, r: Type) -> Result<(), Clash> {
+    if l.is_sampler() || r.is_sampler() {
+        return Err(Clash::Sampler);
+    }
+    let is_struct = |t: Type| matches!(t.base, Base::Struct(_) | Base::Block(_));
+    if is_struct(l) || is_struct(r) {
+        let is_block = matches!(l.base, Base::Block(_)) || matches!(r.base, Base::Block(_));
+        if is_block || !takes_whole || l != r {
+            return Err(Clash::Struct);
+        }
+        let inside = types.inside(l.element());
+        if (!types.has(Feature::ArrayValues) && inside.array) || inside.sampler {
+            return Err(Clash::StructInside);
+        }
+    }
+    if l.is_array() != r.is_array() {
+        return Err(Clash::Array);
+    }
+    if l.is_array() {
+        if !types.has(Feature::ArrayValues) || !takes_whole {
+            return Err(Clash::Array);
+        }
+        if l.array != r.array {
+            return Err(Clash::ArraySize);
+        }
+        if l.base != r.base {
+            let mixed = l.element().scalar_kind() != r.element().scalar_kind();
+            return Err(if mixed { Clash::Scalars } else { Clash::Shape });
+        }
+    }
+    Ok(())
+}
+
+/// The result of an operator between operands that [`aggregates`] lets pass.
+fn operate(op: BinaryOp, l: Type, r: Type, goes: Use) -> Result<Type, Clash> {
+    use BinaryOp as B;
+    if l.is_array() || matches!(l.base, Base::Struct(_)) {
+        return Ok(Type::BOOL);
+    }
+    let (Some((ls, lc, lr)), Some((rs, rc, rr))) = (l.numeric(), r.numeric()) else {
+        return Err(Clash::Struct);
+    };
+    let is_shift = matches!(op, B::ShiftLeft | B::ShiftRight);
+    if op.is_bitwise() && (!ls.is_integer() || (is_shift && !rs.is_integer())) {
+        return Err(Clash::NeedsInteger);
+    }
+    if ls != rs && !is_shift {
+        return Err(Clash::Scalars);
+    }
+    let same_shape = (lc, lr) == (rc, rr);
+    match op {
+        B::Equal | B::NotEqual if same_shape => Ok(Type::BOOL),
+        B::Equal | B::NotEqual => Err(Clash::Shape),
+        B::Less | B::Greater | B::LessEqual | B::GreaterEqual => {
+            if !l.is_scalar() || !r.is_scalar() {
+                Err(Clash::NeedsScalar)
+            } else if ls == Scalar::Bool {
+                Err(Clash::NeedsNumber)
+            } else {
+                Ok(Type::BOOL)
+            }
+        }
+        B::And | B::Or | B::Xor if l == Type::BOOL && r == Type::BOOL => Ok(Type::BOOL),
+        B::And | B::Or | B::Xor => Err(Clash::NeedsBool),
+        _ if ls == Scalar::Bool => Err(Clash::NeedsNumber),
+        B::Mul => product(l, r)
+            .filter(|result| goes == Use::Value || *result == l)
+            .ok_or(Clash::Shape),
+        B::Rem if !ls.is_integer() => Err(Clash::NeedsInteger),
+        _ if same_shape => Ok(l),
+        _ => {
+            let mixed = (l.is_matrix() && r.is_vector()) || (l.is_vector() && r.is_matrix());
+            let keeps_left = goes == Use::Update || is_shift;
+            if mixed || !(l.is_scalar() || r.is_scalar()) || (!r.is_scalar() && keeps_left) {
+                Err(Clash::Shape)
+            } else {
+                Ok(if l.is_scalar() { r } else { l })
+            }
+        }
+    }
+}
+
+/// Type of `l * r`, if they can be multiplied.
+fn product(l: Type, r: Type) -> Option<Type> {
+    let ((scalar, lc, lr), (_, rc, rr)) = (l.numeric()?, r.numeric()?);
+    Some(match (l.is_matrix(), r.is_matrix()) {
+        (true, true) if lc == rr => Type::matrix(rc, lr),
+        (true, false) if r.is_vector() && lc == rr => Type::vector(scalar, lr),
+        (false, true) if l.is_vector() && lr == rr => Type::vector(scalar, rc),
+        (true, true) => return None,
+        (true, false) if r.is_vector() => return None,
+        (false, true) if l.is_vector() => return None,
+        _ if l.is_scalar() => r,
+        _ if r.is_scalar() || lr == rr => l,
+        _ => return None,
+    })
+}
