@@ -4,7 +4,7 @@ use shaderlint::diagnostic::ERRORS;
 use shaderlint::lint::Page;
 use shaderlint::rules::RULES;
 use shaderlint::semantic::BuiltinId;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -124,27 +124,171 @@ fn layer_of(file: &str) -> Option<&'static (&'static str, &'static [&'static str
     LAYERS.iter().find(|(name, _)| *name == folder)
 }
 
+/// The code of a file, without its comments.
+fn code(text: &str) -> String {
+    let lines = text.lines().map(|l| l.split("//").next().unwrap_or(l));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The names that a path goes on with: one, or those of a group in braces.
+fn heads(path: &str) -> Vec<&str> {
+    let name = |text: &str| text.len() - text.trim_start_matches(is_of_name).len();
+    let Some(group) = path.strip_prefix('{') else {
+        return vec![&path[..name(path)]];
+    };
+    let (mut depth, mut found, mut is_start) = (1, Vec::new(), true);
+    for (at, c) in group.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            ',' if depth == 1 => is_start = true,
+            c if is_start && is_of_name(c) => {
+                found.push(&group[at..at + name(&group[at..])]);
+                is_start = false;
+            }
+            _ => {}
+        }
+        if depth == 0 {
+            break;
+        }
+    }
+    found
+}
+
+fn is_of_name(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
+}
+
+/// What of the whole crate a file names, through `crate` or enough `super`s.
+fn named_at_the_top(file: &str, code: &str) -> Vec<String> {
+    let mut found: Vec<&str> = code.split("crate::").skip(1).flat_map(heads).collect();
+    let module = file.trim_start_matches("src/").trim_end_matches("/mod.rs");
+    let depth = module.split('/').count();
+    let mut rest = code;
+    while let Some(at) = rest.find("super::") {
+        rest = &rest[at..];
+        let mut supers = 0;
+        while let Some(behind) = rest.strip_prefix("super::") {
+            (rest, supers) = (behind, supers + 1);
+        }
+        if supers >= depth {
+            found.extend(heads(rest));
+        }
+    }
+    found.iter().map(|s| s.to_string()).collect()
+}
+
+/// What the tests within a layer may name besides: settings are tried on the rules that there are.
+const TESTED_WITH: [(&str, &str); 1] = [("lint", "rules")];
+
 #[test]
 fn layers_name_only_what_lies_below() {
     let mut wrong = Vec::new();
     for (file, text) in files(&["src", "rules"], ".rs") {
+        if file == "src/lib.rs" || file.starts_with("src/bin/") {
+            continue;
+        }
         let Some((layer, below)) = layer_of(&file) else {
+            wrong.push(format!("{file} is in no layer"));
             continue;
         };
-        // Tests may look further.
-        let code = text.split("#[cfg(test)]").next().unwrap();
-        for part in code.split("crate::").skip(1) {
-            let end = part
-                .find(|c: char| !c.is_ascii_alphanumeric() && c != '_')
-                .unwrap_or(part.len());
-            let named = &part[..end];
-            if LAYERS.iter().any(|(l, _)| *l == named) && named != *layer && !below.contains(&named)
-            {
+        let code = code(&text);
+        if code.contains("use crate as") || code.contains("crate::*") {
+            wrong.push(format!("{file} names the whole crate"));
+        }
+        let (own, tests) = code.split_once("#[cfg(test)]").unwrap_or((&code, ""));
+        let own = named_at_the_top(&file, own).into_iter().map(|n| (n, false));
+        let tests = named_at_the_top(&file, tests)
+            .into_iter()
+            .map(|n| (n, true));
+        for (named, is_test) in own.chain(tests) {
+            let is_layer = LAYERS.iter().any(|(l, _)| *l == named);
+            let is_tried = is_test && TESTED_WITH.contains(&(layer, &named));
+            if is_layer && named != *layer && !below.contains(&named.as_str()) && !is_tried {
                 wrong.push(format!("{file} names {named}"));
             }
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn paths_are_found_however_they_are_written() {
+    let named = |code: &str| named_at_the_top("src/text/embed/html.rs", code);
+    assert_eq!(
+        named("use crate::{\n lint::{self, Rule},\n text\n};"),
+        ["lint", "text"]
+    );
+    assert_eq!(named("let a = crate::rules::RULES;"), ["rules"]);
+    assert_eq!(
+        named("use super::super::super::{port, report::json};"),
+        ["port", "report"]
+    );
+    assert_eq!(named("use super::super::port;"), Vec::<String>::new());
+}
+
+/// Names that stand for more than one public type. The list only gets shorter.
+const DOUBLES: [&str; 30] = [
+    "Args",
+    "Asked",
+    "Binary",
+    "Code",
+    "Context",
+    "Entry",
+    "Extent",
+    "Function",
+    "Given",
+    "Item",
+    "Kind",
+    "Label",
+    "Language",
+    "Loop",
+    "Missing",
+    "Module",
+    "Origin",
+    "Part",
+    "Place",
+    "PlaceId",
+    "Precision",
+    "Project",
+    "Range",
+    "Reach",
+    "Role",
+    "Text",
+    "Token",
+    "Variable",
+    "Work",
+    "Written",
+];
+
+/// One word, one meaning: a reader who meets a public type's name knows which it is.
+#[test]
+fn public_types_have_names_of_their_own() {
+    let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for (file, text) in files(&["src", "rules"], ".rs") {
+        for line in text.lines().map(str::trim_start) {
+            let kinds = [
+                "pub struct ",
+                "pub enum ",
+                "pub trait ",
+                "pub type ",
+                "pub union ",
+            ];
+            if let Some(rest) = kinds.iter().find_map(|kind| line.strip_prefix(kind)) {
+                let name = rest.split(|c| !is_of_name(c)).next().unwrap();
+                places
+                    .entry(name.to_string())
+                    .or_default()
+                    .push(file.clone());
+            }
+        }
+    }
+    let doubles = places.iter().filter(|(_, files)| files.len() > 1);
+    let doubles = doubles.filter(|(name, _)| !DOUBLES.contains(&name.as_str()));
+    let doubles = doubles.map(|(name, files)| format!("{name}: {}", files.join(" ")));
+    let doubles: Vec<String> = doubles.collect();
+    assert!(places.len() > 100);
+    assert!(doubles.is_empty(), "{}", doubles.join("\n"));
 }
 
 #[test]
@@ -214,27 +358,39 @@ fn modules_say_what_they_are_and_stay_small() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// Functions of more lines than fit, with their heads, however those are wrapped.
+fn long_functions(text: &str) -> Vec<String> {
+    let mut long = Vec::new();
+    let mut open: Option<(usize, String, String)> = None;
+    for (number, line) in text.lines().enumerate() {
+        let indent: String = line.chars().take_while(|c| *c == ' ').collect();
+        let is_function = line.contains("fn ") && !line.trim_start().starts_with("//");
+        if let Some((start, own, name)) = &open {
+            let is_prototype = line.starts_with(&format!("{own})")) && line.ends_with(';');
+            if line == format!("{own}}}") || is_prototype {
+                if number - start > MAX_FUNCTION {
+                    long.push(format!("{} lines: {name}", number - start));
+                }
+                open = None;
+            }
+        } else if is_function && line.ends_with(['{', '(', '<']) {
+            open = Some((number, indent, line.trim().to_string()));
+        }
+    }
+    long
+}
+
 #[test]
 fn functions_fit_a_screen() {
     let mut wrong = Vec::new();
     for (file, text) in files(&["src", "rules"], ".rs") {
-        let mut open: Option<(usize, String, String)> = None;
-        for (number, line) in text.lines().enumerate() {
-            let indent: String = line.chars().take_while(|c| *c == ' ').collect();
-            let is_function = line.contains("fn ") && line.trim_end().ends_with('{');
-            if open.is_none() && is_function && !line.trim_start().starts_with("//") {
-                open = Some((number, indent, line.trim().to_string()));
-            } else if let Some((start, own, name)) = &open
-                && line == format!("{own}}}")
-            {
-                if number - start > MAX_FUNCTION {
-                    wrong.push(format!("{file}: {} lines: {name}", number - start));
-                }
-                open = None;
-            }
-        }
+        let long = long_functions(&text);
+        wrong.extend(long.iter().map(|name| format!("{file}: {name}")));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let body = "    a();\n".repeat(MAX_FUNCTION);
+    let wrapped = format!("fn f(\n    a: u32,\n) -> u32\nwhere\n    u32: Copy,\n{{\n{body}}}\n");
+    assert_eq!(long_functions(&wrapped).len(), 1);
 }
 
 /// What a built-in function does is told by its row in the table and by its number, never by its name

@@ -74,76 +74,16 @@ pub fn check(
     dialect: Dialect,
     channels: Channels,
 ) -> (Program, Vec<Diagnostic>) {
-    let Parsed {
-        sources,
-        tokens,
-        names,
-        tree,
-        version,
-        has_errors,
-    } = parsed;
-    let run = |doubts: Doubts| {
-        let mut checker = Checker {
-            sources: &sources,
-            tokens: &tokens,
-            names: &names,
-            tree: &tree,
-            version,
-            stage,
-            dialect,
-            channels,
-            builtins: Builtins::of(version, stage),
-            syntax_errors: has_errors,
-            scopes: Scopes::default(),
-            precisions: Precisions::new(stage),
-            exprs: Vec::with_capacity(tree.exprs.len()),
-            variables: Vec::new(),
-            functions: Vec::new(),
-            structs: Vec::new(),
-            calls: Vec::new(),
-            declared: vec![None; tree.declarator_lists.len()],
-            declared_params: vec![None; tree.param_lists.len()],
-            pool: Pool::default(),
-            by_signature: FxHashMap::default(),
-            by_name: FxHashMap::default(),
-            builtin_names: Vec::new(),
-            builtin_variables: FxHashMap::default(),
-            current: None,
-            whole: ExprId(0),
-            wanted: None,
-            level: 0,
-            flow: Vec::new(),
-            undeclared: FxHashMap::default(),
-            reported_names: FxHashSet::default(),
-            advice: Cell::new(MAX_ADVICE),
-            comparable: MAX_COMPARED,
-            missing_precision: Vec::new(),
-            deep_reported: None,
-            outputs: Vec::new(),
-            loops: Vec::new(),
-            private_size: 0,
-            frag_color: None,
-            frag_data: None,
-            unknown_functions: FxHashSet::default(),
-            always_true: FxHashSet::default(),
-            returned: Type::VOID,
-            returns_value: false,
-            diagnostics: Vec::new(),
-            doubts,
-        };
-        for &name in &tree.lost {
-            checker.scopes.declare(name, Binding::Error);
-        }
-        checker.items();
-        checker.finish();
-        checker
-    };
+    let run = |doubts: Doubts| look(&parsed, stage, dialect, channels, doubts);
     let mut checker = run(Doubts::default());
     if !checker.doubts.met.is_empty() {
         let met = std::mem::take(&mut checker.doubts.met);
-        let doubts = settle(checker.diagnostics.len(), &met, tree.exprs.len(), |d| {
-            run(d.clone()).diagnostics.len()
-        });
+        let doubts = settle(
+            checker.diagnostics.len(),
+            &met,
+            parsed.tree.exprs.len(),
+            |d| run(d.clone()).diagnostics.len(),
+        );
         if !doubts.retyped.is_empty() {
             checker = run(doubts);
         }
@@ -161,6 +101,14 @@ pub fn check(
         pool,
         ..
     } = checker;
+    let Parsed {
+        sources,
+        tokens,
+        names,
+        tree,
+        version,
+        has_errors,
+    } = parsed;
     let program = Program {
         sources,
         version,
@@ -180,6 +128,71 @@ pub fn check(
         tree,
     };
     (program, diagnostics)
+}
+
+/// One look at a shader, by what is taken to be doubtful in it.
+fn look(
+    parsed: &Parsed,
+    stage: Stage,
+    dialect: Dialect,
+    channels: Channels,
+    doubts: Doubts,
+) -> Checker<'_> {
+    let (tree, version) = (&parsed.tree, parsed.version);
+    let mut checker = Checker {
+        sources: &parsed.sources,
+        tokens: &parsed.tokens,
+        names: &parsed.names,
+        tree,
+        version,
+        stage,
+        dialect,
+        channels,
+        builtins: Builtins::of(version, stage),
+        syntax_errors: parsed.has_errors,
+        scopes: Scopes::default(),
+        precisions: Precisions::new(stage),
+        exprs: Vec::with_capacity(tree.exprs.len()),
+        variables: Vec::new(),
+        functions: Vec::new(),
+        structs: Vec::new(),
+        calls: Vec::new(),
+        declared: vec![None; tree.declarator_lists.len()],
+        declared_params: vec![None; tree.param_lists.len()],
+        pool: Pool::default(),
+        by_signature: FxHashMap::default(),
+        by_name: FxHashMap::default(),
+        builtin_names: Vec::new(),
+        builtin_variables: FxHashMap::default(),
+        current: None,
+        whole: ExprId(0),
+        wanted: None,
+        level: 0,
+        flow: Vec::new(),
+        undeclared: FxHashMap::default(),
+        reported_names: FxHashSet::default(),
+        advice: Cell::new(MAX_ADVICE),
+        comparable: MAX_COMPARED,
+        missing_precision: Vec::new(),
+        deep_reported: None,
+        outputs: Vec::new(),
+        loops: Vec::new(),
+        private_size: 0,
+        frag_color: None,
+        frag_data: None,
+        unknown_functions: FxHashSet::default(),
+        always_true: FxHashSet::default(),
+        returned: Type::VOID,
+        returns_value: false,
+        diagnostics: Vec::new(),
+        doubts,
+    };
+    for &name in &tree.lost {
+        checker.scopes.declare(name, Binding::Error);
+    }
+    checker.items();
+    checker.finish();
+    checker
 }
 
 /// What a statement stands in.
