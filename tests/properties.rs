@@ -1,6 +1,7 @@
 //! What holds for every text, tried on thousands of random ones.
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, Unread, check, mend};
 use shaderlint::lint::{Allow, Settings};
@@ -117,7 +118,7 @@ fn count_errors(found: &Option<Report>) -> usize {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 1_000, failure_persistence: Some(Box::new(FileFailurePersistence::Direct("tests/properties.txt"))), ..ProptestConfig::default() })]
 
     #[test]
     fn tokens_put_end_to_end_are_the_text(text in prop_oneof![texts(), any::<String>()]) {
