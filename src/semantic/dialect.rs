@@ -195,11 +195,14 @@ fn is_completed(text: &str) -> bool {
         let end = text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         end.unwrap_or(text.len())
     };
-    text.lines().any(|line| {
-        let Some(line) = line.trim_start().strip_prefix('#') else {
+    text.match_indices('#').any(|(at, _)| {
+        let before = text.get(..at).unwrap_or("");
+        let before = before.trim_end_matches(|c: char| c != '\n' && c.is_whitespace());
+        if !before.is_empty() && !before.ends_with('\n') {
             return false;
-        };
-        let line = line.trim_start();
+        }
+        let line = text.get(at + 1..).unwrap_or("").lines().next();
+        let line = line.unwrap_or("").trim_start();
         let (word, rest) = line.split_at(word_of(line));
         let is_own = || {
             let rest = rest.trim_start();

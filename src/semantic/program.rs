@@ -161,6 +161,9 @@ pub struct ExprInfo {
     pub is_const: bool,
 }
 
+// Every expression has one.
+const _: () = assert!(size_of::<ExprInfo>() <= 32);
+
 impl ExprInfo {
     /// An expression that was reported.
     pub const ERROR: ExprInfo = ExprInfo {

@@ -82,6 +82,10 @@ pub struct Expr {
     pub extent: Extent,
 }
 
+// A shader has thousands of them.
+const _: () = assert!(size_of::<Expr>() <= 28);
+const _: () = assert!(size_of::<Stmt>() <= 36);
+
 /// The kinds of expression.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum ExprKind {

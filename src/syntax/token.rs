@@ -119,6 +119,10 @@ pub struct Token {
     pub expansion: u32,
 }
 
+// Every word of a shader is one.
+const _: () = assert!(size_of::<Token>() <= 24);
+const _: () = assert!(size_of::<RawToken>() <= 12);
+
 impl Token {
     /// The end of no text at all.
     pub const END: Token = Token {

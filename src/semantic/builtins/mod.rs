@@ -1,6 +1,7 @@
-//! What the language defines: functions and variables. Their prototypes are GLSL text that the shader
-//! parser reads; what the functions do stands in `table.rs`.
+//! What the language defines: functions and variables. Their declarations are GLSL text; what the
+//! functions do stands in `table.rs`.
 
+mod prototype;
 mod row;
 mod table;
 
@@ -9,10 +10,10 @@ pub use table::BuiltinId;
 
 use super::constant::Value;
 use super::fold::Folding;
-use super::types::{Sampler, Scalar, Type};
-use crate::syntax::ast::*;
-use crate::syntax::{Language, Names, Parse, Version, parse_corrected, preprocess};
-use crate::text::{Role, Sources};
+use super::types::Type;
+use crate::syntax::Version;
+use crate::syntax::ast::QualifierKind;
+use prototype::{Prototype, declarations, read_variable};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -153,7 +154,7 @@ pub struct Builtins {
     /// By [`BuiltinId`]: where its overloads are.
     ranges: Vec<Range<u32>>,
     by_name: FxHashMap<&'static str, BuiltinId>,
-    variables: FxHashMap<String, BuiltinVariable>,
+    variables: FxHashMap<&'static str, BuiltinVariable>,
 }
 
 impl Builtins {
@@ -235,225 +236,32 @@ fn texts(version: Version, stage: Stage) -> Vec<&'static str> {
 }
 
 fn load(version: Version, stage: Stage) -> Builtins {
-    let mut sources = Sources::new();
-    // The texts themselves use words of GLSL ES 3.00.
-    let mut files: Vec<_> = sources
-        .add("", None, Role::Prelude, "#version 300 es\n")
-        .into_iter()
-        .collect();
-    for text in texts(version, stage) {
-        files.extend(sources.add("", None, Role::Prelude, text));
-    }
-    let mut read = preprocess(&sources, &files, true);
-    let language = Language {
-        version: Version::Es300,
-        is_fragment: true,
-    };
-    // The prototypes name types of their own, `genFType` and the like, which are no mistakes.
-    let Parse { tree, .. } =
-        parse_corrected(&sources, &mut read.tokens, &read.names, language, &[]);
-    let mut loader = Loader {
-        tree: &tree,
-        names: &read.names,
-        ids: BuiltinId::ALL.iter().map(|id| (id.name(), *id)).collect(),
-        overloads: vec![Vec::new(); BuiltinId::ALL.len()],
-    };
+    let ids: FxHashMap<&str, BuiltinId> =
+        BuiltinId::ALL.iter().map(|id| (id.name(), *id)).collect();
+    let mut overloads: Vec<Vec<Overload>> = vec![Vec::new(); BuiltinId::ALL.len()];
     let mut builtins = Builtins::default();
-    for item in &tree.items {
-        let Item::Decl(id) = item else { continue };
-        let Some(decl) = tree.decl(*id) else { continue };
-        match decl.kind {
-            DeclKind::Prototype(id) => loader.prototype(id),
-            DeclKind::Variables {
-                qualifiers,
-                ty,
-                declarators,
-            } => {
-                loader.variables(qualifiers, ty, declarators, &mut builtins.variables);
+    for line in texts(version, stage).into_iter().flat_map(declarations) {
+        if let Some(prototype) = Prototype::read(line) {
+            let id = ids.get(prototype.name).copied();
+            if let Some((id, forms)) = id.and_then(|id| Some((id, overloads.get_mut(id as usize)?)))
+            {
+                prototype.expand(id, forms);
             }
-            _ => {}
+        } else if let Some((name, variable)) = read_variable(line) {
+            builtins.variables.insert(name, variable);
         }
     }
-    for (&id, overloads) in BuiltinId::ALL.iter().zip(loader.overloads) {
+    builtins.by_name = ids;
+    for (id, forms) in BuiltinId::ALL.iter().zip(overloads) {
         let start = builtins.overloads.len() as u32;
-        builtins.overloads.extend(overloads);
+        builtins.overloads.extend(forms);
         let range = start..builtins.overloads.len() as u32;
-        if !range.is_empty() {
-            builtins.by_name.insert(id.name(), id);
+        if range.is_empty() {
+            builtins.by_name.remove(id.name());
         }
         builtins.ranges.push(range);
     }
     builtins
-}
-
-struct Loader<'a> {
-    tree: &'a Tree,
-    names: &'a Names,
-    ids: FxHashMap<&'static str, BuiltinId>,
-    /// By [`BuiltinId`].
-    overloads: Vec<Vec<Overload>>,
-}
-
-impl Loader<'_> {
-    fn prototype(&mut self, id: FunctionId) {
-        let Some(function) = self.tree.function(id) else {
-            return;
-        };
-        let name = self.names.text(function.ident.name);
-        let Some(&id) = self.ids.get(name) else {
-            return;
-        };
-        let params = self.tree.params(function.params);
-        let types = params.iter().map(|p| p.ty).chain([function.ty]);
-        let variants = types.map(|ty| self.variants(ty)).max().unwrap_or(1);
-        for variant in 0..variants {
-            let mut overload = Overload {
-                function: id,
-                params: [Type::VOID; MAX_PARAMS],
-                count: params.len() as u8,
-                out: 0,
-                constant: 0,
-                returns: self.resolve(function.ty, variant),
-            };
-            for (i, (slot, param)) in overload.params.iter_mut().zip(params).enumerate() {
-                *slot = self.resolve(param.ty, variant);
-                for qualifier in self.tree.qualifiers(param.qualifiers) {
-                    match qualifier.kind {
-                        QualifierKind::Out => overload.out |= 1 << i,
-                        QualifierKind::Const => overload.constant |= 1 << i,
-                        _ => {}
-                    }
-                }
-            }
-            // `min(genType, float)` and `min(genType, genType)` are one for scalars.
-            if let Some(overloads) = self.overloads.get_mut(id as usize)
-                && !overloads.iter().any(|o| o.params() == overload.params())
-            {
-                overloads.push(overload);
-            }
-        }
-    }
-
-    /// How many types a type of the notation stands for.
-    fn variants(&self, id: TypeId) -> usize {
-        let TypeBase::Name(name) = self.tree.ty(id).base else {
-            return 1;
-        };
-        match self.names.text(name) {
-            "genType" | "genIType" | "genUType" | "genBType" => 4,
-            "vec" | "ivec" | "uvec" | "bvec" => 3,
-            "mat" => 9,
-            _ => 3,
-        }
-    }
-
-    fn resolve(&self, id: TypeId, variant: usize) -> Type {
-        match self.tree.ty(id).base {
-            TypeBase::Word(word) => Type::of_word(word),
-            TypeBase::Name(name) => generic(self.names.text(name), variant),
-            _ => Type::VOID,
-        }
-    }
-
-    fn variables(
-        &self,
-        qualifiers: List,
-        ty: TypeId,
-        declarators: List,
-        found: &mut FxHashMap<String, BuiltinVariable>,
-    ) {
-        let spec = self.tree.ty(ty);
-        for declarator in self.tree.declarators(declarators) {
-            let init = declarator.init.and_then(|e| self.integer(e));
-            let storage = self
-                .tree
-                .qualifiers(qualifiers)
-                .iter()
-                .find_map(|q| match q.kind {
-                    QualifierKind::In => Some(BuiltinStorage::In),
-                    QualifierKind::Out => Some(BuiltinStorage::Out),
-                    QualifierKind::Uniform => Some(BuiltinStorage::Uniform),
-                    QualifierKind::Const => init.map(BuiltinStorage::Const),
-                    _ => None,
-                });
-            let precision = self
-                .tree
-                .qualifiers(qualifiers)
-                .iter()
-                .map(|q| q.kind)
-                .find(|kind| {
-                    use QualifierKind::{Highp, Lowp, Mediump};
-                    matches!(kind, Lowp | Mediump | Highp)
-                });
-            let size = self
-                .tree
-                .arrays(declarator.arrays)
-                .first()
-                .and_then(|a| self.integer(a.size?));
-            let ty = match spec.base {
-                TypeBase::Word(word) => {
-                    Some(Type::of_word(word).array_of(size.unwrap_or(0) as u32))
-                }
-                _ => None,
-            };
-            if let Some(storage) = storage {
-                let name = self.names.text(declarator.ident.name).to_string();
-                let variable = BuiltinVariable {
-                    ty,
-                    storage,
-                    precision,
-                };
-                found.insert(name, variable);
-            }
-        }
-    }
-
-    fn integer(&self, id: ExprId) -> Option<i32> {
-        match self.tree.expr(id).kind {
-            ExprKind::Int(value) => Some(value),
-            ExprKind::Unary(UnaryOp::Minus, inner) => self.integer(inner).map(|v| -v),
-            _ => None,
-        }
-    }
-}
-
-/// The type that a word of the notation stands for.
-fn generic(word: &str, variant: usize) -> Type {
-    use Scalar::*;
-    let n = variant as u8;
-    let kind = [Float, Int, Uint].get(variant).copied().unwrap_or(Float);
-    let sampler = |float, int, uint| {
-        Type::sampler(match kind {
-            Float | Bool => float,
-            Int => int,
-            Uint => uint,
-        })
-    };
-    match word {
-        "genType" => Type::vector(Float, n + 1),
-        "genIType" => Type::vector(Int, n + 1),
-        "genUType" => Type::vector(Uint, n + 1),
-        "genBType" => Type::vector(Bool, n + 1),
-        "vec" => Type::vector(Float, n + 2),
-        "ivec" => Type::vector(Int, n + 2),
-        "uvec" => Type::vector(Uint, n + 2),
-        "bvec" => Type::vector(Bool, n + 2),
-        "mat" => Type::matrix(n / 3 + 2, n % 3 + 2),
-        "gvec4" => Type::vector(kind, 4),
-        "gsampler2D" => sampler(Sampler::Sampler2D, Sampler::Isampler2D, Sampler::Usampler2D),
-        "gsampler3D" => sampler(Sampler::Sampler3D, Sampler::Isampler3D, Sampler::Usampler3D),
-        "gsamplerCube" => sampler(
-            Sampler::SamplerCube,
-            Sampler::IsamplerCube,
-            Sampler::UsamplerCube,
-        ),
-        "gsampler2DArray" => sampler(
-            Sampler::Sampler2DArray,
-            Sampler::Isampler2DArray,
-            Sampler::Usampler2DArray,
-        ),
-        _ => Type::ERROR,
-    }
 }
 
 impl BuiltinStorage {
@@ -469,6 +277,8 @@ impl BuiltinStorage {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::syntax::{Language, parse_corrected, preprocess};
+    use crate::text::{Role, Sources};
     use std::collections::BTreeSet;
 
     #[test]
@@ -561,6 +371,11 @@ mod tests {
         for version in [Version::Es100, Version::Es300] {
             for stage in [Stage::Vertex, Stage::Fragment] {
                 for text in texts(version, stage) {
+                    for line in declarations(text) {
+                        let is_read =
+                            Prototype::read(line).is_some() || read_variable(line).is_some();
+                        assert!(is_read, "{line}");
+                    }
                     let mut sources = Sources::new();
                     let files = [
                         sources

@@ -71,6 +71,7 @@ impl<'a> Parser<'a> {
             has_unknown_types: false,
             tree: Tree::default(),
             open_args: Vec::new(),
+            open_stmts: Vec::new(),
             reserved: Vec::new(),
             diagnostics: Vec::new(),
             ..*self

@@ -1,7 +1,7 @@
 //! Declarations, types and functions (GLSL ES 3.00 sections 4 and 6.1).
 
 use super::attempt::Scope;
-use super::{Parsed, Parser, Reported, append};
+use super::{Parsed, Parser, Reported, append, since};
 use crate::diagnostic::{Diagnostic, Fix, Subject, error};
 use crate::syntax::ast::*;
 use crate::syntax::names::{Name, TypeWord};
@@ -287,30 +287,29 @@ impl Parser<'_> {
     }
 
     fn variables(&mut self, first: TokenId, qualifiers: List, ty: TypeId) -> Parsed<DeclId> {
-        let mut declarators = Vec::new();
+        let start = self.tree.declarator_lists.len();
         let mut is_whole = true;
         if !self.is(TokenKind::Semicolon) {
             if !self.is(TokenKind::Comma) {
-                declarators.push(self.declarator(ty)?);
+                let declarator = self.declarator(ty)?;
+                self.tree.declarator_lists.push(declarator);
             }
             while self.eat(TokenKind::Comma).is_some() {
                 let Ok(declarator) = self.declarator(ty) else {
                     is_whole = false;
                     break;
                 };
-                declarators.push(declarator);
+                self.tree.declarator_lists.push(declarator);
             }
         }
         // The names count even where the rest cannot be read.
         if !is_whole || self.semicolon().is_err() {
-            if let Some(last) = declarators.last_mut().filter(|d| d.init.is_some()) {
-                last.init = Some(self.error_expr(last.extent.first));
-            }
+            self.forget_initializer(start);
             let from = self.id();
             self.skip_statement(first);
             self.lose_names(from);
         }
-        let declarators = append(&mut self.tree.declarator_lists, declarators);
+        let declarators = since(&self.tree.declarator_lists, start);
         Ok(self.push_decl(
             DeclKind::Variables {
                 qualifiers,
@@ -319,6 +318,18 @@ impl Parser<'_> {
             },
             first,
         ))
+    }
+
+    /// What the last of the declarators from `start` on starts as is not known.
+    fn forget_initializer(&mut self, start: usize) {
+        let own = self.tree.declarator_lists.get(start..);
+        let Some(last) = own.and_then(<[_]>::last).filter(|d| d.init.is_some()) else {
+            return;
+        };
+        let unknown = self.error_expr(last.extent.first);
+        if let Some(last) = self.tree.declarator_lists.last_mut() {
+            last.init = Some(unknown);
+        }
     }
 
     fn declarator(&mut self, ty: TypeId) -> Parsed<Declarator> {
@@ -367,6 +378,9 @@ impl Parser<'_> {
 
     /// `[2]`, `[]`, `[2][3]`; the last is an error of its own, found later.
     pub(super) fn array_sizes(&mut self) -> Parsed<List> {
+        if !self.is(TokenKind::LeftBracket) {
+            return Ok(List::default());
+        }
         let mut sizes = Vec::new();
         while self.is(TokenKind::LeftBracket) {
             let open = self.advance();
@@ -439,7 +453,7 @@ impl Parser<'_> {
 
     /// The qualifiers in front of a type.
     pub(super) fn qualifiers(&mut self) -> Parsed<List> {
-        let mut found = Vec::new();
+        let start = self.tree.qualifier_lists.len();
         loop {
             use QualifierKind as Q;
             let first = self.id();
@@ -469,12 +483,10 @@ impl Parser<'_> {
             if !matches!(kind, Q::Layout(_)) {
                 self.advance();
             }
-            found.push(Qualifier {
-                kind,
-                extent: self.extent_from(first),
-            });
+            let extent = self.extent_from(first);
+            self.tree.qualifier_lists.push(Qualifier { kind, extent });
         }
-        Ok(append(&mut self.tree.qualifier_lists, found))
+        Ok(since(&self.tree.qualifier_lists, start))
     }
 
     /// `layout(std140, location = 1)`

@@ -179,24 +179,27 @@ impl Parser<'_> {
     /// Any number of parentheses around an expression, without recursion for those that open right
     /// behind each other.
     fn parens(&mut self) -> Parsed<ExprId> {
-        let mut open = Vec::new();
+        let (first, mut open) = (self.id(), 0);
         while self.is(TokenKind::LeftParen) && !self.is_c_cast() {
-            if open.len() >= MAX_PARENS {
+            if open >= MAX_PARENS {
                 let d = self.error_here(error::BROWSER_LIMIT, "too many parentheses are open");
                 self.report(d.note("the browser's parser gives up here"));
                 return Err(Reported);
             }
-            open.push(self.advance());
+            self.advance();
+            open += 1;
         }
         self.enter()?;
         let mut inner = self.operators(COMMA)?;
         self.leave();
-        while let Some(first) = open.pop() {
+        while open > 0 {
+            open -= 1;
+            let first = first + open;
             self.close_operand(TokenKind::RightParen, first)?;
             let extent = self.extent_from(first);
             inner = self.push_expr(ExprKind::Paren(inner), extent);
             inner = self.postfix(inner)?;
-            if !open.is_empty() {
+            if open > 0 {
                 inner = self.operators_behind(inner, COMMA)?;
             }
         }

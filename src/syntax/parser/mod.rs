@@ -30,7 +30,7 @@ use rustc_hash::FxHashSet;
 /// trees of a depth up to 256.
 const MAX_NESTING: u32 = 300;
 /// Most parentheses around an expression; the browser's parser stack ends there.
-const MAX_PARENS: usize = 9_980;
+const MAX_PARENS: u32 = 9_980;
 /// Most errors that are looked for in one shader.
 const MAX_ERRORS: usize = 200;
 
@@ -179,6 +179,8 @@ struct Parser<'a> {
     tree: Tree,
     /// The arguments of all calls that are being read, the innermost call's last.
     open_args: Vec<ExprId>,
+    /// The statements of all blocks that are being read, the innermost block's last.
+    open_stmts: Vec<StmtId>,
     /// Reserved words that have been reported.
     reserved: Vec<Name>,
     diagnostics: Vec<Diagnostic>,
@@ -227,6 +229,7 @@ impl<'a> Parser<'a> {
             has_unknown_types: false,
             tree: Tree::default(),
             open_args: Vec::new(),
+            open_stmts: Vec::new(),
             reserved: Vec::new(),
             diagnostics: Vec::new(),
         }
@@ -398,6 +401,14 @@ impl<'a> Parser<'a> {
         let extent = self.extent_from(first);
         self.tree.stmts.push(Stmt { kind, extent });
         StmtId(self.tree.stmts.len() as u32 - 1)
+    }
+}
+
+/// What was appended to a list of the tree since it had a length of `start`.
+fn since<T>(all: &[T], start: usize) -> List {
+    List {
+        start: start as u32,
+        len: (all.len() - start) as u32,
     }
 }
 

@@ -26,7 +26,7 @@ impl Parser<'_> {
         let open = self.id();
         self.expect(TokenKind::LeftBrace, "`{`")?;
         self.enter()?;
-        let mut body = Vec::new();
+        let mark = self.open_stmts.len();
         let mut before: [Option<Checkpoint>; 2] = [None; 2];
         loop {
             match self.peek() {
@@ -43,17 +43,19 @@ impl Parser<'_> {
                         self.missing_brace(open);
                         break;
                     }
-                    body.push(self.nested_function());
+                    let statement = self.nested_function();
+                    self.open_stmts.push(statement);
                 }
                 _ => {
                     let start = self.checkpoint();
                     match self.statement_behind(&before, Scope::Block) {
                         Ok(statement) => {
-                            body.push(statement);
+                            self.open_stmts.push(statement);
                             before = [before[1], Some(start)];
                         }
                         Err(TakenBack(count)) => {
-                            body.truncate(body.len().saturating_sub(count));
+                            let kept = self.open_stmts.len().saturating_sub(count);
+                            self.open_stmts.truncate(kept.max(mark));
                             before = [None; 2];
                         }
                     }
@@ -61,6 +63,7 @@ impl Parser<'_> {
             }
         }
         self.leave();
+        let body = self.open_stmts.drain(mark.min(self.open_stmts.len())..);
         Ok(append(&mut self.tree.stmt_lists, body))
     }
 

@@ -422,7 +422,7 @@ impl<'a> Preprocessor<'a> {
     }
 
     /// Hands a fully expanded token to the parser.
-    #[inline]
+    #[inline(always)]
     fn emit(&mut self, mut token: Token) {
         if self.pasting && !self.goes_on_pasting(&token) {
             return;

@@ -1,7 +1,7 @@
 //! What speaks for one language or another in a text, and the verdict.
 
 use super::Tongue;
-use super::scan::{Kind, Token, tokens};
+use super::scan::{Kind, Token, first_tokens, tokens};
 use super::signs::SIGNS;
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
@@ -86,12 +86,15 @@ impl Signs {
         }
     }
 
+    /// Whether a row may start with a token.
+    fn may_start(&self, first: &str) -> bool {
+        let lengths = self.lengths.get(first_byte(first)).copied().unwrap_or(0);
+        lengths & length_bit(first) != 0
+    }
+
     /// Those that start with a token, in their order.
     fn starting_with(&self, first: &str) -> impl Iterator<Item = &Sign> {
-        let lengths = self.lengths.get(first_byte(first)).copied().unwrap_or(0);
-        let may_start = lengths & length_bit(first) != 0;
-        let head = may_start.then(|| self.heads.get(first)).flatten();
-        let head = head.and_then(|&head| self.all.get(head));
+        let head = self.heads.get(first).and_then(|&head| self.all.get(head));
         std::iter::successors(head, |sign| self.all.get(sign.next?))
     }
 }
@@ -175,50 +178,64 @@ impl<'a> Evidence<'a> {
             tags: 0,
             has_types: false,
         };
-        let (mut words, mut names) = (0, 0);
+        let signs = Signs::get();
+        // Where the row of words at hand starts.
+        let mut row = 0;
         let mut in_directive = false;
         for (i, token) in all.iter().enumerate() {
             if token.is_first {
-                (words, names, in_directive) = (0, 0, token.text == "#");
+                evidence.judge_row(&all, row..i);
+                (row, in_directive) = (i, token.text == "#");
                 let is_margin = token.at == 0 || text.as_bytes().get(token.at - 1) == Some(&b'\n');
                 let is_change = matches!(token.text, "+" | "-");
                 evidence.changes += usize::from(is_margin && is_change);
             }
-            evidence.has_quotes |= token.kind == Kind::Quoted && !in_directive;
-            evidence.note(&all, i);
+            if signs.may_start(token.text) {
+                evidence.note(signs, &all, i);
+            }
+            evidence.tags += usize::from(token.kind == Kind::Mark && is_tag(&all, i));
             if in_directive {
                 evidence.has_types |=
                     matches!(token.text, "define" | "ifdef" | "endif" | "version");
+                row = i + 1;
                 continue;
             }
-            match token.kind {
-                Kind::Word if is_of_declarations(token.text) => words = 0,
-                Kind::Word => {
-                    words += 1;
-                    names += usize::from(is_name(token.text));
-                }
-                _ => (words, names) = (0, 0),
+            if token.kind != Kind::Word {
+                evidence.has_quotes |= token.kind == Kind::Quoted;
+                evidence.judge_row(&all, row..i);
+                row = i + 1;
             }
-            evidence.sentences += usize::from(words == SENTENCE);
-            evidence.has_prose |= names == NAMES;
             let next = all.get(i + 1);
             evidence.has_types = evidence.has_types
-                || is_type(token.text)
-                    && next.is_some_and(|n| n.kind == Kind::Word || n.text == "(");
+                || next.is_some_and(|n| n.kind == Kind::Word || n.text == "(")
+                    && is_type(token.text);
         }
+        evidence.judge_row(&all, row..all.len());
         evidence
     }
 
-    /// Notes the signs that start with a token.
-    fn note(&mut self, all: &[Token], at: usize) {
-        let Some(token) = all.get(at) else { return };
-        let text = |i: usize| all.get(at + i).map_or("", |t| t.text);
-        if token.text == "<" && text(1) == "/" && text(3) == ">"
-            || token.text == "&" && matches!(text(1), "lt" | "gt") && text(2) == ";"
-        {
-            self.tags += 1;
+    /// Judges whether words in a row are a sentence.
+    fn judge_row(&mut self, all: &[Token], row: std::ops::Range<usize>) {
+        if row.len() < NAMES {
+            return;
         }
-        for sign in Signs::get().starting_with(token.text) {
+        let (mut words, mut names) = (0, 0);
+        for token in all.get(row).unwrap_or(&[]) {
+            if is_of_declarations(token.text) {
+                words = 0;
+                continue;
+            }
+            words += 1;
+            names += usize::from(is_name(token.text));
+            self.sentences += usize::from(words == SENTENCE);
+            self.has_prose |= names == NAMES;
+        }
+    }
+
+    /// Notes the signs that start with a token.
+    fn note(&mut self, signs: &Signs, all: &[Token], at: usize) {
+        let Some(token) = all.get(at) else { return };
+        for sign in signs.starting_with(token.text) {
             if self.seen.iter().any(|s| s.number == sign.number)
                 || sign.starts_line && !token.is_first
             {
@@ -350,6 +367,24 @@ impl<'a> Evidence<'a> {
         }
         texts
     }
+}
+
+/// Whether a closing tag or an escaped bracket starts here.
+fn is_tag(all: &[Token], at: usize) -> bool {
+    let text = |i: usize| all.get(at + i).map_or("", |t| t.text);
+    match text(0) {
+        "<" => text(1) == "/" && text(3) == ">",
+        "&" => matches!(text(1), "lt" | "gt") && text(2) == ";",
+        _ => false,
+    }
+}
+
+/// Whether a text starts with the `#version` of a shader for WebGL, whatever stands behind it.
+pub fn starts_as_web(text: &str) -> bool {
+    /// `#version 300 es` and the first token behind it.
+    const HEAD: usize = 5;
+    let version = version(&first_tokens(text, HEAD));
+    version.is_some_and(|v| !v.is_desktop())
 }
 
 /// The first `#version`.

@@ -11,6 +11,7 @@ mod scan;
 mod signs;
 
 pub use chunk::{Chunk, chunk, is_bare};
+use evidence::starts_as_web;
 pub use evidence::{Evidence, VersionLine, is_type};
 pub use made::made;
 
@@ -226,6 +227,10 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
         }
         kind => kind,
     };
+    let says_glsl = matches!(kind, Ending::Shader | Ending::Stage);
+    if says_glsl && starts_as_web(text) && own_directive(text).is_none() {
+        return Decision::new(FileKind::Shader, "it is GLSL, by its ending");
+    }
     let evidence = Evidence::of(text);
     if let Some(tongue) = evidence.foreign() {
         return Decision::new(FileKind::Foreign(tongue), reason(&evidence, tongue));

@@ -34,6 +34,11 @@ pub struct Token<'a> {
 
 /// Reads the tokens of a text, the first some thousands.
 pub fn tokens(text: &str) -> Vec<Token<'_>> {
+    first_tokens(text, MAX_TOKENS)
+}
+
+/// Reads the first tokens of a text, as many as are asked for.
+pub fn first_tokens(text: &str, count: usize) -> Vec<Token<'_>> {
     let mut found = Vec::new();
     let bytes = text.as_bytes();
     let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
@@ -83,7 +88,7 @@ pub fn tokens(text: &str) -> Vec<Token<'_>> {
             is_first,
         });
         is_first = false;
-        if found.len() >= MAX_TOKENS {
+        if found.len() >= count {
             break;
         }
     }
