@@ -4,6 +4,7 @@
 import { rmSync } from 'node:fs';
 import { launch, work } from './browser.js';
 import { corpusTests } from './corpus.js';
+import { fixTests } from './fixes.js';
 import { hostileTests } from './hostile.js';
 import { moduleTests } from './modules.js';
 import { pageTests } from './page.js';
@@ -11,7 +12,7 @@ import { pixelTests } from './pixels.js';
 import { verdictTests } from './verdicts.js';
 
 const words = process.argv.slice(2);
-const tests = [...pixelTests, ...pageTests, ...hostileTests, ...moduleTests, ...verdictTests, ...corpusTests()];
+const tests = [...pixelTests, ...pageTests, ...hostileTests, ...fixTests, ...moduleTests, ...verdictTests, ...corpusTests()];
 const wanted = tests.filter((t) => words.length === 0 || words.some((w) => t.name.includes(w)));
 
 class Late extends Error {}

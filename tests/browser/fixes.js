@@ -1,0 +1,121 @@
+// What `shaderlint --fix` writes unasked draws what was drawn before: the browser judges, not the
+// engine that made the fix.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
+import { differences, top, work } from './browser.js';
+import { files } from './recorded.js';
+
+const HEAD = '#version 300 es\nprecision highp float;\nuniform vec3 u;\nuniform ivec2 n;\nout vec4 color;\n';
+
+/** Shaders in which a safe fix has something to do, each in a way that could go wrong. */
+const CASES = [
+  ['constructors', `
+float hash(vec2 p) { vec3 q = fract(vec3(p.xyx) * 0.1031); q += dot(q, q.yzx + float(19.19)); return fract(float(q.x + q.y) * q.z); }
+void main() { vec2 p = vec2(gl_FragCoord.xy) / 16.0; color = vec4(vec4(hash(p), float(-p.x), -float(p.y - 1.0), 1.0)); }`],
+  ['constructors beside operators', `
+void main() { float a = u.x, b = gl_FragCoord.x; color = vec4(float(a - b) * 0.1, 2.0 / float(a + b), float(b > 3.0 ? a : b) * 0.5, a - float(a - b)); }`],
+  ['constructors of integers', `
+void main() { int k = int(gl_FragCoord.x); color = vec4(float(int(k + n.x) % 5), float(int(k) / 2 * 2), uint(uint(k) >> 1) > 2u, 1.0) / 7.0; }`],
+  ['constructors in macros', `
+#define TWICE(x) float(x) * 2.0
+#define SUM(a, b) vec2(a + b)
+void main() { vec2 p = gl_FragCoord.xy / 40.0; color = vec4(TWICE(p.x + u.y), SUM(p, p.yx) * 0.5, float(p.y)); }`],
+  ['assignments to itself', `
+float calls = 0.0;
+int next() { calls += 0.125; return int(calls * 8.0) % 2; }
+void main() { vec2 v = gl_FragCoord.xy / 64.0; v.x = v.x; v = v; float w[2]; w[0] = v.x; w[1] = v.y; w[0] = w[0];
+  w[next()] = w[next()]; v.xy = v.yx; for (int i = 0; i < 3; i = i) { i++; v = v; } color = vec4(v, w[1], calls); }`],
+  ['allowances of nothing', `
+// shaderlint: allow(zero-division)
+void main() { vec2 v = gl_FragCoord.xy; // shaderlint: allow(float-equality)
+  color = vec4(v / u.xy, v.x == 3.5, 1.0); }`],
+];
+
+/** Draws fragment shaders; gives the pixels of each, `null` for one that cannot be drawn alone. */
+function draw(page, sources) {
+  return page.evaluate((all) => {
+    const gl = new OffscreenCanvas(64, 36).getContext('webgl2', { antialias: false });
+    const vertex = `#version 300 es
+void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }`;
+    const made = (type, source) => {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      return shader;
+    };
+    /** Gives every uniform numbers of its own. */
+    function fill(program) {
+      const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS);
+      for (let i = 0; i < count; i++) {
+        const { name, type, size } = gl.getActiveUniform(program, i);
+        const place = gl.getUniformLocation(program, name);
+        const widths = {
+          [gl.FLOAT]: '1f', [gl.FLOAT_VEC2]: '2f', [gl.FLOAT_VEC3]: '3f', [gl.FLOAT_VEC4]: '4f',
+          [gl.INT]: '1i', [gl.INT_VEC2]: '2i', [gl.INT_VEC3]: '3i', [gl.INT_VEC4]: '4i',
+        };
+        const form = widths[type];
+        const value = (k) => (form?.endsWith('f') ? 0.75 + 0.25 * (i + k) : 2 + i + k);
+        if (form && place) gl[`uniform${form}v`](place, Array.from({ length: Number(form[0]) * size }, (_, k) => value(k)));
+      }
+    }
+    return all.map((source) => {
+      const program = gl.createProgram();
+      gl.attachShader(program, made(gl.VERTEX_SHADER, vertex));
+      gl.attachShader(program, made(gl.FRAGMENT_SHADER, source));
+      gl.linkProgram(program);
+      if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return null;
+      gl.useProgram(program);
+      fill(program);
+      gl.clear(gl.COLOR_BUFFER_BIT);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      const bytes = new Uint8Array(64 * 36 * 4);
+      gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      gl.deleteProgram(program);
+      return Array.from(bytes);
+    });
+  }, sources);
+}
+
+/** What the fixes make of texts, by name. */
+function fixed(texts) {
+  const folder = fs.mkdtempSync(path.join(work, 'fixes-'));
+  for (const { id, source } of texts) fs.writeFileSync(path.join(folder, `${id}.frag`), source);
+  const program = process.env.SHADERLINT || path.join(top, 'target/release/shaderlint');
+  try {
+    execFileSync(program, ['--fix', '--no-config', '-q', folder], { stdio: 'ignore' });
+  } catch (error) {
+    if (error.status !== 1) throw error;
+  }
+  return texts.map(({ id }) => fs.readFileSync(path.join(folder, `${id}.frag`), 'utf8'));
+}
+
+/** Asks that what was changed draws as before; gives how many were changed and drawn. */
+async function compare(context, texts) {
+  const after = fixed(texts);
+  const changed = texts.map((text, i) => ({ ...text, after: after[i] })).filter((t) => t.after !== t.source);
+  const page = await context.newPage();
+  const drawn = await draw(page, changed.flatMap((t) => [t.source, t.after]));
+  const pairs = changed.map((t, i) => ({ ...t, old: drawn[2 * i], now: drawn[2 * i + 1] }));
+  const alone = pairs.filter((p) => p.old);
+  const wrong = alone.filter((p) => !p.now || differences(p.old, p.now) > 0);
+  assert.deepEqual(wrong.map((p) => `${p.id}:\n${p.after}`), []);
+  return alone.length;
+}
+
+async function casesStay(context) {
+  const texts = CASES.map(([, body], i) => ({ id: `case${i}`, source: HEAD + body.trimStart() }));
+  assert.equal(await compare(context, texts), CASES.length, 'a case without a fix tests nothing');
+}
+
+/** The small shaders of corpus/verdicts that the browser accepts. */
+async function recordedStay(context) {
+  const cases = files().flatMap((f) => f.cases).filter((c) => c.stage === 'fragment' && c.source.startsWith('#version 300 es'));
+  await compare(context, cases.map(({ source }, i) => ({ id: `recorded${i}`, source })));
+}
+
+export const fixTests = [
+  { name: 'fixes: what is written unasked draws the same', run: casesStay },
+  { name: 'fixes: small shaders are drawn as before', seconds: 120, run: recordedStay },
+];
