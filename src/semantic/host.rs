@@ -14,7 +14,7 @@ pub struct Host {
     /// The stage of all that it runs, if there is one alone.
     pub stage: Option<Stage>,
     /// The function that every shader must define.
-    pub entry: Option<Entry>,
+    pub entry: Option<EntryPoint>,
     /// Whether it shows the result without its alpha.
     pub hides_alpha: bool,
     /// Names that it had in former times: the old one, what it is called now, and since when.
@@ -24,7 +24,7 @@ pub struct Host {
 
 /// The function at which a shader starts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Entry {
+pub struct EntryPoint {
     /// Its name.
     pub name: &'static str,
     /// How it is declared.
@@ -44,7 +44,7 @@ pub enum EntryResult {
     Returned,
 }
 
-impl Entry {
+impl EntryPoint {
     /// Whether the host's text declares the function, and calls it from a `main` of its own.
     pub fn is_called_by_host(self) -> bool {
         self.result != EntryResult::Outputs
@@ -70,22 +70,22 @@ const UNIFORMS: Piece = Piece::Text(include_str!("builtins/shadertoy.glsl"));
 const CHANNELS: Piece =
     Piece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D]);
 
-const MAIN: Entry = Entry {
+const MAIN: EntryPoint = EntryPoint {
     name: "main",
     signature: "void main()",
     result: EntryResult::Outputs,
 };
-const MAIN_IMAGE: Entry = Entry {
+const MAIN_IMAGE: EntryPoint = EntryPoint {
     name: "mainImage",
     signature: "void mainImage(out vec4 fragColor, in vec2 fragCoord)",
     result: EntryResult::Parameter,
 };
-const MAIN_CUBEMAP: Entry = Entry {
+const MAIN_CUBEMAP: EntryPoint = EntryPoint {
     name: "mainCubemap",
     signature: "void mainCubemap(out vec4 fragColor, in vec2 fragCoord, in vec3 rayOri, in vec3 rayDir)",
     result: EntryResult::Parameter,
 };
-const MAIN_SOUND: Entry = Entry {
+const MAIN_SOUND: EntryPoint = EntryPoint {
     name: "mainSound",
     signature: "vec2 mainSound(in int samp, float time)",
     result: EntryResult::Returned,

@@ -30,7 +30,7 @@ pub use constant::{Constant, Pool, Value};
 pub use dialect::{
     Channels, Dialect, Guess, Kind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
 };
-pub use host::{Entry, EntryResult, Host};
+pub use host::{EntryPoint, EntryResult, Host};
 pub use part::{Extent, Open};
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,

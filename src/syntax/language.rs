@@ -32,6 +32,8 @@ pub enum Feature {
     ConstantComma,
     /// Inputs of fragment shaders that are `invariant`, as the outputs are that they come from.
     InvariantInputs,
+    /// What extensions added to GLSL ES 1.00.
+    CoreExtensions,
     /// Locations for the attributes that nothing reads.
     UnreadAttributes,
 }
@@ -43,6 +45,8 @@ pub struct LanguageProfile {
     pub version: Version,
     /// As people call it.
     pub name: &'static str,
+    /// What `__VERSION__` stands for.
+    pub number: u32,
     /// The line that asks for it, with its line break; empty where it is what a text without is.
     pub directive: &'static str,
     /// The section of its specification that lists the reserved words.
@@ -71,6 +75,7 @@ impl LanguageProfile {
 pub static ES_100: LanguageProfile = LanguageProfile {
     version: Version::Es100,
     name: "GLSL ES 1.00",
+    number: 100,
     directive: "",
     reserved_words: "section 3.7",
     features: features(&[
@@ -85,6 +90,7 @@ pub static ES_100: LanguageProfile = LanguageProfile {
 pub static ES_300: LanguageProfile = LanguageProfile {
     version: Version::Es300,
     name: "GLSL ES 3.00",
+    number: 300,
     directive: "#version 300 es\n",
     reserved_words: "section 3.8",
     features: features(&[
@@ -97,6 +103,7 @@ pub static ES_300: LanguageProfile = LanguageProfile {
         Feature::InOut,
         Feature::FreeControlFlow,
         Feature::RepeatedPrototypes,
+        Feature::CoreExtensions,
         Feature::UnreadAttributes,
     ]),
 };

@@ -102,30 +102,10 @@ impl Checker<'_> {
         init: ExprId,
     ) {
         let info = self.info(init);
-        let name = self.text(declarator.ident.name);
-        if qualified.storage == Wanted::Const && !info.is_const {
-            let d = self.error_expr(
-                error::NOT_CONSTANT,
-                init,
-                format!("the value of the constant `{name}` is not constant"),
-            );
-            let d = self.explain_not_constant(d, init);
-            let fix = match self.at_global_scope() {
-                true => None,
-                false => self.take_const_away(Some(declarator.ident.token)),
-            };
-            return self.report(d.fix(fix));
-        }
-        if self.at_global_scope() && !self.is_global_initializer(init) {
-            let d = self
-                .error_expr(
-                    error::NOT_CONSTANT,
-                    init,
-                    format!("the initial value of the global variable `{name}` is not constant"),
-                )
-                .note("GLSL ES 3.00 wants a constant expression here (section 4.3)")
-                .help("declare it without a value and set it at the start of `main`, or use a `#define`");
-            let d = self.explain_not_constant(d, init);
+        let is_const = qualified.storage == Wanted::Const;
+        let is_global = self.at_global_scope() && !self.is_global_initializer(init);
+        if is_const && !info.is_const || !is_const && is_global {
+            let d = self.explain_initial_value(declarator, init, qualified.storage);
             self.report(d);
         }
     }
@@ -188,44 +168,6 @@ impl Checker<'_> {
         })
     }
 
-    /// Says which part of an expression is not constant.
-    pub(super) fn explain_not_constant(&self, d: Diagnostic, id: ExprId) -> Diagnostic {
-        let culprit = self
-            .subtree(id)
-            .filter(|(_, info, _)| !info.is_const)
-            .filter_map(|(at, info, e)| match info.resolution {
-                Resolution::Variable(v) if matches!(e.kind, ExprKind::Name(_)) => {
-                    Some((at, Some(v)))
-                }
-                Resolution::Function(_) => Some((at, None)),
-                _ => None,
-            })
-            .last();
-        let Some((culprit, variable)) = culprit else {
-            return d;
-        };
-        let span = self.expr_span(culprit);
-        let what = match variable.and_then(|v| self.variables.get(v.0 as usize)) {
-            Some(v) => {
-                let name = self.text(v.name);
-                match v.storage {
-                    Storage::Uniform => {
-                        format!("`{name}` is a uniform, known only when the shader runs")
-                    }
-                    Storage::Input => format!("`{name}` is an input, different at each point"),
-                    Storage::Param(_) => format!("`{name}` is a parameter"),
-                    _ => format!("`{name}` is a variable, not declared `const`"),
-                }
-            }
-            None => "a function of the shader is never constant".to_string(),
-        };
-        if span == d.span {
-            d.mark(what)
-        } else {
-            d.label(span, what)
-        }
-    }
-
     /// Notes that something is written to an expression.
     pub(super) fn mark_written(&mut self, id: ExprId) {
         let mut at = id;
@@ -263,14 +205,10 @@ impl Checker<'_> {
                     let text = self.text(name);
                     let repeats = |c| text.chars().filter(|&other| other == c).count() > 1;
                     if !is_indexed && self.ty(inner).is_vector() && text.chars().any(repeats) {
-                        let d = self.error_at(
-                            error::NOT_ASSIGNABLE,
-                            self.tree.expr(at).extent.last,
-                            format!("`{text}` names a component twice and cannot be assigned to"),
-                        );
                         let token = self.tree.expr(at).extent.last;
                         let rows = self.ty(inner).components() as u8;
-                        self.report(d.fix(self.mend_swizzle(text, rows, token)));
+                        let d = self.explain_repeated_component(text, rows, token);
+                        self.report(d);
                         return false;
                     }
                     at = inner;
@@ -282,15 +220,8 @@ impl Checker<'_> {
             }
         }
         let Some(variable) = self.variable_of(at) else {
-            let d = self
-                .error_expr(error::NOT_ASSIGNABLE, id, "this cannot be assigned to")
-                .note(format!(
-                    "`{symbol}` wants a variable, or a part of one, on its left (section 5.8)"
-                ));
-            let fix = self
-                .swap_sides(id)
-                .or_else(|| self.compare_instead(self.whole));
-            self.report(d.fix(fix));
+            let d = self.explain_no_place(id, symbol);
+            self.report(d);
             return false;
         };
         self.check_writable(variable, id, extent)

@@ -218,14 +218,7 @@ impl Checker<'_> {
     fn check_offset(&mut self, arg: ExprId) {
         let info = self.info(arg);
         if !info.is_const {
-            let d = self
-                .error_expr(
-                    error::NOT_CONSTANT,
-                    arg,
-                    "the offset of a lookup must be a constant expression",
-                )
-                .help("add the offset to the coordinates instead");
-            let d = self.explain_not_constant(d, arg);
+            let d = self.explain_dynamic_offset(arg);
             return self.report(d);
         }
         let out = self
@@ -234,10 +227,7 @@ impl Checker<'_> {
             .iter()
             .find(|v| !TEXEL_OFFSETS.contains(&v.as_int()));
         if let Some(value) = out {
-            let message = format!("the offset {} is out of range", value.as_int());
-            let d = self
-                .error_expr(error::INDEX_OUT_OF_RANGE, arg, message)
-                .note("a lookup can be moved by -8 to 7 texels");
+            let d = self.explain_offset(arg, value.as_int());
             self.report(d);
         }
     }

@@ -2,9 +2,7 @@
 
 use super::super::constant::Value;
 use super::*;
-use crate::diagnostic::Fix;
 use crate::semantic::typing::LENGTH;
-use crate::text::Edit;
 
 impl Checker<'_> {
     /// Checks the expression `root` and everything in it.
@@ -58,13 +56,7 @@ impl Checker<'_> {
 
     fn uint_literal(&mut self, id: ExprId, value: u32) -> ExprInfo {
         if !self.has(Feature::UnsignedIntegers) {
-            let d = self
-                .error_expr(
-                    error::NEEDS_WEBGL2,
-                    id,
-                    "GLSL ES 1.00 has no unsigned integers",
-                )
-                .help("start the shader with `#version 300 es`");
+            let d = self.explain_unsigned(id);
             self.report(d);
             return ExprInfo::ERROR;
         }
@@ -81,11 +73,7 @@ impl Checker<'_> {
                 ""
             };
             if text.ends_with(['f', 'F']) {
-                let end = spelled.span.end;
-                let edit = Edit::delete(Span::new(end - 1, end));
-                let d = self
-                    .error_expr(error::NEEDS_WEBGL2, id, "GLSL ES 1.00 has no suffix `f`")
-                    .fix(Fix::safe("take the suffix away", vec![edit]));
+                let d = self.explain_suffix(id, spelled.span.end);
                 self.report(d);
             }
         }
@@ -175,13 +163,7 @@ impl Checker<'_> {
     /// Reports what a later version of the language has.
     pub(super) fn require(&mut self, feature: Feature, id: ExprId, what: &str) {
         if !self.has(feature) {
-            let d = self
-                .error_expr(
-                    error::NEEDS_WEBGL2,
-                    id,
-                    format!("{what} comes with GLSL ES 3.00"),
-                )
-                .help("start the shader with `#version 300 es`");
+            let d = self.explain_later(id, what);
             self.report(d);
         }
     }
@@ -260,11 +242,7 @@ impl Checker<'_> {
         }
         let text = self.text(name);
         if self.is_behind_comma(object, info.ty) {
-            let message = "no member can be taken of a struct that holds samplers behind `,`";
-            let d = self
-                .error_expr(error::UNSUPPORTED_OPERATION, id, message)
-                .note("the browser does not compile it")
-                .help("take the member of the variable itself");
+            let d = self.explain_member_behind_comma(id);
             self.report(d);
             return ExprInfo::ERROR;
         }
@@ -328,7 +306,7 @@ impl Checker<'_> {
                 ..self.result(element, [base], Constant::NONE)
             };
         }
-        self.check_index_range(id, object, index, size);
+        self.check_index_range(object, index, size);
         self.check_index_kind(id, object, base, at);
         let each = self.types().scalars_in(element);
         let constant = match self.pool.scalar(at.constant) {
@@ -342,7 +320,7 @@ impl Checker<'_> {
 
     /// A constant index must lie in the array, vector or matrix (section 5.7). Behind a comma, whose
     /// result is no constant, the browser looks for negative ones alone.
-    fn check_index_range(&mut self, id: ExprId, object: ExprId, index: ExprId, size: u32) {
+    fn check_index_range(&mut self, object: ExprId, index: ExprId, size: u32) {
         let mut last = index;
         while let ExprKind::Comma(_, right) = self.tree.expr(self.tree.unparen(last)).kind {
             last = right;
@@ -359,22 +337,7 @@ impl Checker<'_> {
         if (0..size as i64).contains(&value) || size == Type::UNSIZED || !is_judged {
             return;
         }
-        let of = self.name_of(self.ty(object));
-        let d = self
-            .error_expr(
-                error::INDEX_OUT_OF_RANGE,
-                index,
-                format!("index {value} lies outside `{of}`"),
-            )
-            .mark(format!("the last one is {}", size - 1));
-        let d = match self
-            .variable_of(object)
-            .and_then(|v| self.variables.get(v.0 as usize))
-        {
-            Some(v) if v.token.is_some() => self.with_declaration(d, v.token, "declared here"),
-            _ => d,
-        };
-        let _ = id;
+        let d = self.explain_index_range(object, index, value, size);
         self.report(d);
     }
 
@@ -415,10 +378,7 @@ impl Checker<'_> {
             _ if is_output && self.stage == Stage::Fragment => "a fragment output",
             _ => return,
         };
-        let d = self
-            .error_expr(error::INVALID_INDEX, id, format!("{what} takes a constant index only"))
-            .note("in GLSL ES 3.00 the index must be a constant expression (sections 4.1.7, 4.3.6, 4.3.7)")
-            .help("use `switch` or `if` to choose among the elements");
+        let d = self.explain_dynamic_index(id, what);
         self.report(d);
     }
 }

@@ -1,6 +1,6 @@
 //! What can be said only when all of the shader is known.
 
-use super::super::host::Entry;
+use super::super::host::EntryPoint;
 use super::qualifier::{Qualified, Wanted};
 use super::*;
 use crate::diagnostic::Fix;
@@ -151,8 +151,8 @@ impl Checker<'_> {
     }
 
     /// The entry that a host declares and calls must be defined as it is declared.
-    fn check_called_entry(&mut self, entry: Entry) {
-        let Entry {
+    fn check_called_entry(&mut self, entry: EntryPoint) {
+        let EntryPoint {
             name, signature, ..
         } = entry;
         let is_entry = |f: &&Function| self.text(f.name) == name;

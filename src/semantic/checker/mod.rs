@@ -38,6 +38,7 @@ use doubt::{Doubts, settle};
 use finish::LoopCheck;
 pub(super) use names::LEGACY_FUNCTIONS;
 use qualifier::Precisions;
+pub(super) use qualifier::Wanted;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::Cell;
 use std::sync::Arc;

@@ -56,7 +56,7 @@ impl Precisions {
 /// The storage that qualifiers ask for, before it is known what they qualify.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[rustfmt::skip]
-pub(super) enum Wanted {
+pub(in crate::semantic) enum Wanted {
     None, Const, In, Out, Inout, Uniform, Attribute, Varying, Centroid, Flat, Smooth,
     FlatIn, FlatOut, SmoothIn, SmoothOut, CentroidIn, CentroidOut,
 }

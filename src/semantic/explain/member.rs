@@ -264,4 +264,40 @@ impl Checker<'_> {
         let edits = vec![Edit::replace(self.token_span(token), mended.clone())];
         Some(Fix::suggestion(format!("write `.{mended}`"), edits))
     }
+
+    /// A member of a struct that holds samplers, taken behind `,`.
+    pub(in crate::semantic) fn explain_member_behind_comma(&self, id: ExprId) -> Diagnostic {
+        let message = "no member can be taken of a struct that holds samplers behind `,`";
+        self.error_expr(error::UNSUPPORTED_OPERATION, id, message)
+            .note("the browser does not compile it")
+            .help("take the member of the variable itself")
+    }
+
+    /// A constant index that lies outside.
+    pub(in crate::semantic) fn explain_index_range(
+        &self,
+        object: ExprId,
+        index: ExprId,
+        value: i64,
+        size: u32,
+    ) -> Diagnostic {
+        let of = self.name_of(self.ty(object));
+        let message = format!("index {value} lies outside `{of}`");
+        let d = self
+            .error_expr(error::INDEX_OUT_OF_RANGE, index, message)
+            .mark(format!("the last one is {}", size - 1));
+        let variable = self.variable_of(object);
+        match variable.and_then(|v| self.variables.get(v.0 as usize)) {
+            Some(v) if v.token.is_some() => self.with_declaration(d, v.token, "declared here"),
+            _ => d,
+        }
+    }
+
+    /// An index that is not constant, where only a constant is taken.
+    pub(in crate::semantic) fn explain_dynamic_index(&self, id: ExprId, what: &str) -> Diagnostic {
+        let message = format!("{what} takes a constant index only");
+        self.error_expr(error::INVALID_INDEX, id, message)
+            .note("in GLSL ES 3.00 the index must be a constant expression (sections 4.1.7, 4.3.6, 4.3.7)")
+            .help("use `switch` or `if` to choose among the elements")
+    }
 }

@@ -5,6 +5,7 @@
 
 mod arguments;
 mod call;
+mod constant;
 mod construct;
 mod foreign;
 mod member;
@@ -13,15 +14,18 @@ mod operator;
 mod place;
 mod resize;
 mod statement;
+#[cfg(test)]
+mod tests;
 mod value;
+mod version;
 
 use super::builtins::{Builtins, MAX_PARAMS, Stage};
 use super::checker::Checker;
-use super::host::Entry;
+use super::host::EntryPoint;
 use super::program::*;
 use super::scope::Binding;
 use super::types::*;
-use super::typing::{self, Clash, Kind, Misfit};
+use super::typing::{self, Clash, Misfit, NonNumber};
 use crate::diagnostic::{Diagnostic, Fix, error};
 use crate::syntax::ast::*;
 use crate::syntax::{Feature, Name, Token, TokenKind, Version};

@@ -224,7 +224,7 @@ impl Checker<'_> {
     /// Whether the host declares the shader's outputs, and hands what is computed on to them.
     fn is_called_by_host(&self) -> bool {
         let entry = self.dialect.host().entry;
-        entry.is_none_or(Entry::is_called_by_host)
+        entry.is_none_or(EntryPoint::is_called_by_host)
     }
 
     /// `fragCoord` outside ShaderToy's `mainImage`, which gets it as a parameter.

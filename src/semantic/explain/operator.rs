@@ -491,13 +491,13 @@ impl Checker<'_> {
     }
 
     /// `? :` between values of which it chooses none.
-    pub(super) fn explain_unchosen(&self, id: ExprId, kind: Kind) -> Diagnostic {
+    pub(super) fn explain_unchosen(&self, id: ExprId, kind: NonNumber) -> Diagnostic {
         let what = match kind {
-            Kind::Void => "`void`",
-            Kind::Samplers => "samplers",
-            Kind::Structs => "structs",
-            Kind::Blocks => "blocks",
-            Kind::Arrays => "arrays",
+            NonNumber::Void => "`void`",
+            NonNumber::Samplers => "samplers",
+            NonNumber::Structs => "structs",
+            NonNumber::Blocks => "blocks",
+            NonNumber::Arrays => "arrays",
         };
         let message = format!("`? :` cannot choose between {what}");
         self.error_expr(error::UNSUPPORTED_OPERATION, id, message)

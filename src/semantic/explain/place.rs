@@ -8,6 +8,30 @@ const MAX_STATEMENT: TokenId = 1000;
 const MAX_RENAMED: usize = 500;
 
 impl Checker<'_> {
+    /// A swizzle that names a component twice, where it is written to.
+    pub(in crate::semantic) fn explain_repeated_component(
+        &self,
+        text: &str,
+        rows: u8,
+        token: TokenId,
+    ) -> Diagnostic {
+        let message = format!("`{text}` names a component twice and cannot be assigned to");
+        self.error_at(error::NOT_ASSIGNABLE, token, message)
+            .fix(self.mend_swizzle(text, rows, token))
+    }
+
+    /// What is no variable, where one is written to.
+    pub(in crate::semantic) fn explain_no_place(&self, id: ExprId, symbol: &str) -> Diagnostic {
+        let fix = self
+            .swap_sides(id)
+            .or_else(|| self.compare_instead(self.whole));
+        self.error_expr(error::NOT_ASSIGNABLE, id, "this cannot be assigned to")
+            .note(format!(
+                "`{symbol}` wants a variable, or a part of one, on its left (section 5.8)"
+            ))
+            .fix(fix)
+    }
+
     /// Copies what comes from outside into a variable at the start of the function, and uses that.
     pub(in crate::semantic) fn copy_first(&self, variable: VariableId) -> Option<Fix> {
         let function = self.functions.get(self.current?.0 as usize)?;

@@ -67,7 +67,7 @@ pub enum Misfit {
     /// The two values of `? :` are of different types.
     Arms,
     /// `? :` cannot choose between values of such a kind.
-    Unchosen(Kind),
+    Unchosen(NonNumber),
     /// `,` cannot stand between such values.
     Sequence,
     /// A type without members.
@@ -139,7 +139,7 @@ pub enum Clash {
 
 /// Kinds of values that are no numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Kind {
+pub enum NonNumber {
     /// `void`
     Void,
     /// Samplers.

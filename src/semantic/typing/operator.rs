@@ -1,6 +1,6 @@
 //! Operators, assignments and `return` (GLSL ES 3.00 sections 5.8, 5.9 and 6.1).
 
-use super::{Clash, Kind, Misfit, Types};
+use super::{Clash, Misfit, NonNumber, Types};
 use crate::semantic::types::*;
 use crate::syntax::Feature;
 use crate::syntax::ast::{BinaryOp, UnaryOp};
@@ -86,11 +86,11 @@ pub fn choice(yes: Type, no: Type) -> Result<Type, Misfit> {
         });
     }
     let kind = match yes.base {
-        Base::Void => Kind::Void,
-        Base::Sampler(_) => Kind::Samplers,
-        Base::Struct(_) if !yes.is_array() => Kind::Structs,
-        Base::Block(_) => Kind::Blocks,
-        _ if yes.is_array() => Kind::Arrays,
+        Base::Void => NonNumber::Void,
+        Base::Sampler(_) => NonNumber::Samplers,
+        Base::Struct(_) if !yes.is_array() => NonNumber::Structs,
+        Base::Block(_) => NonNumber::Blocks,
+        _ if yes.is_array() => NonNumber::Arrays,
         _ => return Ok(yes),
     };
     Err(Misfit::Unchosen(kind))

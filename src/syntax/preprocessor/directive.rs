@@ -5,6 +5,7 @@ use super::condition::{Problem, evaluate, evaluate_prefix};
 use super::macros::{Macro, MacroId, Piece};
 use super::{ExtensionUse, Preprocessor, bad, error_at};
 use crate::diagnostic::{Fix, error};
+use crate::syntax::language::Feature;
 use crate::syntax::names::{Name, Version};
 use crate::syntax::token::{RawKind, Token, TokenKind};
 use crate::text::{Edit, Role, Span};
@@ -432,7 +433,8 @@ impl Preprocessor<'_> {
             ),
         };
         let d = error_at(error::UNKNOWN_EXTENSION, span, message);
-        let is_core = self.version == Version::Es300 && CORE_EXTENSIONS.contains(&text.as_str());
+        let is_core =
+            self.version.has(Feature::CoreExtensions) && CORE_EXTENSIONS.contains(&text.as_str());
         if !is_core {
             return self.report(d);
         }

@@ -74,7 +74,7 @@ impl Preprocessor<'_> {
 
     pub(super) fn set_version(&mut self, version: Version) {
         self.version = version;
-        let value = if version == Version::Es300 { 300 } else { 100 };
+        let value = version.profile().number;
         if let Some(name) = self.names.get("__VERSION__")
             && let Some(id) = self.macro_named(name)
             && let Some(piece) = self
