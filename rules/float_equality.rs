@@ -1,9 +1,9 @@
 //! `a == b` on floats.
 
 use crate::diagnostic::Severity;
+use crate::ir::{OpKind, Root};
 use crate::lint::{Binary, Check, Context, Group, Rule};
-use crate::semantic::flow::range::is_same;
-use crate::semantic::{Scalar, Storage};
+use crate::semantic::Scalar;
 use crate::syntax::ast::{BinaryOp, ExprId};
 
 pub static RULE: Rule = Rule {
@@ -22,7 +22,7 @@ fn check(cx: &mut Context, e: &Binary) {
     }
     let program = cx.program;
     let is_float = program.ty(e.left).scalar_kind() == Some(Scalar::Float);
-    if !is_float || program.expr(e.id).is_const || is_same(program, e.left, e.right) {
+    if !is_float || program.expr(e.id).is_const || cx.facts.is_same(e.left, e.right) {
         return;
     }
     let count = program.ty(e.left).components();
@@ -50,13 +50,14 @@ fn check(cx: &mut Context, e: &Binary) {
 
 /// Whether no rounding can come between the two.
 fn is_exact(cx: &Context, e: &Binary, component: u8) -> bool {
-    let ranges = cx.facts.ranges();
-    let (left, right) = (
-        ranges.component(e.left, component),
-        ranges.component(e.right, component),
-    );
+    let (Some(left), Some(right)) = (
+        cx.facts.range(e.left).nth(component as usize),
+        cx.facts.range(e.right).nth(component as usize),
+    ) else {
+        return false;
+    };
     // A division or root is to be kept from exactly zero, and what a value is bounded by is held.
-    let is_edge = |value: Option<f64>, other: &crate::semantic::flow::range::Range| {
+    let is_edge = |value: Option<f64>, other: &crate::flow::ranges::Range| {
         value.is_some_and(|v| v == 0.0 || other.holds(v))
     };
     (left.exact && right.exact)
@@ -64,12 +65,25 @@ fn is_exact(cx: &Context, e: &Binary, component: u8) -> bool {
         || is_edge(right.single(), &left)
         || (left.exact && is_given(cx, e.right))
         || (right.exact && is_given(cx, e.left))
-        || ranges.may_be_copies(e.left, e.right, component)
+        || may_be_copies(cx, e, component)
+}
+
+fn may_be_copies(cx: &Context, e: &Binary, component: u8) -> bool {
+    let module = cx.facts.module();
+    let sides = module.op_of(e.left).zip(module.op_of(e.right));
+    sides.is_some_and(|(left, right)| {
+        cx.facts
+            .ranges()
+            .may_be_copies(left, right, component as u32)
+    })
 }
 
 /// Whether a value comes from the host as it stands.
 fn is_given(cx: &Context, expr: ExprId) -> bool {
-    let root = crate::semantic::flow::range::root_variable(cx.program, expr);
-    let variable = root.and_then(|v| cx.program.variable(v));
-    variable.is_some_and(|v| v.storage == Storage::Uniform)
+    let module = cx.facts.module();
+    let variable = module.op_of(expr).and_then(|op| match module.op(op).kind {
+        OpKind::Load(place) => module.variable(module.place(place).variable),
+        _ => None,
+    });
+    variable.is_some_and(|v| v.root == Root::Uniform)
 }

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::flow::range::swizzle;
+use crate::semantic::flow::swizzled;
 use crate::semantic::{Direction, FunctionRef, Resolution, Storage, VariableId};
 use crate::syntax::ast::{ExprId, ExprKind};
 
@@ -64,7 +64,7 @@ fn part(cx: &Context, arg: ExprId) -> Option<(VariableId, u8)> {
     match program.tree.expr(arg).kind {
         ExprKind::Name(_) => Some((program.variable_of(arg)?, 0xff)),
         ExprKind::Member(object, name) => {
-            let mask = swizzle(program, object, name)?.mask();
+            let mask = swizzled(program, object, name)?;
             Some((program.variable_of(object)?, mask))
         }
         _ => None,

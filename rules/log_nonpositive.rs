@@ -1,9 +1,9 @@
 //! Logarithms of zero and of negative numbers.
 
 use crate::diagnostic::Severity;
+use crate::flow::ranges::Range;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
-use crate::semantic::flow::range::Range;
 
 pub static RULE: Rule = Rule {
     name: "log-nonpositive",

@@ -3,7 +3,6 @@
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Binary, Check, Context, Group, Rule};
 use crate::semantic::Scalar;
-use crate::semantic::flow::range::is_same;
 use crate::syntax::Version;
 use crate::syntax::ast::BinaryOp;
 use crate::text::Edit;
@@ -22,7 +21,7 @@ fn check(cx: &mut Context, e: &Binary) {
     let program = cx.program;
     let is_float = program.ty(e.left).scalar_kind() == Some(Scalar::Float);
     let compares = matches!(e.op, BinaryOp::Equal | BinaryOp::NotEqual);
-    if !compares || !is_float || !is_same(program, e.left, e.right) || program.expr(e.id).is_const {
+    if !compares || !is_float || !cx.facts.is_same(e.left, e.right) || program.expr(e.id).is_const {
         return;
     }
     let text = program.expr_text(e.left).to_string();

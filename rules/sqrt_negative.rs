@@ -1,9 +1,9 @@
 //! Roots of negative numbers.
 
 use crate::diagnostic::{Fix, Severity};
+use crate::flow::ranges::Range;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
-use crate::semantic::flow::range::Range;
 use crate::text::Edit;
 
 pub static RULE: Rule = Rule {

@@ -3,9 +3,10 @@
 use super::broken::Broken;
 use super::march::{March, marches};
 use super::words::{Counts, Unseen};
-use crate::flow::{Gradient, Uniformity, gradients};
+use crate::flow::defs::Defs;
+use crate::flow::ranges::{Query, Range, Ranges};
+use crate::flow::{Gradient, Uniformity, gradients, is_same};
 use crate::ir::{Module, lower};
-use crate::semantic::flow::range::{Evaluator, Range, Ranges};
 use crate::semantic::flow::{
     CallGraph, Effects, Loops, Mentions, Paths, Purity, Reach, Structure, Usage, Work,
 };
@@ -23,6 +24,7 @@ pub struct Facts<'a> {
     calls: OnceCell<CallGraph>,
     loops: OnceCell<Loops>,
     mentions: OnceCell<Mentions>,
+    defs: OnceCell<Defs>,
     ranges: OnceCell<Ranges>,
     paths: OnceCell<Paths>,
     entry: OnceCell<Option<FunctionRef>>,
@@ -52,6 +54,7 @@ impl<'a> Facts<'a> {
             calls: OnceCell::new(),
             loops: OnceCell::new(),
             mentions: OnceCell::new(),
+            defs: OnceCell::new(),
             ranges: OnceCell::new(),
             paths: OnceCell::new(),
             entry: OnceCell::new(),
@@ -137,14 +140,20 @@ impl<'a> Facts<'a> {
             .get_or_init(|| Paths::of(self.program, self.structure()))
     }
 
-    /// What numbers expressions may take.
-    pub fn ranges(&self) -> Evaluator<'_> {
-        let structure = self.structure();
-        Evaluator {
+    /// Which write each read sees.
+    pub fn defs(&self) -> &Defs {
+        self.defs
+            .get_or_init(|| Defs::of(self.program, self.module()))
+    }
+
+    /// What numbers values may be.
+    pub fn ranges(&self) -> Query<'_> {
+        Query {
             program: self.program,
-            structure,
+            module: self.module(),
+            defs: self.defs(),
             ranges: self.ranges.get_or_init(|| {
-                let mut ranges = Ranges::of(self.program, structure);
+                let mut ranges = Ranges::default();
                 if self.broken.any() {
                     ranges.forget(self.program, |name| self.broken.has(name));
                 }
@@ -155,7 +164,14 @@ impl<'a> Facts<'a> {
 
     /// What numbers the components of a number or vector may be.
     pub fn range(&self, expr: ExprId) -> impl Iterator<Item = Range> {
-        self.ranges().components(expr)
+        self.ranges().expr(expr)
+    }
+
+    /// Whether two expressions give the same value, as far as a short look tells.
+    pub fn is_same(&self, a: ExprId, b: ExprId) -> bool {
+        let module = self.module();
+        let both = module.op_of(a).zip(module.op_of(b));
+        both.is_some_and(|(a, b)| is_same(module, self.defs(), a, b))
     }
 
     /// The function that draws: `mainImage` and its kin, or `main`.

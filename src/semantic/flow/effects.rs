@@ -3,6 +3,7 @@
 use super::{CallGraph, Structure, each_operand};
 use crate::semantic::builtins::Builtins;
 use crate::semantic::{Direction, FunctionRef, Program, Resolution, Storage, VariableId};
+use crate::syntax::Name;
 use crate::syntax::ast::*;
 
 /// Which expressions and functions do something that is seen elsewhere.
@@ -132,6 +133,21 @@ pub fn root(program: &Program, target: ExprId) -> Option<VariableId> {
         at = inner;
     }
     program.variable_of(at)
+}
+
+/// The components of a vector that a member expression picks, a bit each; `None` where it picks a
+/// member of a struct.
+pub fn swizzled(program: &Program, object: ExprId, name: Name) -> Option<u8> {
+    let text = program.names.text(name);
+    let number = |c| {
+        let mut sets = ["xyzw", "rgba", "stpq"].iter();
+        sets.find_map(|set| set.find(c))
+    };
+    let is_vector = program.ty(object).is_vector();
+    let numbers = text.chars().map(|c| number(c).filter(|_| is_vector));
+    numbers
+        .into_iter()
+        .try_fold(0, |mask, n| Some(mask | 1 << n?))
 }
 
 /// Who calls a function with effects has effects. A function with `out` parameters of its own may

@@ -11,14 +11,13 @@ mod loops;
 mod mentions;
 mod paths;
 mod purity;
-pub mod range;
 mod reach;
 mod structure;
 mod usage;
 mod work;
 
 pub use calls::{CallGraph, arguments};
-pub use effects::{Effects, root};
+pub use effects::{Effects, root, swizzled};
 pub use estimate::Estimate;
 pub use loops::{Loop, Loops};
 pub use mentions::Mentions;

@@ -5,7 +5,7 @@
 //! what it looks for, is seldom written in the text.
 
 use super::{Structure, each_expr, each_operand};
-use crate::semantic::flow::range::{root_variable, swizzle};
+use crate::semantic::flow::{root, swizzled};
 use crate::semantic::{Direction, FunctionRef, Program, Resolution, Stage, Storage, VariableId};
 use crate::syntax::ast::*;
 use rustc_hash::FxHashMap;
@@ -521,12 +521,12 @@ impl Walk<'_> {
 
     fn write(&mut self, target: ExprId) {
         let program = self.program;
-        let Some(variable) = root_variable(program, target) else {
+        let Some(variable) = root(program, target) else {
             return;
         };
         let mask = match program.tree.expr(program.tree.unparen(target)).kind {
             ExprKind::Member(object, name) if program.variable_of(object).is_some() => {
-                swizzle(program, object, name).map_or(ALL, |c| c.mask())
+                swizzled(program, object, name).unwrap_or(ALL)
             }
             _ => ALL,
         };
@@ -576,10 +576,10 @@ impl Walk<'_> {
             match tree.expr(parent).kind {
                 ExprKind::Paren(_) => {}
                 ExprKind::Member(object, name) => {
-                    if let Some(components) = swizzle(program, object, name)
+                    if let Some(components) = swizzled(program, object, name)
                         && program.variable_of(object) == Some(variable)
                     {
-                        needed = components.mask();
+                        needed = components;
                     }
                 }
                 ExprKind::Index(object, _) if object == outer => {

@@ -1,7 +1,8 @@
 //! Ranges of expressions, as messages say them.
 
-use super::{Evaluator, Ranges};
-use crate::semantic::flow::Structure;
+use super::{Query, Ranges};
+use crate::flow::defs::Defs;
+use crate::ir::lower;
 use crate::semantic::{Dialect, Extent, Pass, Stage, Unit, analyze};
 use crate::syntax::ast::{ExprKind, StmtKind};
 use crate::text::{Role, Sources};
@@ -35,12 +36,13 @@ fn range(code: &str) -> (String, bool, bool) {
         analysis.diagnostics
     );
     let program = &analysis.program;
-    let structure = Structure::of(program);
-    let ranges = Ranges::of(program, &structure);
-    let evaluator = Evaluator {
+    let module = lower(program);
+    let defs = Defs::of(program, &module);
+    let query = Query {
         program,
-        structure: &structure,
-        ranges: &ranges,
+        module: &module,
+        defs: &defs,
+        ranges: &Ranges::default(),
     };
     let returned = program.tree.stmts.iter().rev().find_map(|s| match s.kind {
         StmtKind::Return(Some(e)) if !matches!(program.tree.expr(e).kind, ExprKind::Error) => {
@@ -48,7 +50,7 @@ fn range(code: &str) -> (String, bool, bool) {
         }
         _ => None,
     });
-    let range = evaluator.component(returned.unwrap(), 0);
+    let range = query.expr(returned.unwrap()).next().unwrap();
     let reached = range.lo.is_reached() && range.hi.is_reached();
     (range.to_string(), reached, range.exact)
 }
@@ -159,13 +161,73 @@ fn the_last_write_before_a_use_counts() {
         "x = 3.0; for (int i = 0; i < n; i++) { v.x = x; x = v.y; } return v.x;",
         "any number",
     );
-    check_body("x = 3.0; if (n > 0) x = 5.0; return x;", "any number");
+    check_body("x = 3.0; if (n > 0) x = 5.0; return x;", "3.0..5.0");
+}
+
+#[test]
+fn what_is_made_of_a_value_narrows_it() {
+    check_body(
+        "if (length(v) > 1.0) return 0.5; return dot(v, v);",
+        "0.0..1.0",
+    );
+    check_body(
+        "float d = dot(v, v); if (d > 4.0) discard; return length(v);",
+        "0.0..2.0",
+    );
+    check_body(
+        "bool ok = x > 0.5; if (ok) { return min(x, 1.0); } return 0.75;",
+        "0.75",
+    );
+    check_body(
+        "bool ok = x > 0.5; if (!ok) return 0.75; return min(x, 1.0);",
+        "0.5..1.0",
+    );
+    check_body(
+        "if (2.0 * x + 1.0 > 5.0) return 1.0; return x;",
+        "2.0 or less",
+    );
+    check_body(
+        "if (v != clamp(v, 0.0, 1.0)) return 0.0; return v.y;",
+        "0.0..1.0",
+    );
+    check_body(
+        "if (n < 0 || n > 3) return 0.0; return float(n);",
+        "0.0..3.0",
+    );
+}
+
+#[test]
+fn what_comes_round_in_a_loop_is_bounded() {
+    check_body(
+        "float a = 1.0; for (int i = 0; i < n; i++) a *= 0.5; return a;",
+        "0.0..1.0",
+    );
+    check_body(
+        "float a = 5.0; while (a > 0.5) { a = max(a - x * x, 0.0); } return a;",
+        "0.0..0.5",
+    );
+    check_body(
+        "int i = 0; for (; i < 7; i += 2) { } return float(i);",
+        "8.0",
+    );
+    check_body(
+        "float a = 3.0; for (int i = 0; i < 4; i++) { if (x > v.x) break; a = min(a, 2.0); } return a;",
+        "2.0..3.0",
+    );
+}
+
+#[test]
+fn members_are_told_apart() {
+    let code = "struct S { float a; vec2 b; };
+        void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
+        float test() { S s = S(1.0, vec2(2.0, 3.0)); S t = s; t.a = 9.0; return s.a + t.b.y; }";
+    assert_eq!(range(code).0, "4.0");
 }
 
 #[test]
 fn a_loop_counter_stays_below_its_limit() {
     let code = "void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
-        float test() { for (int i = 2; i < 9; i++) { return float(i); } }";
+        float test() { for (int i = 2; i < 9; i++) { if (iTime > 1.0) return float(i); } }";
     assert_eq!(range(code).0, "2.0..8.0");
 }
 

@@ -16,7 +16,7 @@ pub enum Reach {
 
 /// An end of a range.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Bound {
+pub struct End {
     /// The number, perhaps infinite.
     pub value: f64,
     /// How well it is taken.
@@ -27,9 +27,9 @@ pub struct Bound {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Range {
     /// The least.
-    pub lo: Bound,
+    pub lo: End,
     /// The greatest.
-    pub hi: Bound,
+    pub hi: End,
     /// Whether it comes about without rounding: whole numbers, halves and the like.
     pub exact: bool,
     /// What it hangs on, a bit for each unknown. Two numbers that hang on the same are not free of
@@ -53,7 +53,7 @@ pub fn above(value: f64) -> f64 {
     -below(-value)
 }
 
-fn bound(value: f64, reach: Reach) -> Bound {
+fn bound(value: f64, reach: Reach) -> End {
     let reach = if value.is_finite() {
         reach
     } else {
@@ -61,11 +61,11 @@ fn bound(value: f64, reach: Reach) -> Bound {
     };
     // A product of zero and infinity: whatever it is, nothing is known.
     let value = if value.is_nan() { 0.0 } else { value };
-    Bound { value, reach }
+    End { value, reach }
 }
 
 /// The lesser of two ends of different values that may both be.
-fn least(a: Bound, b: Bound) -> Bound {
+fn least(a: End, b: End) -> End {
     match a.value.total_cmp(&b.value) {
         std::cmp::Ordering::Less => a,
         std::cmp::Ordering::Greater => b,
@@ -74,12 +74,12 @@ fn least(a: Bound, b: Bound) -> Bound {
     }
 }
 
-fn greatest(a: Bound, b: Bound) -> Bound {
+fn greatest(a: End, b: End) -> End {
     least(a.negated(), b.negated()).negated()
 }
 
-impl Bound {
-    fn negated(self) -> Bound {
+impl End {
+    fn negated(self) -> End {
         // No -0.0, which would be below 0.0.
         bound(0.0 - self.value, self.reach)
     }
@@ -89,7 +89,7 @@ impl Bound {
         self.reach >= Reach::Touched
     }
 
-    fn at_most(self, reach: Reach) -> Bound {
+    fn at_most(self, reach: Reach) -> End {
         bound(self.value, self.reach.min(reach))
     }
 }
@@ -97,11 +97,11 @@ impl Bound {
 impl Range {
     /// Any number.
     pub const ANY: Range = Range {
-        lo: Bound {
+        lo: End {
             value: f64::NEG_INFINITY,
             reach: Reach::Loose,
         },
-        hi: Bound {
+        hi: End {
             value: f64::INFINITY,
             reach: Reach::Loose,
         },
@@ -205,7 +205,7 @@ impl Range {
 
     /// Whether it is for certain `value`, and not only in passing.
     pub fn holds(&self, value: f64) -> bool {
-        [self.lo, self.hi].contains(&Bound {
+        [self.lo, self.hi].contains(&End {
             value,
             reach: Reach::Held,
         })
@@ -236,6 +236,22 @@ impl Range {
         }
     }
 
+    /// Down to a number that is perhaps never come near to.
+    pub fn down_to(self, lo: f64) -> Range {
+        Range {
+            lo: bound(lo, Reach::Loose),
+            ..self
+        }
+    }
+
+    /// Up to a number that is perhaps never come near to.
+    pub fn up_to(self, hi: f64) -> Range {
+        Range {
+            hi: bound(hi, Reach::Loose),
+            ..self
+        }
+    }
+
     /// Both ends are come near to.
     pub fn touch_ends(&mut self) {
         self.lo = bound(self.lo.value, self.lo.reach.max(Reach::Touched));
@@ -243,7 +259,7 @@ impl Range {
     }
 
     /// A range made of the ends of two; whether the ends come together hangs on their sources.
-    fn made_of(a: &Range, b: &Range, lo: Bound, hi: Bound) -> Range {
+    fn made_of(a: &Range, b: &Range, lo: End, hi: End) -> Range {
         let range = Range {
             lo,
             hi,
@@ -343,7 +359,7 @@ impl Add for Range {
     type Output = Range;
 
     fn add(self, other: Range) -> Range {
-        let sum = |a: Bound, b: Bound| bound(a.value + b.value, a.reach.min(b.reach));
+        let sum = |a: End, b: End| bound(a.value + b.value, a.reach.min(b.reach));
         let (lo, hi) = (sum(self.lo, other.lo), sum(self.hi, other.hi));
         Range::made_of(&self, &other, lo, hi)
     }
@@ -395,8 +411,8 @@ impl Div for Range {
 }
 
 /// The least and greatest of a function of the ends of two ranges.
-fn ends(a: &Range, b: &Range, f: impl Fn(f64, f64) -> f64) -> (Bound, Bound) {
-    let at = |a: Bound, b: Bound| bound(f(a.value, b.value), a.reach.min(b.reach));
+fn ends(a: &Range, b: &Range, f: impl Fn(f64, f64) -> f64) -> (End, End) {
+    let at = |a: End, b: End| bound(f(a.value, b.value), a.reach.min(b.reach));
     let corners = [
         at(a.lo, b.lo),
         at(a.lo, b.hi),

@@ -1,0 +1,228 @@
+//! What a condition speaks of: the comparisons that it is made of, and the values that those are
+//! made of.
+
+use super::{Def, DefId, Defs};
+use crate::flow::layout::length_lane;
+use crate::flow::same::is_same;
+use crate::ir::{Binary, Module, OpId, OpKind, Unary};
+use crate::semantic::BuiltinId;
+use crate::semantic::builtins::Transfer;
+
+/// Most parts of a condition, and of a comparison, that are looked at.
+const MAX_PARTS: usize = 24;
+/// Most hops from a comparison to what it tells of.
+const MAX_HOPS: u8 = 16;
+
+/// What a comparison tells of a value: the way from the comparison down to a load of it. Each hop
+/// goes to an operand, and each can be taken back by arithmetic.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Refinement {
+    /// The comparison.
+    pub comparison: OpId,
+    /// Whether it is true.
+    pub truth: bool,
+    /// Whether the value is on its right.
+    pub is_right: bool,
+    /// The component that is compared.
+    pub lane: u8,
+    /// Which operand each hop takes, two bits each, the first lowest.
+    path: u32,
+    hops: u8,
+}
+
+/// A lane of an operation on the way from a comparison to what it tells of.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Hop {
+    /// The operation.
+    pub op: OpId,
+    /// Its lane.
+    pub lane: u32,
+    /// The operand that the way goes on to; `None` at its end.
+    pub choice: Option<u8>,
+}
+
+/// Calls `each` with every comparison, or other condition, that holds or does not where `condition`
+/// does.
+pub fn each_comparison(
+    module: &Module,
+    defs: &Defs,
+    condition: OpId,
+    truth: bool,
+    mut each: impl FnMut(OpId, bool),
+) {
+    let mut todo = vec![(condition, truth)];
+    for _ in 0..MAX_PARTS {
+        let Some((at, truth)) = todo.pop() else {
+            return;
+        };
+        match module.op(at).kind {
+            OpKind::Unary(Unary::Not, inner) => todo.push((inner, !truth)),
+            OpKind::Binary(Binary::And, a, b) if truth => todo.extend([(b, true), (a, true)]),
+            OpKind::Binary(Binary::Or, a, b) if !truth => todo.extend([(b, false), (a, false)]),
+            OpKind::Binary(op, ..) if op.compares() => each(at, truth),
+            OpKind::Same { left, negated, .. } => {
+                // Of vectors that differ it is not known where.
+                let ty = module.ty(left);
+                if ty.is_scalar() || ty.is_vector() && truth != negated {
+                    each(at, truth);
+                }
+            }
+            OpKind::Load(_) => held(module, defs, defs.seen(at, 0), truth, &mut todo),
+            _ => {}
+        }
+    }
+}
+
+/// What was put into a variable of type `bool` that is true or false now.
+fn held(module: &Module, defs: &Defs, def: DefId, truth: bool, todo: &mut Vec<(OpId, bool)>) {
+    match defs.get(defs.unrefined(def)) {
+        Def::Stored { value, .. } => todo.push((value, truth)),
+        Def::Merge {
+            sides,
+            condition: Some(condition),
+            ..
+        } => {
+            let &[then, otherwise] = defs.list(sides) else {
+                return;
+            };
+            let value = |side| match defs.get(defs.unrefined(side)) {
+                Def::Stored { value, .. } => Some(value),
+                _ => None,
+            };
+            let (then, otherwise) = (value(then), value(otherwise));
+            let is_out = |side: Option<OpId>, met: bool| {
+                side.is_some_and(|value| match module.constant(value) {
+                    [known] => known.as_bool() != truth,
+                    _ => value == condition && met != truth,
+                })
+            };
+            // The side that gives the other answer was not taken.
+            if is_out(otherwise, false) {
+                todo.extend(then.filter(|v| *v != condition).map(|v| (v, truth)));
+                todo.push((condition, true));
+            } else if is_out(then, true) {
+                todo.extend(otherwise.filter(|v| *v != condition).map(|v| (v, truth)));
+                todo.push((condition, false));
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The two sides of a comparison.
+pub(super) fn sides(module: &Module, comparison: OpId) -> Option<(OpId, OpId)> {
+    match module.op(comparison).kind {
+        OpKind::Binary(_, left, right) | OpKind::Same { left, right, .. } => Some((left, right)),
+        _ => None,
+    }
+}
+
+/// Calls `each` with every load that a comparison tells something of: the load, its lane, and how.
+pub fn each_load(
+    module: &Module,
+    defs: &Defs,
+    comparison: OpId,
+    truth: bool,
+    mut each: impl FnMut(OpId, u32, Refinement),
+) {
+    let Some((left, right)) = sides(module, comparison) else {
+        return;
+    };
+    let start = |is_right, lane| Refinement {
+        comparison,
+        truth,
+        is_right,
+        lane,
+        path: 0,
+        hops: 0,
+    };
+    let mut todo = Vec::new();
+    for lane in (0..module.ty(left).components() as u8).rev() {
+        todo.push((right, lane as u32, start(true, lane)));
+        todo.push((left, lane as u32, start(false, lane)));
+    }
+    for _ in 0..MAX_PARTS {
+        let Some((op, lane, way)) = todo.pop() else {
+            return;
+        };
+        if let OpKind::Load(_) = module.op(op).kind {
+            each(op, lane, way);
+        }
+        if way.hops >= MAX_HOPS {
+            continue;
+        }
+        let hops = [2, 1, 0].into_iter().filter_map(|choice| {
+            let (op, lane) = hop(module, defs, op, lane, choice)?;
+            let path = way.path | (choice as u32) << (2 * way.hops);
+            let hops = way.hops + 1;
+            Some((op, lane, Refinement { path, hops, ..way }))
+        });
+        todo.extend(hops);
+    }
+}
+
+impl Refinement {
+    /// The way from one side of the comparison down to what it tells of.
+    pub fn way(self, module: &Module, defs: &Defs) -> impl Iterator<Item = Hop> {
+        let first = sides(module, self.comparison);
+        let lane = self.lane as u32;
+        let mut at = first.map(|(l, r)| (if self.is_right { r } else { l }, lane));
+        let mut number = 0;
+        std::iter::from_fn(move || {
+            let (op, lane) = at?;
+            let choice = (number < self.hops).then(|| (self.path >> (2 * number) & 3) as u8);
+            number += 1;
+            at = choice.and_then(|choice| hop(module, defs, op, lane, choice));
+            Some(Hop { op, lane, choice })
+        })
+    }
+}
+
+/// An operand of which something is known where something is known of a lane of an operation.
+fn hop(module: &Module, defs: &Defs, op: OpId, lane: u32, choice: u8) -> Option<(OpId, u32)> {
+    let found = module.op(op);
+    let is_length = length_lane(found.ty) == Some(lane);
+    match (found.kind, choice) {
+        (OpKind::Load(_), 0) => match defs.get(defs.unrefined(defs.seen(op, lane))) {
+            Def::Stored { value, lane } => Some((value, lane)),
+            _ => None,
+        },
+        (OpKind::Unary(Unary::Negate, a) | OpKind::Convert(a), 0) => Some((a, lane)),
+        (OpKind::Binary(kind, a, b), 0 | 1) if !is_length => {
+            use Binary::*;
+            let operand = if choice == 0 { a } else { b };
+            matches!(kind, Add | Subtract | Multiply | Divide).then_some((operand, lane))
+        }
+        (OpKind::Builtin(function, list), _) if !is_length => {
+            let args = module.operands(list);
+            argument(module, defs, function, args, lane, choice)
+        }
+        (_, 0) => defs.part_of(module, op, lane),
+        _ => None,
+    }
+}
+
+/// An argument of which the result of a built-in function tells something.
+fn argument(
+    module: &Module,
+    defs: &Defs,
+    function: BuiltinId,
+    args: &[OpId],
+    lane: u32,
+    choice: u8,
+) -> Option<(OpId, u32)> {
+    let arg = *args.get(choice as usize)?;
+    let length = || Some((arg, length_lane(module.ty(arg)).unwrap_or(0)));
+    let own_lane = if module.ty(arg).is_scalar() { 0 } else { lane };
+    match (function.transfer(), choice) {
+        (Transfer::Norm, 0) => length(),
+        (Transfer::Product, 0) => match args {
+            [a, b] if is_same(module, defs, *a, *b) => length(),
+            _ => None,
+        },
+        (Transfer::Minimum | Transfer::Maximum, 0 | 1)
+        | (Transfer::Magnitude | Transfer::Rounded(_), 0) => Some((arg, own_lane)),
+        _ if function == BuiltinId::Sqrt && choice == 0 => Some((arg, own_lane)),
+        _ => None,
+    }
+}

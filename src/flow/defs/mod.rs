@@ -1,0 +1,368 @@
+//! Which write each read sees: definitions of the scalar lanes of variables, found once.
+//!
+//! One walk over the regions of a function, in order, keeps the definition that each lane has at the
+//! moment (Braun and others, *Simple and Efficient Construction of Static Single Assignment Form*,
+//! 2013, on structured control flow). Where ways come together lanes that differ get a merge, at the
+//! head of a loop what the loop writes gets one too, and where a condition holds, what the condition
+//! is made of gets a refinement (e-SSA; Bodík and others, *ABCD*, 2000). Functions are seen apart:
+//! parameters take what any call passes, globals what anything writes to them.
+
+mod condition;
+mod globals;
+mod place;
+mod state;
+mod walk;
+
+pub use condition::{Hop, Refinement, each_comparison, each_load};
+
+use super::layout::Layout;
+use crate::ir::{LoopId, Module, OpId, OpKind, Root};
+use crate::semantic::{FunctionRef, Program, VariableId};
+use crate::syntax::ast::List;
+use rustc_hash::FxHashMap;
+
+/// Index of a [`Def`].
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct DefId(pub u32);
+
+/// A scalar lane of a variable.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Slot(pub u32);
+
+/// What a lane of a variable holds.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Def {
+    /// What was there before the function, or behind a call that may have written to it.
+    Entry(Slot),
+    /// A lane of a value that was stored.
+    Stored {
+        /// The value.
+        value: OpId,
+        /// Its lane.
+        lane: u32,
+    },
+    /// The length of a vector whose components were written one by one: their definitions.
+    Measured(List),
+    /// One of several.
+    Merge {
+        /// The definitions on the ways that come together.
+        sides: List,
+        /// The condition, where there are two sides: the first holds where it is true.
+        condition: Option<OpId>,
+        /// Whether it is the value of a `?:`, `&&` or `||`, so that each side is meant.
+        is_choice: bool,
+    },
+    /// What a lane holds when a turn of a loop begins.
+    Head {
+        /// The loop.
+        of: LoopId,
+        /// The lane.
+        slot: Slot,
+        /// Before the loop.
+        init: DefId,
+        /// At the end of a turn.
+        back: DefId,
+    },
+    /// The same where a comparison has told something of it.
+    Refined {
+        /// What it was before.
+        of: DefId,
+        /// What is known.
+        by: Refinement,
+    },
+    /// Nobody knows.
+    Unknown,
+}
+
+/// A condition that is true or false where an operation runs.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Guard {
+    /// The condition.
+    pub condition: OpId,
+    /// Whether it is true.
+    pub truth: bool,
+    around: Option<u32>,
+}
+
+/// What the calls of a function pass to a lane of one of its parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct Passed<'m> {
+    module: &'m Module,
+    calls: &'m [OpId],
+    position: usize,
+    /// The lane.
+    pub lane: u32,
+}
+
+impl<'m> Passed<'m> {
+    /// The arguments, one for each call.
+    pub fn args(self) -> impl ExactSizeIterator<Item = OpId> + 'm {
+        let Passed {
+            module,
+            calls,
+            position,
+            ..
+        } = self;
+        calls.iter().map(move |call| match module.op(*call).kind {
+            OpKind::Call(_, list) => module
+                .operands(list)
+                .get(position)
+                .copied()
+                .unwrap_or(*call),
+            _ => *call,
+        })
+    }
+}
+
+/// All definitions of a shader.
+#[derive(Debug)]
+pub struct Defs {
+    /// How values lie in lanes.
+    pub layout: Layout,
+    /// By variable: its first slot; at the end, how many slots there are.
+    slots: Vec<u32>,
+    /// By operation: its first lane; at the end, how many lanes there are.
+    lanes: Vec<u32>,
+    /// By lane: the operation that it belongs to.
+    owners: Vec<OpId>,
+    /// By lane of an operation that loads: what it sees.
+    seen: Vec<DefId>,
+    defs: Vec<Def>,
+    lists: Vec<DefId>,
+    /// By function: the calls of it.
+    calls: Vec<Vec<OpId>>,
+    /// By function: the values that it returns.
+    returns: Vec<Vec<OpId>>,
+    /// By slot of a parameter that goes back to the caller: what it holds in the end.
+    exits: FxHashMap<Slot, DefId>,
+    /// By slot of a global: what is ever put there.
+    global_writes: FxHashMap<Slot, Vec<DefId>>,
+    /// By loop: the definitions made in it; the heads come first.
+    loop_defs: Vec<(DefId, DefId)>,
+    guards: Vec<Guard>,
+    /// From which operation on which guard is the innermost.
+    guarded: Vec<(OpId, Option<u32>)>,
+    /// Whether all of the shader was looked at; not where there is too much of it.
+    pub is_complete: bool,
+}
+
+impl Defs {
+    const UNKNOWN: DefId = DefId(0);
+
+    /// Finds the definitions of a shader.
+    pub fn of(program: &Program, module: &Module) -> Defs {
+        walk::walk(program, module)
+    }
+
+    /// A definition.
+    pub fn get(&self, id: DefId) -> Def {
+        self.defs
+            .get(id.0 as usize)
+            .copied()
+            .unwrap_or(Def::Unknown)
+    }
+
+    /// How many definitions there are.
+    pub fn len(&self) -> u32 {
+        self.defs.len() as u32
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.defs.is_empty()
+    }
+
+    /// The definitions of a list.
+    pub fn list(&self, list: List) -> &[DefId] {
+        let start = list.start as usize;
+        self.lists
+            .get(start..start + list.len as usize)
+            .unwrap_or(&[])
+    }
+
+    /// How many lanes all operations have together.
+    pub fn lane_count(&self) -> u32 {
+        self.lanes.last().copied().unwrap_or(0)
+    }
+
+    /// The first lane of an operation among those of all.
+    pub fn first_lane(&self, op: OpId) -> u32 {
+        self.lanes.get(op.0 as usize).copied().unwrap_or(0)
+    }
+
+    /// How many lanes an operation's value has.
+    pub fn lanes_of(&self, op: OpId) -> u32 {
+        let end = self.lanes.get(op.0 as usize + 1).copied().unwrap_or(0);
+        end.saturating_sub(self.first_lane(op))
+    }
+
+    /// The operation that a lane belongs to, and which of its lanes it is.
+    pub fn op_at(&self, lane: u32) -> (OpId, u32) {
+        let op = self.owners.get(lane as usize).copied().unwrap_or(OpId(0));
+        (op, lane - self.first_lane(op))
+    }
+
+    /// What a load sees in one of its lanes.
+    pub fn seen(&self, load: OpId, lane: u32) -> DefId {
+        let at = self.first_lane(load) + lane;
+        let seen = self.seen.get(at as usize).copied();
+        seen.unwrap_or(Defs::UNKNOWN)
+    }
+
+    /// The variable that a slot belongs to, and which of its lanes it is.
+    pub fn variable_at(&self, slot: Slot) -> (VariableId, u32) {
+        let at = self.slots.partition_point(|first| *first <= slot.0);
+        let variable = at.saturating_sub(1);
+        let first = self.slots.get(variable).copied().unwrap_or(0);
+        (VariableId(variable as u32), slot.0.saturating_sub(first))
+    }
+
+    /// The slot of a lane of a variable.
+    pub fn slot(&self, variable: VariableId, lane: u32) -> Slot {
+        Slot(self.slots.get(variable.0 as usize).copied().unwrap_or(0) + lane)
+    }
+
+    /// The calls of a function.
+    pub fn calls_of(&self, function: FunctionRef) -> &[OpId] {
+        self.calls
+            .get(function.0 as usize)
+            .map_or(&[], Vec::as_slice)
+    }
+
+    /// The values that a function returns.
+    pub fn returns_of(&self, function: FunctionRef) -> &[OpId] {
+        let list = self.returns.get(function.0 as usize);
+        list.map_or(&[], Vec::as_slice)
+    }
+
+    /// What a parameter that goes back to the caller holds in the end.
+    pub fn exit(&self, slot: Slot) -> Option<DefId> {
+        self.exits.get(&slot).copied()
+    }
+
+    /// What is ever put into a global.
+    pub fn global_writes(&self, slot: Slot) -> &[DefId] {
+        self.global_writes.get(&slot).map_or(&[], Vec::as_slice)
+    }
+
+    /// What calls pass to a lane of a parameter; `None` where nobody calls its function, or it is no
+    /// parameter that takes values.
+    pub fn passed<'m>(&'m self, module: &'m Module, slot: Slot) -> Option<Passed<'m>> {
+        let (id, lane) = self.variable_at(slot);
+        let variable = module.variable(id)?;
+        if !matches!(variable.root, Root::Parameter | Root::ParameterInout) {
+            return None;
+        }
+        let function = variable.function?;
+        let parameters = module.parameters(module.function(function)?);
+        let position = parameters.iter().position(|p| *p == id)?;
+        let calls = self.calls_of(function);
+        (!calls.is_empty()).then_some(Passed {
+            module,
+            calls,
+            position,
+            lane,
+        })
+    }
+
+    /// The definitions that were made inside a loop.
+    pub fn made_in(&self, looped: LoopId) -> std::ops::Range<DefId> {
+        let found = self.loop_defs.get(looped.0 as usize).copied();
+        let (first, end) = found.unwrap_or((DefId(0), DefId(0)));
+        first..end
+    }
+
+    /// The heads of a loop: what its turns carry on.
+    pub fn heads(&self, looped: LoopId) -> impl Iterator<Item = DefId> + '_ {
+        let made = self.made_in(looped);
+        let all = (made.start.0..made.end.0).map(DefId);
+        all.take_while(move |d| matches!(self.get(*d), Def::Head { of, .. } if of == looped))
+    }
+
+    /// A definition without what conditions tell of it.
+    pub fn unrefined(&self, mut id: DefId) -> DefId {
+        while let Def::Refined { of, .. } = self.get(id) {
+            id = of;
+        }
+        id
+    }
+
+    /// Where a value was first made, copies taken back; a definition, for want of a value.
+    pub fn copied_from(&self, module: &Module, id: DefId) -> DefId {
+        let mut id = self.unrefined(id);
+        for _ in 0..16 {
+            let Def::Stored { value, lane } = self.get(id) else {
+                break;
+            };
+            let Some((value, lane)) = self.through(module, value, lane) else {
+                break;
+            };
+            id = self.unrefined(self.seen(value, lane));
+        }
+        id
+    }
+
+    /// The load that a lane of a value is a copy of: through swizzles and the like.
+    pub fn through(&self, module: &Module, mut op: OpId, mut lane: u32) -> Option<(OpId, u32)> {
+        for _ in 0..16 {
+            if let OpKind::Load(_) = module.op(op).kind {
+                return Some((op, lane));
+            }
+            (op, lane) = self.part_of(module, op, lane)?;
+        }
+        None
+    }
+
+    /// The lane of another value that a lane is, where it is just that.
+    pub fn part_of(&self, module: &Module, op: OpId, lane: u32) -> Option<(OpId, u32)> {
+        let found = module.op(op);
+        match found.kind {
+            OpKind::Splat(a) => {
+                let rows = found.ty.numeric().map_or(1, |(_, _, rows)| rows as u32);
+                (found.ty.is_vector() && lane < rows).then_some((a, 0))
+            }
+            OpKind::Swizzle(a, lanes) => {
+                let number = *lanes.numbers().get(lane as usize)?;
+                Some((a, number as u32))
+            }
+            OpKind::Extract(a, number) => Some((a, self.layout.part(module.ty(a), number)? + lane)),
+            OpKind::Compose(list) if found.ty.is_array() => {
+                let one = module.operands(list);
+                (one.len() == 1).then(|| one.first().map(|a| (*a, lane)))?
+            }
+            OpKind::Compose(list) => {
+                let is_vector = found.ty.is_vector();
+                let mut rest = lane;
+                for &part in module.operands(list) {
+                    let lanes = match is_vector {
+                        true => module.ty(part).components(),
+                        false => self.lanes_of(part),
+                    };
+                    if rest < lanes {
+                        return Some((part, rest));
+                    }
+                    rest -= lanes;
+                }
+                None
+            }
+            _ => None,
+        }
+    }
+
+    /// The conditions around an operation, innermost first, each with its number.
+    pub fn guards(&self, op: OpId) -> impl Iterator<Item = (u32, Guard)> + '_ {
+        let at = self.guarded.partition_point(|(first, _)| *first <= op);
+        let found = at.checked_sub(1).and_then(|i| self.guarded.get(i));
+        let get = |number: Option<u32>| {
+            let number = number?;
+            Some((number, self.guards.get(number as usize).copied()?))
+        };
+        let first = get(found.and_then(|(_, guard)| *guard));
+        std::iter::successors(first, move |(_, guard)| get(guard.around))
+    }
+
+    /// How many conditions there are.
+    pub fn guard_count(&self) -> usize {
+        self.guards.len()
+    }
+}

@@ -1,0 +1,731 @@
+//! The walk over the regions of each function that numbers definitions.
+
+use super::condition::{each_comparison, each_load};
+use super::place::Spot;
+use super::{Def, DefId, Defs, Guard, Slot};
+use crate::flow::layout::{Layout, length_lane};
+use crate::ir::{Binary, LoopId, Module, OpId, OpKind, PlaceId, Region, Root, Run, Step, SwitchId};
+use crate::semantic::{FunctionRef, Program};
+use rustc_hash::FxHashMap;
+
+/// Definitions and entries of lists for each lane of a shader, at most; then nothing more is known.
+const PER_LANE: usize = 24;
+/// What a small shader may have in any case.
+const AT_LEAST: usize = 1 << 14;
+
+/// The lanes that changed since some point, with what they hold now.
+pub(super) type Changes = Vec<(Slot, DefId)>;
+
+/// Finds the definitions of a shader.
+pub(super) fn walk(program: &Program, module: &Module) -> Defs {
+    let mut walker = Walker::of(program, module);
+    let globals = module.globals;
+    walker.region(globals);
+    walker.roll_back(0);
+    for (number, function) in (0..).zip(&module.functions) {
+        if let Some(body) = function.body {
+            walker.function(FunctionRef(number), body);
+        }
+    }
+    walker.defs.is_complete = !walker.is_full();
+    walker.defs
+}
+
+/// A loop or `switch` that can be left from inside.
+struct Frame {
+    is_loop: bool,
+    /// Where the changes inside it begin.
+    mark: usize,
+    breaks: Vec<Changes>,
+    continues: Vec<Changes>,
+}
+
+pub(super) struct Walker<'m> {
+    pub(super) module: &'m Module,
+    pub(super) defs: Defs,
+    /// By slot: its definition at the moment, if it has one since the function began.
+    pub(super) current: Vec<Option<DefId>>,
+    /// By slot: what was there when the function began, once it was asked for.
+    pub(super) entries: Vec<Option<DefId>>,
+    /// What each change since the function began took the place of.
+    pub(super) trail: Vec<(Slot, Option<DefId>)>,
+    frames: Vec<Frame>,
+    guard: Option<u32>,
+    /// Whether the step that follows can be reached.
+    is_alive: bool,
+    function: Option<FunctionRef>,
+    /// By function: the slots of globals that a call may write to.
+    writes: Vec<Vec<Slot>>,
+    /// By parameter slot that goes back to the caller: what it holds where the function ends.
+    open_exits: FxHashMap<Slot, Vec<DefId>>,
+    /// By slot: whether it was seen in the question at hand, by the number of the question.
+    pub(super) stamps: Vec<u32>,
+    pub(super) stamp: u32,
+    pub(super) limit: usize,
+}
+
+impl<'m> Walker<'m> {
+    fn of(program: &Program, module: &'m Module) -> Walker<'m> {
+        let layout = Layout::of(program);
+        let sums = |sizes: &mut dyn Iterator<Item = u32>| {
+            let mut sum = 0u32;
+            let mut all: Vec<u32> = sizes
+                .map(|size| {
+                    let first = sum;
+                    sum = sum.saturating_add(size);
+                    first
+                })
+                .collect();
+            all.push(sum);
+            all
+        };
+        let slots = sums(&mut module.variables.iter().map(|v| layout.lanes(v.ty)));
+        let lanes = sums(&mut module.ops.iter().map(|o| layout.lanes(o.ty)));
+        let lane_count = lanes.last().copied().unwrap_or(0) as usize;
+        let mut owners = Vec::with_capacity(lane_count);
+        for (number, pair) in (0..).zip(lanes.windows(2)) {
+            if let [first, end] = pair {
+                owners.extend((*first..*end).map(|_| OpId(number)));
+            }
+        }
+        let slot_count = slots.last().copied().unwrap_or(0) as usize;
+        let functions = module.functions.len();
+        let mut walker = Walker {
+            module,
+            defs: Defs {
+                layout,
+                slots,
+                lanes,
+                owners,
+                seen: vec![Defs::UNKNOWN; lane_count],
+                defs: vec![Def::Unknown],
+                lists: Vec::new(),
+                calls: vec![Vec::new(); functions],
+                returns: vec![Vec::new(); functions],
+                exits: FxHashMap::default(),
+                global_writes: FxHashMap::default(),
+                loop_defs: vec![(DefId(0), DefId(0)); module.loops.len()],
+                guards: Vec::new(),
+                guarded: Vec::new(),
+                is_complete: true,
+            },
+            current: vec![None; slot_count],
+            entries: vec![None; slot_count],
+            trail: Vec::new(),
+            frames: Vec::new(),
+            guard: None,
+            is_alive: true,
+            function: None,
+            writes: Vec::new(),
+            open_exits: FxHashMap::default(),
+            stamps: vec![0; slot_count],
+            stamp: 0,
+            limit: AT_LEAST.max(PER_LANE * (lane_count + slot_count)),
+        };
+        walker.writes = walker.global_writes();
+        walker
+    }
+
+    fn function(&mut self, function: FunctionRef, body: Region) {
+        self.function = Some(function);
+        self.is_alive = true;
+        self.guard = None;
+        if let Some(found) = self.module.function(function) {
+            self.enter_guard(found.ops.first);
+        }
+        self.region(body);
+        if self.is_alive {
+            self.leave_function(None);
+        }
+        self.roll_back(0);
+        self.function = None;
+        let exits = std::mem::take(&mut self.open_exits);
+        for (slot, sides) in exits {
+            let exit = match sides[..] {
+                [one] => one,
+                _ => {
+                    let sides = self.list(&sides);
+                    self.define(Def::Merge {
+                        sides,
+                        condition: None,
+                        is_choice: false,
+                    })
+                }
+            };
+            self.defs.exits.insert(slot, exit);
+        }
+    }
+
+    /// Notes what goes back to the caller.
+    fn leave_function(&mut self, value: Option<OpId>) {
+        let Some(function) = self.function else {
+            return;
+        };
+        if let Some(list) = self.defs.returns.get_mut(function.0 as usize) {
+            list.extend(value);
+        }
+        let module = self.module;
+        let Some(found) = module.function(function) else {
+            return;
+        };
+        for &id in module.parameters(found) {
+            let Some(variable) = module.variable(id) else {
+                continue;
+            };
+            if matches!(variable.root, Root::ParameterOut | Root::ParameterInout) {
+                for lane in 0..self.defs.layout.lanes(variable.ty) {
+                    let slot = self.defs.slot(id, lane);
+                    let def = self.get(slot);
+                    self.open_exits.entry(slot).or_default().push(def);
+                }
+            }
+        }
+    }
+
+    /// From this operation on the guard at the moment holds.
+    fn enter_guard(&mut self, from: OpId) {
+        match self.defs.guarded.last_mut() {
+            Some((first, guard)) if *first >= from => *guard = self.guard,
+            Some((_, guard)) if *guard == self.guard => {}
+            _ => self.defs.guarded.push((from, self.guard)),
+        }
+    }
+
+    fn region(&mut self, region: Region) {
+        let module = self.module;
+        for step in module.steps(region) {
+            match *step {
+                Step::Run(run) => self.run(run),
+                Step::If {
+                    condition,
+                    then,
+                    otherwise,
+                    ..
+                } => self.branch(condition, then, otherwise),
+                Step::Loop(id) => self.looped(id),
+                Step::Switch(id) => self.switch(id),
+                Step::Break(_) => self.leave(|frame| Some(&mut frame.breaks)),
+                Step::Continue(_) => {
+                    self.leave(|frame| frame.is_loop.then_some(&mut frame.continues));
+                }
+                Step::Return(value, _) => {
+                    if self.is_alive {
+                        self.leave_function(value);
+                    }
+                    self.is_alive = false;
+                }
+                Step::Discard(_) => self.is_alive = false,
+            }
+        }
+    }
+
+    /// Leaves the innermost frame that has such a way out.
+    fn leave(&mut self, way: impl Fn(&mut Frame) -> Option<&mut Vec<Changes>>) {
+        if !self.is_alive {
+            return;
+        }
+        self.is_alive = false;
+        for number in (0..self.frames.len()).rev() {
+            let Some(frame) = self.frames.get_mut(number) else {
+                return;
+            };
+            let mark = frame.mark;
+            if way(frame).is_none() {
+                continue;
+            }
+            let changes = self.changes(mark);
+            if let Some(list) = self.frames.get_mut(number).and_then(&way) {
+                list.push(changes);
+            }
+            return;
+        }
+    }
+
+    /// The number that the next definition will have.
+    fn next(&self) -> DefId {
+        DefId(self.defs.defs.len() as u32)
+    }
+
+    fn branch(&mut self, condition: OpId, then: Region, otherwise: Region) {
+        let (since, mark, guard, was_alive) =
+            (self.next(), self.trail.len(), self.guard, self.is_alive);
+        let side = |walker: &mut Self, region, truth| {
+            walker.is_alive = was_alive;
+            walker.refine(condition, truth);
+            walker.region(region);
+            let changes = match walker.is_alive {
+                true => walker.changes(mark),
+                false => Changes::new(),
+            };
+            walker.roll_back(mark);
+            walker.guard = guard;
+            (walker.is_alive, changes)
+        };
+        let (is_then, first) = side(self, then, true);
+        let (is_otherwise, second) = side(self, otherwise, false);
+        self.is_alive = is_then || is_otherwise;
+        match (is_then, is_otherwise) {
+            (true, true) => self.merge(&[first, second], since, Some(condition)),
+            (true, false) => {
+                self.apply(&first);
+                self.push_guard(condition, true);
+            }
+            (false, true) => {
+                self.apply(&second);
+                self.push_guard(condition, false);
+            }
+            (false, false) => {}
+        }
+    }
+
+    fn push_guard(&mut self, condition: OpId, truth: bool) {
+        self.defs.guards.push(Guard {
+            condition,
+            truth,
+            around: self.guard,
+        });
+        self.guard = Some(self.defs.guards.len() as u32 - 1);
+    }
+
+    /// What a condition that is true or false tells of the lanes that it speaks of.
+    fn refine(&mut self, condition: OpId, truth: bool) {
+        self.push_guard(condition, truth);
+        let mut comparisons = Vec::new();
+        each_comparison(self.module, &self.defs, condition, truth, |op, truth| {
+            comparisons.push((op, truth));
+        });
+        let mut found = Vec::new();
+        for (comparison, truth) in comparisons {
+            let (module, defs) = (self.module, &self.defs);
+            each_load(module, defs, comparison, truth, |load, lane, by| {
+                found.push((load, lane, by));
+            });
+        }
+        for (load, lane, by) in found {
+            let OpKind::Load(place) = self.module.op(load).kind else {
+                continue;
+            };
+            let Some(slot) = self.slot_of(place, lane) else {
+                continue;
+            };
+            let of = self.get(slot);
+            let before = self.defs.unrefined(of);
+            // Nothing was written since the condition was computed.
+            if before == self.defs.unrefined(self.defs.seen(load, lane)) && before != Defs::UNKNOWN
+            {
+                let refined = self.define(Def::Refined { of, by });
+                self.set(slot, refined);
+            }
+        }
+    }
+
+    /// The one slot that a lane of a place is.
+    fn slot_of(&self, place: PlaceId, lane: u32) -> Option<Slot> {
+        let spot = self.spot(place)?;
+        if spot.is_element || spot.is_picked() {
+            return None;
+        }
+        if lane >= spot.width(&self.defs.layout) {
+            return spot.length();
+        }
+        spot.slots(lane).next()
+    }
+
+    fn spot(&self, place: PlaceId) -> Option<Spot> {
+        Spot::of(self.module, &self.defs.layout, &self.defs.slots, place)
+    }
+
+    fn looped(&mut self, id: LoopId) {
+        let Some(found) = self.module.looped(id).copied() else {
+            return;
+        };
+        let first = self.next();
+        let was_alive = self.is_alive;
+        let heads = self.heads(id, &[found.test, found.body, found.step]);
+        let (mark, guard) = (self.trail.len(), self.guard);
+        self.frames.push(Frame {
+            is_loop: true,
+            mark,
+            breaks: Vec::new(),
+            continues: Vec::new(),
+        });
+        let mut exits = Vec::new();
+        if found.tests_first {
+            self.region(found.test);
+            self.test(found.condition, mark, &mut exits);
+        }
+        self.region(found.body);
+        self.go_on(mark, first);
+        self.region(found.step);
+        if !found.tests_first {
+            self.region(found.test);
+            self.test(found.condition, mark, &mut exits);
+        }
+        for (slot, head) in heads {
+            let now = self.get(slot);
+            let is_back = self.is_alive;
+            if let Some(Def::Head { init, back, .. }) = self.defs.defs.get_mut(head.0 as usize) {
+                *back = if is_back { now } else { *init };
+            }
+        }
+        self.roll_back(mark);
+        self.guard = guard;
+        exits.extend(self.frames.pop().map_or(Vec::new(), |f| f.breaks));
+        self.is_alive = was_alive && !exits.is_empty();
+        match &exits[..] {
+            [] => {}
+            [only] => self.apply(only),
+            _ => self.merge(&exits, first, None),
+        }
+        let end = self.next();
+        if let Some(slot) = self.defs.loop_defs.get_mut(id.0 as usize) {
+            *slot = (first, end);
+        }
+    }
+
+    /// The heads of what a loop writes to.
+    fn heads(&mut self, id: LoopId, regions: &[Region]) -> Vec<(Slot, DefId)> {
+        let written = self.written(regions);
+        let mut heads = Vec::with_capacity(written.len());
+        let mut inits = Vec::with_capacity(written.len());
+        for slot in written {
+            let is_known = self.current.get(slot.0 as usize).copied().flatten();
+            if is_known.is_none() && matches!(self.root(slot), Some(Root::Local | Root::Temporary))
+            {
+                continue;
+            }
+            inits.push((slot, self.get(slot)));
+        }
+        let first = self.next();
+        for (slot, init) in inits {
+            let head = self.define(Def::Head {
+                of: id,
+                slot,
+                init,
+                back: init,
+            });
+            heads.push((slot, head));
+            self.set(slot, head);
+        }
+        if let Some(slot) = self.defs.loop_defs.get_mut(id.0 as usize) {
+            *slot = (first, first);
+        }
+        heads
+    }
+
+    /// The slots that something in regions writes to, each once, in order.
+    fn written(&mut self, regions: &[Region]) -> Vec<Slot> {
+        let module = self.module;
+        let spans = regions.iter().filter_map(|r| span(module, *r));
+        let joined = spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        let Some((first, last)) = joined else {
+            return Vec::new();
+        };
+        self.stamp += 1;
+        let mut written = Vec::new();
+        for op in (first.0..=last.0).map(OpId) {
+            match module.op(op).kind {
+                OpKind::Store(place, _) => {
+                    let Some(spot) = self.spot(place) else {
+                        continue;
+                    };
+                    let width = spot.width(&self.defs.layout);
+                    for slot in (0..width).flat_map(|lane| spot.slots(lane)) {
+                        self.note(slot, &mut written);
+                    }
+                    for (first, rows) in spot.vectors() {
+                        self.note(Slot(first.0 + rows as u32), &mut written);
+                    }
+                }
+                OpKind::Call(function, _) => {
+                    let all = self.writes.get(function.0 as usize);
+                    for slot in all.cloned().unwrap_or_default() {
+                        self.note(slot, &mut written);
+                    }
+                }
+                _ => {}
+            }
+        }
+        written.sort_unstable();
+        written
+    }
+
+    fn note(&mut self, slot: Slot, all: &mut Vec<Slot>) {
+        if let Some(stamp) = self.stamps.get_mut(slot.0 as usize)
+            && *stamp != self.stamp
+        {
+            *stamp = self.stamp;
+            all.push(slot);
+        }
+    }
+
+    /// A loop's condition: where it is false, the loop ends.
+    fn test(&mut self, condition: Option<OpId>, mark: usize, exits: &mut Vec<Changes>) {
+        let Some(condition) = condition else {
+            return;
+        };
+        if self.is_alive {
+            let (inner, guard) = (self.trail.len(), self.guard);
+            self.refine(condition, false);
+            exits.push(self.changes(mark));
+            self.roll_back(inner);
+            self.guard = guard;
+        }
+        self.refine(condition, true);
+        self.enter_guard(OpId(condition.0 + 1));
+    }
+
+    /// Where `continue` goes to: behind the body.
+    fn go_on(&mut self, mark: usize, since: DefId) {
+        let Some(frame) = self.frames.last_mut() else {
+            return;
+        };
+        let mut ways = std::mem::take(&mut frame.continues);
+        if ways.is_empty() {
+            return;
+        }
+        if self.is_alive {
+            ways.push(self.changes(mark));
+        }
+        self.roll_back(mark);
+        self.is_alive = true;
+        match &ways[..] {
+            [only] => self.apply(only),
+            _ => self.merge(&ways, since, None),
+        }
+    }
+
+    fn switch(&mut self, id: SwitchId) {
+        let module = self.module;
+        let Some(found) = module.switch(id) else {
+            return;
+        };
+        let (since, mark, guard, was_alive) =
+            (self.next(), self.trail.len(), self.guard, self.is_alive);
+        self.frames.push(Frame {
+            is_loop: false,
+            mark,
+            breaks: Vec::new(),
+            continues: Vec::new(),
+        });
+        let mut has_default = false;
+        self.is_alive = false;
+        for case in module.cases(found) {
+            let labels = module.labels(case);
+            has_default |= labels.contains(&crate::ir::Label::Default);
+            let fallen = match self.is_alive {
+                true => Some(self.changes(mark)),
+                false => None,
+            };
+            self.roll_back(mark);
+            if let Some(fallen) = fallen {
+                self.merge(&[Changes::new(), fallen], since, None);
+            }
+            self.is_alive = was_alive;
+            self.guard = guard;
+            self.region(case.body);
+        }
+        let mut exits = Vec::new();
+        if self.is_alive {
+            exits.push(self.changes(mark));
+        }
+        self.roll_back(mark);
+        self.guard = guard;
+        exits.extend(self.frames.pop().map_or(Vec::new(), |f| f.breaks));
+        if !has_default {
+            exits.push(Changes::new());
+        }
+        self.is_alive = was_alive && !exits.is_empty();
+        match &exits[..] {
+            [] => {}
+            [only] => self.apply(only),
+            _ => self.merge(&exits, since, None),
+        }
+    }
+
+    /// Operations, in order. The right side of `&&` and the sides of `?:` that are simple enough to
+    /// run in any case are only used where the condition holds, and see it so.
+    fn run(&mut self, run: Run) {
+        let module = self.module;
+        self.enter_guard(run.first);
+        let mut cover: Vec<(OpId, OpId, OpId, bool)> = Vec::new();
+        for op in run.ops() {
+            match module.op(op).kind {
+                OpKind::Select {
+                    condition,
+                    then,
+                    otherwise,
+                } => {
+                    cover.push((condition, then, condition, true));
+                    cover.push((then, otherwise, condition, false));
+                }
+                OpKind::Binary(Binary::And, a, b) => cover.push((a, b, a, true)),
+                OpKind::Binary(Binary::Or, a, b) => cover.push((a, b, a, false)),
+                _ => {}
+            }
+        }
+        cover.retain(|(behind, last, ..)| run.contains(*behind) && behind < last);
+        if cover.is_empty() {
+            run.ops().for_each(|op| self.op(op));
+            return;
+        }
+        // Outer ones first.
+        cover.sort_unstable_by_key(|(behind, last, ..)| (behind.0, std::cmp::Reverse(last.0)));
+        let mut next = cover.into_iter().peekable();
+        let mut open: Vec<(OpId, usize, Option<u32>)> = Vec::new();
+        for op in run.ops() {
+            self.op(op);
+            while let Some((_, mark, guard)) = open.pop_if(|(last, ..)| *last <= op) {
+                self.roll_back(mark);
+                self.guard = guard;
+                self.enter_guard(OpId(op.0 + 1));
+            }
+            while let Some((_, last, condition, truth)) = next.next_if(|(at, ..)| *at <= op) {
+                open.push((last, self.trail.len(), self.guard));
+                self.refine(condition, truth);
+                self.enter_guard(OpId(op.0 + 1));
+            }
+        }
+        if let Some(&(_, mark, guard)) = open.first() {
+            self.roll_back(mark);
+            self.guard = guard;
+        }
+    }
+
+    fn op(&mut self, op: OpId) {
+        match self.module.op(op).kind {
+            OpKind::Load(place) => self.load(op, place),
+            OpKind::Store(place, value) => self.store(place, value),
+            OpKind::Call(function, _) => {
+                if let Some(list) = self.defs.calls.get_mut(function.0 as usize) {
+                    list.push(op);
+                }
+                let all = self.writes.get(function.0 as usize);
+                for slot in all.cloned().unwrap_or_default() {
+                    let entry = self.define(Def::Entry(slot));
+                    self.set(slot, entry);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn load(&mut self, op: OpId, place: PlaceId) {
+        let Some(spot) = self.spot(place) else {
+            return;
+        };
+        let first = self.defs.first_lane(op);
+        let width = spot.width(&self.defs.layout).min(self.defs.lanes_of(op));
+        for lane in 0..width {
+            let def = self.lane_of(spot, lane);
+            if let Some(seen) = self.defs.seen.get_mut((first + lane) as usize) {
+                *seen = def;
+            }
+        }
+        // The length of picked components.
+        if spot.lanes.is_some()
+            && let Some(lane) = length_lane(self.module.ty(op))
+        {
+            let def = match spot.length() {
+                Some(slot) => self.get(slot),
+                None => {
+                    let parts = first as usize..(first + width) as usize;
+                    let parts = self.defs.seen.get(parts).map(<[DefId]>::to_vec);
+                    self.measured(&parts.unwrap_or_default())
+                }
+            };
+            if let Some(seen) = self.defs.seen.get_mut((first + lane) as usize) {
+                *seen = def;
+            }
+        }
+    }
+
+    fn lane_of(&mut self, spot: Spot, lane: u32) -> DefId {
+        if !spot.is_picked() {
+            let slot = spot.slots(lane).next();
+            return slot.map_or(Defs::UNKNOWN, |slot| self.get(slot));
+        }
+        let sides: Vec<DefId> = spot.slots(lane).map(|slot| self.get(slot)).collect();
+        let sides = self.list(&sides);
+        self.define(Def::Merge {
+            sides,
+            condition: None,
+            is_choice: false,
+        })
+    }
+
+    fn measured(&mut self, parts: &[DefId]) -> DefId {
+        let parts = self.list(parts);
+        self.define(Def::Measured(parts))
+    }
+
+    fn store(&mut self, place: PlaceId, value: OpId) {
+        let Some(spot) = self.spot(place) else {
+            return;
+        };
+        let width = spot.width(&self.defs.layout);
+        let is_weak = spot.is_element || spot.is_picked();
+        let root = self.module.variable(self.module.place(place).variable);
+        let is_global = root.is_some_and(|v| matches!(v.root, Root::Global | Root::Output));
+        for lane in 0..width {
+            for slot in spot.slots(lane) {
+                let mut def = self.define(Def::Stored { value, lane });
+                if is_weak {
+                    let before = self.get(slot);
+                    let sides = self.list(&[before, def]);
+                    def = self.define(Def::Merge {
+                        sides,
+                        condition: None,
+                        is_choice: false,
+                    });
+                }
+                self.put(slot, def, is_global);
+            }
+        }
+        for (first, rows) in spot.vectors() {
+            let parts: Vec<DefId> = (0..rows as u32)
+                .map(|row| self.get(Slot(first.0 + row)))
+                .collect();
+            let length = self.measured(&parts);
+            self.put(Slot(first.0 + rows as u32), length, is_global);
+        }
+    }
+
+    /// A write to a slot.
+    fn put(&mut self, slot: Slot, def: DefId, is_global: bool) {
+        self.set(slot, def);
+        if is_global {
+            self.defs.global_writes.entry(slot).or_default().push(def);
+        }
+    }
+}
+
+/// The first and the last operation of a region.
+fn span(module: &Module, region: Region) -> Option<(OpId, OpId)> {
+    let steps = module.steps(region);
+    let first = steps.iter().find_map(|s| step_span(module, s))?.0;
+    let last = steps.iter().rev().find_map(|s| step_span(module, s))?.1;
+    Some((first, last))
+}
+
+fn step_span(module: &Module, step: &Step) -> Option<(OpId, OpId)> {
+    let join = |regions: &mut dyn Iterator<Item = Region>| {
+        let spans = regions.filter_map(|r| span(module, r));
+        spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+    };
+    match *step {
+        Step::Run(run) if run.len > 0 => Some((run.first, OpId(run.first.0 + run.len - 1))),
+        Step::If {
+            then, otherwise, ..
+        } => join(&mut [then, otherwise].into_iter()),
+        Step::Loop(id) => {
+            let found = module.looped(id)?;
+            join(&mut [found.test, found.body, found.step].into_iter())
+        }
+        Step::Switch(id) => {
+            let cases = module.cases(module.switch(id)?);
+            join(&mut cases.iter().map(|c| c.body))
+        }
+        _ => None,
+    }
+}

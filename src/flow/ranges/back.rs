@@ -1,0 +1,282 @@
+//! From a comparison back to what it is made of.
+
+use super::interval::{Range, above, below};
+use super::node::Node;
+use super::{Query, negated, turned};
+use crate::flow::defs::Refinement;
+use crate::flow::layout::length_lane;
+use crate::flow::same::is_same;
+use crate::ir::{Binary, OpId, OpKind, Unary};
+use crate::semantic::builtins::Transfer;
+use crate::semantic::{BuiltinId, Scalar};
+
+/// What a condition leaves of a value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wanted {
+    lo: f64,
+    hi: f64,
+    /// What it is not.
+    not: Option<f64>,
+}
+
+impl Wanted {
+    const ANY: Wanted = Wanted {
+        lo: f64::NEG_INFINITY,
+        hi: f64::INFINITY,
+        not: None,
+    };
+
+    fn between(lo: f64, hi: f64) -> Wanted {
+        let or = |value: f64, other| if value.is_nan() { other } else { value };
+        Wanted {
+            lo: or(lo, f64::NEG_INFINITY),
+            hi: or(hi, f64::INFINITY),
+            not: None,
+        }
+    }
+
+    /// What a comparison tells of one of its sides.
+    pub(super) fn of(
+        query: &Query,
+        comparison: OpId,
+        truth: bool,
+        (is_right, lane): (bool, u32),
+        mut get: impl FnMut(Node) -> Option<Range>,
+    ) -> Wanted {
+        let (op, left, right) = match query.module.op(comparison).kind {
+            OpKind::Binary(op, left, right) => (Some(op), left, right),
+            OpKind::Same {
+                negated,
+                left,
+                right,
+            } => (negated.then_some(Binary::Xor), left, right),
+            _ => return Wanted::ANY,
+        };
+        let other = if is_right { left } else { right };
+        let Some(with) = Node::lane(query.defs, other, lane).and_then(&mut get) else {
+            return Wanted::ANY;
+        };
+        if let OpKind::Same { negated, .. } = query.module.op(comparison).kind {
+            return match negated != truth {
+                true => Wanted::between(with.lo.value, with.hi.value),
+                false => Wanted {
+                    not: with.single(),
+                    ..Wanted::ANY
+                },
+            };
+        }
+        let Some(op) = op else { return Wanted::ANY };
+        let op = if truth { op } else { negated(op) };
+        let op = if is_right { turned(op) } else { op };
+        let is_float = query.is_float(left);
+        let less = |v: f64| if is_float { below(v) } else { v - 1.0 };
+        let more = |v: f64| if is_float { above(v) } else { v + 1.0 };
+        let (lo, hi) = (with.lo.value, with.hi.value);
+        match op {
+            Binary::Less => Wanted::between(f64::NEG_INFINITY, less(hi)),
+            Binary::LessEqual => Wanted::between(f64::NEG_INFINITY, hi),
+            Binary::Greater => Wanted::between(more(lo), f64::INFINITY),
+            Binary::GreaterEqual => Wanted::between(lo, f64::INFINITY),
+            _ => Wanted::ANY,
+        }
+    }
+
+    /// What a refinement tells of the value that it is about.
+    pub(super) fn at_end(
+        query: &Query,
+        by: Refinement,
+        get: &mut impl FnMut(Node) -> Option<Range>,
+    ) -> Wanted {
+        let side = (by.is_right, by.lane as u32);
+        let mut wanted = Wanted::of(query, by.comparison, by.truth, side, &mut *get);
+        for hop in by.way(query.module, query.defs) {
+            if let Some(choice) = hop.choice {
+                wanted = wanted.through(query, hop.op, hop.lane, choice, get);
+            }
+        }
+        wanted
+    }
+
+    /// What is wanted of an operand, where this is wanted of a lane of an operation.
+    fn through(
+        self,
+        query: &Query,
+        op: OpId,
+        lane: u32,
+        choice: u8,
+        get: &mut impl FnMut(Node) -> Option<Range>,
+    ) -> Wanted {
+        let module = query.module;
+        match module.op(op).kind {
+            OpKind::Unary(Unary::Negate, _) if length_lane(module.ty(op)) != Some(lane) => Wanted {
+                not: self.not.map(|v| 0.0 - v),
+                ..Wanted::between(-self.hi, -self.lo)
+            },
+            OpKind::Convert(a) => self.converted(query, op, a),
+            OpKind::Binary(kind, a, b) => {
+                let other = if choice == 0 { b } else { a };
+                let other = Node::lane(query.defs, other, lane).and_then(&mut *get);
+                let other = other.unwrap_or(Range::ANY);
+                if kind == Binary::Multiply && is_same(module, query.defs, a, b) {
+                    let root = self.hi.max(0.0).sqrt();
+                    return Wanted::between(-root, root);
+                }
+                let wanted = self.operand(kind, choice, other);
+                match query.is_whole(op) && matches!(kind, Binary::Divide | Binary::Multiply) {
+                    true => Wanted::ANY,
+                    false => wanted,
+                }
+            }
+            OpKind::Builtin(function, list) => {
+                let args = module.operands(list);
+                let other = args.get(1 - choice.min(1) as usize).and_then(|other| {
+                    let scalar = module.ty(*other).is_scalar();
+                    Node::lane(query.defs, *other, if scalar { 0 } else { lane })
+                });
+                let other = other.and_then(get).unwrap_or(Range::ANY);
+                let is_scalar = args.first().is_some_and(|a| module.ty(*a).is_scalar());
+                self.argument(function, is_scalar, other)
+            }
+            _ => self,
+        }
+    }
+
+    fn converted(self, query: &Query, op: OpId, a: OpId) -> Wanted {
+        let to = query.module.ty(op).scalar_kind();
+        let from = query.module.ty(a).scalar_kind();
+        match (from, to) {
+            (_, Some(Scalar::Bool)) | (Some(Scalar::Bool), _) => Wanted::ANY,
+            // Cut off towards zero.
+            (Some(Scalar::Float), Some(_)) => {
+                let lo = if self.lo > 0.0 {
+                    self.lo
+                } else {
+                    self.lo - 1.0
+                };
+                let hi = if self.hi < 0.0 {
+                    self.hi
+                } else {
+                    self.hi + 1.0
+                };
+                Wanted::between(lo, hi)
+            }
+            (Some(Scalar::Uint), Some(Scalar::Int)) | (Some(Scalar::Int), Some(Scalar::Uint)) => {
+                Wanted::ANY
+            }
+            _ => self,
+        }
+    }
+
+    /// What is wanted of an operand beside another.
+    fn operand(self, kind: Binary, choice: u8, other: Range) -> Wanted {
+        let (lo, hi) = (other.lo.value, other.hi.value);
+        match (kind, choice) {
+            (Binary::Add, _) => Wanted::between(self.lo - hi, self.hi - lo),
+            (Binary::Subtract, 0) => Wanted::between(self.lo + lo, self.hi + hi),
+            (Binary::Subtract, _) => Wanted::between(lo - self.hi, hi - self.lo),
+            (Binary::Multiply, _) => self.factor(other),
+            // The quotient times the divisor.
+            (Binary::Divide, 0) if lo > 0.0 => Wanted::between(
+                if self.lo < 0.0 {
+                    self.lo * hi
+                } else {
+                    self.lo * lo
+                },
+                if self.hi < 0.0 {
+                    self.hi * lo
+                } else {
+                    self.hi * hi
+                },
+            ),
+            (Binary::Divide, 0) if hi < 0.0 => {
+                let turned = Wanted::between(-self.hi, -self.lo);
+                turned.operand(Binary::Divide, 0, -other)
+            }
+            _ => Wanted::ANY,
+        }
+    }
+
+    /// What is wanted of a factor beside another.
+    fn factor(self, other: Range) -> Wanted {
+        let (lo, hi) = (other.lo.value, other.hi.value);
+        if hi < 0.0 {
+            return Wanted::between(-self.hi, -self.lo).factor(-other);
+        }
+        if lo <= 0.0 {
+            return Wanted::ANY;
+        }
+        Wanted::between(
+            if self.lo < 0.0 {
+                self.lo / lo
+            } else {
+                self.lo / hi
+            },
+            if self.hi < 0.0 {
+                self.hi / hi
+            } else {
+                self.hi / lo
+            },
+        )
+    }
+
+    /// What is wanted of an argument of a built-in function, given another.
+    fn argument(self, function: BuiltinId, is_scalar: bool, other: Range) -> Wanted {
+        match function.transfer() {
+            Transfer::Magnitude => self.magnitude(),
+            // The length of a scalar is its magnitude.
+            Transfer::Norm if is_scalar => self.magnitude(),
+            Transfer::Product if is_scalar => {
+                Wanted::between(0.0, self.hi.max(0.0).sqrt()).magnitude()
+            }
+            Transfer::Norm => Wanted {
+                not: self.not,
+                ..Wanted::between(self.lo.max(0.0), self.hi)
+            },
+            // The square of a length.
+            Transfer::Product => Wanted {
+                not: self.not.filter(|v| *v == 0.0),
+                ..Wanted::between(self.lo.max(0.0).sqrt(), self.hi.max(0.0).sqrt())
+            },
+            Transfer::Minimum if other.lo.value > self.hi => Wanted::between(self.lo, self.hi),
+            Transfer::Minimum => Wanted::between(self.lo, f64::INFINITY),
+            Transfer::Maximum if other.hi.value < self.lo => Wanted::between(self.lo, self.hi),
+            Transfer::Maximum => Wanted::between(f64::NEG_INFINITY, self.hi),
+            Transfer::Rounded(_) => Wanted::between(self.lo - 1.0, self.hi + 1.0),
+            _ if function == BuiltinId::Sqrt => {
+                let lo = if self.lo > 0.0 {
+                    self.lo * self.lo
+                } else {
+                    f64::NEG_INFINITY
+                };
+                Wanted::between(lo, self.hi.max(0.0) * self.hi.max(0.0))
+            }
+            _ => Wanted::ANY,
+        }
+    }
+
+    /// What is wanted of `x`, where this is wanted of `abs(x)`.
+    pub(super) fn magnitude(self) -> Wanted {
+        Wanted {
+            not: self.not.filter(|v| *v == 0.0),
+            ..Wanted::between(-self.hi, self.hi)
+        }
+    }
+
+    /// Leaves of a range what is wanted.
+    pub(super) fn narrow(self, range: &mut Range, is_float: bool) {
+        let (lo, hi) = match is_float {
+            true => (self.lo, self.hi),
+            false => (self.lo.ceil(), self.hi.floor()),
+        };
+        range.raise(lo);
+        range.lower(hi);
+        if let Some(value) = self.not {
+            if range.lo.value == value {
+                range.raise(if is_float { above(value) } else { value + 1.0 });
+            }
+            if range.hi.value == value {
+                range.lower(if is_float { below(value) } else { value - 1.0 });
+            }
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Where a value was copied from, bit for bit.
+
+use super::Query;
+use crate::flow::defs::{Def, DefId, Slot};
+use crate::ir::{OpId, OpKind};
+use crate::semantic::BuiltinId;
+use crate::semantic::builtins::Transfer;
+use rustc_hash::FxHashSet;
+
+/// Most copies that are followed for one question.
+const MAX_COPIES: usize = 600;
+
+/// Where a value comes from when all copies are taken back.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+enum Origin {
+    /// A constant, by its bits.
+    Constant(u32),
+    /// A definition.
+    Def(DefId),
+    /// A lane of a variable, as it was before the function.
+    Entry(Slot),
+    /// A component of what a texture holds.
+    Texture,
+    /// Arithmetic without rounding.
+    Exact,
+}
+
+/// What is still to be followed.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+enum Copy {
+    Lane(OpId, u32),
+    Def(DefId),
+}
+
+/// All that a value may be a copy of.
+type Origins = FxHashSet<Origin>;
+
+impl Query<'_> {
+    /// Whether two numbers may be copies of one value, so that comparing them is exact: a variable
+    /// and a constant that was put into it, or the least of two distances and one of the two.
+    pub fn may_be_copies(&self, a: OpId, b: OpId, lane: u32) -> bool {
+        let (left, right) = (self.origins(a, lane), self.origins(b, lane));
+        let is_whole = |o: &Origin| matches!(o, Origin::Constant(bits) if f32::from_bits(*bits).fract() == 0.0);
+        // A flag that another pass or the keyboard has put into a texture.
+        let stored = |x: &Origins, y: &Origins| {
+            x.contains(&Origin::Texture) && (y.iter().any(is_whole) || y.contains(&Origin::Texture))
+        };
+        let is_exact = |o: &Origins| o.contains(&Origin::Texture) || o.contains(&Origin::Exact);
+        !left.is_disjoint(&right)
+            || stored(&left, &right)
+            || stored(&right, &left)
+            || (is_exact(&left) && self.lane(b, lane).exact)
+            || (is_exact(&right) && self.lane(a, lane).exact)
+    }
+
+    fn origins(&self, op: OpId, lane: u32) -> Origins {
+        let mut found = Origins::default();
+        let mut seen = FxHashSet::default();
+        let mut todo = vec![Copy::Lane(op, lane)];
+        while let Some(next) = todo.pop() {
+            if seen.len() > MAX_COPIES {
+                break;
+            }
+            if seen.insert(next) {
+                match next {
+                    Copy::Lane(op, lane) => self.copied(op, lane, &mut todo, &mut found),
+                    Copy::Def(def) => self.held(def, &mut todo, &mut found),
+                }
+            }
+        }
+        found
+    }
+
+    fn copied(&self, op: OpId, lane: u32, todo: &mut Vec<Copy>, found: &mut Origins) {
+        let (module, defs) = (self.module, self.defs);
+        let own = |op: OpId| Copy::Lane(op, if module.ty(op).is_scalar() { 0 } else { lane });
+        match module.op(op).kind {
+            OpKind::Const(_) => {
+                let value = module.constant(op).get(lane as usize);
+                // 0.0 and -0.0 are equal.
+                found.extend(value.map(|v| Origin::Constant((v.as_float() + 0.0).to_bits())));
+            }
+            OpKind::Load(_) => todo.push(Copy::Def(defs.seen(op, lane))),
+            OpKind::Select {
+                then, otherwise, ..
+            } => todo.extend([Copy::Lane(then, lane), Copy::Lane(otherwise, lane)]),
+            OpKind::Convert(a) => todo.push(Copy::Lane(a, lane)),
+            OpKind::Compose(list) if module.ty(op).is_array() => {
+                todo.extend(module.operands(list).iter().map(|a| Copy::Lane(*a, lane)));
+            }
+            OpKind::ExtractComputed { base, .. } if module.ty(base).is_vector() => {
+                todo.extend((0..module.ty(base).components()).map(|c| Copy::Lane(base, c)));
+            }
+            OpKind::ExtractComputed { base, .. } => todo.push(Copy::Lane(base, lane)),
+            OpKind::Call(function, _) => {
+                let returns = defs.returns_of(function).iter();
+                todo.extend(returns.map(|value| Copy::Lane(*value, lane)));
+            }
+            OpKind::Returned(call, number) => {
+                if let OpKind::Call(function, _) = module.op(call).kind
+                    && let Some(found) = module.function(function)
+                    && let Some(id) = module.parameters(found).get(number as usize)
+                {
+                    todo.extend(defs.exit(defs.slot(*id, lane)).map(Copy::Def));
+                }
+            }
+            OpKind::Builtin(function, list) => {
+                let args = module.operands(list);
+                match function.transfer() {
+                    Transfer::Minimum | Transfer::Maximum | Transfer::Between => {
+                        todo.extend(args.iter().map(|a| own(*a)));
+                    }
+                    Transfer::Blend => todo.extend(args.iter().take(2).map(|a| own(*a))),
+                    Transfer::Magnitude | Transfer::Signum | Transfer::Threshold => {
+                        todo.extend(args.last().map(|a| own(*a)));
+                    }
+                    _ if is_lookup(function) => {
+                        found.insert(Origin::Texture);
+                    }
+                    _ => {}
+                }
+            }
+            OpKind::Binary(..) => {
+                let is_exact = self.lane(op, lane).exact;
+                found.extend(is_exact.then_some(Origin::Exact));
+            }
+            _ => todo.extend(
+                defs.part_of(module, op, lane)
+                    .map(|(op, lane)| Copy::Lane(op, lane)),
+            ),
+        }
+    }
+
+    fn held(&self, def: DefId, todo: &mut Vec<Copy>, found: &mut Origins) {
+        let defs = self.defs;
+        let def = defs.unrefined(def);
+        found.insert(Origin::Def(def));
+        match defs.get(def) {
+            Def::Stored { value, lane } => todo.push(Copy::Lane(value, lane)),
+            Def::Merge { sides, .. } => {
+                todo.extend(defs.list(sides).iter().map(|d| Copy::Def(*d)));
+            }
+            Def::Head { init, back, .. } => todo.extend([Copy::Def(init), Copy::Def(back)]),
+            Def::Entry(slot) => {
+                found.insert(Origin::Entry(slot));
+                let writes = defs.global_writes(slot);
+                let last = writes.len().saturating_sub(MAX_COPIES);
+                todo.extend(writes.iter().skip(last).map(|d| Copy::Def(*d)));
+                if let Some(passed) = defs.passed(self.module, slot) {
+                    let args = passed.args().take(MAX_COPIES);
+                    todo.extend(args.map(|arg| Copy::Lane(arg, passed.lane)));
+                }
+            }
+            Def::Measured(_) | Def::Refined { .. } | Def::Unknown => {}
+        }
+    }
+}
+
+fn is_lookup(function: BuiltinId) -> bool {
+    function.kind().is_texture()
+}

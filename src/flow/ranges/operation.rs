@@ -1,0 +1,500 @@
+//! Ranges of operations, by kind.
+
+use super::builtin::of_function;
+use super::entry::{join, measure};
+use super::interval::{Range, Reach, below};
+use super::node::Node;
+use super::{Query, number};
+use crate::flow::defs::Def;
+use crate::flow::layout::{column_lanes, length_lane};
+use crate::flow::same::is_same;
+use crate::ir::{Binary, OpId, OpKind, Unary};
+use crate::semantic::builtins::Transfer;
+use crate::semantic::{FunctionRef, Scalar, Type, VariableId};
+use crate::syntax::ast::List;
+
+/// How far copies of a variable are followed.
+const MAX_COPIES: u32 = 8;
+
+impl Query<'_> {
+    /// The range of a lane of an operation's value.
+    pub(super) fn operation(
+        &self,
+        op: OpId,
+        lane: u32,
+        get: &mut impl FnMut(Node) -> Option<Range>,
+    ) -> Option<Range> {
+        let (module, defs) = (self.module, self.defs);
+        let found = module.op(op);
+        if let Some((vector, rows)) = measured(found.ty, lane) {
+            return self.length(op, vector, rows, get);
+        }
+        let source = 1u64 << (op.0 % 64);
+        let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
+            Some(node) => get(node),
+            None => Some(Range::ANY),
+        };
+        match found.kind {
+            OpKind::Const(_) => Some(self.constant(op, lane)),
+            OpKind::Undef => None,
+            OpKind::Unknown | OpKind::Store(..) => Some(unknown(source)),
+            OpKind::Load(_) => get(Node::def(defs, defs.seen(op, lane))),
+            OpKind::Unary(Unary::Negate, a) => Some(-of(a, lane)?),
+            OpKind::Unary(Unary::Not, a) => {
+                Some(Range::new(0.0, 1.0, Reach::Loose).like(&of(a, lane)?))
+            }
+            OpKind::Unary(Unary::BitNot, a) => Some(Range::ANY.like(&of(a, lane)?)),
+            OpKind::Binary(kind, a, b) => {
+                let (x, y) = (of(a, lane), of(b, lane));
+                Some(self.binary(kind, (a, x?), (b, y?), lane))
+            }
+            // Rotated and mirrored: each component may be anything for itself.
+            OpKind::MatrixProduct(..) => Some(unknown(1 << ((op.0 * 4 + lane) % 64))),
+            OpKind::Same { left, right, .. } => {
+                let (x, y) = (of(left, 0), of(right, 0));
+                Some(Range::new(0.0, 1.0, Reach::Loose).like(&x?).like(&y?))
+            }
+            OpKind::Select {
+                then, otherwise, ..
+            } => {
+                let mut joined = join([of(then, lane), of(otherwise, lane)].into_iter())?;
+                joined.sources |= source;
+                Some(joined)
+            }
+            OpKind::Convert(a) => Some(self.converted(op, a, of(a, lane)?)),
+            OpKind::Splat(a) => of(a, 0),
+            OpKind::Compose(list) if found.ty.is_array() => {
+                let elements = module.operands(list).iter().map(|e| of(*e, lane));
+                let mut joined = join(elements)?;
+                joined.sources |= source;
+                Some(joined)
+            }
+            OpKind::Swizzle(..) | OpKind::Compose(_) | OpKind::Extract(..) => {
+                match defs.part_of(module, op, lane) {
+                    Some((part, lane)) => of(part, lane),
+                    None => Some(Range::ANY),
+                }
+            }
+            OpKind::ExtractComputed { base, .. } => {
+                let (count, stride) = picked(module.ty(base));
+                let mut joined = join((0..count).map(|n| of(base, n * stride + lane)))?;
+                joined.sources |= source;
+                Some(joined)
+            }
+            OpKind::Builtin(function, list) => {
+                let transfer = function.transfer();
+                let args = module.operands(list);
+                let mut range = self.builtin(transfer, args, lane, get)?;
+                if range.sources == 0 && range.single().is_none() {
+                    range.sources = source;
+                }
+                Some(range)
+            }
+            OpKind::Call(function, list) => self.call(function, list, lane, get),
+            OpKind::Returned(call, number) => self.returned(call, number, lane, source, get),
+        }
+    }
+
+    fn constant(&self, op: OpId, lane: u32) -> Range {
+        let ty = self.module.ty(op);
+        let rows = ty.numeric().map_or(1, |(_, _, rows)| rows);
+        let (column, row) = (lane / column_lanes(rows), lane % column_lanes(rows));
+        let at = column * rows as u32 + row;
+        let value = self.module.constant(op).get(at as usize);
+        value.map_or(Range::ANY, |v| Range::constant(number(*v)))
+    }
+
+    /// The length of a vector, or of a column of a matrix: as a whole, or else from its components,
+    /// whose first lane is `first`.
+    fn length(
+        &self,
+        op: OpId,
+        first: u32,
+        rows: u32,
+        get: &mut impl FnMut(Node) -> Option<Range>,
+    ) -> Option<Range> {
+        let (module, defs) = (self.module, self.defs);
+        let at = first + rows;
+        let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
+            Some(node) => get(node),
+            None => Some(Range::ANY),
+        };
+        let scale = |op: OpId| match module.op(op).kind {
+            OpKind::Splat(scalar) => Some(scalar),
+            _ => None,
+        };
+        let whole = match module.op(op).kind {
+            OpKind::Load(_) => return get(Node::def(defs, defs.seen(op, at))),
+            OpKind::Unary(Unary::Negate, a) => return of(a, at),
+            OpKind::Extract(a, number) => {
+                let part = defs.layout.part(module.ty(a), number)?;
+                return of(a, part + at);
+            }
+            OpKind::Call(function, list) => return self.call(function, list, at, get),
+            OpKind::Binary(Binary::Multiply, a, b) => match (scale(a), scale(b)) {
+                (Some(scalar), _) => Some(of(b, at)? * of(scalar, 0)?.abs()),
+                (_, Some(scalar)) => Some(of(a, at)? * of(scalar, 0)?.abs()),
+                _ => None,
+            },
+            OpKind::Binary(Binary::Divide, a, b) => match scale(b) {
+                Some(scalar) => Some(of(a, at)? / of(scalar, 0)?.abs()),
+                None => None,
+            },
+            OpKind::Swizzle(a, lanes) => {
+                let picked = lanes.numbers().iter().fold(0u8, |mask, n| mask | 1 << n);
+                let all = module.ty(a).components();
+                let is_all = lanes.count() as u32 == all && picked as u32 + 1 == 1 << all;
+                length_lane(module.ty(a))
+                    .filter(|_| is_all)
+                    .and_then(|lane| of(a, lane))
+            }
+            OpKind::Select {
+                then, otherwise, ..
+            } => join([of(then, at), of(otherwise, at)].into_iter()),
+            OpKind::Compose(_) if !module.ty(op).is_vector() => {
+                match defs.part_of(module, op, at) {
+                    Some((part, lane)) => of(part, lane),
+                    None => None,
+                }
+            }
+            OpKind::Builtin(function, list) => {
+                let transfer = function.transfer();
+                let args = module.operands(list);
+                match (transfer, args) {
+                    (Transfer::Direction, [_]) => Some(Range::new(1.0, 1.0, Reach::Touched)),
+                    (Transfer::Reflection, [v, normal]) => {
+                        let length = of(*v, at)?;
+                        is_unit(of(*normal, at)?).then_some(length)
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        };
+        let parts = (first..at).map(|lane| of(op, lane));
+        let mut length = match (whole, measure(parts)) {
+            (Some(whole), Some(_)) if whole.hi.value.is_finite() => whole,
+            (_, measured) => measured?,
+        };
+        length.raise(0.0);
+        Some(length)
+    }
+
+    pub(super) fn is_whole(&self, op: OpId) -> bool {
+        self.module
+            .ty(op)
+            .scalar_kind()
+            .is_some_and(Scalar::is_integer)
+    }
+
+    fn binary(&self, op: Binary, (a, x): (OpId, Range), (b, y): (OpId, Range), lane: u32) -> Range {
+        let unknown = Range::ANY.like(&x).like(&y);
+        let same = || x.sources & y.sources != 0 && is_same(self.module, self.defs, a, b);
+        match op {
+            Binary::Add => x + y,
+            Binary::Subtract if same() => Range::constant(0.0),
+            Binary::Subtract => x - y,
+            Binary::Multiply if same() => x.square(),
+            Binary::Multiply => x * y,
+            Binary::Divide if self.is_whole(a) => (x / y).rising(f64::trunc),
+            Binary::Divide => match self.is_share(a, b, lane) {
+                true => Range::new(0.0, below(1.0), Reach::Touched).like(&x),
+                false => x / y,
+            },
+            Binary::Remainder if y.lo.value > 0.0 => remainder(x, y),
+            Binary::BitAnd if x.lo.value >= 0.0 || y.lo.value >= 0.0 => {
+                let of = |r: Range| match r.lo.value >= 0.0 {
+                    true => r.hi.value,
+                    false => f64::INFINITY,
+                };
+                Range::new(0.0, of(x).min(of(y)), Reach::Loose).like(&unknown)
+            }
+            Binary::ShiftRight if x.lo.value >= 0.0 => {
+                Range::new(0.0, x.hi.value, Reach::Loose).like(&unknown)
+            }
+            Binary::BitOr | Binary::BitXor if x.lo.value >= 0.0 && y.lo.value >= 0.0 => {
+                Range::new(0.0, f64::INFINITY, Reach::Loose).like(&unknown)
+            }
+            Binary::Less
+            | Binary::LessEqual
+            | Binary::Greater
+            | Binary::GreaterEqual
+            | Binary::And
+            | Binary::Or
+            | Binary::Xor => Range::new(0.0, 1.0, Reach::Loose).like(&unknown),
+            _ => unknown,
+        }
+    }
+
+    /// The value of another kind of scalar.
+    fn converted(&self, op: OpId, a: OpId, range: Range) -> Range {
+        let is_float = self.module.ty(a).scalar_kind() == Some(Scalar::Float);
+        match self.module.ty(op).scalar_kind() {
+            Some(kind) if kind.is_integer() && is_float => range.rising(f64::trunc).exactly(),
+            Some(Scalar::Bool) => Range::new(0.0, 1.0, Reach::Loose).like(&range),
+            _ => range,
+        }
+    }
+
+    fn builtin(
+        &self,
+        transfer: Transfer,
+        args: &[OpId],
+        lane: u32,
+        get: &mut impl FnMut(Node) -> Option<Range>,
+    ) -> Option<Range> {
+        let (module, defs) = (self.module, self.defs);
+        let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
+            Some(node) => get(node),
+            None => Some(Range::ANY),
+        };
+        let own = |op: OpId| if module.ty(op).is_scalar() { 0 } else { lane };
+        let all = |op: OpId| 0..module.ty(op).components().min(4);
+        let mut hanging = Some(Range::ANY);
+        for &arg in args.iter().filter(|_| mixes(transfer)) {
+            for lane in all(arg) {
+                hanging = hanging.zip(of(arg, lane)).map(|(all, one)| Range {
+                    sources: all.sources | one.sources,
+                    ..all
+                });
+            }
+        }
+        let mut length = |op: OpId| match length_lane(module.ty(op)) {
+            Some(lane) => {
+                let mut length = of(op, lane)?;
+                length.raise(0.0);
+                Some(length)
+            }
+            None => Some(of(op, 0)?.abs()),
+        };
+        Some(match (transfer, args) {
+            (Transfer::Direction, &[v]) => direction(of(v, own(v))?),
+            (Transfer::Reflection, &[v, normal]) => {
+                let (v, normal) = (length(v), length(normal));
+                let range = match is_unit(v?) && is_unit(normal?) {
+                    true => Range::new(-1.0, 1.0, Reach::Touched),
+                    false => Range::ANY,
+                };
+                Range {
+                    sources: hanging?.sources,
+                    ..range
+                }
+            }
+            (Transfer::Norm, &[v]) => length(v)?.like(&hanging?),
+            (Transfer::Separation, &[a, b]) => {
+                let parts = all(a).map(|lane| {
+                    let (x, y) = (of(a, lane), of(b, lane));
+                    Some(x? - y?)
+                });
+                measure(parts)?.like(&hanging?)
+            }
+            (Transfer::Product, &[a, b]) => {
+                let (x, y) = (length(a), length(b));
+                if is_same(module, defs, a, b) {
+                    return Some(x?.square().like(&hanging?));
+                }
+                let mut sources = |op: OpId| {
+                    all(op).fold(0, |bits, lane| bits | of(op, lane).map_or(0, |r| r.sources))
+                };
+                let (own, other) = (sources(a), sources(b));
+                dot((x?, own), (y?, other))
+            }
+            (Transfer::Texel | Transfer::Mixed, _) => Range::ANY.like(&hanging?),
+            (Transfer::MixedMagnitude, _) => {
+                Range::new(0.0, f64::INFINITY, Reach::Loose).like(&hanging?)
+            }
+            _ => {
+                let ranges: Vec<Option<Range>> = args.iter().map(|a| of(*a, own(*a))).collect();
+                let ranges: Option<Vec<Range>> = ranges.into_iter().collect();
+                of_function(transfer, &ranges?)
+            }
+        })
+    }
+
+    /// What a function returns. Where callers differ, the bounds are not those of one call.
+    fn call(
+        &self,
+        function: FunctionRef,
+        args: List,
+        lane: u32,
+        get: &mut impl FnMut(Node) -> Option<Range>,
+    ) -> Option<Range> {
+        let defs = self.defs;
+        let returned = defs.returns_of(function).iter();
+        let nodes = returned.filter_map(|value| Node::lane(defs, *value, lane));
+        let ranges: Vec<Option<Range>> = nodes.map(&mut *get).collect();
+        let known = match ranges.is_empty() {
+            true => Some(Range::ANY),
+            false => join(ranges.into_iter()),
+        };
+        let args = self.module.operands(args).iter();
+        let passed = args.filter_map(|arg| get(Node::lane(defs, *arg, 0)?));
+        let sources = passed.fold(0, |bits, range| bits | range.sources);
+        let mut range = self.out_of(function, known?);
+        range.sources |= sources;
+        if range.sources == 0 && range.single().is_none() {
+            range.sources = 1 << (function.0 % 64);
+        }
+        Some(range)
+    }
+
+    /// What comes out of a function, whoever calls it.
+    fn out_of(&self, function: FunctionRef, range: Range) -> Range {
+        let mut range = match self.ranges.hides_function(function) {
+            true => Range {
+                exact: range.exact,
+                ..Range::ANY
+            },
+            false => range,
+        };
+        if range.mixed {
+            range = range.loose();
+        }
+        range.mixed = false;
+        range
+    }
+
+    /// What a call left in a parameter.
+    fn returned(
+        &self,
+        call: OpId,
+        number: u32,
+        lane: u32,
+        source: u64,
+        get: &mut impl FnMut(Node) -> Option<Range>,
+    ) -> Option<Range> {
+        let (module, defs) = (self.module, self.defs);
+        let OpKind::Call(function, _) = module.op(call).kind else {
+            return Some(unknown(source));
+        };
+        let parameter = module.function(function).and_then(|found| {
+            let all = module.parameters(found);
+            all.get(number as usize).copied()
+        });
+        let exit = parameter.and_then(|id| defs.exit(defs.slot(id, lane)));
+        let Some(exit) = exit else {
+            return Some(unknown(source));
+        };
+        let mut range = self.out_of(function, get(Node::def(defs, exit))?);
+        if range.sources == 0 && range.single().is_none() {
+            range.sources = source;
+        }
+        Some(range)
+    }
+
+    /// Whether this is `fragCoord.x / iResolution.x`: how far along the picture a pixel lies.
+    fn is_share(&self, a: OpId, b: OpId, lane: u32) -> bool {
+        let named = |id: VariableId, name: &str| {
+            let variable = self.program.variable(id);
+            variable.is_some_and(|v| self.program.names.text(v.name) == name)
+        };
+        let Some((size, along)) = self.copied_from(b, lane) else {
+            return false;
+        };
+        named(size, "iResolution")
+            && self
+                .copied_from(a, lane)
+                .is_some_and(|(place, at)| at == along && named(place, "gl_FragCoord"))
+    }
+
+    /// The variable that the host fills in, and its lane, that a value is a copy of.
+    fn copied_from(&self, mut op: OpId, mut lane: u32) -> Option<(VariableId, u32)> {
+        let (module, defs) = (self.module, self.defs);
+        for _ in 0..MAX_COPIES {
+            let (load, at) = defs.through(module, op, lane)?;
+            let from = defs.copied_from(module, defs.seen(load, at));
+            match defs.get(from) {
+                Def::Entry(slot) => match defs.passed(module, slot) {
+                    Some(passed) if passed.args().len() > 1 => return None,
+                    Some(passed) => (op, lane) = (passed.args().next()?, passed.lane),
+                    None => return Some(defs.variable_at(slot)),
+                },
+                Def::Stored { value, lane: at } if value != op => (op, lane) = (value, at),
+                _ => return None,
+            }
+        }
+        None
+    }
+}
+
+fn unknown(sources: u64) -> Range {
+    Range {
+        sources,
+        ..Range::ANY
+    }
+}
+
+/// The first lane of the components, and how many these are, where a lane of a type is a length.
+fn measured(ty: Type, lane: u32) -> Option<(u32, u32)> {
+    let (_, _, rows) = ty.element().numeric().filter(|(_, _, rows)| *rows > 1)?;
+    let width = column_lanes(rows);
+    (lane % width == rows as u32).then(|| (lane - rows as u32, rows as u32))
+}
+
+/// How many parts a computed number picks from, and how far apart they are.
+fn picked(ty: Type) -> (u32, u32) {
+    match ty.numeric() {
+        Some((_, 1, rows)) => (rows as u32, 1),
+        Some((_, columns, rows)) => (columns as u32, column_lanes(rows)),
+        // An array, whose elements share their lanes.
+        None => (1, 0),
+    }
+}
+
+fn is_unit(length: Range) -> bool {
+    length.single() == Some(1.0)
+}
+
+/// Whether each component of a result depends on all components of the arguments.
+const fn mixes(transfer: Transfer) -> bool {
+    matches!(
+        transfer,
+        Transfer::Norm
+            | Transfer::Separation
+            | Transfer::Product
+            | Transfer::Reflection
+            | Transfer::Texel
+            | Transfer::Mixed
+            | Transfer::MixedMagnitude
+    )
+}
+
+/// `dot` of two vectors, each given by its length and by what it hangs on.
+fn dot((a, own): (Range, u64), (b, other): (Range, u64)) -> Range {
+    let most = (a * b).hi.value;
+    let mut range = Range::new(-most, most, Reach::Touched);
+    range.sources = own | other;
+    let is_free = own & other == 0 && a.hi.is_reached() && b.hi.is_reached();
+    if is_free { range } else { range.loose() }
+}
+
+/// A component of `normalize`.
+fn direction(of: Range) -> Range {
+    let mut unit = Range::new(-1.0, 1.0, Reach::Touched).like(&of);
+    if of.lo.value >= 0.0 {
+        unit.lo = Range::constant(0.0).lo;
+        unit = unit.loose();
+    } else if of.hi.value <= 0.0 {
+        unit.hi = Range::constant(0.0).hi;
+        unit = unit.loose();
+    } else if of.is_finite() && !(of.lo.is_reached() && of.hi.is_reached()) {
+        unit = unit.loose();
+    }
+    unit
+}
+
+/// `x % y` of a positive `y`.
+fn remainder(x: Range, y: Range) -> Range {
+    let most = (y.hi.value - 1.0).min(x.hi.value.max(0.0));
+    let least = match x.lo.value >= 0.0 {
+        true => 0.0,
+        false => -y.hi.value + 1.0,
+    };
+    let mut range = Range::new(least, most, Reach::Touched).like(&x).like(&y);
+    if x.is_finite() || y.single().is_none() {
+        range = range.loose();
+    } else if !x.reaches_below(0.0) {
+        range.lo.reach = Reach::Loose;
+    }
+    range
+}

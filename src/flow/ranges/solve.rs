@@ -1,0 +1,274 @@
+//! Solves for ranges: what hangs on nothing unknown at once, what hangs on itself together.
+
+use super::Query;
+use super::interval::Range;
+use super::node::{Node, Subject};
+use crate::flow::defs::{Def, Defs};
+
+/// Most rounds until what still moves is taken for anything.
+const MAX_ROUNDS: usize = 12;
+/// From this round on moving bounds are widened.
+const WIDENED: usize = 2;
+/// Where a moving bound may come to rest.
+const STOPS: [f64; 3] = [-1.0, 0.0, 1.0];
+/// Most values that are solved together; of more nothing is known.
+const MAX_TOGETHER: usize = 20_000;
+
+/// What is known, and the state of the search.
+#[derive(Default, Debug)]
+pub(super) struct Known {
+    /// By node: the number of its range, plus one; 0 where it is not known.
+    slots: Vec<u32>,
+    /// `None` for what never has a value.
+    ranges: Vec<Option<Range>>,
+    /// By node: when the search came to it; 0 where it did not.
+    numbers: Vec<u32>,
+    count: u32,
+    /// By guard: whether it may hold, if that is known.
+    met: Vec<Option<bool>>,
+    search: Search,
+}
+
+/// The lists of a search, kept for the next one.
+#[derive(Default, Debug)]
+struct Search {
+    frames: Vec<Frame>,
+    /// The operands of the frames' nodes that are not known.
+    operands: Vec<Node>,
+    /// Nodes whose operands have been looked at, but that hang on one whose have not.
+    left: Vec<Node>,
+}
+
+/// A node whose operands are being looked at (Tarjan, *Depth-First Search and Linear Graph
+/// Algorithms*, 1972).
+#[derive(Debug)]
+struct Frame {
+    node: Node,
+    /// Its operands that are not known, in a common list.
+    next: usize,
+    end: usize,
+    start: usize,
+    /// The first node that it leads back to.
+    low: u32,
+    /// How many nodes were left when the search came to it.
+    left: usize,
+    is_own: bool,
+}
+
+impl Known {
+    /// The range of a node.
+    pub(super) fn solve(&mut self, query: &Query, root: Node) -> Option<Range> {
+        if self.slots.is_empty() {
+            self.slots = vec![0; Node::count(query.defs)];
+            self.numbers = vec![0; self.slots.len()];
+        }
+        let root = query.resolved(root);
+        if let Some(known) = self.get(root) {
+            return known;
+        }
+        let mut search = std::mem::take(&mut self.search);
+        self.search(query, root, &mut search);
+        self.search = search;
+        self.get(root).flatten()
+    }
+
+    fn search(&mut self, query: &Query, root: Node, search: &mut Search) {
+        let Search {
+            frames,
+            operands,
+            left,
+        } = search;
+        frames.extend(self.visit(query, root, operands, 0));
+        while let Some(frame) = frames.last_mut() {
+            if frame.next < frame.end {
+                let operand = operands.get(frame.next).copied();
+                frame.next += 1;
+                let Some(operand) = operand.filter(|o| self.get(*o).is_none()) else {
+                    continue;
+                };
+                frame.is_own |= operand == frame.node;
+                match self.numbers.get(operand.0 as usize) {
+                    Some(0) => frames.extend(self.visit(query, operand, operands, left.len())),
+                    Some(number) => frame.low = frame.low.min(*number),
+                    None => {}
+                }
+                continue;
+            }
+            let Some(frame) = frames.pop() else { break };
+            operands.truncate(frame.start);
+            left.push(frame.node);
+            let number = self.numbers.get(frame.node.0 as usize).copied();
+            if number == Some(frame.low) {
+                match left.get(frame.left..) {
+                    Some(&[one]) if !frame.is_own => {
+                        let range = self.compute(query, one);
+                        self.put(one, range);
+                    }
+                    together => self.together(query, together.unwrap_or(&[])),
+                }
+                left.truncate(frame.left);
+            } else if let Some(outer) = frames.last_mut() {
+                outer.low = outer.low.min(frame.low);
+            }
+        }
+    }
+
+    /// Whether a condition may hold, if that is known.
+    pub(super) fn is_met(&self, guard: u32) -> Option<bool> {
+        self.met.get(guard as usize).copied().flatten()
+    }
+
+    /// Notes whether a condition may hold.
+    pub(super) fn meet(&mut self, guard: u32, is_met: bool, defs: &Defs) {
+        self.met.resize(defs.guard_count(), None);
+        if let Some(slot) = self.met.get_mut(guard as usize) {
+            *slot = Some(is_met);
+        }
+    }
+
+    fn get(&self, node: Node) -> Option<Option<Range>> {
+        let slot = self.slots.get(node.0 as usize)?.checked_sub(1)?;
+        self.ranges.get(slot as usize).copied()
+    }
+
+    fn put(&mut self, node: Node, range: Option<Range>) {
+        let Some(slot) = self.slots.get_mut(node.0 as usize) else {
+            return;
+        };
+        match slot
+            .checked_sub(1)
+            .and_then(|at| self.ranges.get_mut(at as usize))
+        {
+            Some(kept) => *kept = range,
+            None => {
+                self.ranges.push(range);
+                *slot = self.ranges.len() as u32;
+            }
+        }
+    }
+
+    /// Comes to a node: computes it if all that it hangs on is known, and looks at that otherwise.
+    fn visit(
+        &mut self,
+        query: &Query,
+        node: Node,
+        operands: &mut Vec<Node>,
+        left: usize,
+    ) -> Option<Frame> {
+        let start = operands.len();
+        let range = query.compute(node, &mut |operand| {
+            let operand = query.resolved(operand);
+            self.get(operand).unwrap_or_else(|| {
+                operands.push(operand);
+                Some(Range::ANY)
+            })
+        });
+        if operands.len() == start {
+            self.put(node, range);
+            return None;
+        }
+        self.count += 1;
+        if let Some(number) = self.numbers.get_mut(node.0 as usize) {
+            *number = self.count;
+        }
+        Some(Frame {
+            node,
+            next: start,
+            end: operands.len(),
+            start,
+            low: self.count,
+            left,
+            is_own: false,
+        })
+    }
+
+    fn compute(&self, query: &Query, node: Node) -> Option<Range> {
+        query.compute(node, &mut |operand| {
+            let operand = query.resolved(operand);
+            self.get(operand).unwrap_or(Some(Range::ANY))
+        })
+    }
+
+    /// Solves for nodes that hang on each other, given with operands mostly before what they are
+    /// operands of.
+    fn together(&mut self, query: &Query, nodes: &[Node]) {
+        if nodes.len() > MAX_TOGETHER {
+            nodes.iter().for_each(|n| self.put(*n, Some(Range::ANY)));
+            return;
+        }
+        let nodes: Vec<(Node, bool)> = nodes.iter().map(|n| (*n, is_turn(query, *n))).collect();
+        nodes.iter().for_each(|(n, _)| self.put(*n, None));
+        for round in 0..MAX_ROUNDS {
+            let mut is_changed = false;
+            for &(node, is_turn) in &nodes {
+                let range = self.compute(query, node);
+                match is_turn {
+                    true => is_changed |= self.climb(node, range, round),
+                    false => self.put(node, range),
+                }
+            }
+            if !is_changed {
+                break;
+            }
+        }
+        // From above the equations only narrow.
+        for _ in 0..2 {
+            let mut is_changed = false;
+            for &(node, _) in nodes.iter().filter(|(_, is_turn)| *is_turn) {
+                let range = self.compute(query, node);
+                is_changed |= self.get(node) != Some(range);
+                self.put(node, range);
+            }
+            if !is_changed {
+                break;
+            }
+            for &(node, _) in nodes.iter().filter(|(_, is_turn)| !is_turn) {
+                let range = self.compute(query, node);
+                self.put(node, range);
+            }
+        }
+    }
+
+    /// Adds a range to what is known where values come round. Says whether that is more.
+    fn climb(&mut self, node: Node, range: Option<Range>, round: usize) -> bool {
+        let before = self.get(node).flatten();
+        let mut joined = match (before, range) {
+            (Some(a), Some(b)) => Some(a.join(b)),
+            (a, b) => a.or(b),
+        };
+        if let (Some(before), Some(after)) = (before, &mut joined) {
+            if round + 1 == MAX_ROUNDS && !is_within(after, &before) {
+                *after = Range::ANY.like(after);
+            } else if round >= WIDENED {
+                widen(&before, after);
+            }
+        }
+        self.put(node, joined);
+        before != joined
+    }
+}
+
+/// Whether one range lies in another.
+fn is_within(inner: &Range, outer: &Range) -> bool {
+    inner.lo.value >= outer.lo.value && inner.hi.value <= outer.hi.value
+}
+
+/// Moves bounds that are still moving to where they may stop.
+fn widen(before: &Range, after: &mut Range) {
+    if after.lo.value < before.lo.value {
+        let stop = STOPS.iter().rev().find(|s| **s <= after.lo.value);
+        *after = after.down_to(stop.copied().unwrap_or(f64::NEG_INFINITY));
+    }
+    if after.hi.value > before.hi.value {
+        let stop = STOPS.iter().find(|s| **s >= after.hi.value);
+        *after = after.up_to(stop.copied().unwrap_or(f64::INFINITY));
+    }
+}
+
+/// Whether values come round here: at the head of a loop, and where a function is entered.
+fn is_turn(query: &Query, node: Node) -> bool {
+    let Subject::Def(def) = node.subject(query.defs) else {
+        return false;
+    };
+    matches!(query.defs.get(def), Def::Head { .. } | Def::Entry(_))
+}

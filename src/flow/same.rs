@@ -1,0 +1,83 @@
+//! Whether two operations give the same value.
+
+use super::defs::Defs;
+use crate::ir::{Module, OpId, OpKind};
+
+/// How many operations are looked at for one question.
+const BUDGET: u32 = 48;
+
+/// Whether two operations give the same value wherever both have run, as far as a short look at the
+/// definitions tells.
+pub fn is_same(module: &Module, defs: &Defs, a: OpId, b: OpId) -> bool {
+    let mut left = BUDGET;
+    same(module, defs, a, b, &mut left)
+}
+
+fn same(module: &Module, defs: &Defs, a: OpId, b: OpId, left: &mut u32) -> bool {
+    if a == b {
+        return true;
+    }
+    let Some(rest) = left.checked_sub(1) else {
+        return false;
+    };
+    *left = rest;
+    if module.ty(a) != module.ty(b) {
+        return false;
+    }
+    let mut both = |x: OpId, y: OpId| same(module, defs, x, y, left);
+    match (module.op(a).kind, module.op(b).kind) {
+        (OpKind::Load(_), OpKind::Load(_)) => is_same_load(module, defs, a, b),
+        (OpKind::Const(_), OpKind::Const(_)) => module.constant(a) == module.constant(b),
+        (OpKind::Unary(op, x), OpKind::Unary(other, y)) => op == other && both(x, y),
+        (OpKind::Binary(op, x, y), OpKind::Binary(other, z, w)) => {
+            op == other && both(x, z) && both(y, w)
+        }
+        (OpKind::MatrixProduct(x, y), OpKind::MatrixProduct(z, w)) => both(x, z) && both(y, w),
+        (OpKind::Convert(x), OpKind::Convert(y)) | (OpKind::Splat(x), OpKind::Splat(y)) => {
+            both(x, y)
+        }
+        (OpKind::Swizzle(x, lanes), OpKind::Swizzle(y, others)) => lanes == others && both(x, y),
+        (OpKind::Extract(x, number), OpKind::Extract(y, other)) => number == other && both(x, y),
+        (
+            OpKind::ExtractComputed { base: x, index: i },
+            OpKind::ExtractComputed { base: y, index: j },
+        ) => both(x, y) && both(i, j),
+        (OpKind::Compose(x), OpKind::Compose(y)) => all(module, x, y, both),
+        (OpKind::Builtin(overload, x), OpKind::Builtin(other, y)) => {
+            overload == other && all(module, x, y, both)
+        }
+        _ => false,
+    }
+}
+
+fn all(
+    module: &Module,
+    a: crate::syntax::ast::List,
+    b: crate::syntax::ast::List,
+    mut both: impl FnMut(OpId, OpId) -> bool,
+) -> bool {
+    let (a, b) = (module.operands(a), module.operands(b));
+    a.len() == b.len() && a.iter().zip(b).all(|(x, y)| both(*x, *y))
+}
+
+/// Whether two loads see the same definitions in all lanes; elements of an array share theirs.
+fn is_same_load(module: &Module, defs: &Defs, a: OpId, b: OpId) -> bool {
+    let (OpKind::Load(place), OpKind::Load(other)) = (module.op(a).kind, module.op(b).kind) else {
+        return false;
+    };
+    let (place, other) = (module.place(place), module.place(other));
+    let lanes = defs.lanes_of(a);
+    let sees = |op, lane| defs.copied_from(module, defs.seen(op, lane));
+    let known = |lane| defs.get(sees(a, lane)) != super::defs::Def::Unknown;
+    // The length follows from the components.
+    let components = module.ty(a).components().max(1).min(lanes);
+    let is_one = (0..components).all(|lane| known(lane) && sees(a, lane) == sees(b, lane));
+    let path = module.path(place);
+    let has_element = |p: &[crate::ir::Access]| {
+        use crate::ir::Access::{Computed, Element};
+        p.iter().any(|a| matches!(a, Computed(_) | Element(_)))
+    };
+    let is_path_same = place.variable == other.variable && path == module.path(other);
+    let is_plain = !has_element(path) && !has_element(module.path(other));
+    lanes > 0 && is_one && (is_plain || is_path_same)
+}
