@@ -17,7 +17,7 @@ fn written(code: &str, language: Language) -> Result<Vec<u8>, Refused> {
     let [unit] = &composed.units[..] else {
         panic!("one pass");
     };
-    let problems = composed.analyze(unit).diagnostics;
+    let problems = &composed.analysis(unit).diagnostics;
     assert!(problems.is_empty(), "{problems:?}\n{code}");
     translate(&project, &composed, unit, language).map(Option::unwrap)
 }

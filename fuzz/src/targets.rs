@@ -195,7 +195,7 @@ fn port(text: &str) {
         return;
     };
     for unit in &composed.units {
-        composed.analyze(unit);
+        composed.analysis(unit);
     }
     let _ = html(&project, &composed);
     let _ = glsl(&project, &composed);

@@ -3,10 +3,9 @@
 use super::{Project, ProjectPass, Wrapper};
 use crate::semantic::{Analysis, Channels, Dialect, Extent, Pass, Stage, Unit, analyze};
 use crate::text::{FileId, Role, Sources};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// One pass, ready to be compiled.
-#[derive(Clone, Debug)]
 pub struct PassUnit {
     /// Index of the pass in the project.
     pub pass: usize,
@@ -16,10 +15,11 @@ pub struct PassUnit {
     pub wrapper: Wrapper,
     /// Header, Commons and code, in the order in which they are compiled.
     pub files: Vec<FileId>,
+    /// What came of checking it, once that was asked for.
+    checked: OnceLock<Analysis>,
 }
 
-/// A project whose texts lie in one address space.
-#[derive(Debug)]
+/// A project whose texts lie in one address space. Each of its passes is checked at most once.
 pub struct Composed {
     /// The texts: headers, then Commons, then passes.
     pub sources: Arc<Sources>,
@@ -27,22 +27,42 @@ pub struct Composed {
     pub units: Vec<PassUnit>,
     /// The pass that each text is the code of; headers are of none.
     owners: Vec<Option<usize>>,
+    /// What each pass of the project was, as far as it decides what is compiled.
+    keys: Vec<Key>,
+}
+
+/// What of a pass decides what is compiled: its code, who stands around it, and what its channels are.
+#[derive(PartialEq, Eq)]
+struct Key(Pass, Wrapper, Channels, Arc<str>);
+
+impl Key {
+    fn of(pass: &ProjectPass) -> Key {
+        Key(pass.kind, pass.wrapper, pass.channels(), pass.code.clone())
+    }
 }
 
 impl Composed {
-    /// Checks a pass.
-    pub fn analyze(&self, unit: &PassUnit) -> Analysis {
-        analyze(&Unit {
-            sources: &self.sources,
-            files: &unit.files,
-            stage: Stage::Fragment,
-            dialect: match unit.wrapper {
-                Wrapper::Player => Dialect::ShaderToy(unit.kind),
-                Wrapper::Own => Dialect::WebGl,
-            },
-            infer_channels: false,
-            extent: Extent::Whole,
+    /// What a pass means, and what is wrong with it.
+    pub fn analysis<'a>(&self, unit: &'a PassUnit) -> &'a Analysis {
+        unit.checked.get_or_init(|| {
+            analyze(&Unit {
+                sources: &self.sources,
+                files: &unit.files,
+                stage: Stage::Fragment,
+                dialect: match unit.wrapper {
+                    Wrapper::Player => Dialect::ShaderToy(unit.kind),
+                    Wrapper::Own => Dialect::WebGl,
+                },
+                infer_channels: false,
+                extent: Extent::Whole,
+            })
         })
+    }
+
+    /// Whether it is what a project is put together to, so that what was checked of it holds.
+    pub fn is_of(&self, project: &Project) -> bool {
+        let keys = project.passes.iter().map(Key::of);
+        self.keys.iter().eq(keys.collect::<Vec<_>>().iter())
     }
 
     /// Index of the pass whose code a text is.
@@ -74,6 +94,7 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
             kind: found.kind,
             wrapper: found.wrapper,
             files,
+            checked: OnceLock::new(),
         });
     }
     let mut owners = vec![None; sources.files().len()];
@@ -86,6 +107,7 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
         sources: Arc::new(sources),
         units,
         owners,
+        keys: project.passes.iter().map(Key::of).collect(),
     })
 }
 

@@ -1,6 +1,5 @@
 //! A project whose passes lie in files of their own, known by their names.
 
-use super::single::channels_used;
 use super::{Info, OutputId, Project, ProjectPass, ShaderError};
 use crate::semantic::Pass;
 use std::sync::Arc;
@@ -143,8 +142,10 @@ impl std::fmt::Display for PartsError {
 }
 
 impl Project {
-    /// A project of several files. Channels that nothing is said of are of the types that their uses
-    /// need, and empty.
+    /// A project of several files, of whose channels nothing is known yet: [`Project::resolve`].
+    ///
+    /// # Errors
+    /// Where they do not make one project.
     pub fn from_parts(title: &str, mut parts: Vec<Part>) -> Result<Project, PartsError> {
         parts.sort_by_key(|p| p.role);
         for pair in parts.windows(2) {
@@ -157,28 +158,19 @@ impl Project {
         if parts.iter().all(|p| p.role != PassRole::Image) {
             return Err(PartsError::NoImage);
         }
-        let common = parts.iter().find(|p| p.role == PassRole::Common);
-        let common = common.map(|p| p.code.clone());
-        let mut passes = Vec::new();
-        for part in parts {
-            let kind = part.role.kind();
-            let inputs = channels_used(common.as_deref(), &part.code, kind)
-                .ok_or_else(|| PartsError::Shader(part.file.clone(), ShaderError::TooLarge))?;
-            passes.push(ProjectPass {
-                name: part.role.name().to_string(),
-                inputs,
-                output: part.role.output(),
-                file: Some(part.file),
-                ..ProjectPass::new(kind, part.code)
-            });
-        }
+        let passes = parts.into_iter().map(|part| ProjectPass {
+            name: part.role.name().to_string(),
+            output: part.role.output(),
+            file: Some(part.file),
+            ..ProjectPass::new(part.role.kind(), part.code)
+        });
         let info = Info {
             name: title.to_string(),
             ..Info::default()
         };
         Ok(Project {
             info,
-            passes,
+            passes: passes.collect(),
             is_export: false,
         })
     }
@@ -226,7 +218,8 @@ mod tests {
             part(PassRole::Image, "image.glsl", image),
             part(PassRole::Common, "common.glsl", "#define D vec3(1.0)\n"),
         ];
-        let project = Project::from_parts("x", parts.clone()).unwrap();
+        let mut project = Project::from_parts("x", parts.clone()).unwrap();
+        project.resolve("x").unwrap();
         let kinds: Vec<_> = project.passes.iter().map(|p| p.kind).collect();
         assert_eq!(kinds, [Pass::Image, Pass::Common]);
         let kind = project.passes[0].inputs[0].kind;

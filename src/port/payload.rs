@@ -137,10 +137,10 @@ fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassData<'a>> {
 
 fn own(composed: &Composed, unit: &PassUnit) -> Option<OwnData> {
     (unit.wrapper == Wrapper::Own).then(|| {
-        let program = composed.analyze(unit).program;
+        let program = &composed.analysis(unit).program;
         OwnData {
-            vertex: whole::vertex(&program),
-            uniforms: whole::uniforms(&program),
+            vertex: whole::vertex(program),
+            uniforms: whole::uniforms(program),
         }
     })
 }
@@ -200,7 +200,7 @@ fn all_tunables(composed: &Composed) -> Vec<TunableData> {
         if !files.any(|f| may_hold_tunables(&f.text)) {
             continue;
         }
-        let analysis = composed.analyze(unit);
+        let analysis = composed.analysis(unit);
         let mut units = Units::default();
         for tunable in tunables(&analysis.program) {
             if known.insert(tunable.value_span.start) {

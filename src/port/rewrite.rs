@@ -39,7 +39,7 @@ pub fn rewrite(project: &Project, composed: &Composed, unit: &PassUnit) -> Resul
             "only `mainImage` can be rewritten",
         ));
     }
-    let analysis = composed.analyze(unit);
+    let analysis = composed.analysis(unit);
     if let Some(first) = analysis.diagnostics.first() {
         return Err(not_safe(first.span, "the pass does not compile"));
     }

@@ -1,11 +1,8 @@
 //! A shader file as a project of one pass.
 
-use super::whole::{Unsupported, whole};
-use super::{Info, Input, InputKind, Project, ProjectPass, Wrapper};
-use crate::semantic::{
-    Dialect, Extent, Kind, Pass, Program, Sampler, Stage, Unit, VariableId, analyze, guess,
-};
-use crate::text::{Role, Sources};
+use super::whole::{Unsupported, inputs};
+use super::{Composed, Info, Input, InputKind, Project, ProjectPass, Wrapper, compose};
+use crate::semantic::{Kind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels};
 use std::sync::Arc;
 
 /// Why a shader file cannot be ported.
@@ -38,17 +35,29 @@ impl std::fmt::Display for ShaderError {
 
 impl Project {
     /// A project of one pass: one of ShaderToy's, or a whole WebGL2 fragment shader. Its channels
-    /// are of the types that their uses need, and empty.
+    /// are of the types that their lookups need, and empty.
+    ///
+    /// # Errors
+    /// Where no page of ours can show it.
     pub fn from_shader(title: &str, code: &str) -> Result<Project, ShaderError> {
-        let pass = match guess(code).kind {
-            Some(Kind::ShaderToy(kind)) => {
-                let inputs = channels_used(None, code, kind).ok_or(ShaderError::TooLarge)?;
-                ProjectPass {
-                    inputs,
-                    ..ProjectPass::new(kind, code)
-                }
+        let mut project = Project::draft(title, code)?;
+        project.resolve("")?;
+        Ok(project)
+    }
+
+    /// A project of one pass, of whose channels nothing is known yet.
+    ///
+    /// # Errors
+    /// Where its text shows that no page of ours can show it.
+    pub fn draft(title: &str, code: &str) -> Result<Project, ShaderError> {
+        let told = guess(code);
+        let pass = match told.kind {
+            Some(Kind::ShaderToy(kind)) => ProjectPass::new(kind, code),
+            Some(Kind::Versioned) if told.stage == Some(Stage::Vertex) => {
+                let message = "this is a vertex shader; give the fragment shader".to_string();
+                return Err(ShaderError::Unsupported(Unsupported { line: 0, message }));
             }
-            Some(Kind::Versioned) => whole(code).map_err(ShaderError::Unsupported)?,
+            Some(Kind::Versioned) => own(code),
             Some(Kind::WebGl1) => return Err(ShaderError::WebGl1),
             _ => return Err(ShaderError::NoEntry),
         };
@@ -56,13 +65,9 @@ impl Project {
     }
 
     /// A WebGL1 fragment shader as a project that is to be repaired, under the version of the language
-    /// that it will have. Nothing is asked of it yet: [`Project::from_shader`] takes what comes of it.
+    /// that it will have. Nothing is asked of it yet: [`Project::draft`] takes what comes of it.
     pub fn from_webgl1(title: &str, code: &str) -> Project {
-        let pass = ProjectPass {
-            wrapper: Wrapper::Own,
-            ..ProjectPass::new(Pass::Image, format!("{VERSION}{code}"))
-        };
-        Project::of_pass(title, pass)
+        Project::of_pass(title, own(format!("{VERSION}{code}")))
     }
 
     fn of_pass(title: &str, pass: ProjectPass) -> Project {
@@ -77,55 +82,67 @@ impl Project {
         }
     }
 
-    /// Gives the channels of shader files the types that their uses need. Those of an export are what
-    /// it says.
-    pub fn infer_channels(&mut self) -> Option<()> {
+    /// Puts the passes together, and gives the channels of shader files the types that their lookups
+    /// need. Those of an export are what it says. `path` is the file that the user gave.
+    ///
+    /// # Errors
+    /// Where no page of ours can show what comes of it.
+    pub fn resolve(&mut self, path: &str) -> Result<Composed, ShaderError> {
+        let composed = compose(self, path).ok_or(ShaderError::TooLarge)?;
         if self.is_export {
-            return Some(());
+            return Ok(composed);
         }
-        let mut commons = self.passes.iter().filter(|p| p.kind == Pass::Common);
-        let common = commons.next().map(|p| p.code.clone());
-        for pass in &mut self.passes {
-            if pass.wrapper == Wrapper::Player {
-                pass.inputs = channels_used(common.as_deref(), &pass.code, pass.kind)?;
+        for unit in &composed.units {
+            let program = &composed.analysis(unit).program;
+            let inputs = match unit.wrapper {
+                Wrapper::Player => channels_used(program, unit.kind),
+                Wrapper::Own => inputs(program).map_err(ShaderError::Unsupported)?,
+            };
+            if let Some(pass) = self.passes.get_mut(unit.pass) {
+                pass.inputs = inputs;
             }
         }
-        Some(())
+        self.renew(composed, path)
+    }
+
+    /// The passes put together, anew where something has changed that decides what is compiled.
+    ///
+    /// # Errors
+    /// Where they are too large to be addressed.
+    pub fn renew(&self, composed: Composed, path: &str) -> Result<Composed, ShaderError> {
+        match composed.is_of(self) {
+            true => Ok(composed),
+            false => compose(self, path).ok_or(ShaderError::TooLarge),
+        }
     }
 }
 
 /// What a WebGL2 shader starts with.
 const VERSION: &str = "#version 300 es\n";
 
-/// The channels that code reads, as inputs of the types that it needs. `common` is put before it.
-pub(super) fn channels_used(common: Option<&str>, code: &str, kind: Pass) -> Option<Vec<Input>> {
+/// A pass that is a whole shader.
+fn own(code: impl Into<Arc<str>>) -> ProjectPass {
+    ProjectPass {
+        wrapper: Wrapper::Own,
+        ..ProjectPass::new(Pass::Image, code)
+    }
+}
+
+/// The channels that code reads, as inputs of the types that its lookups need.
+fn channels_used(program: &Program, kind: Pass) -> Vec<Input> {
     if kind == Pass::Common {
-        return Some(Vec::new());
+        return Vec::new();
     }
-    let mut sources = Sources::new();
-    let header = kind.host().prelude([None; 4]);
-    let mut files = vec![sources.add("", None, Role::Prelude, header)?];
-    for text in common.into_iter().chain([code]) {
-        files.push(sources.add("", None, Role::User, text)?);
-    }
-    let analysis = analyze(&Unit {
-        sources: &Arc::new(sources),
-        files: &files,
-        stage: Stage::Fragment,
-        dialect: Dialect::ShaderToy(kind),
-        infer_channels: true,
-        extent: Extent::Whole,
-    });
-    let program = &analysis.program;
-    let used = (0..4_u8).filter_map(|channel| {
-        let kind = match channel_type(program, channel)? {
+    let needed = needed_channels(program);
+    let used = (0..4_u8).zip(needed).filter_map(|(channel, needed)| {
+        let kind = match needed.or(channel_type(program, channel))? {
             Sampler::SamplerCube => InputKind::Cubemap,
             Sampler::Sampler3D => InputKind::Volume,
             _ => InputKind::Texture,
         };
-        Some(Input::empty(channel, kind))
+        channel_type(program, channel).map(|_| Input::empty(channel, kind))
     });
-    Some(used.collect())
+    used.collect()
 }
 
 /// The type of a channel that the code reads.

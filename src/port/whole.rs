@@ -3,13 +3,9 @@
 //! They are compiled as they stand. What a page can feed them is what ShaderToy's player feeds its
 //! own, under its names or those that are usual elsewhere.
 
-use super::{Input, InputKind, ProjectPass, Wrapper};
-use crate::semantic::{
-    Analysis, Dialect, Extent, Pass, Program, Stage, Storage, Unit, Variable, analyze, guess,
-};
-use crate::text::{Role, Sources};
+use super::{Input, InputKind};
+use crate::semantic::{Program, Storage, Variable};
 use serde::Serialize;
-use std::sync::Arc;
 
 /// A uniform that the player sets.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
@@ -83,33 +79,8 @@ pub(super) const PLACES: [&str; 9] = [
     "texcoord",
 ];
 
-/// A whole shader as a pass.
-pub(super) fn whole(code: &str) -> Result<ProjectPass, Unsupported> {
-    let too_large = || Unsupported {
-        line: 0,
-        message: "this is too large".to_string(),
-    };
-    if guess(code).stage == Some(Stage::Vertex) {
-        return Err(Unsupported {
-            line: 0,
-            message: "this is a vertex shader; give the fragment shader".to_string(),
-        });
-    }
-    let mut sources = Sources::new();
-    let file = sources
-        .add("", None, Role::User, code)
-        .ok_or_else(too_large)?;
-    let sources = Arc::new(sources);
-    let files = [file];
-    let analysis: Analysis = analyze(&Unit {
-        sources: &sources,
-        files: &files,
-        stage: Stage::Fragment,
-        dialect: Dialect::WebGl,
-        infer_channels: false,
-        extent: Extent::Whole,
-    });
-    let program = &analysis.program;
+/// The channels of a whole shader, which a page has to feed.
+pub(super) fn inputs(program: &Program) -> Result<Vec<Input>, Unsupported> {
     let mut inputs = Vec::new();
     for variable in &program.variables {
         let (Some(token), Storage::Uniform | Storage::Input) = (variable.token, variable.storage)
@@ -118,7 +89,8 @@ pub(super) fn whole(code: &str) -> Result<ProjectPass, Unsupported> {
         };
         let place = program.token(token).map_or(0, |t| t.span.start);
         let needs = |message: String| Unsupported {
-            line: sources
+            line: program
+                .sources
                 .file_at(place)
                 .map_or(0, |f| f.position(place).line as usize),
             message,
@@ -128,11 +100,7 @@ pub(super) fn whole(code: &str) -> Result<ProjectPass, Unsupported> {
             None => judge(program, variable).map_err(needs)?,
         }
     }
-    Ok(ProjectPass {
-        inputs,
-        wrapper: Wrapper::Own,
-        ..ProjectPass::new(Pass::Image, code)
-    })
+    Ok(inputs)
 }
 
 /// Whether the player can feed a variable.
@@ -215,6 +183,7 @@ pub(super) fn vertex(program: &Program) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::port::{Project, ShaderError, Wrapper};
 
     const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 c;\n";
 
@@ -224,9 +193,12 @@ mod tests {
             "{HEAD}uniform vec2 u_resolution;\nuniform samplerCube iChannel1;\nin vec2 vUv;\n\
              uniform float unused;\nvoid main() {{ c = vec4(vUv / u_resolution, 0, 1); }}\n"
         );
-        let error = whole(&code).unwrap_err();
+        let Err(ShaderError::Unsupported(error)) = Project::from_shader("", &code) else {
+            panic!("nothing sets `unused`")
+        };
         assert_eq!(error.line, 7);
-        let pass = whole(&code.replace("unused", "iTime")).unwrap();
+        let project = Project::from_shader("", &code.replace("unused", "iTime")).unwrap();
+        let pass = &project.passes[0];
         assert_eq!(pass.wrapper, Wrapper::Own);
         assert_eq!(pass.inputs[0].kind, InputKind::Cubemap);
     }

@@ -6,6 +6,7 @@
 
 mod blame;
 pub mod builtins;
+mod channels;
 mod checker;
 mod constant;
 mod dialect;
@@ -25,6 +26,7 @@ mod typing;
 mod unit;
 
 pub use builtins::{BuiltinId, Stage};
+pub use channels::needed_channels;
 pub use checker::check;
 pub use constant::{Constant, Pool, Value};
 pub use dialect::{

@@ -2,14 +2,15 @@
 
 use super::blame::{attribute, gather};
 use super::builtins::Stage;
+use super::channels::needed_channels;
 use super::checker::{Parsed, check};
-use super::dialect::{Channels, Dialect};
+use super::dialect::Dialect;
 use super::part::{Extent, Open, keep_certain};
 use super::program::Program;
 use super::settle::Corrected;
 use super::types::Sampler;
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::syntax::{Language, Preprocessed, TokenKind, parse, preprocess};
+use crate::syntax::{Language, Preprocessed, parse, preprocess};
 use crate::text::{FileId, Role, Sources, Span};
 use std::sync::Arc;
 
@@ -237,50 +238,18 @@ pub(super) fn judge(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
     }
 }
 
-/// Checks a shader whose channels may be of any type: each channel is what gives the fewest errors.
-/// A second look is taken only where the first finds errors.
+/// Checks a shader whose channels may be of any type. Only where something is wrong with channels of
+/// two dimensions, its lookups are asked for others.
 fn check_with_any_channels(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
-    let mut channels: Channels = [None; 4];
-    let mut best = check(parsed, unit.stage, unit.dialect, channels);
-    for channel in 0..channels.len() {
-        if best.1.is_empty() || !uses_channel(&best.0, channel) {
-            continue;
-        }
-        for sampler in [Sampler::SamplerCube, Sampler::Sampler3D] {
-            let before = channels;
-            if let Some(slot) = channels.get_mut(channel) {
-                *slot = Some(sampler);
-            }
-            let (program, problems) = best;
-            let next = check(program.into_parsed(), unit.stage, unit.dialect, channels);
-            if next.1.len() < problems.len() {
-                best = next;
-                continue;
-            }
-            channels = before;
-            best = check(next.0.into_parsed(), unit.stage, unit.dialect, channels);
-        }
+    let checked = check(parsed, unit.stage, unit.dialect, [None; 4]);
+    if checked.1.is_empty() {
+        return checked;
     }
-    best
-}
-
-fn uses_channel(program: &Program, channel: usize) -> bool {
-    let name = program.names.get(&format!("iChannel{channel}"));
-    let is_user = |at: u32| {
-        program
-            .sources
-            .file_at(at)
-            .is_some_and(|f| f.role == Role::User)
-    };
-    name.is_some_and(|name| {
-        program
-            .tokens
-            .tokens
-            .iter()
-            .rev()
-            .take_while(|t| is_user(t.span.start))
-            .any(|t| t.kind == TokenKind::Identifier && t.value == name.0)
-    })
+    let channels = needed_channels(&checked.0);
+    if channels.iter().flatten().all(|c| *c == Sampler::Sampler2D) {
+        return checked;
+    }
+    check(checked.0.into_parsed(), unit.stage, unit.dialect, channels)
 }
 
 impl Program {

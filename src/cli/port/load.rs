@@ -4,8 +4,8 @@ use super::Args;
 use super::repair::{Repairs, repair, repair_webgl1};
 use crate::cli::input::{InputFile, read};
 use crate::port::{
-    ChannelOrder, ChannelSource, InputKind, Media, OutputId, Part, PassRole, Project, ShaderError,
-    kind_of_file,
+    ChannelOrder, ChannelSource, Composed, InputKind, Media, OutputId, Part, PassRole, Project,
+    ShaderError, kind_of_file,
 };
 use crate::semantic::Pass;
 use crate::text::kind::Claim;
@@ -21,8 +21,17 @@ const MAX_MEDIA: u64 = 64 * 1024 * 1024;
 /// Endings of the shader files that a folder is searched for.
 const SHADERS: [&str; 4] = ["glsl", "frag", "fs", "shadertoy"];
 
-/// The project that the arguments name, and what was repaired in it.
-pub(super) fn load(args: &Args) -> Result<(Project, Repairs), String> {
+/// What the arguments name.
+pub(super) struct Loaded {
+    pub(super) project: Project,
+    /// Its passes, put together.
+    pub(super) composed: Composed,
+    /// What was repaired in it.
+    pub(super) repairs: Repairs,
+}
+
+/// Reads what the arguments name.
+pub(super) fn load(args: &Args) -> Result<Loaded, String> {
     let orders = args
         .channel
         .iter()
@@ -42,11 +51,13 @@ pub(super) fn load(args: &Args) -> Result<(Project, Repairs), String> {
         several => (parts(several, &args.pass)?, Repairs::default()),
     };
     let name = name_of(args);
+    let wrong = |e: ShaderError| format!("{name}: {e}");
+    let mut composed = project.resolve(&name).map_err(wrong)?;
     if mode == Mode::Repair && repairs.is_empty() {
-        let too_large = || format!("{name}: this is too large");
-        repairs = repair(&mut project, &name).ok_or_else(too_large)?;
+        let repaired = repair(&mut project, &composed, &name);
+        repairs = repaired.ok_or(wrong(ShaderError::TooLarge))?;
         if !repairs.is_empty() {
-            project.infer_channels().ok_or_else(too_large)?;
+            composed = project.resolve(&name).map_err(wrong)?;
         }
     }
     if project
@@ -71,7 +82,12 @@ pub(super) fn load(args: &Args) -> Result<(Project, Repairs), String> {
     if args.strict_player {
         project.share_samplers();
     }
-    Ok((project, repairs))
+    let composed = project.renew(composed, &name).map_err(wrong)?;
+    Ok(Loaded {
+        project,
+        composed,
+        repairs,
+    })
 }
 
 /// What is done with code that does not compile.
@@ -111,14 +127,14 @@ fn one_file(path: &Path, mode: Mode) -> Result<(Project, Repairs), String> {
     } else {
         stem(path)
     };
-    match Project::from_shader(&title, &text) {
+    match Project::draft(&title, &text) {
         Ok(project) => Ok((project, Repairs::default())),
         Err(ShaderError::WebGl1) if mode == Mode::Repair => {
             let mut draft = Project::from_webgl1(&title, &text);
             let repairs = repair_webgl1(&mut draft, &name, &text)
                 .ok_or_else(|| wrong("this is too large".to_string()))?;
             let code = draft.passes.first().map_or("", |p| &*p.code);
-            let project = Project::from_shader(&title, code).map_err(|e| wrong(e.to_string()))?;
+            let project = Project::draft(&title, code).map_err(|e| wrong(e.to_string()))?;
             Ok((project, repairs))
         }
         Err(e) => Err(wrong(e.to_string())),

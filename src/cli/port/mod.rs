@@ -8,9 +8,10 @@ mod repair;
 use super::output::{Overwrite, write};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::port::{Composed, compose, missing};
+use crate::port::{Composed, missing};
 use crate::report::{Format, Reporter, Summary};
 use clap::{Parser, ValueEnum};
+use load::Loaded;
 use remark::Remark;
 use repair::Repairs;
 use std::io::{self, IsTerminal, Write};
@@ -120,13 +121,15 @@ pub fn run(args: &Args) -> u8 {
 }
 
 fn port(args: &Args) -> Result<u8, String> {
-    let name = load::name_of(args);
-    let (project, repairs) = load::load(args)?;
+    let Loaded {
+        project,
+        composed,
+        repairs,
+    } = load::load(args)?;
     tell_repairs(&repairs).map_err(|e| e.to_string())?;
     if args.diff {
         return print(repairs.diff().as_bytes()).map(|()| CLEAN);
     }
-    let composed = compose(&project, &name).ok_or(format!("{name}: this is too large"))?;
     let target = make::target_of(args);
     let made = make::make(args, &project, &composed)?;
     let summary = report(&composed, &made.remarks).map_err(|e| e.to_string())?;
@@ -189,9 +192,9 @@ fn is_colored() -> bool {
 fn report(composed: &Composed, remarks: &[Remark]) -> io::Result<Summary> {
     let mut found: Vec<Diagnostic> = Vec::new();
     for unit in &composed.units {
-        for problem in composed.analyze(unit).diagnostics {
-            if !found.contains(&problem) {
-                found.push(problem);
+        for problem in &composed.analysis(unit).diagnostics {
+            if !found.contains(problem) {
+                found.push(problem.clone());
             }
         }
     }

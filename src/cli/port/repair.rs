@@ -4,7 +4,6 @@ use super::super::output::diff;
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::lint::{Allow, Look, fix};
 use crate::port::{Composed, Project, add_repairs, compose};
-use crate::semantic::Analysis;
 use crate::text::{Role, SourceFile, Sources, Span};
 use std::sync::Arc;
 
@@ -46,14 +45,14 @@ impl Repairs {
 }
 
 /// Repairs the passes of a project. `path` is the file that the user gave.
-pub(super) fn repair(project: &mut Project, path: &str) -> Option<Repairs> {
-    let composed = compose(project, path)?;
-    let files: Vec<&SourceFile> = users(&composed).collect();
-    let owners = owners(&composed);
+pub(super) fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<Repairs> {
+    let files: Vec<&SourceFile> = users(composed).collect();
+    let owners = owners(composed);
     let texts: Vec<&str> = files.iter().map(|f| &*f.text).collect();
     let whole = texts.join(&BETWEEN.to_string());
-    let fixed = fix(&whole, Allow::Safe, |text| {
-        look(project, &owners, path, text)
+    let fixed = fix(&whole, Allow::Safe, |text| match text == whole {
+        true => look(composed, text),
+        false => look(&renewed(project, &owners, path, text)?, text),
     });
     let mut repairs = Repairs::default();
     for file in &files {
@@ -72,7 +71,8 @@ pub(super) fn repair(project: &mut Project, path: &str) -> Option<Repairs> {
 
 /// Repairs a WebGL1 shader that was given the first line of a WebGL2 one; `text` is what it was.
 pub(super) fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Option<Repairs> {
-    let mut repairs = repair(draft, path)?;
+    let composed = compose(draft, path)?;
+    let mut repairs = repair(draft, &composed, path)?;
     let added = draft.passes.first()?.code.find('\n')? as u32 + 1;
     repairs.before = Sources::new();
     repairs.before.add(path, None, Role::User, text)?;
@@ -128,14 +128,18 @@ fn put(project: &mut Project, owners: &[usize], whole: &str) -> Option<()> {
     Some(())
 }
 
-/// What is wrong with a project of these texts.
-fn look(project: &Project, owners: &[usize], path: &str, whole: &str) -> Option<Look> {
+/// A project with other texts.
+fn renewed(project: &Project, owners: &[usize], path: &str, whole: &str) -> Option<Composed> {
     let mut project = project.clone();
     put(&mut project, owners, whole)?;
-    let composed = compose(&project, path)?;
-    let first = users(&composed).next()?.base;
+    compose(&project, path)
+}
+
+/// What is wrong with a project, whose texts make up this one.
+fn look(composed: &Composed, whole: &str) -> Option<Look> {
+    let first = users(composed).next()?.base;
     let span = Span::new(first, first + whole.len() as u32);
-    let (diagnostics, size) = errors(&composed);
+    let (diagnostics, size) = errors(composed);
     Some(Look {
         diagnostics,
         span,
@@ -149,14 +153,12 @@ fn errors(composed: &Composed) -> (Vec<Diagnostic>, usize) {
     let mut found: Vec<Diagnostic> = Vec::new();
     let mut size = 0;
     for unit in &composed.units {
-        let Analysis {
-            program,
-            mut diagnostics,
-            ..
-        } = composed.analyze(unit);
-        size += program.size();
-        diagnostics.retain(|d| d.severity == Severity::Error);
-        add_repairs(&program, &mut diagnostics);
+        let analysis = composed.analysis(unit);
+        size += analysis.program.size();
+        let errors = analysis.diagnostics.iter();
+        let errors = errors.filter(|d| d.severity == Severity::Error);
+        let mut diagnostics: Vec<Diagnostic> = errors.cloned().collect();
+        add_repairs(&analysis.program, &mut diagnostics);
         for error in diagnostics {
             let mut known = found.iter_mut();
             match known.find(|k| (k.rule, k.span) == (error.rule, error.span)) {

@@ -43,7 +43,7 @@ pub fn translate(
     unit: &PassUnit,
     language: Language,
 ) -> Result<Option<Output>, Refused> {
-    let analysis = composed.analyze(unit);
+    let analysis = composed.analysis(unit);
     let is_error = |d: &crate::diagnostic::Diagnostic| d.severity == Severity::Error;
     if analysis.diagnostics.iter().any(is_error) {
         return Ok(None);
