@@ -1,6 +1,6 @@
 //! The files of the disk, for the engine.
 
-use crate::engine::{Entry, Files, LoadError, MAX_LOADED};
+use crate::engine::{FileType, Files, LoadError, MAX_LOADED};
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
@@ -37,11 +37,11 @@ impl Files for Disk {
         })
     }
 
-    fn entry(&self, path: &Path) -> Option<Entry> {
+    fn entry(&self, path: &Path) -> Option<FileType> {
         let data = fs::metadata(path).ok()?;
         match data.is_dir() {
-            true => Some(Entry::Folder),
-            false => data.is_file().then_some(Entry::File),
+            true => Some(FileType::Folder),
+            false => data.is_file().then_some(FileType::File),
         }
     }
 

@@ -1,17 +1,17 @@
 //! From the text of one file to what is said of it.
 
+use super::analysis::Analysis;
 use super::export::Written;
 use super::host::Hosts;
 use super::include::Hushed;
 use super::options::Desktop;
-use super::part::{Part, Shader, check_part, shader_part, understand};
+use super::part::{Keep, Part, Shader, check_part, shader_part};
 use super::{World, embedded, foreign, partner};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::lint::{Allows, Judged};
 use crate::port::{Project, ProjectError, compose};
 use crate::rules::RULES;
-use crate::semantic::Program;
-use crate::text::embed::{Embedded, extract_named};
+use crate::text::embed::{Embedded, Language, extract_named};
 use crate::text::kind::{Decision, FileKind, Tongue, decide};
 use crate::text::{Encoding, FileId, Role, Sources, Span};
 use std::fmt;
@@ -32,6 +32,8 @@ pub struct Report {
     pub left_out: usize,
     /// Why nothing was judged, where that is so.
     pub unread: Option<Unread>,
+    /// What is known of the shaders, where [`analyze`](super::analyze) was asked.
+    pub analyses: Vec<Analysis>,
     /// The shaders inside the file, where it is a page, a script or a text.
     embedded: Vec<Embedded>,
     /// Whether the file holds shaders and is none itself.
@@ -117,31 +119,18 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
     let kind = decision.kind;
     let mut read = read(name, text, world, decision)?;
     let partner = partner::load(&mut read, name, world);
-    let mut diagnostics = Vec::new();
-    let mut allows = Allows::default();
-    let mut judged: Option<Judged> = None;
-    let mut shaders: Vec<Shader> = Vec::new();
-    let hosts = hosts(&read, name, world);
-    for part in &mut read.parts {
-        let sources = &mut read.sources;
-        let checked = check_part(
-            sources,
-            part,
-            &hosts,
-            options,
-            &mut allows,
-            &mut diagnostics,
-        );
-        let Some((shader, seen)) = checked else {
-            continue;
-        };
-        shaders.push(shader);
-        if let Some(seen) = seen {
-            judged.get_or_insert_default().join(seen);
-        }
-    }
+    let may_link = partner.is_some() || read.embedded.len() > 1;
+    let keep = match kind {
+        FileKind::Holds(Language::Markdown) => world.keep,
+        // Shaders that may be linked are not checked again for it.
+        _ if may_link => Keep::Programs,
+        _ => world.keep,
+    };
+    let told = check_parts(&mut read, name, world, keep);
+    let (mut diagnostics, shaders) = (told.diagnostics, told.shaders);
     partner::check(&read, partner.as_ref(), &options.settings, &mut diagnostics);
-    allows.report(RULES, &options.settings, &mut diagnostics);
+    told.allows
+        .report(RULES, &options.settings, &mut diagnostics);
     diagnostics.append(&mut read.problems);
     if let (Encoding::Damaged(at), true) = (encoding, kind != FileKind::Export) {
         report_damage(&read, at, &mut diagnostics);
@@ -158,8 +147,12 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
         embedded: read.embedded,
         holds_others: matches!(kind, FileKind::Holds(_)),
         export: read.export,
-        judged,
+        judged: told.judged,
         unread: None,
+        analyses: match world.keep {
+            Keep::Programs => read.parts.into_iter().filter_map(|p| p.analysis).collect(),
+            Keep::Findings => Vec::new(),
+        },
     };
     if options.desktop == Desktop::Port && kind == FileKind::Foreign(Tongue::Desktop) {
         foreign::ask_first(&mut diagnostics);
@@ -175,24 +168,41 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
     Ok(report)
 }
 
-/// The shaders of a text, checked.
-pub(super) fn programs(name: &str, text: &str, world: World) -> Result<Vec<Program>, Unread> {
-    let decision = decide(name, text, world.options.claim);
-    let mut read = read(name, text, world, decision)?;
-    let hosts = hosts(&read, name, world);
-    let sources = &mut read.sources;
-    let all = read.parts.iter_mut();
-    let checked = all.filter_map(|part| understand(sources, part, &hosts, world.options));
-    Ok(checked.map(|c| c.analysis.program).collect())
+/// What is said of the shaders of a file.
+#[derive(Default)]
+struct Told {
+    diagnostics: Vec<Diagnostic>,
+    shaders: Vec<Shader>,
+    allows: Allows,
+    judged: Option<Judged>,
 }
 
-/// What may complete the shaders of a text.
-fn hosts<'a>(read: &Read, name: &'a str, world: World<'a>) -> Hosts<'a> {
+fn check_parts(read: &mut Read, name: &str, world: World, keep: Keep) -> Told {
+    let mut told = Told::default();
     let script = read.file.and_then(|id| read.sources.file(id));
     let script = script
         .filter(|_| !read.embedded.is_empty())
         .map(|f| f.text.clone());
-    Hosts::new(name, script, world)
+    let hosts = Hosts::new(name, script, world);
+    for part in &mut read.parts {
+        let checked = check_part(
+            &mut read.sources,
+            part,
+            &hosts,
+            world.options,
+            keep,
+            &mut told.allows,
+            &mut told.diagnostics,
+        );
+        let Some((shader, seen)) = checked else {
+            continue;
+        };
+        told.shaders.push(shader);
+        if let Some(seen) = seen {
+            told.judged.get_or_insert_default().join(seen);
+        }
+    }
+    told
 }
 
 /// An input, split into shaders.

@@ -106,6 +106,7 @@ fn part(
         readings,
         embedder: around.embedder,
         missing: Vec::new(),
+        analysis: None,
     })
 }
 

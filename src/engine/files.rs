@@ -19,7 +19,7 @@ pub trait Files: Sync {
     fn load(&self, path: &Path) -> Result<Arc<str>, LoadError>;
 
     /// What lies at a path.
-    fn entry(&self, path: &Path) -> Option<Entry>;
+    fn entry(&self, path: &Path) -> Option<FileType>;
 
     /// The names in a folder, in any order.
     fn names(&self, folder: &Path) -> Vec<String>;
@@ -41,7 +41,7 @@ pub trait Files: Sync {
 
 /// What lies at a path.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Entry {
+pub enum FileType {
     /// A file.
     File,
     /// A folder.
@@ -80,7 +80,7 @@ impl Files for NoFiles {
         Err(LoadError::NotFound)
     }
 
-    fn entry(&self, _path: &Path) -> Option<Entry> {
+    fn entry(&self, _path: &Path) -> Option<FileType> {
         None
     }
 
@@ -100,14 +100,14 @@ impl Files for BTreeMap<PathBuf, Arc<str>> {
         text.cloned().ok_or(LoadError::NotFound)
     }
 
-    fn entry(&self, path: &Path) -> Option<Entry> {
+    fn entry(&self, path: &Path) -> Option<FileType> {
         let path = plain(&self.here().join(path));
         if self.contains_key(&path) {
-            return Some(Entry::File);
+            return Some(FileType::File);
         }
         let mut behind = self.range(path.clone()..).map(|(p, _)| p);
         let is_folder = behind.next().is_some_and(|p| p.starts_with(&path));
-        is_folder.then_some(Entry::Folder)
+        is_folder.then_some(FileType::Folder)
     }
 
     fn names(&self, folder: &Path) -> Vec<String> {
@@ -135,8 +135,11 @@ mod tests {
         let paths = ["/a/b.glsl", "/a/c/d.glsl", "/a.glsl"];
         let files: BTreeMap<PathBuf, Arc<str>> =
             paths.iter().map(|p| (p.into(), "x".into())).collect();
-        assert_eq!(files.entry(Path::new("a/./c/../b.glsl")), Some(Entry::File));
-        assert_eq!(files.entry(Path::new("/a/c")), Some(Entry::Folder));
+        assert_eq!(
+            files.entry(Path::new("a/./c/../b.glsl")),
+            Some(FileType::File)
+        );
+        assert_eq!(files.entry(Path::new("/a/c")), Some(FileType::Folder));
         assert_eq!(files.entry(Path::new("/b")), None);
         assert_eq!(files.names(Path::new("/a")), ["b.glsl", "c"]);
         assert_eq!(files.names(Path::new("")), ["a", "a.glsl"]);

@@ -10,7 +10,7 @@ use crate::text::{Encoding, Span};
 
 /// Mends what can be mended in a text, judging it anew after each round.
 pub fn mend(name: &str, text: &str, options: &Options, files: &dyn Files, allow: Allow) -> Fixed {
-    let world = World { options, files };
+    let world = World::new(options, files);
     fix(text, allow, |text| look(name, text, world))
 }
 
@@ -91,7 +91,7 @@ pub fn offer(
     files: &dyn Files,
     report: &Report,
 ) -> Offer {
-    let world = World { options, files };
+    let world = World::new(options, files);
     let apparent = Offer::of(report);
     match report.look(text).filter(|_| apparent.all > 0) {
         Some(seen) => {

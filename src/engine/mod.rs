@@ -4,6 +4,7 @@
 //! holds it (a page, a script, an export) and how it is configured is dealt with here, so that every
 //! front only reads files and prints.
 
+mod analysis;
 pub mod config;
 mod document;
 mod embedded;
@@ -19,18 +20,21 @@ mod part;
 mod partner;
 pub mod path;
 mod reading;
+mod repair;
 
 pub use crate::semantic::Extent;
+pub use analysis::Analysis;
 pub use document::{Report, Unread};
-pub use files::{Entry, Files, LoadError, MAX_LOADED, NoFiles};
+pub use files::{FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use include::{Absence, Includes, Missing};
 pub use memo::Memo;
 pub use mend::{Offer, mend, offer};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Options};
 pub use part::Shader;
+pub use repair::{Repairs, repair, repair_webgl1, repairable};
 
-use crate::semantic::Program;
 use crate::text::{Content, Encoding};
+use part::Keep;
 
 /// Finds what is to be said of a text. `name` is its path, whose ending tells what it may be and
 /// whose folder the files around it are looked for in.
@@ -48,7 +52,7 @@ use crate::text::{Content, Encoding};
 /// assert_eq!(file.position(finding.span.start).line, 2);
 /// ```
 pub fn check(name: &str, text: &str, options: &Options, files: &dyn Files) -> Report {
-    let world = World { options, files };
+    let world = World::new(options, files);
     document::judge(name, text, Encoding::Utf8, world)
 }
 
@@ -60,22 +64,18 @@ pub fn check_content(
     options: &Options,
     files: &dyn Files,
 ) -> Report {
-    let world = World { options, files };
+    let world = World::new(options, files);
     document::judge(name, &content.text, content.encoding, world)
 }
 
-/// The shaders of a text, as they are understood, and nothing said of them: for tools that show what
-/// becomes of a shader.
-///
-/// # Errors
-/// The text is nothing that is read.
-pub fn programs(
-    name: &str,
-    text: &str,
-    options: &Options,
-    files: &dyn Files,
-) -> Result<Vec<Program>, Unread> {
-    document::programs(name, text, World { options, files })
+/// Finds what is to be said of a text, and keeps what is known of its shaders for further questions:
+/// [`Report::analyses`].
+pub fn analyze(name: &str, text: &str, options: &Options, files: &dyn Files) -> Report {
+    let world = World {
+        keep: Keep::Programs,
+        ..World::new(options, files)
+    };
+    document::judge(name, text, Encoding::Utf8, world)
 }
 
 /// What a text is judged with.
@@ -83,4 +83,42 @@ pub fn programs(
 struct World<'a> {
     options: &'a Options,
     files: &'a dyn Files,
+    keep: Keep,
+}
+
+impl<'a> World<'a> {
+    fn new(options: &'a Options, files: &'a dyn Files) -> World<'a> {
+        World {
+            options,
+            files,
+            keep: Keep::Findings,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+    use std::path::PathBuf;
+    use std::sync::Arc;
+
+    #[test]
+    fn files_may_lie_in_a_map() {
+        let shader = "#version 300 es\nprecision highp float;\n#include \"lib/noise.glsl\"\n\
+            out vec4 color;\nvoid main() { color = vec4(noise(2.0)); }\n";
+        let noise = "float noise(float x) { return fract(sin(x)); }\n";
+        let noise: (PathBuf, Arc<str>) = ("/lib/noise.glsl".into(), noise.into());
+        let files = BTreeMap::from([noise]);
+        let report = analyze("a.frag", shader, &Options::default(), &files);
+        assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
+        let [analysis] = &report.analyses[..] else {
+            panic!("one shader")
+        };
+        assert!(!analysis.has_errors && analysis.extent == Extent::Whole);
+        assert!(!analysis.module().functions.is_empty());
+        let alone = check("a.frag", shader, &Options::default(), &NoFiles);
+        assert_eq!(alone.shaders[0].missing[0].path, "lib/noise.glsl");
+        assert!(alone.analyses.is_empty());
+    }
 }

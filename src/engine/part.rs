@@ -1,17 +1,18 @@
 //! One shader of an input.
 
 use super::World;
+use super::analysis::Analysis;
 use super::document::Read;
 use super::foreign;
 use super::host::Hosts;
 use super::include::{Missing, is_common, spread};
 use super::options::{DialectChoice, HostUniform, Options};
-use super::reading::{Checked, Place, Reading, Readings, Standing, Text};
+use super::reading::{Place, Reading, Readings, Standing, Text, lacking};
 use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
-use crate::semantic::{Dialect, Extent, Kind, Stage, guess};
+use crate::semantic::{Checked, Dialect, Extent, Kind, Stage, guess};
 use crate::syntax::{Lexer, RawKind, Version, WordClass, classify};
 use crate::text::embed::{Embedder, mask};
 use crate::text::kind::ending;
@@ -29,6 +30,17 @@ pub struct Part {
     pub embedder: Embedder,
     /// What it includes and is not found.
     pub missing: Vec<Missing>,
+    /// What came of checking it, where that is kept.
+    pub analysis: Option<Analysis>,
+}
+
+/// Whether what is known of a shader is kept.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Keep {
+    /// Only what is said of it.
+    Findings,
+    /// All of it.
+    Programs,
 }
 
 impl Part {
@@ -44,6 +56,7 @@ impl Part {
             infer_channels: false,
             embedder: Embedder::default(),
             missing: Vec::new(),
+            analysis: None,
         }
     }
 
@@ -66,22 +79,27 @@ pub fn check_part(
     part: &mut Part,
     hosts: &Hosts,
     options: &Options,
+    keep: Keep,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(Shader, Option<Judged>)> {
-    let checked = understand(sources, part, hosts, options)?;
-    tell_part(
+    let mut checked = understand(sources, part, hosts, options)?;
+    let told = tell_part(
         sources,
         part,
-        checked,
+        &mut checked,
         &options.settings,
         allows,
         diagnostics,
-    )
+    )?;
+    if keep == Keep::Programs {
+        part.analysis = Some(Analysis::new(checked, told.0.has_errors));
+    }
+    Some(told)
 }
 
 /// Checks a shader. Where it lacks something, its host is looked for first.
-pub(super) fn understand(
+fn understand(
     sources: &mut Arc<Sources>,
     part: &mut Part,
     hosts: &Hosts,
@@ -91,7 +109,7 @@ pub(super) fn understand(
         && options.host.preset.is_none()
         && !part.readings.is_shadertoy();
     let checked = part.readings.check(sources, part.infer_channels)?;
-    let lacking = checked.lacking().filter(|_| is_open);
+    let lacking = lacking(&checked).filter(|_| is_open);
     let (presets, is_sure) = lacking.map_or((Vec::new(), true), |lacking| {
         hosts.of(&lacking, &part.readings)
     });
@@ -109,27 +127,24 @@ pub(super) fn understand(
 fn tell_part(
     sources: &Sources,
     part: &Part,
-    checked: Checked,
+    checked: &mut Checked,
     settings: &Settings,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(Shader, Option<Judged>)> {
-    let Checked {
-        mut analysis,
-        extent,
-    } = checked;
+    let extent = checked.extent;
     let known = diagnostics.len();
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
-    let errors = analysis.diagnostics.iter().filter(is_error).count();
-    allows.expect(&analysis.program, RULES, &mut analysis.diagnostics);
+    let errors = checked.diagnostics.iter().filter(is_error).count();
+    allows.expect(&checked.program, RULES, &mut checked.diagnostics);
     let mut left_out = 0;
     // Where something is open, no rule knows enough.
-    let unrun = if !analysis.open.is_any && extent != Extent::Excerpt {
+    let unrun = if !checked.open.is_any && extent != Extent::Excerpt {
         let mut found = Vec::new();
-        let (program, errors) = (&analysis.program, &analysis.diagnostics);
+        let (program, errors) = (&checked.program, &checked.diagnostics);
         let unrun = lint_within(program, part.embedder, errors, RULES, settings, &mut found);
         if unrun != Unrun::Everywhere {
-            allows.apply(&analysis.program, RULES, &mut found);
+            allows.apply(&checked.program, RULES, &mut found);
         }
         if let Unrun::Functions { broken, .. } = &unrun {
             allows.excuse(broken);
@@ -147,27 +162,27 @@ fn tell_part(
     } else {
         Unrun::Everywhere
     };
-    keep_under_hosts(sources, &part.readings, &mut analysis.diagnostics);
+    keep_under_hosts(sources, &part.readings, &mut checked.diagnostics);
     if extent != Extent::Whole {
         // The program around a part knows its names.
-        let names = analysis.diagnostics.iter_mut();
+        let names = checked.diagnostics.iter_mut();
         let renamed = names.filter(|d| d.rule == error::RESERVED_WORD);
         renamed.for_each(|d| foreign::ask_first(std::slice::from_mut(d)));
     }
-    diagnostics.append(&mut analysis.diagnostics);
+    diagnostics.append(&mut checked.diagnostics);
     let own = diagnostics.get_mut(known..).unwrap_or(&mut []);
     if extent != Extent::Whole {
         let hosts: Arc<[String]> = part.readings.hosts.as_slice().into();
         own.iter_mut().for_each(|d| d.part = Some(hosts.clone()));
     }
     if own.iter().any(|d| d.fix.is_some()) {
-        let mut comments = analysis.program.tokens.comments.clone();
+        let mut comments = checked.program.tokens.comments.clone();
         comments.sort();
         for diagnostic in own {
             keep_comments(sources, &comments, diagnostic);
         }
     }
-    let program = &analysis.program;
+    let program = &checked.program;
     let judged = (errors > 0).then(|| Judged::of(program));
     let own = |id: &&FileId| sources.code(**id).is_some_and(|c| c.role == Role::User);
     let shader = Shader {
@@ -181,7 +196,7 @@ fn tell_part(
         has_errors: errors > 0,
         left_out,
         size: program.size(),
-        holes: analysis.open.names,
+        holes: std::mem::take(&mut checked.open.names),
         hosts: part.readings.hosts.clone(),
     };
     Some((shader, judged))
@@ -281,6 +296,7 @@ pub(super) fn shader_part(
         readings,
         embedder: Embedder::default(),
         missing,
+        analysis: None,
     });
     Some(())
 }

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::lint::Settings;
 use crate::rules::RULES;
 use crate::semantic::link::link;
-use crate::semantic::{Analysis, Extent, Function, Program, Stage, Storage, Unit, analyze};
+use crate::semantic::{Extent, Function, Program, Stage, Storage, Unit, analyze};
 use crate::text::embed::{Asked, Embedded, Language, asked, together};
 use crate::text::kind::ending;
 use crate::text::{Role, Sources, Span};
@@ -216,47 +216,57 @@ fn link_parts(
         _ => (other, one),
     };
     // Parts may be read as several versions; the host makes one of both stages.
-    let of_vertices = vertex.readings.all.iter();
-    for (of_vertex, own) in of_vertices.filter_map(|r| Some((whole(sources, vertex, r)?, r))) {
-        for reading in &fragment.readings.all {
-            let Some(of_fragment) = whole(sources, fragment, reading) else {
-                continue;
-            };
+    let mut fragments = None;
+    for (of_vertex, own) in programs_of(sources, vertex) {
+        let all = || programs_of(sources, fragment).collect::<Vec<_>>();
+        for (of_fragment, reading) in fragments.get_or_insert_with(all) {
             let starts_with_user = |r: &Reading| {
                 let first = r.files.first().and_then(|id| sources.code(*id));
                 first.is_some_and(|c| c.role == Role::User)
             };
             let has_versions = starts_with_user(own) && starts_with_user(reading);
             if of_vertex.version == of_fragment.version || has_versions {
-                diagnostics.extend(link(&of_vertex, &of_fragment));
-                more(&of_vertex, &of_fragment);
+                diagnostics.extend(link(&of_vertex, of_fragment));
+                more(&of_vertex, of_fragment);
                 return;
             }
         }
     }
 }
 
-/// A shader that is all at hand and without errors, read in one way.
-fn whole(sources: &Arc<Sources>, part: &Part, reading: &Reading) -> Option<Program> {
-    if !part.may_be_program() {
-        return None;
-    }
-    let Analysis {
-        program,
-        diagnostics,
-        ..
-    } = analyze(&Unit {
-        sources,
-        files: &reading.files,
-        stage: reading.stage,
-        dialect: reading.dialect,
-        infer_channels: false,
-        extent: Extent::Whole,
-    });
-    let has_errors = diagnostics.iter().any(|d| d.severity == Severity::Error);
-    let is_main = |f: &Function| f.definition.is_some() && program.names.text(f.name) == "main";
-    let has_main = program.functions.iter().any(is_main);
-    (has_main && !has_errors).then_some(program)
+/// A shader in each way to read it in which it is all at hand and without errors.
+fn programs_of<'p>(
+    sources: &'p Arc<Sources>,
+    part: &'p Part,
+) -> impl Iterator<Item = (Arc<Program>, &'p Reading)> {
+    let readings = part.may_be_program().then_some(&part.readings.all);
+    let readings = readings.into_iter().flatten().enumerate();
+    readings.filter_map(|(index, reading)| {
+        // What was checked whole was read in the first way.
+        let checked = part
+            .analysis
+            .as_ref()
+            .filter(|a| index == 0 && a.extent == Extent::Whole);
+        let (program, has_errors) = match checked {
+            Some(analysis) => (analysis.program.clone(), analysis.has_errors),
+            None => {
+                let checked = analyze(&Unit {
+                    sources,
+                    files: &reading.files,
+                    stage: reading.stage,
+                    dialect: reading.dialect,
+                    infer_channels: false,
+                    extent: Extent::Whole,
+                });
+                let mut found = checked.diagnostics.iter();
+                let has_errors = found.any(|d| d.severity == Severity::Error);
+                (Arc::new(checked.program), has_errors)
+            }
+        };
+        let is_main = |f: &Function| f.definition.is_some() && program.names.text(f.name) == "main";
+        let has_main = program.functions.iter().any(is_main);
+        (has_main && !has_errors).then_some((program, reading))
+    })
 }
 
 /// A uniform that a page asks for and its shaders lack.

@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::host::{HostVersion, Preset};
 use crate::semantic::snippet::is_body;
 use crate::semantic::{
-    Analysis, Dialect, Extent, Guess, Kind, PART_OUTPUT, Pass, Stage, Unit, analyze, analyze_part,
+    Checked, Dialect, Extent, Guess, Kind, PART_OUTPUT, Pass, Stage, Unit, analyze, analyze_part,
     guess, needs_300, part_declarations,
 };
 use crate::syntax::{ES_300, Feature, Version};
@@ -323,20 +323,20 @@ impl Readings {
         let mut all = self.all.as_slice();
         if extent == Extent::Whole {
             let (first, others) = all.split_first()?;
-            let analysis = analyze(&unit(first, extent));
+            let checked = analyze(&unit(first, extent));
             // What the text itself defines, however badly, no host has to.
             let code = OnceCell::new();
             let is_macro = |name: &str| {
                 let code = code.get_or_init(|| code_of(sources, &first.files));
                 !name.is_empty() && code.contains(&format!("define {name}"))
             };
-            let lacks = analysis
+            let lacks = checked
                 .diagnostics
                 .iter()
                 .any(|d| lacks_something(d) && !is_macro(sources.text(d.span)));
             let is_whole = match self.standing {
                 Standing::Unversioned => {
-                    let is_wrong = analysis.diagnostics.iter().any(is_error);
+                    let is_wrong = checked.diagnostics.iter().any(is_error);
                     let with_version = |r| analyze(&unit(r, Extent::Whole)).diagnostics;
                     let would_be = || others.first().map_or(Vec::new(), with_version);
                     let is_open = |d: &Diagnostic| {
@@ -350,7 +350,7 @@ impl Readings {
                 _ => true,
             };
             if is_whole {
-                return Some(Checked { analysis, extent });
+                return Some(checked);
             }
             all = others;
         }
@@ -360,36 +360,26 @@ impl Readings {
             extent => extent,
         };
         let units: Vec<Unit> = all.iter().map(|r| unit(r, extent)).collect();
-        let analysis = analyze_part(&units)?;
-        Some(Checked { analysis, extent })
+        analyze_part(&units)
     }
 }
 
-/// A text, checked.
-pub struct Checked {
-    /// What is known of it and wrong with it.
-    pub analysis: Analysis,
-    /// How much of a shader it turned out to be.
-    pub extent: Extent,
-}
-
-impl Checked {
-    /// The names that the text lacks, where it lacks some or something is wrong with it.
-    pub fn lacking(&self) -> Option<BTreeSet<String>> {
-        let Analysis {
-            program,
-            diagnostics,
-            open,
-        } = &self.analysis;
-        if !open.is_any && !diagnostics.iter().any(is_error) {
-            return None;
-        }
-        let undeclared = diagnostics
-            .iter()
-            .filter(|d| matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE))
-            .map(|d| program.sources.text(d.span).to_string());
-        Some(open.names.iter().cloned().chain(undeclared).collect())
+/// The names that a text lacks, where it lacks some or something is wrong with it.
+pub fn lacking(checked: &Checked) -> Option<BTreeSet<String>> {
+    let Checked {
+        program,
+        diagnostics,
+        open,
+        ..
+    } = checked;
+    if !open.is_any && !diagnostics.iter().any(is_error) {
+        return None;
     }
+    let undeclared = diagnostics
+        .iter()
+        .filter(|d| matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE))
+        .map(|d| program.sources.text(d.span).to_string());
+    Some(open.names.iter().cloned().chain(undeclared).collect())
 }
 
 /// All that users wrote of some files.

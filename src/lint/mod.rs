@@ -27,6 +27,6 @@ pub use removal::{remove_declarator, remove_lines, remove_statement};
 pub use rule::{Binary, Builtin, Check, Group, Rule, RuleOption, Shape};
 pub use run::{Unrun, lint, lint_within};
 pub use same::{code_hash, same_code};
-pub use settings::{Failing, Settings, Target, UnknownRule, nearest_name, nearest_rule};
+pub use settings::{Failing, Renderer, Settings, UnknownRule, nearest_name, nearest_rule};
 pub use suppress::Allows;
 pub use words::{Counts, Unseen};

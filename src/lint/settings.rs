@@ -6,7 +6,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 /// What draws the shader in the end, which decides how much work a pixel may take.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub enum Target {
+pub enum Renderer {
     /// A renderer on the processor, as headless browsers have.
     #[default]
     SwiftShader,
@@ -26,7 +26,7 @@ pub struct Settings {
     /// The only names that are reported, where these were chosen.
     chosen: Option<FxHashSet<&'static str>>,
     /// What draws the shader.
-    pub target: Target,
+    pub target: Renderer,
 }
 
 /// A name that is neither a rule's nor a group's.
@@ -58,7 +58,7 @@ impl Settings {
             options: FxHashMap::default(),
             failing: FxHashSet::default(),
             chosen: None,
-            target: Target::default(),
+            target: Renderer::default(),
         };
         for rule in rules.iter().filter(|r| r.default) {
             settings.set_level(rule, Some(rule.severity));
@@ -163,8 +163,8 @@ impl Settings {
         };
         let set = self.options.get(&(rule.name, known.name)).copied();
         set.unwrap_or(match self.target {
-            Target::SwiftShader => known.default,
-            Target::Gpu => known.on_gpu,
+            Renderer::SwiftShader => known.default,
+            Renderer::Gpu => known.on_gpu,
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Each pass as the player compiles it: its header, every Common in order, its own code.
 
 use super::{Project, ProjectPass, Wrapper};
-use crate::semantic::{Analysis, Channels, Dialect, Extent, Pass, Stage, Unit, analyze};
+use crate::semantic::{Channels, Checked, Dialect, Extent, Pass, Stage, Unit, analyze};
 use crate::text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
 
@@ -16,7 +16,7 @@ pub struct PassUnit {
     /// Header, Commons and code, in the order in which they are compiled.
     pub files: Vec<FileId>,
     /// What came of checking it, once that was asked for.
-    checked: OnceLock<Analysis>,
+    checked: OnceLock<Checked>,
 }
 
 /// A project whose texts lie in one address space. Each of its passes is checked at most once.
@@ -43,7 +43,7 @@ impl Key {
 
 impl Composed {
     /// What a pass means, and what is wrong with it.
-    pub fn analysis<'a>(&self, unit: &'a PassUnit) -> &'a Analysis {
+    pub fn analysis<'a>(&self, unit: &'a PassUnit) -> &'a Checked {
         unit.checked.get_or_init(|| {
             analyze(&Unit {
                 sources: &self.sources,

@@ -5,6 +5,7 @@
 //! comes of it. The user's text is never reprinted: it travels as it is, behind the player's own
 //! header. Only the languages of the feature `naga` are written anew, from the checked program.
 
+mod build;
 mod channel;
 mod compose;
 mod credits;
@@ -24,6 +25,7 @@ mod single;
 mod supply;
 mod whole;
 
+pub use build::{Build, BuildError, File, MainChoice, Order, Remark, Target, build};
 pub use channel::{ChannelOrder, ChannelSource, Media, kind_of_file};
 pub use compose::{Composed, PassUnit, compose};
 pub use credits::license_words;

@@ -39,4 +39,4 @@ pub use program::{
     Variable, VariableId,
 };
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type};
-pub use unit::{Analysis, Unit, analyze, analyze_part};
+pub use unit::{Checked, Unit, analyze, analyze_part};

@@ -34,18 +34,20 @@ pub struct Unit<'a> {
 }
 
 /// A shader, checked.
-pub struct Analysis {
+pub struct Checked {
     /// What is known of it.
     pub program: Program,
     /// What the browser's compiler would refuse, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
     /// What a part leaves open.
     pub open: Open,
+    /// How much of a shader that is.
+    pub extent: Extent,
 }
 
 /// Reads and checks a part of a shader in each way in which a host may take it, the likeliest first:
 /// what is wrong in all of them is wrong.
-pub fn analyze_part(readings: &[Unit]) -> Option<Analysis> {
+pub fn analyze_part(readings: &[Unit]) -> Option<Checked> {
     /// Most tokens that are read for it.
     const MAX_READ: usize = 2_000_000;
     let (first, others) = readings.split_first()?;
@@ -78,11 +80,12 @@ pub fn analyze_part(readings: &[Unit]) -> Option<Analysis> {
 }
 
 /// Reads and checks one shader, and finds whose fault its errors are.
-pub fn analyze(unit: &Unit) -> Analysis {
-    let Analysis {
+pub fn analyze(unit: &Unit) -> Checked {
+    let Checked {
         program,
         diagnostics,
         open,
+        extent,
     } = analyze_once(unit);
     let mut diagnostics = attribute(unit, &program, diagnostics);
     // An entry that stands behind an `#if` without its end is there, only not read.
@@ -96,10 +99,11 @@ pub fn analyze(unit: &Unit) -> Analysis {
         keep_own(unit.sources, &mut diagnostics);
     }
     limit(&mut diagnostics);
-    Analysis {
+    Checked {
         program,
         diagnostics,
         open,
+        extent,
     }
 }
 
@@ -116,7 +120,7 @@ fn keep_own(sources: &Sources, diagnostics: &mut Vec<Diagnostic>) {
 }
 
 /// Reads and checks one shader: every error stands where the compiler stumbles.
-pub(super) fn analyze_once(unit: &Unit) -> Analysis {
+pub(super) fn analyze_once(unit: &Unit) -> Checked {
     let is_fragment = unit.stage == Stage::Fragment;
     let Preprocessed {
         mut tokens,
@@ -177,10 +181,11 @@ pub(super) fn analyze_once(unit: &Unit) -> Analysis {
     let mut diagnostics = gather(&program, diagnostics);
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
     diagnostics.truncate(MAX_ERRORS);
-    Analysis {
+    Checked {
         program,
         diagnostics,
         open,
+        extent: unit.extent,
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod project;
 
-use crate::engine::config::{Config, Given, options, parse};
+use crate::engine::config::{Config, Selection, options, parse};
 use crate::engine::path::plain;
 use crate::engine::{HostNames, Memo, Options};
 use crate::host::read as read_host;
@@ -19,9 +19,9 @@ pub const FILE: &str = "shaderlint.toml";
 
 /// What the command line says of configurations.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct ConfigArgs {
     /// What goes before every configuration.
-    pub given: Given,
+    pub given: Selection,
     /// `--config` and `--no-config`
     pub source: Source,
     /// `--force-exclude`
@@ -52,7 +52,7 @@ pub enum Source {
 
 /// Finds out how files are judged; each configuration is read once.
 pub struct Configs {
-    asked: Asked,
+    asked: ConfigArgs,
     cache: Mutex<Cache>,
     /// What files have been read for others.
     memo: Arc<Memo>,
@@ -74,7 +74,7 @@ type Key = (Option<PathBuf>, Project, Vec<usize>);
 
 impl Configs {
     /// Nothing is read yet.
-    pub fn new(asked: Asked) -> Configs {
+    pub fn new(asked: ConfigArgs) -> Configs {
         Configs {
             asked,
             cache: Mutex::default(),

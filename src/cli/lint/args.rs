@@ -1,8 +1,8 @@
 //! The arguments of `shaderlint`.
 
-use super::super::config::{Asked, Exclusion, Source};
+use super::super::config::{ConfigArgs, Exclusion, Source};
 use crate::engine::DialectChoice;
-use crate::engine::config::Given;
+use crate::engine::config::Selection;
 use crate::report::Format;
 use clap::{ArgAction, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -298,9 +298,9 @@ impl Args {
     }
 
     /// What is said of configurations.
-    pub fn asked(&self) -> Asked {
-        Asked {
-            given: Given {
+    pub fn asked(&self) -> ConfigArgs {
+        ConfigArgs {
+            given: Selection {
                 dialect: self.dialect,
                 select: self.select.clone(),
                 ignore: self.ignore.clone(),

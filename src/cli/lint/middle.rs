@@ -2,8 +2,8 @@
 
 use super::super::{CLEAN, FAILED};
 use super::complain;
-use crate::engine::{NoFiles, Options, programs};
-use crate::ir::{lower, print, verify};
+use crate::engine::{NoFiles, Options, analyze};
+use crate::ir::{print, verify};
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
@@ -12,21 +12,19 @@ use std::path::Path;
 pub fn run(file: &Path) -> io::Result<u8> {
     let name = file.display().to_string();
     let text = fs::read_to_string(file).map_err(|e| io::Error::other(format!("{name}: {e}")))?;
-    let programs = match programs(&name, &text, &Options::default(), &NoFiles) {
-        Ok(programs) => programs,
-        Err(unread) => {
-            complain(&format!("{name}: {unread}"));
-            return Ok(FAILED);
-        }
-    };
+    let report = analyze(&name, &text, &Options::default(), &NoFiles);
+    if let Some(unread) = report.unread {
+        complain(&format!("{name}: {unread}"));
+        return Ok(FAILED);
+    }
     let mut code = CLEAN;
-    let printed = programs.iter().map(|program| {
-        let module = lower(program);
-        for problem in verify(program, &module) {
+    let printed = report.analyses.iter().map(|analysis| {
+        let (program, module) = (&analysis.program, analysis.module());
+        for problem in verify(program, module) {
             complain(&format!("{name}: not well-formed: {problem}"));
             code = FAILED;
         }
-        print(program, &module)
+        print(program, module)
     });
     let text = printed.collect::<Vec<_>>().join("\n");
     io::stdout().lock().write_all(text.as_bytes())?;

@@ -1,8 +1,8 @@
 //! From paths to a project: shader files, folders, exports, and what goes onto channels.
 
 use super::Args;
-use super::repair::{Repairs, repair, repair_webgl1};
 use crate::cli::input::{InputFile, read};
+use crate::engine::{Repairs, repair, repair_webgl1};
 use crate::port::{
     ChannelOrder, ChannelSource, Composed, InputKind, Media, OutputId, Part, PassRole, Project,
     ShaderError, kind_of_file,

@@ -1,21 +1,17 @@
 //! `shaderport`.
 
 mod load;
-mod make;
-mod remark;
-mod repair;
 
-use super::output::{Overwrite, write};
+use super::output::{Overwrite, diff, write};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::port::{Composed, missing};
+use crate::engine::{Repairs, repairable};
+use crate::port::{Composed, File, MainChoice, Order, Remark, Target, build, missing};
 use crate::report::{Format, Reporter, Summary};
-use clap::{Parser, ValueEnum};
+use clap::Parser;
 use load::Loaded;
-use remark::Remark;
-use repair::Repairs;
 use std::io::{self, IsTerminal, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Turns ShaderToy code into WebGL2: a shader file, a folder of passes or an export in, a page that
 /// plays it, a module or plain shaders out.
@@ -62,53 +58,6 @@ pub struct Args {
     force: bool,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Target {
-    /// One page with everything in it
-    Html,
-    /// A fragment shader for each pass, and the vertex shader
-    Glsl,
-    /// An ES module without dependencies, which exports `mount(canvas, options)`
-    Module,
-    /// A module for three.js: a RawShaderMaterial and its update function
-    Three,
-    /// A React component, over a module beside it
-    React,
-    /// The project itself, as an export
-    Json,
-    /// A WGSL shader for each pass, for WebGPU
-    #[cfg(feature = "naga")]
-    Wgsl,
-    /// A SPIR-V module for each pass, for Vulkan
-    #[cfg(feature = "naga")]
-    Spirv,
-    /// An HLSL shader for each pass, for Direct3D
-    #[cfg(feature = "naga")]
-    Hlsl,
-    /// An MSL shader for each pass, for Metal
-    #[cfg(feature = "naga")]
-    Msl,
-}
-
-impl Target {
-    /// Whether it is shaders alone, which read nothing themselves.
-    fn is_shaders(self) -> bool {
-        !matches!(
-            self,
-            Target::Html | Target::Module | Target::Three | Target::React | Target::Json
-        )
-    }
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
-enum MainChoice {
-    /// The player's header, then the code as it is
-    #[default]
-    Wrap,
-    /// `mainImage` becomes `main`, where the picture stays the same
-    Rewrite,
-}
-
 /// Runs the converter and gives the exit code.
 pub fn run(args: &Args) -> u8 {
     match port(args) {
@@ -128,10 +77,17 @@ fn port(args: &Args) -> Result<u8, String> {
     } = load::load(args)?;
     tell_repairs(&repairs).map_err(|e| e.to_string())?;
     if args.diff {
-        return print(repairs.diff().as_bytes()).map(|()| CLEAN);
+        return print(diff_of(&repairs).as_bytes()).map(|()| CLEAN);
     }
-    let target = make::target_of(args);
-    let made = make::make(args, &project, &composed)?;
+    let output = args.output.as_deref();
+    let of_path = || Target::of_path(output.unwrap_or(Path::new("")));
+    let target = args.target.unwrap_or_else(of_path);
+    let order = Order {
+        target,
+        main: args.main,
+        output,
+    };
+    let made = build(&project, &composed, order).map_err(|e| e.to_string())?;
     let summary = report(&composed, &made.remarks).map_err(|e| e.to_string())?;
     if summary.errors > 0 && !args.repair {
         offer_repair(&composed);
@@ -154,7 +110,7 @@ fn port(args: &Args) -> Result<u8, String> {
             };
             save(&made.files, overwrite)?;
         }
-        None => print(made.files.first().map_or(&[][..], |(_, text)| text))?,
+        None => print(made.files.first().map_or(&[][..], |f| &f.content))?,
     }
     Ok(if summary.errors > 0 { FINDINGS } else { CLEAN })
 }
@@ -162,6 +118,18 @@ fn port(args: &Args) -> Result<u8, String> {
 fn print(text: &[u8]) -> Result<(), String> {
     let printed = io::stdout().lock().write_all(text);
     printed.map_err(|e| format!("the output cannot be written: {e}"))
+}
+
+/// All repairs, as a diff.
+fn diff_of(repairs: &Repairs) -> String {
+    let changed = repairs.changed().map(|(before, after)| {
+        let name = match &before.part {
+            Some(part) => format!("{}/{part}", before.path),
+            None => before.path.clone(),
+        };
+        diff(&name, &before.text, after)
+    });
+    changed.collect()
 }
 
 /// Prints what was repaired, at the places where it stood.
@@ -176,7 +144,7 @@ fn tell_repairs(repairs: &Repairs) -> io::Result<()> {
 
 /// Says that `--repair` would help, where it would.
 fn offer_repair(composed: &Composed) {
-    let help = match repair::repairable(composed) {
+    let help = match repairable(composed) {
         0 => return,
         1 => "help: `--repair` mends one of these; `--diff` shows how".to_string(),
         n => format!("help: `--repair` mends {n} of these; `--diff` shows how"),
@@ -223,18 +191,16 @@ fn report(composed: &Composed, remarks: &[Remark]) -> io::Result<Summary> {
 }
 
 /// Writes all files, or none where one is in the way.
-fn save(files: &[(PathBuf, Vec<u8>)], overwrite: Overwrite) -> Result<(), String> {
-    let taken = files
-        .iter()
-        .find(|(path, _)| path.symlink_metadata().is_ok());
-    if let (Overwrite::Never, Some((path, _))) = (overwrite, taken) {
+fn save(files: &[File], overwrite: Overwrite) -> Result<(), String> {
+    let taken = files.iter().find(|f| f.path.symlink_metadata().is_ok());
+    if let (Overwrite::Never, Some(File { path, .. })) = (overwrite, taken) {
         return Err(format!(
             "{} is there already; --force writes over it",
             path.display()
         ));
     }
-    for (path, text) in files {
-        write(path, text, overwrite).map_err(|e| format!("{}: {e}", path.display()))?;
+    for File { path, content } in files {
+        write(path, content, overwrite).map_err(|e| format!("{}: {e}", path.display()))?;
     }
     Ok(())
 }

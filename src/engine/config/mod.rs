@@ -13,7 +13,7 @@ pub use schema::schema;
 use super::options::{Desktop, DialectChoice, HostNames, Options};
 use super::path::plain;
 use crate::diagnostic::Severity;
-use crate::lint::{Failing, Settings, Target, UnknownRule};
+use crate::lint::{Failing, Renderer, Settings, UnknownRule};
 use crate::rules::RULES;
 use globset::GlobSet;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ use std::sync::Arc;
 #[derive(Clone, Default, Debug)]
 pub struct Layer {
     /// What draws the shaders.
-    pub target: Option<Target>,
+    pub target: Option<Renderer>,
     /// What the shaders are written for.
     pub dialect: Option<DialectChoice>,
     /// What the host declares.
@@ -121,7 +121,7 @@ impl Config {
 
 /// What a user says for one run, which goes before every configuration.
 #[derive(Clone, Default, Debug)]
-pub struct Given {
+pub struct Selection {
     /// What the shaders are written for, where it is not `auto`.
     pub dialect: DialectChoice,
     /// Rules and groups that run too.
@@ -132,7 +132,7 @@ pub struct Given {
     pub only: Vec<String>,
 }
 
-impl Given {
+impl Selection {
     /// Does what its words say of rules.
     ///
     /// # Errors
@@ -153,7 +153,7 @@ impl Given {
 pub fn options(
     config: Option<&Config>,
     layers: &[usize],
-    given: &Given,
+    given: &Selection,
 ) -> Result<Options, UnknownRule> {
     let mut options = Options::default();
     let mut settings = Settings::of_rules(RULES);

@@ -4,7 +4,7 @@ use super::super::options::{Desktop, DialectChoice, HostNames, HostUniform};
 use super::{Config, Layer};
 use crate::diagnostic::{ERRORS, Severity};
 use crate::host::{PRESETS, preset};
-use crate::lint::{Failing, Group, Rule, Target, nearest_rule};
+use crate::lint::{Failing, Group, Renderer, Rule, nearest_rule};
 use crate::syntax::{Version, WordClass, classify};
 use crate::text::LineIndex;
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
@@ -115,8 +115,8 @@ fn layer(table: &DeTable, rules: &'static [&'static Rule]) -> Result<Layer> {
         match key.get_ref().as_ref() {
             "target" => {
                 layer.target = Some(match word(value, &TARGETS)? {
-                    "gpu" => Target::Gpu,
-                    _ => Target::SwiftShader,
+                    "gpu" => Renderer::Gpu,
+                    _ => Renderer::SwiftShader,
                 });
             }
             "dialect" => {
@@ -475,7 +475,7 @@ mod tests {
         let text = "target = \"gpu\"\n[host]\npreset = \"three\"\nuniforms = { uTime = \"float\", on = \"bool\", lights = \"vec3[4]\" }\n\
             [rules]\nbudget = \"info\"\nstep-budget = \"off\"\n[[overrides]]\npaths = [\"a/**\"]\nrules = { numeric = \"off\" }";
         let config = parse(text, RULES).unwrap();
-        assert_eq!(config.base.target, Some(Target::Gpu));
+        assert_eq!(config.base.target, Some(Renderer::Gpu));
         assert_eq!(config.base.levels.last(), Some(&("step-budget", None)));
         let uniforms = config.base.host.unwrap().uniforms;
         let uniforms: Vec<_> = uniforms

@@ -1,7 +1,7 @@
 //! Where the files lie that a shader names, and what they hold.
 
 use super::super::World;
-use super::super::files::{Entry, Files};
+use super::super::files::{FileType, Files};
 use super::super::path::{plain, tidy};
 use super::scan::{Manner, Scan, Wanted, scan};
 use std::fmt;
@@ -135,7 +135,7 @@ impl World<'_> {
             let real = self.files.real(&here).unwrap_or(here);
             let above = real.ancestors().take_while(|f| f.starts_with(root));
             let above = above.map(|f| f.join(PACKAGES));
-            let above = above.filter(|f| self.files.entry(f) == Some(Entry::Folder));
+            let above = above.filter(|f| self.files.entry(f) == Some(FileType::Folder));
             above.map(|f| relative(&f)).collect::<Vec<_>>().into_iter()
         };
         if let Some(rest) = named.strip_prefix('~') {
@@ -185,14 +185,14 @@ fn shown(folder: &Path) -> String {
 /// The file that a path means: itself, with an ending, or what its folder has for others.
 fn file_at(files: &dyn Files, base: &Path, manner: Manner) -> Option<PathBuf> {
     let entry = files.entry(base);
-    if entry == Some(Entry::File) {
+    if entry == Some(FileType::File) {
         return Some(base.to_path_buf());
     }
     if let Some(file) = with_ending(files, base) {
         return Some(file);
     }
     // `<name>` is mostly a chunk of the host; a folder of that name means nothing.
-    if manner == Manner::Chunk || entry != Some(Entry::Folder) {
+    if manner == Manner::Chunk || entry != Some(FileType::Folder) {
         return None;
     }
     let index = || Some(base.join("index.glsl")).filter(|f| is_file(files, f));
@@ -200,7 +200,7 @@ fn file_at(files: &dyn Files, base: &Path, manner: Manner) -> Option<PathBuf> {
 }
 
 fn is_file(files: &dyn Files, path: &Path) -> bool {
-    files.entry(path) == Some(Entry::File)
+    files.entry(path) == Some(FileType::File)
 }
 
 fn with_ending(files: &dyn Files, base: &Path) -> Option<PathBuf> {

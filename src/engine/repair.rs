@@ -1,6 +1,5 @@
-//! `--repair`: the errors that have one answer are mended in all passes of a project.
+//! The errors of a project that have one answer, mended in all of its passes.
 
-use super::super::output::diff;
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::lint::{Allow, Look, fix};
 use crate::port::{Composed, Project, add_repairs, compose};
@@ -13,39 +12,31 @@ const BETWEEN: char = '\0';
 
 /// What was repaired.
 #[derive(Default)]
-pub(super) struct Repairs {
+pub struct Repairs {
     /// The texts as they were, for the places of `done`.
-    pub(super) before: Sources,
+    pub before: Sources,
     /// What was done, as findings that say how.
-    pub(super) done: Vec<Diagnostic>,
+    pub done: Vec<Diagnostic>,
     /// The texts after it, in the order of `before`.
     after: Vec<String>,
 }
 
 impl Repairs {
     /// Whether there was nothing to repair.
-    pub(super) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.done.is_empty()
     }
 
-    /// All changes, as a diff.
-    pub(super) fn diff(&self) -> String {
+    /// The texts that were changed, as they were, each with what became of it.
+    pub fn changed(&self) -> impl Iterator<Item = (&SourceFile, &str)> {
         let pairs = self.before.files().iter().zip(&self.after);
-        pairs
-            .filter(|(before, after)| *before.text != **after)
-            .map(|(before, after)| {
-                let name = match &before.part {
-                    Some(part) => format!("{}/{part}", before.path),
-                    None => before.path.clone(),
-                };
-                diff(&name, &before.text, after)
-            })
-            .collect()
+        let pairs = pairs.map(|(before, after)| (before, after.as_str()));
+        pairs.filter(|(before, after)| *before.text != **after)
     }
 }
 
 /// Repairs the passes of a project. `path` is the file that the user gave.
-pub(super) fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<Repairs> {
+pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<Repairs> {
     let files: Vec<&SourceFile> = users(composed).collect();
     let owners = owners(composed);
     let texts: Vec<&str> = files.iter().map(|f| &*f.text).collect();
@@ -70,7 +61,7 @@ pub(super) fn repair(project: &mut Project, composed: &Composed, path: &str) -> 
 }
 
 /// Repairs a WebGL1 shader that was given the first line of a WebGL2 one; `text` is what it was.
-pub(super) fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Option<Repairs> {
+pub fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Option<Repairs> {
     let composed = compose(draft, path)?;
     let mut repairs = repair(draft, &composed, path)?;
     let added = draft.passes.first()?.code.find('\n')? as u32 + 1;
@@ -92,7 +83,7 @@ pub(super) fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Opti
 }
 
 /// How many errors of a project a repair would mend.
-pub(super) fn repairable(composed: &Composed) -> usize {
+pub fn repairable(composed: &Composed) -> usize {
     let has_fix = |d: &&Diagnostic| d.fix.as_ref().is_some_and(|f| Allow::Safe.permits(f));
     errors(composed).0.iter().filter(has_fix).count()
 }

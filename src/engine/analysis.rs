@@ -1,0 +1,44 @@
+//! A checked shader that outlives the call that checked it: what editors and runs keep.
+
+use crate::ir::{Module, lower};
+use crate::semantic::{Checked, Extent, Program};
+use crate::text::Sources;
+use std::sync::{Arc, OnceLock};
+
+/// A checked shader, and what else is found out of it, each when it is first asked for. It owns all
+/// that it speaks of; threads can share it.
+pub struct Analysis {
+    /// What the shader means.
+    pub program: Arc<Program>,
+    /// How much of a shader it is.
+    pub extent: Extent,
+    /// Whether the browser would refuse it as it stands.
+    pub has_errors: bool,
+    module: OnceLock<Arc<Module>>,
+}
+
+impl Analysis {
+    pub(super) fn new(checked: Checked, has_errors: bool) -> Analysis {
+        Analysis {
+            program: Arc::new(checked.program),
+            extent: checked.extent,
+            has_errors,
+            module: OnceLock::new(),
+        }
+    }
+
+    /// The texts that its places point into.
+    pub fn sources(&self) -> &Arc<Sources> {
+        &self.program.sources
+    }
+
+    /// The shader in the middle form.
+    pub fn module(&self) -> &Arc<Module> {
+        self.module.get_or_init(|| Arc::new(lower(&self.program)))
+    }
+}
+
+const _: () = {
+    const fn is_shared<T: Send + Sync + 'static>() {}
+    is_shared::<Analysis>();
+};

@@ -1,0 +1,325 @@
+//! The files of each target, as they are to be written.
+
+#[cfg(feature = "naga")]
+use super::naga::{Language, Refused, translate};
+use super::{
+    Composed, Module, NotSafe, Project, VERTEX, glsl, html, json, module, react, rewrite, three,
+};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
+use crate::semantic::Pass;
+use crate::text::Span;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// What is made of a project.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum Target {
+    /// One page with everything in it
+    Html,
+    /// A fragment shader for each pass, and the vertex shader
+    Glsl,
+    /// An ES module without dependencies, which exports `mount(canvas, options)`
+    Module,
+    /// A module for three.js: a RawShaderMaterial and its update function
+    Three,
+    /// A React component, over a module beside it
+    React,
+    /// The project itself, as an export
+    Json,
+    /// A WGSL shader for each pass, for WebGPU
+    #[cfg(feature = "naga")]
+    Wgsl,
+    /// A SPIR-V module for each pass, for Vulkan
+    #[cfg(feature = "naga")]
+    Spirv,
+    /// An HLSL shader for each pass, for Direct3D
+    #[cfg(feature = "naga")]
+    Hlsl,
+    /// An MSL shader for each pass, for Metal
+    #[cfg(feature = "naga")]
+    Msl,
+}
+
+impl Target {
+    /// What the ending of a file's name asks for.
+    pub fn of_path(path: &Path) -> Target {
+        match path.extension().and_then(|e| e.to_str()).unwrap_or("") {
+            "html" | "htm" => Target::Html,
+            "js" | "mjs" => Target::Module,
+            "json" => Target::Json,
+            #[cfg(feature = "naga")]
+            "wgsl" => Target::Wgsl,
+            #[cfg(feature = "naga")]
+            "spv" => Target::Spirv,
+            #[cfg(feature = "naga")]
+            "hlsl" => Target::Hlsl,
+            #[cfg(feature = "naga")]
+            "metal" => Target::Msl,
+            _ => Target::Glsl,
+        }
+    }
+
+    /// Whether it is shaders alone, which read nothing themselves.
+    pub fn is_shaders(self) -> bool {
+        !matches!(
+            self,
+            Target::Html | Target::Module | Target::Three | Target::React | Target::Json
+        )
+    }
+}
+
+/// How plain shaders get their `main`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum MainChoice {
+    /// The player's header, then the code as it is
+    #[default]
+    Wrap,
+    /// `mainImage` becomes `main`, where the picture stays the same
+    Rewrite,
+}
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Order<'a> {
+    /// What is to be made.
+    pub target: Target,
+    /// How plain shaders get their `main`.
+    pub main: MainChoice,
+    /// The path of the file, or of the folder for several; files beside it get its name.
+    pub output: Option<&'a Path>,
+}
+
+/// A file that is to be written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct File {
+    /// Its path, like that of the order.
+    pub path: PathBuf,
+    /// What it holds.
+    pub content: Vec<u8>,
+}
+
+/// What is to be written, and what is to be said of it.
+#[derive(Default)]
+pub struct Build {
+    /// The files, the one that was asked for first.
+    pub files: Vec<File>,
+    /// The passes that could not be made as asked for.
+    pub remarks: Vec<Remark>,
+}
+
+/// Why nothing can be made.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum BuildError {
+    /// Modules for three.js have no place for a cube map pass.
+    Cubemap,
+    /// These passes do not go into one file.
+    NeedsFolder(Vec<String>),
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BuildError::Cubemap => f.write_str(
+                "three.js gets the Image and its buffers; this has a cube map pass. \
+                 Write a module instead, with `--target module`",
+            ),
+            BuildError::NeedsFolder(names) => write!(
+                f,
+                "this has {} passes ({}); write a page, with `-o FILE.html`, or name a folder, with \
+                 `-o FOLDER`",
+                names.len(),
+                names.join(", ")
+            ),
+        }
+    }
+}
+
+/// Makes the files of a target.
+///
+/// # Errors
+/// Where the project does not go into what was asked for.
+pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Build, BuildError> {
+    let output = order.output.unwrap_or(Path::new(""));
+    let one = |text: String| Build::of(vec![file(output, text)]);
+    match order.target {
+        Target::Html => Ok(one(html(project, composed))),
+        Target::Json => Ok(one(json(project))),
+        Target::Module => Ok(Build::of(typed(output, module(project, composed)))),
+        Target::Three => match project.passes.iter().any(|p| p.kind == Pass::Cubemap) {
+            true => Err(BuildError::Cubemap),
+            false => Ok(Build::of(typed(output, three(project, composed)))),
+        },
+        Target::React => {
+            let stem = output.file_stem();
+            let stem = stem.map_or("shader".into(), |s| s.to_string_lossy());
+            let inner = format!("{stem}.module.js");
+            let mut files = typed(output, react(project, &inner));
+            let inner = output.with_file_name(inner);
+            files.extend(typed(&inner, module(project, composed)));
+            Ok(Build::of(files))
+        }
+        Target::Glsl => shaders(order, project, composed),
+        #[cfg(feature = "naga")]
+        Target::Wgsl => translated(order, project, composed, Language::Wgsl),
+        #[cfg(feature = "naga")]
+        Target::Spirv => translated(order, project, composed, Language::Spirv),
+        #[cfg(feature = "naga")]
+        Target::Hlsl => translated(order, project, composed, Language::Hlsl),
+        #[cfg(feature = "naga")]
+        Target::Msl => translated(order, project, composed, Language::Msl),
+    }
+}
+
+impl Build {
+    fn of(files: Vec<File>) -> Build {
+        Build {
+            files,
+            remarks: Vec::new(),
+        }
+    }
+}
+
+fn file(path: &Path, content: impl Into<Vec<u8>>) -> File {
+    File {
+        path: path.to_path_buf(),
+        content: content.into(),
+    }
+}
+
+/// Each pass in another language; those that have no place there are told of.
+#[cfg(feature = "naga")]
+fn translated(
+    order: Order,
+    project: &Project,
+    composed: &Composed,
+    language: Language,
+) -> Result<Build, BuildError> {
+    let mut remarks = Vec::new();
+    let mut passes = Vec::new();
+    for unit in &composed.units {
+        let Some(pass) = project.passes.get(unit.pass) else {
+            continue;
+        };
+        match translate(project, composed, unit, language) {
+            Ok(Some(bytes)) => passes.push((pass.title(unit.pass), pass.slug(), bytes)),
+            // The compiler's own errors are told anyway.
+            Ok(None) => {}
+            Err(refused) => remarks.push(Remark::refused(pass.title(unit.pass), &refused)),
+        }
+    }
+    let files = match remarks.is_empty() {
+        true => named(order, passes, language.ending())?,
+        false => Vec::new(),
+    };
+    Ok(Build { files, remarks })
+}
+
+/// A module and its types beside it.
+fn typed(path: &Path, module: Module) -> Vec<File> {
+    let types = file(&path.with_extension("d.ts"), module.types);
+    vec![file(path, module.code), types]
+}
+
+/// The fragment shaders, and the vertex shader beside them.
+fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build, BuildError> {
+    let mut remarks = Vec::new();
+    let mut passes = glsl(project, composed);
+    if order.main == MainChoice::Rewrite {
+        for (pass, unit) in passes.iter_mut().zip(&composed.units) {
+            match rewrite(project, composed, unit) {
+                Ok(text) => pass.fragment = text,
+                Err(reason) => remarks.push(Remark::kept(pass.name.clone(), &reason)),
+            }
+        }
+    }
+    let output = order.output.unwrap_or(Path::new(""));
+    let vertex = match passes.len() {
+        1 => output.with_extension("vert"),
+        _ => output.join("pass.vert"),
+    };
+    let passes = passes.into_iter();
+    let passes = passes.map(|p| (p.name, p.slug, p.fragment.into_bytes()));
+    let mut files = named(order, passes.collect(), "frag")?;
+    files.push(file(&vertex, VERTEX));
+    Ok(Build { files, remarks })
+}
+
+/// One pass becomes the file named; several go into a folder, under names of their own.
+fn named(
+    order: Order,
+    passes: Vec<(String, &'static str, Vec<u8>)>,
+    ending: &str,
+) -> Result<Vec<File>, BuildError> {
+    let output = order.output.unwrap_or(Path::new(""));
+    if passes.len() < 2 {
+        let only = passes.into_iter().map(|(.., text)| file(output, text));
+        return Ok(only.collect());
+    }
+    if order.output.is_none() || output.extension().is_some() {
+        let names = passes.into_iter().map(|p| p.0);
+        return Err(BuildError::NeedsFolder(names.collect()));
+    }
+    let mut files: Vec<File> = Vec::new();
+    for (_, slug, text) in passes {
+        let mut path = output.join(format!("{slug}.{ending}"));
+        let mut number = 2;
+        while files.iter().any(|f| f.path == path) {
+            path = output.join(format!("{slug}_{number}.{ending}"));
+            number += 1;
+        }
+        files.push(file(&path, text));
+    }
+    Ok(files)
+}
+
+/// What is to be said of a pass that could not be made as asked for.
+pub struct Remark {
+    /// What the user calls the pass.
+    pub pass: String,
+    /// How bad it is; nothing is written if it is an error.
+    pub severity: Severity,
+    /// What is wrong.
+    pub message: String,
+    /// Where; empty where it is the whole pass.
+    pub span: Span,
+    rule: &'static str,
+}
+
+impl Remark {
+    /// A pass that was to be rewritten, and is not.
+    fn kept(pass: String, reason: &NotSafe) -> Remark {
+        Remark {
+            pass,
+            severity: Severity::Warning,
+            message: format!("this stays behind the player's header: {}", reason.message),
+            span: reason.span,
+            rule: "kept-main",
+        }
+    }
+
+    /// A pass that has no form in the language that was asked for.
+    #[cfg(feature = "naga")]
+    fn refused(pass: String, reason: &Refused) -> Remark {
+        Remark {
+            pass,
+            severity: Severity::Error,
+            message: reason.message.clone(),
+            span: reason.span,
+            rule: "not-portable",
+        }
+    }
+
+    /// The remark as a finding.
+    pub fn diagnostic(&self) -> Diagnostic {
+        let message = self.message.clone();
+        Diagnostic::new(
+            self.rule,
+            Origin::Compiler,
+            self.severity,
+            self.span,
+            message,
+        )
+    }
+}
