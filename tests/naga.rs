@@ -66,6 +66,8 @@ const STATEMENTS: &[&str] = &[
     "const float T[3] = float[3](1.0, 2.0, 4.0); c.x = T[i] + T[1];",
     "struct S { vec2 p; float q[2]; }; S s = S(f, float[2](1.0, f.x)); S t = s; t.q[i] = 3.0; \
      c.x = float(s != t) + t.q[1];",
+    "c.zyx[i] = 2.0; c.zyx[i] += f.x; c.x += c.zyx[i]; f.yx[1] = 3.0;",
+    "const mat2 M[2] = mat2[2](mat2(1.0), mat2(2.0)); c.xy = M[i][i] + M[1][0]; c.z = mat2(3.0)[i].x;",
     // Numbers.
     "c = mod(c, 3.0) + mod(c, c.wzyx); c.x = mod(f.x, 2.0);",
     "i = i / 3 + i % 5 - (i << 2) + (i >> 1) ^ (i & 7) | ~i; c.x = float(i);",
@@ -111,6 +113,7 @@ const STATEMENTS: &[&str] = &[
     "c.x = same(f.x) + same(f).y + float(same(i)); swap(c.x, c.y); swap(c.z, c.z);",
     "float a[2]; fill(a); fill(A); c.x = a[1] + A[0]; swap(G, c.w); c.x = twice(c.x) + G;",
     "float x = 1.0, y = 2.0; swap(x, y); vec2 v; split(c, v, c.zw); c.xy = v;",
+    "float x = 1.0; swap(x, x); vec2 v = f; split(vec4(v, v), v, v); swap(v.x, v.y); c.xy = v * x;",
     // Textures.
     "c = texture(iChannel0, f) + textureLod(iChannel1, f, 1.0) + texelFetch(iChannel2, ivec2(f), 0);",
     "c = look(iChannel3, f) + look(iChannel0, f) + textureGrad(iChannel0, f, dFdx(f), dFdy(f));",
@@ -169,7 +172,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "uniform Block { vec4 a; } block;",
         "color = block.a;",
-        "block",
+        "block.a",
     ),
     ("", "color = vec4(gl_PointCoord, 0, 1);", "gl_PointCoord"),
 ];

@@ -3,6 +3,7 @@
 use super::lower::Lowerer;
 use super::types::Sink;
 use super::{Res, Value};
+use crate::ir::OpId;
 use crate::semantic::{Sampler, Type, VariableId};
 use crate::text::Span;
 use ::naga::{Block, Expression, Handle, Literal, LocalVariable, Statement};
@@ -26,6 +27,15 @@ pub(super) enum Bound {
     },
 }
 
+/// What an operation gave.
+#[derive(Clone, Copy, Default, Debug)]
+pub(super) struct Given {
+    /// Its value; `None` where it gave none, or who asks for it makes it.
+    pub(super) value: Option<Value>,
+    /// How deep what it is made of nests.
+    pub(super) depth: u32,
+}
+
 /// A function that is being made.
 pub(super) struct Body<'l, 'p> {
     /// The module.
@@ -34,14 +44,14 @@ pub(super) struct Body<'l, 'p> {
     pub(super) function: ::naga::Function,
     /// Its variables, those of the module that it uses included.
     pub(super) variables: FxHashMap<VariableId, Bound>,
-    /// How many loops stand around.
-    pub(super) loops: u32,
-    /// Whether a `switch` stands right around, whose cases share their variables.
+    /// By call and parameter: what points at the copy that travels there.
+    pub(super) copies: FxHashMap<(OpId, u32), Value>,
+    /// Whether a loop stands around.
+    pub(super) in_loop: bool,
+    /// Whether a `switch` stands around, and no loop between, whose cases share their variables.
     pub(super) in_switch: bool,
-    /// How deep expressions and statements nest.
+    /// How deep regions nest.
     pub(super) depth: u32,
-    /// What it returns.
-    pub(super) returns: Type,
     block: Block,
     emitted: usize,
 }
@@ -67,7 +77,7 @@ impl<'p> Sink<'p> for Body<'_, 'p> {
 
 impl<'l, 'p> Body<'l, 'p> {
     /// An empty function.
-    pub(super) fn new(lowerer: &'l mut Lowerer<'p>, name: &str, returns: Type) -> Body<'l, 'p> {
+    pub(super) fn new(lowerer: &'l mut Lowerer<'p>, name: &str) -> Body<'l, 'p> {
         Body {
             lowerer,
             function: ::naga::Function {
@@ -75,10 +85,10 @@ impl<'l, 'p> Body<'l, 'p> {
                 ..::naga::Function::default()
             },
             variables: FxHashMap::default(),
-            loops: 0,
+            copies: FxHashMap::default(),
+            in_loop: false,
             in_switch: false,
             depth: 0,
-            returns,
             block: Block::new(),
             emitted: 0,
         }
@@ -189,11 +199,6 @@ impl<'l, 'p> Body<'l, 'p> {
     /// A number.
     pub(super) fn float(&mut self, value: f32) -> Value {
         self.add(Expression::Literal(Literal::F32(value)))
-    }
-
-    /// A whole number.
-    pub(super) fn int(&mut self, value: i32) -> Value {
-        self.add(Expression::Literal(Literal::I32(value)))
     }
 
     /// The parts put together.

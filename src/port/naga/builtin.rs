@@ -3,9 +3,9 @@
 use super::body::Body;
 use super::types::Sink;
 use super::{Res, Value, lower::Origin};
-use crate::semantic::builtins::{Axis, Overload};
+use crate::ir::OpId;
+use crate::semantic::builtins::Axis;
 use crate::semantic::{BuiltinId, Scalar, Type};
-use crate::syntax::ast::ExprId;
 use ::naga::{
     BinaryOperator as Op, DerivativeAxis, DerivativeControl, Expression, Literal,
     MathFunction as F, RelationalFunction, ScalarKind, UnaryOperator,
@@ -15,43 +15,39 @@ impl Body<'_, '_> {
     /// A call of a function of the language.
     pub(super) fn builtin(
         &mut self,
-        id: ExprId,
-        overload: &Overload,
-        args: &[ExprId],
+        id: OpId,
+        function: BuiltinId,
+        operands: &[OpId],
     ) -> Res<Value> {
-        let program = self.lowerer.program;
-        let function = overload.function;
+        let form = self.lowerer.form;
         if function.kind().is_texture() {
-            return self.texture(id, function.kind(), args);
+            return self.texture(function.kind(), operands);
         }
-        if let (BuiltinId::Modf, &[x, whole]) = (function, args) {
-            return self.modf(x, whole);
+        let how = lowering(function);
+        if let (Lowering::ByColumns(op), &[l, r]) = (&how, operands) {
+            return self.by_columns(*op, l, r);
         }
-        let ty = program.ty(id);
+        // A number among vectors goes with every component, but in `refract`.
+        let mut types = operands.iter().map(|o| form.ty(*o));
+        let first = types.next().unwrap_or(Type::FLOAT);
+        let wide = types.chain([first]).find(|t| t.is_vector());
+        let wide = wide.filter(|_| !matches!(how, Lowering::OfVectors(_)));
         let mut values = Vec::new();
-        for arg in args {
-            values.push((self.value(*arg)?, program.ty(*arg)));
+        for operand in operands {
+            let value = self.value(*operand)?;
+            values.push(match wide {
+                Some(wide) if form.ty(*operand).is_scalar() => self.splat(value, wide),
+                _ => value,
+            });
         }
-        let plain: Vec<Value> = values.iter().map(|v| v.0).collect();
-        let first = values.first().map_or(Type::FLOAT, |v| v.1);
-        match (lowering(function), &plain[..]) {
-            (Lowering::ArcTangent, _) => {
-                let fun = if args.len() == 2 { F::Atan2 } else { F::Atan };
-                Ok(self.math(fun, &plain))
-            }
-            (Lowering::Math(fun), _) => {
-                // A number among vectors goes with every component.
-                let wide = values.iter().map(|v| v.1).find(|t| t.is_vector());
-                let spread: Vec<Value> = values
-                    .iter()
-                    .map(|(value, ty)| self.widen(*value, *ty, wide.unwrap_or(*ty)))
-                    .collect();
-                Ok(self.math(fun, &spread))
-            }
-            (Lowering::OfVectors(fun), _) if first.is_vector() => Ok(self.math(fun, &plain)),
-            (Lowering::OfVectors(fun), _) => match self.geometry(fun, &plain) {
+        match (how, &values[..]) {
+            (Lowering::ArcTangent, [_, _]) => Ok(self.math(F::Atan2, &values)),
+            (Lowering::ArcTangent, _) => Ok(self.math(F::Atan, &values)),
+            (Lowering::Math(fun), _) => Ok(self.math(fun, &values)),
+            (Lowering::OfVectors(fun), _) if first.is_vector() => Ok(self.math(fun, &values)),
+            (Lowering::OfVectors(fun), _) => match self.geometry(fun, &values) {
                 Some(value) => Ok(value),
-                None => self.refuse(id, format!("`{}` has no counterpart", function.name())),
+                None => self.without_counterpart(function),
             },
             (Lowering::Relation(op), &[l, r]) => Ok(self.op(op, l, r)),
             (Lowering::Reduction(fun), &[argument]) => {
@@ -64,21 +60,29 @@ impl Body<'_, '_> {
                 let op = UnaryOperator::LogicalNot;
                 Ok(self.add(Expression::Unary { op, expr }))
             }
-            (Lowering::Modulo, &[x, y]) => {
-                let y = values
-                    .get(1)
-                    .map_or(y, |(y, ty)| self.widen(*y, *ty, first));
-                Ok(self.modulo(x, y))
+            (Lowering::Modulo, &[x, y]) => Ok(self.modulo(x, y)),
+            (Lowering::Fraction, &[x]) => {
+                let whole = self.math(F::Trunc, &[x]);
+                Ok(self.op(Op::Subtract, x, whole))
             }
-            (Lowering::Mix, &[x, y, a]) => {
-                let share = args.get(2).map_or(ty, |a| program.ty(*a));
-                Ok(self.mix(x, y, (a, share), first))
+            (Lowering::Mix, &[x, y, share]) => {
+                let share_is = operands.last().and_then(|o| form.scalar(*o));
+                Ok(match share_is {
+                    Some(Scalar::Bool) => self.select(share, y, x),
+                    _ => self.math(F::Mix, &values),
+                })
             }
-            (Lowering::ByColumns(op), &[l, r]) => self.by_columns(op, (l, ty), (r, ty)),
-            (Lowering::OuterProduct, &[column, row]) => self.outer_product(column, row, ty),
-            (Lowering::Inverse, &[matrix]) => self.inverse(matrix, ty),
-            _ => self.refuse(id, format!("`{}` has no counterpart", function.name())),
+            (Lowering::OuterProduct, &[column, row]) => {
+                self.outer_product(column, row, form.ty(id))
+            }
+            (Lowering::Inverse, &[matrix]) => self.inverse(matrix, first),
+            _ => self.without_counterpart(function),
         }
+    }
+
+    fn without_counterpart<T>(&self, function: BuiltinId) -> Res<T> {
+        let message = format!("`{}` has no counterpart", function.name());
+        self.lowerer.refuse(message)
     }
 
     /// What naga only knows of vectors, and GLSL of single numbers too.
@@ -132,24 +136,6 @@ impl Body<'_, '_> {
         let floor = self.math(F::Floor, &[ratio]);
         let whole = self.op(Op::Multiply, y, floor);
         self.op(Op::Subtract, x, whole)
-    }
-
-    fn mix(&mut self, x: Value, y: Value, (a, a_ty): (Value, Type), ty: Type) -> Value {
-        if a_ty.scalar_kind() == Some(Scalar::Bool) {
-            return self.select(a, y, x);
-        }
-        let a = self.widen(a, a_ty, ty);
-        self.math(F::Mix, &[x, y, a])
-    }
-
-    /// The whole part goes to the second argument.
-    fn modf(&mut self, x: ExprId, whole: ExprId) -> Res<Value> {
-        let x = self.value(x)?;
-        let place = self.place(whole)?;
-        let cut = self.math(F::Trunc, &[x]);
-        let rest = self.op(Op::Subtract, x, cut);
-        self.write(&place, cut);
-        Ok(rest)
     }
 
     /// `isnan`, `isinf` by the bits: WGSL has neither, and others take them for never true. `op`
@@ -207,6 +193,8 @@ enum Lowering {
     ArcTangent,
     /// By several steps.
     Modulo,
+    /// By what is cut off; `modf`, whose whole part is another operation.
+    Fraction,
     /// By several steps, which depend on the type of the share.
     Mix,
     /// By `!` of each component.
@@ -254,9 +242,9 @@ fn lowering(function: BuiltinId) -> Lowering {
         B::IntBitsToFloat | B::UintBitsToFloat => Bits(ScalarKind::Float),
         B::DFdx => Derivative(Axis::X), B::DFdy => Derivative(Axis::Y),
         B::Fwidth => Derivative(Axis::Both), B::Atan => ArcTangent, B::Mod => Modulo,
-        B::Mix => Mix, B::MatrixCompMult => ByColumns(Op::Multiply),
+        B::Modf => Fraction, B::Mix => Mix, B::MatrixCompMult => ByColumns(Op::Multiply),
         B::OuterProduct => OuterProduct, B::Inverse => Inverse,
-        B::Modf | B::TextureSize | B::Texture | B::TextureOffset | B::TextureLod
+        B::TextureSize | B::Texture | B::TextureOffset | B::TextureLod
         | B::TextureLodOffset | B::TextureGrad | B::TextureGradOffset | B::TextureProj
         | B::TextureProjOffset | B::TextureProjLod | B::TextureProjLodOffset | B::TextureProjGrad
         | B::TextureProjGradOffset | B::TexelFetch | B::TexelFetchOffset | B::Texture2D

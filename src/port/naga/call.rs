@@ -1,89 +1,123 @@
-//! Calls of the shader's own functions. Arguments that are written to travel as pointers to
-//! variables of the caller: the variable itself where it is one, else a copy that is written back.
+//! Calls of the shader's own functions. What the caller takes back travels as a pointer: to the
+//! caller's variable, where the value comes from it and goes back to it, else to a copy.
 
 use super::body::{Body, Bound};
-use super::place::Place;
 use super::{Res, Value};
-use crate::semantic::{Direction, FunctionRef, Resolution, Storage, VariableId};
-use crate::syntax::ast::{ExprId, List};
+use crate::ir::{OpId, OpKind, PlaceId, Root};
+use crate::semantic::FunctionRef;
+use crate::syntax::ast::List;
+use ::naga::MathFunction;
 
 impl Body<'_, '_> {
     /// The value of a call; `None` for one of a function without.
-    pub(super) fn called(&mut self, id: ExprId, args: List) -> Res<Option<Value>> {
-        let program = self.lowerer.program;
-        match program.expr(id).resolution {
-            Resolution::Function(function) => self.user_call(id, function, args),
-            Resolution::Builtin(_) => {
-                let Some(overload) = program.overload_called(id) else {
-                    return self.refuse(id, "this call is not known");
-                };
-                self.builtin(id, overload, program.tree.args(args))
-                    .map(Some)
-            }
-            Resolution::Struct(_) => self.construct(program.ty(id), args).map(Some),
-            _ => self.refuse(id, "this call is not known"),
-        }
-    }
-
-    fn user_call(&mut self, id: ExprId, function: FunctionRef, args: List) -> Res<Option<Value>> {
-        let program = self.lowerer.program;
+    pub(super) fn user_call(
+        &mut self,
+        call: OpId,
+        function: FunctionRef,
+        operands: List,
+    ) -> Res<Option<Value>> {
+        let form = self.lowerer.form;
         let (Some(found), Some(handle)) = (
-            program.function(function),
+            form.function(function),
             self.lowerer.functions.get(&function).copied(),
         ) else {
-            return self.refuse(id, "this function has no body");
+            return self.lowerer.refuse("this function has no body");
         };
+        let taken = self.taken_back(call);
         let mut arguments = Vec::new();
-        let mut copies: Vec<(Place, Value)> = Vec::new();
-        let mut taken: Vec<VariableId> = Vec::new();
-        for (param, arg) in found.params.iter().zip(program.tree.args(args)) {
-            if param.ty.is_sampler() {
-                let (image, sampler, _) = self.sampler(*arg)?;
+        let parameters = form.parameters(found).iter().zip(form.operands(operands));
+        for (number, (parameter, operand)) in (0..).zip(parameters) {
+            let root = form.variable(*parameter).map(|v| v.root);
+            if form.ty(*operand).is_sampler() {
+                let (image, sampler, _) = self.sampler(*operand)?;
                 arguments.extend([image, sampler]);
-                continue;
-            }
-            if !param.direction.writes() {
-                arguments.push(self.value(*arg)?);
-                continue;
-            }
-            if let Some(pointer) = self.own_variable(*arg, &mut taken)? {
+            } else if root == Some(Root::Parameter) {
+                arguments.push(self.value(*operand)?);
+            } else if let Some(pointer) = self.lent(call, number, *operand, &taken)? {
                 arguments.push(pointer);
-                continue;
-            }
-            let place = self.place(*arg)?;
-            let copy = self.local(None, param.ty)?;
-            let start = if param.direction == Direction::Inout {
-                self.read(&place)
             } else {
-                self.zero(param.ty)?
-            };
-            self.store(copy, start);
-            arguments.push(copy);
-            copies.push((place, copy));
+                let value = self.value(*operand)?;
+                let copy = self.spill(value, form.ty(*operand))?;
+                self.copies.insert((call, number), copy);
+                arguments.push(copy);
+            }
         }
-        let result = self.call(handle, arguments, found.returns);
-        for (place, copy) in copies {
-            let value = self.load(copy);
-            self.write(&place, value);
-        }
-        Ok(result)
+        Ok(self.call(handle, arguments, found.returns))
     }
 
-    /// What points at the variable that an argument is, if it is one of this function and no other
-    /// argument of the call.
-    fn own_variable(&mut self, arg: ExprId, taken: &mut Vec<VariableId>) -> Res<Option<Value>> {
-        let program = self.lowerer.program;
-        let Some(id) = program.variable_of(arg) else {
+    /// What a call left in a parameter; `None` where that already stands where it goes.
+    pub(super) fn returned(&mut self, call: OpId, parameter: u32) -> Res<Option<Value>> {
+        let form = self.lowerer.form;
+        // `modf` is the one function of the language that writes to an argument.
+        if let OpKind::Builtin(_, operands) = form.op(call).kind
+            && let &[x, ..] = form.operands(operands)
+        {
+            let x = self.value(x)?;
+            return Ok(Some(self.math(MathFunction::Trunc, &[x])));
+        }
+        let copy = self.copies.get(&(call, parameter)).copied();
+        Ok(copy.map(|copy| self.load(copy)))
+    }
+
+    /// Whether a value already stands where it is stored to.
+    pub(super) fn is_lent(&self, value: OpId) -> bool {
+        let form = self.lowerer.form;
+        match form.op(value).kind {
+            OpKind::Returned(call, parameter) => {
+                let is_own = matches!(form.op(call).kind, OpKind::Call(..));
+                is_own && !self.copies.contains_key(&(call, parameter))
+            }
+            _ => false,
+        }
+    }
+
+    /// The places that what a call leaves in its parameters is stored to.
+    fn taken_back(&self, call: OpId) -> Vec<(u32, PlaceId)> {
+        let kind = |id: u32| self.lowerer.form.op(OpId(id)).kind;
+        let mut found = Vec::new();
+        let mut at = call.0 + 1;
+        while let OpKind::Returned(of, parameter) = kind(at)
+            && of == call
+            && let OpKind::Store(place, value) = kind(at + 1)
+            && value == OpId(at)
+        {
+            found.push((parameter, place));
+            at += 2;
+        }
+        found
+    }
+
+    /// What points at the variable of this function that a parameter takes over and gives back,
+    /// with nothing else writing to it meanwhile.
+    fn lent(
+        &mut self,
+        call: OpId,
+        parameter: u32,
+        operand: OpId,
+        taken: &[(u32, PlaceId)],
+    ) -> Res<Option<Value>> {
+        let form = self.lowerer.form;
+        let Some((_, target)) = taken.iter().find(|(number, _)| *number == parameter) else {
             return Ok(None);
         };
-        let is_own = program
-            .variable(id)
-            .is_some_and(|v| matches!(v.storage, Storage::Local | Storage::Param(_)));
-        if !is_own || taken.contains(&id) {
+        let target = form.place(*target);
+        let is_of = |place: PlaceId| form.place(place).variable == target.variable;
+        let writes = |id: u32| matches!(form.op(OpId(id)).kind, OpKind::Store(p, _) if is_of(p));
+        let is_same = match form.op(operand).kind {
+            OpKind::Undef => true,
+            OpKind::Load(from) => {
+                let is_whole = is_of(from) && form.place(from).path.len == 0;
+                is_whole && !(operand.0..call.0).any(writes)
+            }
+            _ => false,
+        };
+        let owner = form.variable(target.variable).map(|v| v.function);
+        let is_own = matches!(owner, Some(Some(_)));
+        let is_alone = taken.iter().filter(|(_, place)| is_of(*place)).count() == 1;
+        if !(is_same && is_own && is_alone && target.path.len == 0) {
             return Ok(None);
         }
-        taken.push(id);
-        match self.bound(id)? {
+        match self.bound(target.variable)? {
             Bound::Pointer(pointer) => Ok(Some(pointer)),
             _ => Ok(None),
         }

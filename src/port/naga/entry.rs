@@ -3,10 +3,10 @@
 use super::body::Body;
 use super::global::Global;
 use super::lower::{Lowerer, Origin};
-use super::types::{Sink, compose};
+use super::types::Sink;
 use super::{Res, Value};
 use crate::semantic::{FunctionRef, Scalar, Storage, Type, VariableId};
-use crate::syntax::ast::{DeclKind, Declarator, Item, List, QualifierKind};
+use crate::syntax::ast::{DeclKind, Item, List, QualifierKind};
 use ::naga::{
     BinaryOperator as Op, Binding, BuiltIn, EntryPoint, Expression, FunctionResult, GlobalVariable,
     Handle, Interpolation, ShaderStage, Statement, StructMember, TypeInner,
@@ -29,10 +29,11 @@ impl<'p> Lowerer<'p> {
         let Some(main) = self.functions.get(&main).copied() else {
             return self.refuse("there is no `main`");
         };
+        let form = self.form;
         let outputs = self.outputs()?;
-        let mut body = Body::new(self, ENTRY, Type::VOID);
+        let mut body = Body::new(self, ENTRY);
         body.inputs()?;
-        body.initialise()?;
+        body.region(form.globals)?;
         body.call(main, Vec::new(), Type::VOID);
         body.hand_on(&outputs)?;
         let function = body.finish();
@@ -55,7 +56,7 @@ impl<'p> Lowerer<'p> {
         let program = self.program;
         let mut found = Vec::new();
         let mut next = 0;
-        for (variable, qualifiers, _) in declarations(self) {
+        for (variable, qualifiers) in declarations(self) {
             let Some(declared) = program.variable(variable) else {
                 continue;
             };
@@ -124,7 +125,7 @@ impl Body<'_, '_> {
         }
         let program = self.lowerer.program;
         let mut next = 0;
-        for (variable, qualifiers, _) in declarations(self.lowerer) {
+        for (variable, qualifiers) in declarations(self.lowerer) {
             let Some(declared) = program.variable(variable) else {
                 continue;
             };
@@ -169,33 +170,6 @@ impl Body<'_, '_> {
         };
         let y = self.op(Op::Subtract, height, y);
         self.compose(Type::vector(Scalar::Float, 4), vec![x, y, z, w])
-    }
-
-    /// Gives the variables of the module their first values, in the order of the text.
-    fn initialise(&mut self) -> Res<()> {
-        let program = self.lowerer.program;
-        for (variable, _, declarator) in declarations(self.lowerer) {
-            let (Some(init), Some(Global::Variable(global))) = (
-                declarator.init,
-                self.lowerer.globals.get(&variable).copied(),
-            ) else {
-                continue;
-            };
-            self.lowerer.place = program.span(declarator.extent);
-            let info = program.expr(init);
-            let values = program.pool.values(info.constant);
-            let known = match values.is_empty() {
-                true => None,
-                false => compose(self, info.ty, &mut values.iter())?,
-            };
-            let value = match known {
-                Some(value) => value,
-                None => self.value(init)?,
-            };
-            let to = self.add(Expression::GlobalVariable(global));
-            self.store(to, value);
-        }
-        Ok(())
     }
 
     /// Returns what was written.
@@ -263,7 +237,7 @@ fn place(location: u32, ty: Type) -> Binding {
 }
 
 /// The variables that stand at global scope, with their qualifiers, in the order of the text.
-fn declarations<'p>(lowerer: &Lowerer<'p>) -> Vec<(VariableId, List, &'p Declarator)> {
+fn declarations(lowerer: &Lowerer) -> Vec<(VariableId, List)> {
     let program = lowerer.program;
     let mut found = Vec::new();
     for item in &program.tree.items {
@@ -279,12 +253,9 @@ fn declarations<'p>(lowerer: &Lowerer<'p>) -> Vec<(VariableId, List, &'p Declara
         else {
             continue;
         };
-        for (i, declarator) in program.tree.declarators(declarators).iter().enumerate() {
-            let declared = program.declared.get(declarators.start as usize + i);
-            if let Some(variable) = declared.copied().flatten() {
-                found.push((variable, qualifiers, declarator));
-            }
-        }
+        let declared = declarators.start as usize..(declarators.start + declarators.len) as usize;
+        let declared = program.declared.get(declared).unwrap_or(&[]);
+        found.extend(declared.iter().flatten().map(|id| (*id, qualifiers)));
     }
     found
 }

@@ -4,24 +4,25 @@ use super::body::{Body, Bound};
 use super::lower::Lowerer;
 use super::types::{Sink, image, texel};
 use super::{Res, Value};
-use crate::semantic::{FunctionRef, Parameter, Program, VariableId};
+use crate::ir::{self, OpKind, Root};
+use crate::semantic::{FunctionRef, Type, VariableId};
 use ::naga::{
     AddressSpace, Expression, FunctionArgument, FunctionResult, Handle, Statement, TypeInner,
 };
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 
 /// The functions that `main` needs, each behind all that it calls.
-pub(super) fn order(program: &Program, main: FunctionRef) -> Vec<FunctionRef> {
-    let mut calls: Vec<Vec<FunctionRef>> = vec![Vec::new(); program.functions.len()];
-    for call in &program.calls {
-        if let Some(caller) = call.caller
-            && let Some(all) = calls.get_mut(caller.0 as usize)
-        {
-            all.push(call.callee);
-        }
-    }
+pub(super) fn order(form: &ir::Module, main: FunctionRef) -> Vec<FunctionRef> {
+    let callees = |function: &ir::Function| {
+        let called = |op| match form.op(op).kind {
+            OpKind::Call(callee, _) => Some(callee),
+            _ => None,
+        };
+        function.ops.ops().filter_map(called).collect()
+    };
+    let calls: Vec<Vec<FunctionRef>> = form.functions.iter().map(callees).collect();
     let mut done = Vec::new();
-    let mut seen = HashSet::new();
+    let mut seen = FxHashSet::default();
     let mut stack = vec![(main, 0)];
     while let Some((function, next)) = stack.pop() {
         if next == 0 && !seen.insert(function) {
@@ -44,40 +45,32 @@ pub(super) fn order(program: &Program, main: FunctionRef) -> Vec<FunctionRef> {
 impl<'p> Lowerer<'p> {
     /// Makes a function of the shader.
     pub(super) fn function(&mut self, id: FunctionRef) -> Res<()> {
-        let program = self.program;
-        let Some(found) = program.function(id) else {
+        let (program, form) = (self.program, self.form);
+        let (Some(declared), Some(function)) = (program.function(id), form.function(id)) else {
             return self.refuse("this function is not known");
         };
-        let decl = found.definition.unwrap_or(found.declaration);
-        let Some(decl) = program.tree.function(decl) else {
-            return self.refuse("this function is not known");
-        };
-        self.place = program.span(decl.header);
-        let Some(block) = decl.body else {
+        let written = declared.definition.unwrap_or(declared.declaration);
+        if let Some(written) = program.tree.function(written) {
+            self.place = program.span(written.header);
+        }
+        let Some(region) = function.body else {
             return self.refuse("this function has no body");
         };
-        let result = match found.returns.is_void() {
+        let returns = function.returns;
+        let result = match returns.is_void() {
             true => None,
             false => Some(FunctionResult {
-                ty: self.ty(found.returns)?,
+                ty: self.ty(returns)?,
                 binding: None,
             }),
         };
-        let name = program.names.text(found.name);
-        let mut body = Body::new(self, name, found.returns);
+        let mut body = Body::new(self, program.names.text(declared.name));
         body.function.result = result;
-        let params = program.tree.params(decl.params);
-        for (i, (param, written)) in found.params.iter().zip(params).enumerate() {
-            let variable = program
-                .declared_params
-                .get(decl.params.start as usize + i)
-                .copied()
-                .flatten();
-            let name = written.ident.map_or("", |i| program.names.text(i.name));
-            body.param(param, variable, name)?;
+        for parameter in form.parameters(function) {
+            body.parameter(*parameter)?;
         }
-        body.statement(block)?;
-        body.end()?;
+        body.region(region)?;
+        body.end(returns)?;
         let function = body.finish();
         let handle = self.define(function)?;
         self.functions.insert(id, handle);
@@ -97,8 +90,13 @@ impl Body<'_, '_> {
         self.add(Expression::FunctionArgument(index))
     }
 
-    fn param(&mut self, param: &Parameter, variable: Option<VariableId>, name: &str) -> Res<()> {
-        let bound = if let Some(kind) = param.ty.as_sampler() {
+    fn parameter(&mut self, id: VariableId) -> Res<()> {
+        let Some(variable) = self.lowerer.form.variable(id) else {
+            return self.lowerer.refuse("this parameter is not known");
+        };
+        let ty = variable.ty;
+        let name = self.lowerer.name(id).unwrap_or_default();
+        let bound = if let Some(kind) = ty.as_sampler() {
             let ty = self.lowerer.inner(None, image(kind));
             let image = self.argument(name, ty);
             let comparison = texel(kind).is_none();
@@ -109,43 +107,36 @@ impl Body<'_, '_> {
                 sampler,
                 kind,
             }
-        } else if param.direction.writes() {
-            let base = self.lowerer.ty(param.ty)?;
+        } else if variable.root != Root::Parameter {
+            let base = self.lowerer.ty(ty)?;
             let space = AddressSpace::Function;
             let ty = self.lowerer.inner(None, TypeInner::Pointer { base, space });
             Bound::Pointer(self.argument(name, ty))
         } else {
-            let ty = self.lowerer.ty(param.ty)?;
-            let value = self.argument(name, ty);
-            let found = variable.and_then(|v| self.lowerer.program.variable(v));
-            let is_plain = param.ty.is_scalar() || param.ty.is_vector();
-            let is_fixed = found.is_none_or(|v| !v.written);
-            match is_fixed && is_plain {
+            let inner = self.lowerer.ty(ty)?;
+            let value = self.argument(name, inner);
+            let is_plain = ty.is_scalar() || ty.is_vector();
+            match is_plain && self.lowerer.stores(id) == 0 {
                 true => Bound::Value(value),
                 false => {
-                    let pointer = self.local(Some(name), param.ty)?;
+                    let pointer = self.local(Some(name), ty)?;
                     self.store(pointer, value);
                     Bound::Pointer(pointer)
                 }
             }
         };
-        if let Some(variable) = variable {
-            self.variables.insert(variable, bound);
-        }
+        self.variables.insert(id, bound);
         Ok(())
     }
 
     /// The end of a function, where nothing was returned before.
-    fn end(&mut self) -> Res<()> {
+    fn end(&mut self, returns: Type) -> Res<()> {
         if self.is_terminated() {
             return Ok(());
         }
-        let value = match self.returns.is_void() {
+        let value = match returns.is_void() {
             true => None,
-            false => {
-                let returns = self.returns;
-                Some(self.zero(returns)?)
-            }
+            false => Some(self.zero(returns)?),
         };
         self.push(Statement::Return { value });
         Ok(())

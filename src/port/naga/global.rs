@@ -4,6 +4,7 @@ use super::body::{Body, Bound};
 use super::lower::{Initialisers, Lowerer};
 use super::types::{Sink, compose};
 use super::{Res, Value};
+use crate::ir::Root;
 use crate::semantic::{Constant as Known, Sampler, Scalar, Storage, Type, VariableId};
 use ::naga::{AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryDecorations, Span};
 
@@ -75,20 +76,44 @@ impl<'p> Lowerer<'p> {
             .append(variable, Span::UNDEFINED)
     }
 
-    /// A named constant as one of the module; `None` where a number in it has no literal.
-    pub(super) fn constant(&mut self, id: VariableId) -> Res<Option<Handle<Constant>>> {
-        if let Some(Global::Constant(found)) = self.globals.get(&id) {
-            return Ok(Some(*found));
+    /// Whether there is a place for what is stored to a variable: nothing reads the others, or they
+    /// are constants.
+    pub(super) fn has_place(&mut self, id: VariableId) -> Res<bool> {
+        let is_shared = |root| matches!(root, Root::Global | Root::Output);
+        let is_shared = self.form.variable(id).is_some_and(|v| is_shared(v.root));
+        let is_own = self.program.variable(id).is_some_and(|v| v.token.is_some());
+        match self.globals.get(&id) {
+            None if is_shared && is_own => Ok(false),
+            None => Ok(self.named(id)?.is_none()),
+            Some(global) => Ok(matches!(global, Global::Variable(_))),
         }
-        let program = self.program;
-        let Some(variable) = program.variable(id) else {
+    }
+
+    /// The constant of the module that a variable is. Numbers and vectors that are constants of a
+    /// function are written out where they are used.
+    pub(super) fn named(&mut self, id: VariableId) -> Res<Option<Handle<Constant>>> {
+        match (self.globals.get(&id).copied(), self.program.variable(id)) {
+            (Some(Global::Constant(found)), _) => Ok(Some(found)),
+            (None, Some(v)) if v.is_const && v.constant.is_known() => {
+                match v.ty.is_scalar() || v.ty.is_vector() {
+                    true => Ok(None),
+                    false => self.constant(id),
+                }
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// A named constant as one of the module; `None` where a number in it has no literal.
+    fn constant(&mut self, id: VariableId) -> Res<Option<Handle<Constant>>> {
+        let Some(variable) = self.program.variable(id) else {
             return Ok(None);
         };
         let Some(init) = self.initialiser(variable.ty, variable.constant)? else {
             return Ok(None);
         };
         let constant = Constant {
-            name: Some(program.names.text(variable.name).to_string()),
+            name: self.name(id).map(str::to_string),
             ty: self.ty(variable.ty)?,
             init,
         };
@@ -113,10 +138,6 @@ impl Body<'_, '_> {
         if let Some(found) = self.variables.get(&id) {
             return Ok(*found);
         }
-        let program = self.lowerer.program;
-        let Some(variable) = program.variable(id) else {
-            return self.lowerer.refuse("this variable is not known");
-        };
         match self.lowerer.globals.get(&id).copied() {
             Some(Global::Variable(handle)) => {
                 Ok(Bound::Pointer(self.add(Expression::GlobalVariable(handle))))
@@ -124,7 +145,7 @@ impl Body<'_, '_> {
             Some(Global::Constant(handle)) => {
                 Ok(Bound::Value(self.add(Expression::Constant(handle))))
             }
-            Some(Global::Uniform(member)) => self.uniform(variable.ty, member),
+            Some(Global::Uniform(member)) => self.uniform(id, member),
             Some(Global::Sampler {
                 image,
                 sampler,
@@ -134,29 +155,32 @@ impl Body<'_, '_> {
                 sampler: self.add(Expression::GlobalVariable(sampler)),
                 kind,
             }),
-            None if variable.token.is_none() => {
-                self.builtin_variable(program.names.text(variable.name))
-            }
-            None => {
-                let name = program.names.text(variable.name);
-                let ty = program.type_name(variable.ty);
-                self.lowerer
-                    .refuse(format!("`{ty} {name}` has no place in the other languages"))
-            }
+            None => self.unbound(id),
         }
     }
 
-    /// Whether a variable lies in memory, as far as this function is concerned.
-    pub(super) fn is_pointer(&self, id: VariableId) -> bool {
-        if let Some(found) = self.variables.get(&id) {
-            return matches!(found, Bound::Pointer(_));
+    /// A variable that was not come across before.
+    fn unbound(&mut self, id: VariableId) -> Res<Bound> {
+        let (program, form) = (self.lowerer.program, self.lowerer.form);
+        let name = self.lowerer.name(id);
+        if let Some(constant) = self.lowerer.named(id)? {
+            return Ok(Bound::Value(self.add(Expression::Constant(constant))));
         }
-        let ty = self.lowerer.program.variable(id).map(|v| v.ty);
-        match self.lowerer.globals.get(&id) {
-            Some(Global::Variable(_)) => true,
-            Some(Global::Uniform(_)) => ty.and_then(Type::scalar_kind) != Some(Scalar::Bool),
-            Some(Global::Constant(_) | Global::Sampler { .. }) => false,
-            None => true,
+        match (form.variable(id), program.variable(id)) {
+            (Some(variable), _) if matches!(variable.root, Root::Local | Root::Temporary) => {
+                let bound = Bound::Pointer(self.local(name, variable.ty)?);
+                self.variables.insert(id, bound);
+                Ok(bound)
+            }
+            (_, Some(variable)) if variable.token.is_none() => {
+                self.builtin_variable(name.unwrap_or_default())
+            }
+            (Some(variable), _) => {
+                let (ty, name) = (program.type_name(variable.ty), name.unwrap_or_default());
+                self.lowerer
+                    .refuse(format!("`{ty} {name}` has no place in the other languages"))
+            }
+            _ => self.lowerer.refuse("this variable is not known"),
         }
     }
 

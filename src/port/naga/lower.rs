@@ -1,13 +1,12 @@
 //! The module: what stands around the functions, and in which order they are made.
 
-use super::body::Body;
+use super::body::{Body, Given};
 use super::function::order;
 use super::types::Sink;
-use super::weight::{Weight, weights};
 use super::{Refused, Res, Value};
 use super::{global::Global, uniform::Uniforms};
-use crate::semantic::{FunctionRef, Program, Type, VariableId};
-use crate::syntax::ast::ExprId;
+use crate::ir::{self, OpId, OpKind};
+use crate::semantic::{Function, FunctionRef, Program, Type, VariableId};
 use crate::text::Span;
 use ::naga::proc::Layouter;
 use ::naga::{Arena, Expression, Handle, Module};
@@ -34,6 +33,8 @@ pub struct Lowered {
 /// The module that is being made.
 pub(super) struct Lowerer<'p> {
     pub(super) program: &'p Program,
+    /// The program, resolved.
+    pub(super) form: &'p ir::Module,
     pub(super) origin: Origin,
     pub(super) module: Module,
     pub(super) layouter: Layouter,
@@ -45,7 +46,10 @@ pub(super) struct Lowerer<'p> {
     /// `inverse` of each size.
     pub(super) inverses: FxHashMap<u8, Handle<::naga::Function>>,
     pub(super) uniforms: Uniforms,
-    pub(super) weights: Vec<Weight>,
+    /// By operation: what it gave, in the function that it belongs to.
+    given: Vec<Given>,
+    /// By variable: how many operations write to it.
+    stores: Vec<u32>,
     /// What is being lowered.
     pub(super) place: Span,
     /// How many expressions the finished functions have.
@@ -57,8 +61,10 @@ const MAX_EXPRESSIONS: usize = 1_000_000;
 
 /// Lowers a fragment shader that compiles.
 pub fn lower(program: &Program, origin: Origin) -> Result<Lowered, Refused> {
+    let form = ir::lower(program);
     let mut lowerer = Lowerer {
         program,
+        form: &form,
         origin,
         module: Module::default(),
         layouter: Layouter::default(),
@@ -68,14 +74,15 @@ pub fn lower(program: &Program, origin: Origin) -> Result<Lowered, Refused> {
         functions: FxHashMap::default(),
         inverses: FxHashMap::default(),
         uniforms: Uniforms::default(),
-        weights: weights(program),
+        given: vec![Given::default(); form.ops.len()],
+        stores: stores(&form),
         place: Span::default(),
         made: 0,
     };
     let main = lowerer.main()?;
     lowerer.declare_uniforms()?;
     lowerer.declare_globals()?;
-    for function in order(program, main) {
+    for function in order(&form, main) {
         lowerer.function(function)?;
     }
     lowerer.entry(main)?;
@@ -92,22 +99,51 @@ impl<'p> Lowerer<'p> {
         Err(Refused::new(self.place, message))
     }
 
-    /// What is known of the cost of an expression.
-    pub(super) fn weight(&self, id: ExprId) -> Weight {
-        self.weights.get(id.0 as usize).copied().unwrap_or_default()
-    }
-
+    /// What runs is `main`, which stands in the text around a shader of ShaderToy too.
     fn main(&self) -> Res<FunctionRef> {
         let program = self.program;
         let name = program.names.get("main");
-        let at = program
-            .functions
-            .iter()
-            .position(|f| Some(f.name) == name && f.params.is_empty());
-        match at {
+        let is_main = |f: &Function| Some(f.name) == name && f.params.is_empty();
+        match program.functions.iter().position(is_main) {
             Some(index) => Ok(FunctionRef(index as u32)),
             None => self.refuse("there is no `main`"),
         }
+    }
+
+    /// Says where what is lowered now comes from.
+    pub(super) fn stand_at(&mut self, origin: ir::Origin) {
+        let program = self.program;
+        match origin {
+            ir::Origin::Expr(id) => self.place = program.expr_span(id),
+            ir::Origin::Stmt(id) => self.place = program.span(program.tree.stmt(id).extent),
+            ir::Origin::Declaration(token) => {
+                self.place = program.token(token).map_or(self.place, |t| t.span);
+            }
+            ir::Origin::Language => {}
+        }
+    }
+
+    /// What an operation gave.
+    pub(super) fn given(&self, id: OpId) -> Given {
+        self.given.get(id.0 as usize).copied().unwrap_or_default()
+    }
+
+    /// Keeps what an operation gave.
+    pub(super) fn give(&mut self, id: OpId, given: Given) {
+        if let Some(slot) = self.given.get_mut(id.0 as usize) {
+            *slot = given;
+        }
+    }
+
+    /// How many operations write to a variable.
+    pub(super) fn stores(&self, id: VariableId) -> u32 {
+        self.stores.get(id.0 as usize).copied().unwrap_or(0)
+    }
+
+    /// What the shader calls a variable.
+    pub(super) fn name(&self, id: VariableId) -> Option<&'p str> {
+        let variable = self.program.variable(id)?;
+        Some(self.program.names.text(variable.name))
     }
 
     /// Adds a finished function.
@@ -119,6 +155,19 @@ impl<'p> Lowerer<'p> {
         let span = ::naga::Span::new(self.place.start, self.place.end);
         Ok(self.module.functions.append(function, span))
     }
+}
+
+/// By variable: how many operations write to it.
+fn stores(form: &ir::Module) -> Vec<u32> {
+    let mut count = vec![0; form.variables.len()];
+    for op in &form.ops {
+        if let OpKind::Store(place, _) = op.kind
+            && let Some(count) = count.get_mut(form.place(place).variable.0 as usize)
+        {
+            *count += 1;
+        }
+    }
+    count
 }
 
 /// The initialisers of the module.

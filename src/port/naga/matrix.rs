@@ -1,43 +1,45 @@
 //! Matrices, where naga knows less of them than GLSL: it multiplies and adds, and that is all.
 
 use super::body::Body;
-use super::operator::{Typed, simple};
 use super::types::Sink;
 use super::{Res, Value};
+use crate::ir::OpId;
 use crate::semantic::{Scalar, Type};
-use crate::syntax::ast::BinaryOp;
 use ::naga::{BinaryOperator as Op, Expression, Handle, MathFunction, Statement};
 
 impl Body<'_, '_> {
-    /// An operator one of whose operands is a matrix.
-    pub(super) fn matrix(&mut self, op: BinaryOp, left: Typed, right: Typed) -> Res<Value> {
-        let both = left.1.is_matrix() && right.1.is_matrix();
-        match op {
-            BinaryOp::Mul => Ok(self.op(Op::Multiply, left.0, right.0)),
-            BinaryOp::Add | BinaryOp::Sub if both => Ok(self.op(simple(op), left.0, right.0)),
-            _ => self.by_columns(simple(op), left, right),
-        }
+    /// An operator on two matrices, component by component.
+    pub(super) fn matrix(&mut self, op: Op, left: OpId, right: OpId) -> Res<Value> {
+        let (l, r) = match (op, self.spread(left), self.spread(right)) {
+            (Op::Multiply, _, Some(number)) => (left, number),
+            (Op::Multiply, Some(number), None) => (number, right),
+            (Op::Add | Op::Subtract, None, None) => (left, right),
+            _ => return self.by_columns(op, left, right),
+        };
+        let (l, r) = (self.value(l)?, self.value(r)?);
+        Ok(self.op(op, l, r))
     }
 
-    /// An operator column by column; a number goes with every component.
-    pub(super) fn by_columns(&mut self, op: Op, left: Typed, right: Typed) -> Res<Value> {
-        let ty = if left.1.is_matrix() { left.1 } else { right.1 };
+    /// An operator on two matrices, column by column.
+    pub(super) fn by_columns(&mut self, op: Op, left: OpId, right: OpId) -> Res<Value> {
+        let ty = self.lowerer.form.ty(left);
         let (columns, column) = columns(ty);
         let mut done = Vec::new();
         for i in 0..columns {
-            let l = self.column(left, i, column);
-            let r = self.column(right, i, column);
+            let l = self.column(left, i, column)?;
+            let r = self.column(right, i, column)?;
             done.push(self.op(op, l, r));
         }
         self.compose(ty, done)
     }
 
-    fn column(&mut self, (value, ty): Typed, index: u32, column: Type) -> Value {
-        if ty.is_matrix() {
-            self.part(value, index)
-        } else {
-            self.splat(value, column)
+    fn column(&mut self, matrix: OpId, index: u32, column: Type) -> Res<Value> {
+        if let Some(number) = self.spread(matrix) {
+            let number = self.value(number)?;
+            return Ok(self.splat(number, column));
         }
+        let value = self.value(matrix)?;
+        Ok(self.part(value, index))
     }
 
     /// `outerProduct`
@@ -144,7 +146,7 @@ fn minor(cells: &[Vec<Value>], column: usize, row: usize) -> Vec<Vec<Value>> {
 /// The function that inverts a matrix of a size.
 fn inverse(body: &mut Body, size: u8, ty: Type) -> Res<Handle<::naga::Function>> {
     let inner = body.lowerer.ty(ty)?;
-    let mut inverse = Body::new(body.lowerer, &format!("inverse{size}"), ty);
+    let mut inverse = Body::new(body.lowerer, &format!("inverse{size}"));
     inverse.argument("m", inner);
     inverse.function.result = Some(::naga::FunctionResult {
         ty: inner,

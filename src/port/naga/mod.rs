@@ -1,8 +1,9 @@
 //! A checked pass in the languages of the other graphics interfaces: WGSL, SPIR-V, HLSL and MSL.
 //!
-//! [`lower`] turns the typed program into naga's intermediate form, one file to a concern, and
-//! [`write`] has naga check it and write it. Nothing of naga's own reader of GLSL is used. What the
-//! form has no words for is refused, with the place and the reason.
+//! [`lower`] is a fold over the regions of the middle form (`crate::ir`): its places are naga's
+//! pointers, its operations naga's expressions, its control flow naga's statements. Samplers become
+//! a texture and a way to sample it, and rows are turned, here alone. [`write`] has naga check the
+//! outcome and write it. What naga has no words for is refused, with the place and the reason.
 //!
 //! The module that comes out has one entry point, `fragment_main`. All uniforms are members of one
 //! struct at binding 0 of group 0; the sampler with number `n`, in the order of the text, is a
@@ -11,21 +12,17 @@
 mod body;
 mod builtin;
 mod call;
-mod construct;
 mod entry;
-mod expression;
-mod flow;
 mod function;
 mod global;
 mod lower;
 mod matrix;
-mod operator;
+mod op;
 mod place;
-mod statement;
+mod region;
 mod texture;
 mod types;
 mod uniform;
-mod weight;
 mod write;
 
 pub use lower::{Lowered, Origin, lower};

@@ -1,198 +1,138 @@
-//! Places that can be written to: variables, members, elements and components.
+//! Places: naga's pointers, and the components of what they point at.
 
 use super::body::{Body, Bound};
-use super::types::Sink;
+use super::types::{Sink, size};
 use super::{Res, Value};
-use crate::semantic::{Resolution, Type};
-use crate::syntax::Name;
-use crate::syntax::ast::{ExprId, ExprKind};
+use crate::ir::{Access, Lanes, OpId, OpKind, Place, PlaceId, Root};
+use crate::semantic::{Type, VariableId};
 use ::naga::{Expression, SwizzleComponent};
 
-/// A place.
-#[derive(Clone, Debug)]
-pub(super) enum Place {
-    /// What this points at.
-    Pointer(Value),
-    /// Some components of the vector that `vector` points at.
-    Lanes {
-        /// Points at the vector.
-        vector: Value,
-        /// The numbers of the components.
-        lanes: Vec<u32>,
-    },
-}
-
-/// A part that a `.name` picks.
-pub(super) enum Part {
-    /// A member, or one component.
-    One(u32),
-    /// Several components.
-    Many(Vec<u32>),
+/// Where a place is found in the function.
+struct Spot {
+    /// Its value, or what points at it.
+    at: Value,
+    /// Whether it is pointed at.
+    is_pointer: bool,
+    /// The components of it that are meant, where they are not all.
+    lanes: Option<Lanes>,
 }
 
 impl Body<'_, '_> {
-    /// The place that an expression names.
-    pub(super) fn place(&mut self, id: ExprId) -> Res<Place> {
-        let program = self.lowerer.program;
-        let id = program.tree.unparen(id);
-        match program.tree.expr(id).kind {
-            ExprKind::Name(_) => {
-                let Resolution::Variable(variable) = program.expr(id).resolution else {
-                    return self.refuse(id, "this cannot be written to");
-                };
-                let outer = std::mem::replace(&mut self.lowerer.place, program.expr_span(id));
-                let Bound::Pointer(pointer) = self.bound(variable)? else {
-                    return self.refuse(id, "this cannot be written to");
-                };
-                self.lowerer.place = outer;
-                Ok(Place::Pointer(pointer))
+    fn spot(&mut self, place: &Place) -> Res<Spot> {
+        let form = self.lowerer.form;
+        let path = form.path(place);
+        let is_computed = path.iter().any(|a| matches!(a, Access::Computed(_)));
+        let (mut at, is_pointer) = match self.bound(place.variable)? {
+            Bound::Pointer(pointer) => (pointer, true),
+            // Naga takes no column of a matrix by a computed number but from a variable.
+            Bound::Value(value) if is_computed && self.has_columns(place.variable) => {
+                let ty = form.variable(place.variable).map_or(Type::ERROR, |v| v.ty);
+                (self.spill(value, ty)?, true)
             }
-            ExprKind::Member(base, name) => {
-                let part = self.member(base, name)?;
-                let place = self.place(base)?;
-                self.pick(place, part)
-            }
-            ExprKind::Index(base, index) => {
-                let place = self.place(base)?;
-                self.element(place, index)
-            }
-            _ => self.refuse(id, "this cannot be written to"),
-        }
-    }
-
-    /// What `.name` picks of a value.
-    pub(super) fn member(&mut self, base: ExprId, name: Name) -> Res<Part> {
-        let program = self.lowerer.program;
-        let text = program.names.text(name);
-        let ty = program.ty(base);
-        if let Some(found) = program.struct_of(ty) {
-            return match found.fields.iter().position(|f| f.name == name) {
-                Some(index) => Ok(Part::One(index as u32)),
-                None => self.refuse(base, "this member is not known"),
-            };
-        }
-        let lane = |c: char| {
-            ["xrs", "ygt", "zbp", "waq"]
-                .iter()
-                .position(|s| s.contains(c))
+            Bound::Value(value) => (value, false),
+            Bound::Sampler { .. } => return self.lowerer.refuse("a sampler is no value here"),
         };
-        let lanes: Vec<u32> = text.chars().filter_map(lane).map(|l| l as u32).collect();
-        match lanes[..] {
-            [] => self.refuse(base, "these components are not known"),
-            [one] => Ok(Part::One(one)),
-            _ => Ok(Part::Many(lanes)),
+        let mut lanes = None;
+        for access in path {
+            match *access {
+                Access::Member(index) | Access::Element(index) => at = self.part(at, index),
+                Access::Computed(index) => {
+                    let index = self.value(index)?;
+                    at = self.add(Expression::Access { base: at, index });
+                }
+                Access::Lanes(chosen) => match chosen.numbers() {
+                    &[one] => at = self.part(at, one.into()),
+                    _ => lanes = Some(chosen),
+                },
+            }
         }
-    }
-
-    fn pick(&mut self, place: Place, part: Part) -> Res<Place> {
-        Ok(match (place, part) {
-            (Place::Pointer(base), Part::One(index)) => Place::Pointer(self.part(base, index)),
-            (Place::Pointer(vector), Part::Many(lanes)) => Place::Lanes { vector, lanes },
-            (Place::Lanes { vector, lanes }, Part::One(index)) => {
-                let lane = lanes.get(index as usize).copied().unwrap_or(0);
-                Place::Pointer(self.part(vector, lane))
-            }
-            (Place::Lanes { vector, lanes }, Part::Many(inner)) => {
-                let of = |i: &u32| lanes.get(*i as usize).copied().unwrap_or(0);
-                let lanes = inner.iter().map(of).collect();
-                Place::Lanes { vector, lanes }
-            }
+        Ok(Spot {
+            at,
+            is_pointer,
+            lanes,
         })
     }
 
-    fn element(&mut self, place: Place, index: ExprId) -> Res<Place> {
-        let known = self.known_index(index);
-        match (place, known) {
-            (Place::Pointer(base), Some(index)) => Ok(Place::Pointer(self.part(base, index))),
-            (Place::Pointer(base), None) => {
-                let index = self.value(index)?;
-                Ok(Place::Pointer(self.add(Expression::Access { base, index })))
-            }
-            (lanes, Some(index)) => self.pick(lanes, Part::One(index)),
-            (_, None) => self.refuse(index, "an index that is computed, of chosen components"),
-        }
-    }
-
-    /// The value of an index, if it is a constant.
-    pub(super) fn known_index(&self, id: ExprId) -> Option<u32> {
-        let program = self.lowerer.program;
-        let id = program.tree.unparen(id);
-        u32::try_from(program.scalar(id)?.as_int()).ok()
-    }
-
-    /// Whether a place is part of a variable, and so is read where it lies.
-    pub(super) fn is_stored(&self, mut id: ExprId) -> bool {
-        let program = self.lowerer.program;
-        loop {
-            match program.tree.expr(id).kind {
-                ExprKind::Paren(inner) | ExprKind::Member(inner, _) | ExprKind::Index(inner, _) => {
-                    id = inner
-                }
-                ExprKind::Name(_) => {
-                    let Resolution::Variable(variable) = program.expr(id).resolution else {
-                        return false;
-                    };
-                    return self.is_pointer(variable);
-                }
-                _ => return false,
-            }
-        }
+    fn has_columns(&self, id: VariableId) -> bool {
+        let ty = self.lowerer.form.variable(id).map_or(Type::ERROR, |v| v.ty);
+        let part = ty.element();
+        !(part.is_scalar() || part.is_vector())
     }
 
     /// What stands at a place.
-    pub(super) fn read(&mut self, place: &Place) -> Value {
-        match place {
-            Place::Pointer(pointer) => self.load(*pointer),
-            Place::Lanes { vector, lanes } => {
-                let vector = self.load(*vector);
-                self.swizzle(vector, lanes)
-            }
-        }
+    pub(super) fn read(&mut self, place: PlaceId) -> Res<Value> {
+        let spot = self.spot(self.lowerer.form.place(place))?;
+        let value = match spot.is_pointer {
+            true => self.load(spot.at),
+            false => spot.at,
+        };
+        Ok(match spot.lanes {
+            Some(lanes) => self.swizzle(value, lanes),
+            None => value,
+        })
     }
 
     /// Writes to a place.
-    pub(super) fn write(&mut self, place: &Place, value: Value) {
-        match place {
-            Place::Pointer(pointer) => self.store(*pointer, value),
-            Place::Lanes { vector, lanes } => {
-                for (i, lane) in lanes.iter().enumerate() {
-                    let from = self.part(value, i as u32);
-                    let to = self.part(*vector, *lane);
-                    self.store(to, from);
-                }
-            }
+    pub(super) fn write(&mut self, place: PlaceId, value: OpId) -> Res<()> {
+        let form = self.lowerer.form;
+        let place = form.place(place);
+        if !self.lowerer.has_place(place.variable)? || self.is_lent(value) {
+            return Ok(());
         }
+        if self.settles(place, value) {
+            let value = self.value(value)?;
+            if let Some(name) = self.lowerer.name(place.variable) {
+                self.name(value, name);
+            }
+            self.variables.insert(place.variable, Bound::Value(value));
+            return Ok(());
+        }
+        let spot = self.spot(place)?;
+        // Variables of a function start at zero by themselves, but not again in each turn of a loop.
+        if form.op(value).kind == OpKind::Undef && !self.in_loop {
+            return Ok(());
+        }
+        let value = self.value(value)?;
+        let Some(lanes) = spot.lanes else {
+            self.store(spot.at, value);
+            return Ok(());
+        };
+        for (i, lane) in lanes.numbers().iter().enumerate() {
+            let from = self.part(value, i as u32);
+            let to = self.part(spot.at, (*lane).into());
+            self.store(to, from);
+        }
+        Ok(())
     }
 
-    /// Some components of a vector, as a vector.
-    pub(super) fn swizzle(&mut self, vector: Value, lanes: &[u32]) -> Value {
-        let lane = |i: usize| match lanes.get(i) {
+    /// Whether what is stored to a variable stays its value as long as it lives. The cases of a
+    /// `switch` share their variables, and some are written out again.
+    fn settles(&self, place: &Place, value: OpId) -> bool {
+        let form = self.lowerer.form;
+        let root = form.variable(place.variable).map(|v| v.root);
+        root == Some(Root::Local)
+            && place.path.len == 0
+            && (place.ty.is_scalar() || place.ty.is_vector())
+            && form.op(value).kind != OpKind::Undef
+            && self.lowerer.stores(place.variable) == 1
+            && !self.in_switch
+    }
+
+    /// Some components of a vector.
+    pub(super) fn swizzle(&mut self, vector: Value, lanes: Lanes) -> Value {
+        if let &[one] = lanes.numbers() {
+            return self.part(vector, one.into());
+        }
+        let lane = |i: usize| match lanes.numbers().get(i) {
             Some(1) => SwizzleComponent::Y,
             Some(2) => SwizzleComponent::Z,
             Some(3) => SwizzleComponent::W,
             _ => SwizzleComponent::X,
         };
         self.add(Expression::Swizzle {
-            size: super::types::size(lanes.len() as u8),
+            size: size(lanes.count()),
             vector,
             pattern: [lane(0), lane(1), lane(2), lane(3)],
         })
-    }
-
-    /// Refuses an expression.
-    pub(super) fn refuse<T>(&mut self, id: ExprId, message: impl Into<String>) -> Res<T> {
-        self.lowerer.place = self.lowerer.program.expr_span(id);
-        self.lowerer.refuse(message)
-    }
-
-    /// A vector of equal components, for the type that is wanted.
-    pub(super) fn splat(&mut self, value: Value, ty: Type) -> Value {
-        match ty.numeric() {
-            Some((_, 1, rows @ 2..)) => self.add(Expression::Splat {
-                size: super::types::size(rows),
-                value,
-            }),
-            _ => value,
-        }
     }
 }

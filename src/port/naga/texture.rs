@@ -3,9 +3,9 @@
 use super::body::{Body, Bound};
 use super::types::{Sink, texel};
 use super::{Res, Value};
+use crate::ir::{Lanes, OpId, OpKind};
 use crate::semantic::builtins::{BuiltinKind, Level, Lookup};
-use crate::semantic::{Resolution, Sampler, Scalar, Type};
-use crate::syntax::ast::ExprId;
+use crate::semantic::{Sampler, Scalar, Type};
 use ::naga::{BinaryOperator as Op, Expression, ImageQuery, MathFunction, SampleLevel, ScalarKind};
 
 /// What a sampler asks of the coordinates.
@@ -40,29 +40,29 @@ impl Shape {
 }
 
 impl Body<'_, '_> {
-    /// The texture that an argument is, and how it is sampled.
-    pub(super) fn sampler(&mut self, arg: ExprId) -> Res<(Value, Value, Sampler)> {
-        let program = self.lowerer.program;
-        let arg = program.tree.unparen(arg);
-        if let Resolution::Variable(variable) = program.expr(arg).resolution
+    /// The texture that an operand is, and how it is sampled.
+    pub(super) fn sampler(&mut self, operand: OpId) -> Res<(Value, Value, Sampler)> {
+        let form = self.lowerer.form;
+        if let OpKind::Load(place) = form.op(operand).kind
+            && let place = form.place(place)
+            && place.path.len == 0
             && let Bound::Sampler {
                 image,
                 sampler,
                 kind,
-            } = self.bound(variable)?
+            } = self.bound(place.variable)?
         {
             return Ok((image, sampler, kind));
         }
-        self.refuse(
-            arg,
-            "only plain samplers are supported, no part of an array or struct",
-        )
+        self.lowerer.stand_at(form.origin(operand));
+        self.lowerer
+            .refuse("only plain samplers are supported, no part of an array or struct")
     }
 
     /// A call of one of the texture functions.
-    pub(super) fn texture(&mut self, id: ExprId, kind: BuiltinKind, args: &[ExprId]) -> Res<Value> {
-        let [texture, rest @ ..] = args else {
-            return self.refuse(id, "this reads no texture");
+    pub(super) fn texture(&mut self, kind: BuiltinKind, operands: &[OpId]) -> Res<Value> {
+        let [texture, rest @ ..] = operands else {
+            return self.lowerer.refuse("this reads no texture");
         };
         let (image, sampler, sampled) = self.sampler(*texture)?;
         let shape = Shape::of(sampled);
@@ -75,15 +75,17 @@ impl Body<'_, '_> {
                 if matches!(texel(sampled), Some(ScalarKind::Sint | ScalarKind::Uint)) {
                     let message = "textures of whole numbers cannot be sampled in the other \
                                    languages; read them with `texelFetch`";
-                    return self.refuse(id, message);
+                    return self.lowerer.refuse(message);
                 }
-                self.sample(id, lookup, (image, sampler), at, more, &shape)
+                self.sample(lookup, (image, sampler), at, more, &shape)
             }
-            _ => self.refuse(id, "this texture function is not supported"),
+            _ => self
+                .lowerer
+                .refuse("this texture function is not supported"),
         }
     }
 
-    fn texture_size(&mut self, image: Value, lod: ExprId, shape: &Shape) -> Res<Value> {
+    fn texture_size(&mut self, image: Value, lod: OpId, shape: &Shape) -> Res<Value> {
         let level = Some(self.value(lod)?);
         let query = ImageQuery::Size { level };
         let size = self.add(Expression::ImageQuery { image, query });
@@ -100,15 +102,15 @@ impl Body<'_, '_> {
     fn fetch(
         &mut self,
         image: Value,
-        at: ExprId,
-        lod: ExprId,
-        offset: Option<ExprId>,
+        at: OpId,
+        lod: OpId,
+        offset: Option<OpId>,
         shape: &Shape,
     ) -> Res<Value> {
         let at = self.value(at)?;
         let level = Some(self.value(lod)?);
         let (mut coordinate, array_index) = if shape.is_layered {
-            (self.swizzle(at, &[0, 1]), Some(self.part(at, 2)))
+            (self.swizzle(at, Lanes::new(0..2)), Some(self.part(at, 2)))
         } else {
             (at, None)
         };
@@ -127,14 +129,13 @@ impl Body<'_, '_> {
 
     fn sample(
         &mut self,
-        id: ExprId,
         lookup: Lookup,
         (image, sampler): (Value, Value),
-        at: ExprId,
-        more: &[ExprId],
+        at: OpId,
+        more: &[OpId],
         shape: &Shape,
     ) -> Res<Value> {
-        let at_ty = self.lowerer.program.ty(at);
+        let at_ty = self.lowerer.form.ty(at);
         let at = self.value(at)?;
         let at = if lookup.is_projective {
             self.projected(at, at_ty, shape)?
@@ -145,15 +146,13 @@ impl Body<'_, '_> {
         let mut level = match lookup.level {
             Level::Implicit => SampleLevel::Auto,
             Level::Explicit | Level::Fetch => match more.next() {
-                Some(lod) if shape.is_shadow && self.known_index(lod) == Some(0) => {
-                    SampleLevel::Zero
-                }
+                Some(lod) if shape.is_shadow && self.is_zero(lod) => SampleLevel::Zero,
                 Some(lod) if !shape.is_shadow => SampleLevel::Exact(self.value(lod)?),
-                _ => return self.refuse(id, "depth can only be compared at level 0"),
+                _ => return self.lowerer.refuse("depth can only be compared at level 0"),
             },
             Level::Gradient => {
                 let (Some(x), Some(y), false) = (more.next(), more.next(), shape.is_shadow) else {
-                    return self.refuse(id, "depth cannot be compared with given derivatives");
+                    return self.lowerer.refuse("depth cannot be compared with given derivatives");
                 };
                 let (x, y) = (self.value(x)?, self.value(y)?);
                 SampleLevel::Gradient { x, y }
@@ -165,7 +164,7 @@ impl Body<'_, '_> {
         };
         if let Some(bias) = more.next() {
             if shape.is_shadow {
-                return self.refuse(id, "depth cannot be compared with a bias");
+                return self.lowerer.refuse("depth cannot be compared with a bias");
             }
             level = SampleLevel::Bias(self.value(bias)?);
         }
@@ -183,13 +182,17 @@ impl Body<'_, '_> {
         }))
     }
 
+    fn is_zero(&self, level: OpId) -> bool {
+        let known = self.lowerer.form.constant(level).first();
+        known.is_some_and(|level| level.as_float() == 0.0)
+    }
+
     /// Coordinates divided by the last.
     fn projected(&mut self, at: Value, ty: Type, shape: &Shape) -> Res<Value> {
         let last = self.part(at, ty.components().saturating_sub(1));
-        let count = shape.size as u32 + shape.is_shadow as u32;
-        let lanes: Vec<u32> = (0..count).collect();
-        let first = self.swizzle(at, &lanes);
-        let by = self.splat(last, Type::vector(Scalar::Float, count as u8));
+        let count = shape.size + shape.is_shadow as u8;
+        let first = self.swizzle(at, Lanes::new(0..count));
+        let by = self.splat(last, Type::vector(Scalar::Float, count));
         Ok(self.op(Op::Divide, first, by))
     }
 
@@ -198,8 +201,7 @@ impl Body<'_, '_> {
         if !shape.is_layered && !shape.is_shadow {
             return (at, None, None);
         }
-        let lanes: Vec<u32> = (0..shape.size as u32).collect();
-        let coordinate = self.swizzle(at, &lanes);
+        let coordinate = self.swizzle(at, Lanes::new(0..shape.size));
         let mut next = shape.size as u32;
         let layer = shape.is_layered.then(|| {
             let layer = self.part(at, next);

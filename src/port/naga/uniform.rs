@@ -168,7 +168,8 @@ impl Body<'_, '_> {
     }
 
     /// A uniform of the shader.
-    pub(super) fn uniform(&mut self, ty: Type, member: u32) -> Res<Bound> {
+    pub(super) fn uniform(&mut self, id: VariableId, member: u32) -> Res<Bound> {
+        let ty = self.lowerer.form.variable(id).map_or(Type::ERROR, |v| v.ty);
         let pointer = self.uniform_member(member)?;
         match Form::of(ty) {
             Some(Form::Plain(_)) => Ok(Bound::Pointer(pointer)),

@@ -1,0 +1,393 @@
+//! Operations: naga's expressions.
+
+use super::body::{Body, Given};
+use super::types::{Sink, literal, parts, scalar, size};
+use super::{Res, Value};
+use crate::ir::{Binary, OpId, OpKind, Origin, Unary};
+use crate::semantic::{Scalar, Type, Value as Constant};
+use ::naga::{
+    BinaryOperator as Op, Expression, Literal, MathFunction, RelationalFunction, ScalarKind,
+    Statement, UnaryOperator,
+};
+use std::slice;
+
+impl Body<'_, '_> {
+    /// Lowers an operation.
+    pub(super) fn operation(&mut self, id: OpId) -> Res<()> {
+        self.check_limits()?;
+        let form = self.lowerer.form;
+        self.lowerer.stand_at(form.origin(id));
+        let ty = form.ty(id);
+        let value = match form.op(id).kind {
+            OpKind::Unknown => return self.lowerer.refuse("this could not be read"),
+            OpKind::Store(place, value) => return self.write(place, value),
+            // Who asks for these makes what is asked for.
+            OpKind::Undef | OpKind::Splat(_) => None,
+            OpKind::Load(_) if ty.is_sampler() => None,
+            OpKind::Call(function, operands) => self.user_call(id, function, operands)?,
+            OpKind::Returned(call, parameter) => self.returned(call, parameter)?,
+            OpKind::Builtin(function, operands) => {
+                Some(self.builtin(id, function, form.operands(operands))?)
+            }
+            _ => Some(self.computed(id, ty)?),
+        };
+        self.keep(id, value);
+        Ok(())
+    }
+
+    fn computed(&mut self, id: OpId, ty: Type) -> Res<Value> {
+        let form = self.lowerer.form;
+        Ok(match form.op(id).kind {
+            OpKind::Const(_) => return self.known(id),
+            OpKind::Load(place) => return self.read(place),
+            OpKind::Unary(op, inner) => return self.unary(op, inner),
+            OpKind::Binary(op, left, right) => return self.binary(op, left, right),
+            OpKind::MatrixProduct(left, right) => {
+                let (left, right) = (self.value(left)?, self.value(right)?);
+                self.op(Op::Multiply, left, right)
+            }
+            OpKind::Same {
+                negated,
+                left,
+                right,
+            } => {
+                let of = form.ty(left);
+                let (left, right) = (self.value(left)?, self.value(right)?);
+                match (negated, of.is_scalar()) {
+                    (true, true) => self.op(Op::NotEqual, left, right),
+                    (true, false) => {
+                        let expr = self.equal(left, right, of)?;
+                        let op = UnaryOperator::LogicalNot;
+                        self.add(Expression::Unary { op, expr })
+                    }
+                    (false, _) => self.equal(left, right, of)?,
+                }
+            }
+            OpKind::Select {
+                condition,
+                then,
+                otherwise,
+            } => {
+                let condition = self.value(condition)?;
+                let (accept, reject) = (self.value(then)?, self.value(otherwise)?);
+                return self.chosen(condition, accept, reject, ty);
+            }
+            OpKind::Convert(inner) => {
+                let value = self.value(inner)?;
+                match ty.scalar_kind() {
+                    Some(to) if form.scalar(inner) != Some(to) => self.convert(value, to),
+                    _ => value,
+                }
+            }
+            OpKind::Swizzle(inner, lanes) => {
+                let value = self.value(inner)?;
+                self.swizzle(value, lanes)
+            }
+            OpKind::Compose(operands) => {
+                let operands = form.operands(operands).iter();
+                let parts: Res<Vec<Value>> = operands.map(|part| self.value(*part)).collect();
+                return self.compose(ty, parts?);
+            }
+            OpKind::Extract(base, index) => {
+                let base = self.value(base)?;
+                self.part(base, index)
+            }
+            OpKind::ExtractComputed { base, index } => return self.element(base, index),
+            _ => return self.lowerer.refuse("this has no value"),
+        })
+    }
+
+    /// The value of an operation.
+    pub(super) fn value(&mut self, id: OpId) -> Res<Value> {
+        if let Some(value) = self.lowerer.given(id).value {
+            return Ok(value);
+        }
+        let form = self.lowerer.form;
+        let ty = form.ty(id);
+        match form.op(id).kind {
+            OpKind::Undef => self.zero(ty),
+            OpKind::Splat(number) => {
+                let number = self.value(number)?;
+                if !ty.is_matrix() {
+                    return Ok(self.splat(number, ty));
+                }
+                let columns = parts(self.lowerer, ty).into_iter();
+                let columns = columns.map(|column| self.splat(number, column)).collect();
+                self.compose(ty, columns)
+            }
+            _ if ty.is_sampler() => self.lowerer.refuse("a sampler is no value here"),
+            _ => self.lowerer.refuse("this has no value"),
+        }
+    }
+
+    /// Keeps the value of an operation. Every so often one that is made of others gets a name, so
+    /// that no writer and no compiler of what it writes has to nest deep.
+    fn keep(&mut self, id: OpId, value: Option<Value>) {
+        const MAX_DEPTH: u32 = 60;
+        let form = self.lowerer.form;
+        let mut depth = 0;
+        form.each_operand(id, |inner| {
+            depth = depth.max(self.lowerer.given(inner).depth + 1);
+        });
+        if matches!(form.op(id).kind, OpKind::Load(_) | OpKind::Call(..)) {
+            depth = 0;
+        } else if let Some(value) = value.filter(|_| depth > MAX_DEPTH) {
+            self.name(value, "part");
+            depth = 0;
+        }
+        self.lowerer.give(id, Given { value, depth });
+    }
+
+    /// Calls a value by a name, unless it has one or is written out wherever it is used.
+    pub(super) fn name(&mut self, value: Value, name: &str) {
+        let is_free = self.function.expressions[value].needs_pre_emit();
+        let names = &mut self.function.named_expressions;
+        if !is_free && !names.contains_key(&value) {
+            names.insert(value, name.to_string());
+        }
+    }
+
+    /// A value known before the shader runs, by the name of the constant that it was read from.
+    fn known(&mut self, id: OpId) -> Res<Value> {
+        let form = self.lowerer.form;
+        let ty = form.ty(id);
+        if let Origin::Expr(read) = form.origin(id)
+            && let Some(variable) = self.lowerer.program.variable_of(read)
+            && let Some(constant) = self.lowerer.named(variable)?
+        {
+            return Ok(self.add(Expression::Constant(constant)));
+        }
+        self.constant(ty, &mut form.constant(id))
+    }
+
+    /// The first of some scalars, put together as a type says.
+    fn constant(&mut self, ty: Type, values: &mut &[Constant]) -> Res<Value> {
+        if ty.is_scalar() {
+            let Some((first, rest)) = values.split_first() else {
+                return self.lowerer.refuse("this value is not known");
+            };
+            *values = rest;
+            return match (literal(*first), *first) {
+                (Some(literal), _) => Ok(self.add(Expression::Literal(literal))),
+                (None, Constant::Float(value)) => self.bits(value),
+                _ => self.lowerer.refuse("this value has no literal"),
+            };
+        }
+        if let Some((first, rest)) = values.split_at_checked(ty.components() as usize)
+            && let [one, others @ ..] = first
+            && let (true, Some(scalar)) = (ty.is_vector(), ty.scalar_kind())
+            && others.iter().all(|v| v == one)
+        {
+            *values = rest;
+            let one = self.constant(Type::scalar(scalar), &mut slice::from_ref(one))?;
+            return Ok(self.splat(one, ty));
+        }
+        let parts = parts(self.lowerer, ty).into_iter();
+        let components: Res<Vec<Value>> = parts.map(|part| self.constant(part, values)).collect();
+        self.compose(ty, components?)
+    }
+
+    /// An infinity, or what is no number. Other languages refuse to compile what yields one, so it is
+    /// made out of its bits, behind a variable that their compilers do not look through.
+    fn bits(&mut self, value: f32) -> Res<Value> {
+        let bits = self.add(Expression::Literal(Literal::U32(value.to_bits())));
+        let pointer = self.spill(bits, Type::UINT)?;
+        let bits = self.load(pointer);
+        Ok(self.cast(bits, ScalarKind::Float, None))
+    }
+
+    /// An element of a value. A matrix must lie in a variable.
+    fn element(&mut self, base: OpId, index: OpId) -> Res<Value> {
+        let ty = self.lowerer.form.ty(base);
+        let (value, index) = (self.value(base)?, self.value(index)?);
+        if !ty.is_matrix() {
+            return Ok(self.add(Expression::Access { base: value, index }));
+        }
+        let base = self.spill(value, ty)?;
+        let column = self.add(Expression::Access { base, index });
+        Ok(self.load(column))
+    }
+
+    fn unary(&mut self, op: Unary, inner: OpId) -> Res<Value> {
+        let expr = self.value(inner)?;
+        let op = match op {
+            Unary::Negate => return self.negate(expr, self.lowerer.form.ty(inner)),
+            Unary::Not => UnaryOperator::LogicalNot,
+            Unary::BitNot => UnaryOperator::BitwiseNot,
+        };
+        Ok(self.add(Expression::Unary { op, expr }))
+    }
+
+    fn binary(&mut self, op: Binary, left: OpId, right: OpId) -> Res<Value> {
+        let ty = self.lowerer.form.ty(left);
+        let (l, r) = match op {
+            _ if ty.is_matrix() => return self.matrix(simple(op), left, right),
+            // Naga multiplies a vector by a number as it is.
+            Binary::Multiply if ty.scalar_kind() == Some(Scalar::Float) => {
+                match (self.spread(left), self.spread(right)) {
+                    (_, Some(number)) => (self.value(left)?, self.value(number)?),
+                    (Some(number), None) => (self.value(number)?, self.value(right)?),
+                    (None, None) => (self.value(left)?, self.value(right)?),
+                }
+            }
+            // Shifts go by unsigned numbers.
+            Binary::ShiftLeft | Binary::ShiftRight => {
+                let (l, r) = (self.value(left)?, self.value(right)?);
+                match self.lowerer.form.scalar(right) {
+                    Some(Scalar::Uint) => (l, r),
+                    _ => (l, self.convert(r, Scalar::Uint)),
+                }
+            }
+            _ => (self.value(left)?, self.value(right)?),
+        };
+        Ok(self.op(simple(op), l, r))
+    }
+
+    /// The number that every component of a value is.
+    pub(super) fn spread(&self, id: OpId) -> Option<OpId> {
+        match self.lowerer.form.op(id).kind {
+            OpKind::Splat(number) => Some(number),
+            _ => None,
+        }
+    }
+
+    /// An operator of naga.
+    pub(super) fn op(&mut self, op: Op, left: Value, right: Value) -> Value {
+        self.add(Expression::Binary { op, left, right })
+    }
+
+    /// A function of naga.
+    pub(super) fn math(&mut self, fun: MathFunction, args: &[Value]) -> Value {
+        let arg = |i: usize| args.get(i).copied();
+        match arg(0) {
+            Some(first) => self.add(Expression::Math {
+                fun,
+                arg: first,
+                arg1: arg(1),
+                arg2: arg(2),
+                arg3: arg(3),
+            }),
+            None => self.float(0.0),
+        }
+    }
+
+    /// One of two values, both of which are there.
+    pub(super) fn select(&mut self, condition: Value, accept: Value, reject: Value) -> Value {
+        self.add(Expression::Select {
+            condition,
+            accept,
+            reject,
+        })
+    }
+
+    /// One of two values of any type; naga selects numbers and vectors alone.
+    fn chosen(&mut self, condition: Value, accept: Value, reject: Value, ty: Type) -> Res<Value> {
+        if ty.is_scalar() || ty.is_vector() {
+            return Ok(self.select(condition, accept, reject));
+        }
+        let chosen = self.local(None, ty)?;
+        let mut storing = |value| {
+            self.nested(|it| {
+                it.store(chosen, value);
+                Ok(())
+            })
+        };
+        let (accept, reject) = (storing(accept)?, storing(reject)?);
+        self.push(Statement::If {
+            condition,
+            accept,
+            reject,
+        });
+        Ok(self.load(chosen))
+    }
+
+    /// A vector of equal components, for the type that is wanted.
+    pub(super) fn splat(&mut self, value: Value, ty: Type) -> Value {
+        match ty.numeric() {
+            Some((_, 1, rows @ 2..)) => self.add(Expression::Splat {
+                size: size(rows),
+                value,
+            }),
+            _ => value,
+        }
+    }
+
+    /// Whether two values of one type are equal, all parts of them.
+    fn equal(&mut self, l: Value, r: Value, ty: Type) -> Res<Value> {
+        if ty.is_scalar() {
+            return Ok(self.op(Op::Equal, l, r));
+        }
+        if ty.is_vector() {
+            let argument = self.op(Op::Equal, l, r);
+            let fun = RelationalFunction::All;
+            return Ok(self.add(Expression::Relational { fun, argument }));
+        }
+        self.check_limits()?;
+        let mut all: Option<Value> = None;
+        for (i, part) in (0..).zip(parts(self.lowerer, ty)) {
+            let (a, b) = (self.part(l, i), self.part(r, i));
+            let equal = self.equal(a, b, part)?;
+            all = Some(match all {
+                Some(before) => self.op(Op::LogicalAnd, before, equal),
+                None => equal,
+            });
+        }
+        match all {
+            Some(value) => Ok(value),
+            None => self.lowerer.refuse("these cannot be compared"),
+        }
+    }
+
+    /// `-value`
+    pub(super) fn negate(&mut self, value: Value, ty: Type) -> Res<Value> {
+        if ty.is_matrix() {
+            let minus = self.float(-1.0);
+            return Ok(self.op(Op::Multiply, value, minus));
+        }
+        // Unsigned numbers wrap around; naga only knows the sign of signed ones.
+        if ty.scalar_kind() == Some(Scalar::Uint) {
+            let zero = self.zero(ty)?;
+            return Ok(self.op(Op::Subtract, zero, value));
+        }
+        let op = UnaryOperator::Negate;
+        Ok(self.add(Expression::Unary { op, expr: value }))
+    }
+
+    /// A number or vector made of something else.
+    pub(super) fn convert(&mut self, value: Value, to: Scalar) -> Value {
+        let to = scalar(to);
+        self.cast(value, to.kind, Some(to.width))
+    }
+
+    /// Without a width the bits stay what they are.
+    pub(super) fn cast(&mut self, expr: Value, kind: ScalarKind, convert: Option<u8>) -> Value {
+        self.add(Expression::As {
+            expr,
+            kind,
+            convert,
+        })
+    }
+}
+
+/// The operator of naga that does the same to numbers and vectors.
+fn simple(op: Binary) -> Op {
+    match op {
+        Binary::Multiply => Op::Multiply,
+        Binary::Divide => Op::Divide,
+        Binary::Remainder => Op::Modulo,
+        Binary::Add => Op::Add,
+        Binary::Subtract => Op::Subtract,
+        Binary::ShiftLeft => Op::ShiftLeft,
+        Binary::ShiftRight => Op::ShiftRight,
+        Binary::Less => Op::Less,
+        Binary::Greater => Op::Greater,
+        Binary::LessEqual => Op::LessEqual,
+        Binary::GreaterEqual => Op::GreaterEqual,
+        Binary::BitAnd => Op::And,
+        Binary::BitXor => Op::ExclusiveOr,
+        Binary::BitOr => Op::InclusiveOr,
+        Binary::And => Op::LogicalAnd,
+        Binary::Or => Op::LogicalOr,
+        Binary::Xor => Op::NotEqual,
+    }
+}

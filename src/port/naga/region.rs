@@ -1,0 +1,164 @@
+//! Regions: what runs one after another, the one or the other, again and again.
+
+use super::body::Body;
+use super::types::Sink;
+use super::{Res, Value};
+use crate::ir::{Case, Label, LoopId, Region, Step, SwitchId};
+use crate::semantic::Scalar;
+use ::naga::{Block, Expression, Statement, SwitchCase, SwitchValue, UnaryOperator};
+
+impl Body<'_, '_> {
+    /// Lowers steps up to the first that nothing passes.
+    pub(super) fn region(&mut self, region: Region) -> Res<()> {
+        self.depth += 1;
+        for step in self.lowerer.form.steps(region) {
+            self.check_limits()?;
+            self.step(*step)?;
+            if self.is_terminated() {
+                break;
+            }
+        }
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn step(&mut self, step: Step) -> Res<()> {
+        match step {
+            Step::Run(run) => run.ops().try_for_each(|op| self.operation(op))?,
+            Step::If {
+                condition,
+                then,
+                otherwise,
+                ..
+            } => {
+                let condition = self.value(condition)?;
+                let accept = self.nested(|it| it.region(then))?;
+                let reject = self.nested(|it| it.region(otherwise))?;
+                self.push(Statement::If {
+                    condition,
+                    accept,
+                    reject,
+                });
+            }
+            Step::Loop(id) => self.repeat(id)?,
+            Step::Switch(id) => self.switch(id)?,
+            Step::Break(_) => self.push(Statement::Break),
+            Step::Continue(_) => self.push(Statement::Continue),
+            Step::Return(value, _) => {
+                let value = value.map(|value| self.value(value)).transpose()?;
+                self.push(Statement::Return { value });
+            }
+            Step::Discard(_) => self.push(Statement::Kill),
+        }
+        Ok(())
+    }
+
+    fn repeat(&mut self, id: LoopId) -> Res<()> {
+        let Some(looped) = self.lowerer.form.looped(id).copied() else {
+            return self.lowerer.refuse("this loop is not known");
+        };
+        let in_loop = std::mem::replace(&mut self.in_loop, true);
+        let in_switch = std::mem::replace(&mut self.in_switch, false);
+        let body = self.nested(|it| {
+            if looped.tests_first {
+                it.region(looped.test)?;
+                if let Some(condition) = looped.condition {
+                    let holds = it.value(condition)?;
+                    it.leave_unless(holds)?;
+                }
+            }
+            it.region(looped.body)
+        })?;
+        let mut break_if = None;
+        let continuing = self.nested(|it| {
+            it.region(looped.step)?;
+            if !looped.tests_first {
+                it.region(looped.test)?;
+                if let Some(condition) = looped.condition {
+                    let expr = it.value(condition)?;
+                    let op = UnaryOperator::LogicalNot;
+                    break_if = Some(it.add(Expression::Unary { op, expr }));
+                }
+            }
+            Ok(())
+        })?;
+        self.in_loop = in_loop;
+        self.in_switch = in_switch;
+        self.push(Statement::Loop {
+            body,
+            continuing,
+            break_if,
+        });
+        Ok(())
+    }
+
+    fn leave_unless(&mut self, condition: Value) -> Res<()> {
+        let reject = self.nested(|it| {
+            it.push(Statement::Break);
+            Ok(())
+        })?;
+        self.push(Statement::If {
+            condition,
+            accept: Block::new(),
+            reject,
+        });
+        Ok(())
+    }
+
+    /// Naga lets nothing but empty cases fall through, so what follows is written out again.
+    fn switch(&mut self, id: SwitchId) -> Res<()> {
+        let form = self.lowerer.form;
+        let Some(switch) = form.switch(id) else {
+            return self.lowerer.refuse("this `switch` is not known");
+        };
+        let selector = self.value(switch.selector)?;
+        let scalar = form.scalar(switch.selector);
+        let in_switch = std::mem::replace(&mut self.in_switch, true);
+        let written = form.cases(switch);
+        let mut cases = Vec::new();
+        for (at, case) in written.iter().enumerate() {
+            let body = self.nested(|it| it.run_on(written.get(at..).unwrap_or(&[])))?;
+            for label in form.labels(case) {
+                cases.push(SwitchCase {
+                    value: value(*label, scalar),
+                    body: Block::new(),
+                    fall_through: true,
+                });
+            }
+            if let Some(last) = cases.last_mut() {
+                last.body = body;
+                last.fall_through = false;
+            }
+        }
+        self.in_switch = in_switch;
+        if !cases.iter().any(|c| c.value == SwitchValue::Default) {
+            cases.push(SwitchCase {
+                value: SwitchValue::Default,
+                body: Block::new(),
+                fall_through: false,
+            });
+        }
+        self.push(Statement::Switch { selector, cases });
+        Ok(())
+    }
+
+    /// Lowers a case and those behind it, up to the first that nothing passes.
+    fn run_on(&mut self, cases: &[Case]) -> Res<()> {
+        for case in cases {
+            self.region(case.body)?;
+            if self.is_terminated() {
+                break;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What a case stands for, among values of a scalar.
+fn value(label: Label, scalar: Option<Scalar>) -> SwitchValue {
+    match (label, scalar) {
+        (Label::Default, _) => SwitchValue::Default,
+        (Label::Value(bits), Some(Scalar::Uint)) => SwitchValue::U32(bits),
+        (Label::Value(bits), _) => SwitchValue::I32(bits as i32),
+    }
+}
