@@ -69,6 +69,13 @@ impl Form {
     }
 }
 
+/// What stands before the first such mark, and what behind it. The texts are short: a search that
+/// starts as one through a long text does takes more time than it saves.
+fn cut(text: &str, mark: u8) -> Option<(&str, &str)> {
+    let at = text.bytes().position(|byte| byte == mark)?;
+    Some((text.get(..at)?, text.get(at + 1..)?))
+}
+
 fn type_named(word: &str) -> Option<Type> {
     match classify(word, Version::Es300) {
         WordClass::Type(word) => Some(Type::of_word(word)),
@@ -90,8 +97,8 @@ pub(super) struct Prototype {
 impl Prototype {
     /// Reads `returns name(type name, ...);`; `None` where a declaration is none of a function.
     pub fn read(line: &'static str) -> Option<Prototype> {
-        let (head, list) = line.strip_suffix(");")?.split_once('(')?;
-        let (returns, name) = head.split_once(' ')?;
+        let (head, mut list) = cut(line.strip_suffix(");")?, b'(')?;
+        let (returns, name) = cut(head, b' ')?;
         let mut prototype = Prototype {
             name,
             returns: Form::of(returns)?,
@@ -100,19 +107,24 @@ impl Prototype {
             out: 0,
             constant: 0,
         };
-        for (param, slot) in list.split(',').zip(&mut prototype.params) {
-            let (mut word, mut rest) = param.trim_start().split_once(' ')?;
+        for slot in &mut prototype.params {
+            let (param, others) = cut(list, b',').unwrap_or((list, ""));
+            let (mut word, mut rest) = cut(param, b' ')?;
             let bit = 1 << prototype.count;
             match word {
                 "out" => prototype.out |= bit,
                 "const" => prototype.constant |= bit,
                 _ => rest = "",
             }
-            if let Some((ty, _)) = rest.split_once(' ') {
+            if let Some((ty, _)) = cut(rest, b' ') {
                 word = ty;
             }
             *slot = Form::of(word)?;
             prototype.count += 1;
+            if others.is_empty() {
+                break;
+            }
+            list = others.strip_prefix(' ')?;
         }
         Some(prototype)
     }

@@ -211,6 +211,10 @@ impl<'a> Preprocessor<'a> {
     }
 
     fn run(&mut self) {
+        let codes = self.files.clone().filter_map(|&id| self.sources.code(id));
+        // Few texts have more than one token for four characters.
+        let length: usize = codes.map(|code| code.text.len()).sum();
+        self.out.tokens.reserve(length / 4);
         self.next_file();
         let mut expander = Expander::default();
         while !self.gave_up {
@@ -277,7 +281,6 @@ impl<'a> Preprocessor<'a> {
         }
         self.base = file.base;
         self.role = file.role;
-        self.out.tokens.reserve(self.text.len() / 4);
         self.has_prelude |= file.role == Role::Prelude;
         self.lexer = Lexer::new(self.text, file.base);
         self.at_line_start = true;
