@@ -33,15 +33,7 @@ pub(super) fn check(v: &Verifier<'_>, id: OpId) -> Checked {
             takes(v, ty(value), module.place(place).ty)
         }
         OpKind::Unary(unary, a) => {
-            let scalar = v.module.scalar(a);
-            holds(
-                match unary {
-                    Unary::Negate => scalar != Some(Scalar::Bool),
-                    Unary::Not => fits(ty(a), Type::BOOL),
-                    Unary::BitNot => scalar.is_none_or(Scalar::is_integer),
-                },
-                || format!("{unary:?} of {}", v.name(ty(a))),
-            )?;
+            takes_one(v, unary, a)?;
             gives(v, op.ty, ty(a))
         }
         OpKind::Binary(binary, a, b) => {
@@ -101,6 +93,18 @@ pub(super) fn check(v: &Verifier<'_>, id: OpId) -> Checked {
         OpKind::Call(callee, arguments) => call(v, op.ty, callee, arguments),
         OpKind::Returned(call, number) => returned(v, op.ty, call, number),
     }
+}
+
+/// Whether an operator with one operand works on it.
+fn takes_one(v: &Verifier<'_>, unary: Unary, operand: OpId) -> Checked {
+    let ty = v.module.ty(operand);
+    let scalar = v.module.scalar(operand);
+    let is_taken = match unary {
+        Unary::Negate => scalar != Some(Scalar::Bool),
+        Unary::Not => fits(ty, Type::BOOL),
+        Unary::BitNot => scalar.is_none_or(Scalar::is_integer),
+    };
+    holds(is_taken, || format!("{unary:?} of {}", v.name(ty)))
 }
 
 fn holds(what: bool, otherwise: impl FnOnce() -> String) -> Checked {

@@ -152,7 +152,9 @@ impl Body<'_, '_> {
             },
             Level::Gradient => {
                 let (Some(x), Some(y), false) = (more.next(), more.next(), shape.is_shadow) else {
-                    return self.lowerer.refuse("depth cannot be compared with given derivatives");
+                    return self
+                        .lowerer
+                        .refuse("depth cannot be compared with given derivatives");
                 };
                 let (x, y) = (self.value(x)?, self.value(y)?);
                 SampleLevel::Gradient { x, y }
