@@ -3,8 +3,7 @@
 use crate::diagnostic::Severity;
 use crate::lint::light::{factors, has_word, name_of, words};
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::semantic::flow::Estimate;
-use crate::semantic::{BuiltinId, FunctionRef, Program};
+use crate::semantic::{BuiltinId, FunctionRef};
 use crate::syntax::ast::*;
 use std::collections::BTreeMap;
 
@@ -85,7 +84,6 @@ fn bands(cx: &mut Context) {
 fn heights(cx: &mut Context) {
     let program = cx.program;
     let calls = cx.facts.calls();
-    let mut estimate: Option<Estimate> = None;
     for (i, expr) in program.tree.exprs.iter().enumerate() {
         let ExprKind::Binary(BinaryOp::Div, _, by) = expr.kind else {
             continue;
@@ -96,15 +94,14 @@ fn heights(cx: &mut Context) {
         let Some(function) = cx.facts.structure().function_of_expr(ExprId(i as u32)) else {
             continue;
         };
-        let estimate = estimate.get_or_insert_with(|| Estimate::new(program, calls));
-        let Some(taken) = estimate.value(by) else {
+        let Some(taken) = number(cx, by) else {
             continue;
         };
         let reached = calls.calls_by(function).find_map(|c| {
             let called = program.function(c.callee)?;
             let text = program.names.text(called.name);
             let is_height = has_word(text, &["height", "terrain", "mountain", "elevation"]);
-            let reached = is_height.then(|| highest(program, estimate, c.callee))??;
+            let reached = is_height.then(|| highest(cx, c.callee))??;
             Some((text, reached, program.expr_span(c.expr)))
         });
         let Some((called, reached, span)) = reached else {
@@ -130,7 +127,8 @@ fn is_max_height(name: &str) -> bool {
 
 /// The most that a height function gives back: the number that its noise is scaled by, or that it
 /// is cut off at.
-fn highest(program: &Program, estimate: &Estimate, function: FunctionRef) -> Option<f64> {
+fn highest(cx: &Context, function: FunctionRef) -> Option<f64> {
+    let program = cx.program;
     let decl = program
         .tree
         .function(program.function(function)?.definition?)?;
@@ -146,14 +144,19 @@ fn highest(program: &Program, estimate: &Estimate, function: FunctionRef) -> Opt
     if let (Some(BuiltinId::Clamp | BuiltinId::Min), ExprKind::Call(_, args)) =
         (program.builtin_called(value), program.tree.expr(value).kind)
     {
-        return estimate.value(*program.tree.args(args).last()?);
+        return number(cx, *program.tree.args(args).last()?);
     }
     let numbers: Vec<f64> = factors(program, value)
         .iter()
-        .filter_map(|f| estimate.value(*f))
+        .filter_map(|f| number(cx, *f))
         .collect();
     match numbers.as_slice() {
         &[one] if one > 1.0 => Some(one),
         _ => None,
     }
+}
+
+/// The one number that an expression may be.
+fn number(cx: &Context, expr: ExprId) -> Option<f64> {
+    cx.facts.range(expr).next()?.single()
 }

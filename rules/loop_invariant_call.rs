@@ -39,7 +39,7 @@ fn check(cx: &mut Context) {
         let around = facts.structure().outwards(stmt);
         let Some(looped) = around
             .filter_map(|s| facts.loops().get(s))
-            .find(|l| runs_each_turn(program, l.stmt, call.expr) && l.turns != Some(1))
+            .find(|l| runs_each_turn(program, l.stmt, call.expr) && l.bound.turns() != Some(1))
         else {
             continue;
         };
@@ -54,7 +54,8 @@ fn check(cx: &mut Context) {
         let name = program.names.text(function.name);
         let head = program.span(Extent::token(extent.first));
         let turns = looped
-            .turns
+            .bound
+            .turns()
             .map_or(String::new(), |t| format!(", {t} times"));
         cx.report_expr(
             call.expr,

@@ -32,7 +32,10 @@ fn check(cx: &mut Context) {
         return;
     }
     let program = cx.program;
-    let nests = cx.facts.work().heaviest(program, cx.facts.loops(), entry);
+    let nests = cx
+        .facts
+        .work()
+        .heaviest(program, &cx.facts.loops().turns(), entry);
     let Some(inner) = nests.last() else {
         return;
     };

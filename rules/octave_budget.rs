@@ -28,7 +28,7 @@ fn check(cx: &mut Context, stmt: StmtId) {
     let Some(looped) = cx.facts.loops().get(stmt).copied() else {
         return;
     };
-    let (Some(turns), Some(given)) = (looped.turns, looped.given) else {
+    let (Some(turns), Some(given)) = (looped.bound.turns(), looped.given) else {
         return;
     };
     let most = cx.option("octaves");

@@ -25,7 +25,8 @@ fn check(cx: &mut Context) {
     let facts = cx.facts;
     for march in facts.marches() {
         let looped = march.looped;
-        let (Some(turns), Role::Shadow, false) = (looped.turns, march.role, looped.ends_early)
+        let (Some(turns), Role::Shadow, false) =
+            (looped.bound.turns(), march.role, looped.ends_early)
         else {
             continue;
         };

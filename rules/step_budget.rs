@@ -74,7 +74,7 @@ fn check(cx: &mut Context) {
 
 /// A loop that what it finds may end: it takes as many steps as it needs, and this many at most.
 fn marched(cx: &Context, march: &March) -> Option<Marched> {
-    let steps = march.looped.turns?;
+    let steps = march.looped.bound.turns()?;
     let given = march.looped.given?;
     if !march.looped.ends_early {
         return None;

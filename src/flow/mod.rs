@@ -4,10 +4,14 @@
 pub mod defs;
 mod gradients;
 mod layout;
+mod loops;
 pub mod ranges;
 mod same;
+#[cfg(test)]
+mod sample;
 mod uniformity;
 
 pub use gradients::{Gradient, Parted, gradients};
+pub use loops::{Bound, Loop, Loops};
 pub use same::is_same;
 pub use uniformity::{Control, ControlId, Parting, PartingId, Turns, Uniformity, Varying};

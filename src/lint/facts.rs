@@ -5,10 +5,10 @@ use super::march::{March, marches};
 use super::words::{Counts, Unseen};
 use crate::flow::defs::Defs;
 use crate::flow::ranges::{Query, Range, Ranges};
-use crate::flow::{Gradient, Uniformity, gradients, is_same};
+use crate::flow::{Gradient, Loops, Uniformity, gradients, is_same};
 use crate::ir::{Module, lower};
 use crate::semantic::flow::{
-    CallGraph, Effects, Loops, Mentions, Paths, Purity, Reach, Structure, Usage, Work,
+    CallGraph, Effects, Mentions, Paths, Purity, Reach, Structure, Usage, Work,
 };
 use crate::semantic::{FunctionRef, Program, Stage};
 use crate::syntax::ast::ExprId;
@@ -90,8 +90,7 @@ impl<'a> Facts<'a> {
 
     /// The loops.
     pub fn loops(&self) -> &Loops {
-        self.loops
-            .get_or_init(|| Loops::of(self.program, self.structure(), self.calls()))
+        self.loops.get_or_init(|| Loops::of(self.ranges()))
     }
 
     /// Where variables are named.
@@ -107,8 +106,10 @@ impl<'a> Facts<'a> {
 
     /// How much the functions do.
     pub fn work(&self) -> &Work {
-        self.work
-            .get_or_init(|| Work::of(self.program, self.structure(), self.calls(), self.loops()))
+        self.work.get_or_init(|| {
+            let turns = self.loops().turns();
+            Work::of(self.program, self.structure(), self.calls(), &turns)
+        })
     }
 
     /// What differs from pixel to pixel; nothing does where nothing draws pixels.

@@ -1,6 +1,7 @@
 //! Loops that march along a ray, and the functions that they ask for the scene.
 
-use crate::semantic::flow::{CallGraph, Loop, Loops};
+use crate::flow::{Loop, Loops};
+use crate::semantic::flow::CallGraph;
 use crate::semantic::{FunctionRef, Program};
 
 /// A loop that asks the scene at each step along a ray.

@@ -19,7 +19,7 @@ mod tests;
 
 pub use interval::{End, Range, Reach};
 
-use super::defs::{Defs, Guard, each_comparison};
+use super::defs::{DefId, Defs, Guard, each_comparison};
 use super::layout::length_lane;
 use super::same::is_same;
 use crate::ir::{Binary, Module, OpId, OpKind};
@@ -88,6 +88,13 @@ impl<'x> Query<'x> {
         };
         let mut known = self.ranges.known.borrow_mut();
         // What never has a value is not looked into.
+        known.solve(self, node).unwrap_or(Range::ANY)
+    }
+
+    /// The range of a definition.
+    pub fn def(&self, def: DefId) -> Range {
+        let mut known = self.ranges.known.borrow_mut();
+        let node = Node::def(self.defs, def);
         known.solve(self, node).unwrap_or(Range::ANY)
     }
 

@@ -9,7 +9,7 @@ use crate::flow::defs::Def;
 use crate::flow::layout::{column_lanes, length_lane};
 use crate::flow::same::is_same;
 use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::semantic::builtins::Transfer;
+use crate::semantic::builtins::{MAX_PARAMS, Transfer};
 use crate::semantic::{FunctionRef, Scalar, Type, VariableId};
 use crate::syntax::ast::List;
 
@@ -304,9 +304,16 @@ impl Query<'_> {
                 Range::new(0.0, f64::INFINITY, Reach::Loose).like(&hanging?)
             }
             _ => {
-                let ranges: Vec<Option<Range>> = args.iter().map(|a| of(*a, own(*a))).collect();
-                let ranges: Option<Vec<Range>> = ranges.into_iter().collect();
-                of_function(transfer, &ranges?)
+                let mut ranges = [Range::ANY; MAX_PARAMS];
+                let mut is_made = true;
+                for (slot, arg) in ranges.iter_mut().zip(args) {
+                    match of(*arg, own(*arg)) {
+                        Some(range) => *slot = range,
+                        None => is_made = false,
+                    }
+                }
+                let known = ranges.get(..args.len()).filter(|_| is_made)?;
+                of_function(transfer, known)
             }
         })
     }
@@ -321,11 +328,10 @@ impl Query<'_> {
     ) -> Option<Range> {
         let defs = self.defs;
         let returned = defs.returns_of(function).iter();
-        let nodes = returned.filter_map(|value| Node::lane(defs, *value, lane));
-        let ranges: Vec<Option<Range>> = nodes.map(&mut *get).collect();
-        let known = match ranges.is_empty() {
-            true => Some(Range::ANY),
-            false => join(ranges.into_iter()),
+        let mut nodes = returned.filter_map(|value| Node::lane(defs, *value, lane));
+        let known = match nodes.next() {
+            Some(first) => join(std::iter::once(first).chain(nodes).map(&mut *get)),
+            None => Some(Range::ANY),
         };
         let args = self.module.operands(args).iter();
         let passed = args.filter_map(|arg| get(Node::lane(defs, *arg, 0)?));

@@ -4,6 +4,7 @@ use super::Query;
 use super::interval::Range;
 use super::node::{Node, Subject};
 use crate::flow::defs::{Def, Defs};
+use std::cell::Cell;
 
 /// Most rounds until what still moves is taken for anything.
 const MAX_ROUNDS: usize = 12;
@@ -24,6 +25,8 @@ pub(super) struct Known {
     /// By node: when the search came to it; 0 where it did not.
     numbers: Vec<u32>,
     count: u32,
+    /// By node: the number of the node whose value it has, plus one; 0 where it was not asked for.
+    resolved: Vec<Cell<u32>>,
     /// By guard: whether it may hold, if that is known.
     met: Vec<Option<bool>>,
     search: Search,
@@ -61,8 +64,9 @@ impl Known {
         if self.slots.is_empty() {
             self.slots = vec![0; Node::count(query.defs)];
             self.numbers = vec![0; self.slots.len()];
+            self.resolved = vec![Cell::new(0); self.slots.len()];
         }
-        let root = query.resolved(root);
+        let root = self.resolved(query, root);
         if let Some(known) = self.get(root) {
             return known;
         }
@@ -70,6 +74,21 @@ impl Known {
         self.search(query, root, &mut search);
         self.search = search;
         self.get(root).flatten()
+    }
+
+    /// The node whose value a node has.
+    fn resolved(&self, query: &Query, node: Node) -> Node {
+        let Some(known) = self.resolved.get(node.0 as usize) else {
+            return node;
+        };
+        match known.get().checked_sub(1) {
+            Some(number) => Node(number),
+            None => {
+                let found = query.resolved(node);
+                known.set(found.0 + 1);
+                found
+            }
+        }
     }
 
     fn search(&mut self, query: &Query, root: Node, search: &mut Search) {
@@ -157,7 +176,7 @@ impl Known {
     ) -> Option<Frame> {
         let start = operands.len();
         let range = query.compute(node, &mut |operand| {
-            let operand = query.resolved(operand);
+            let operand = self.resolved(query, operand);
             self.get(operand).unwrap_or_else(|| {
                 operands.push(operand);
                 Some(Range::ANY)
@@ -184,7 +203,7 @@ impl Known {
 
     fn compute(&self, query: &Query, node: Node) -> Option<Range> {
         query.compute(node, &mut |operand| {
-            let operand = query.resolved(operand);
+            let operand = self.resolved(query, operand);
             self.get(operand).unwrap_or(Some(Range::ANY))
         })
     }

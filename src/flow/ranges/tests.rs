@@ -2,39 +2,13 @@
 
 use super::{Query, Ranges};
 use crate::flow::defs::Defs;
+use crate::flow::sample::checked;
 use crate::ir::lower;
-use crate::semantic::{Dialect, Extent, Pass, Stage, Unit, analyze};
 use crate::syntax::ast::{ExprKind, StmtKind};
-use crate::text::{Role, Sources};
-use std::sync::Arc;
 
 /// The range of what `float test()` returns at its last `return`.
 fn range(code: &str) -> (String, bool, bool) {
-    let mut sources = Sources::default();
-    let header = sources
-        .add(
-            "header",
-            None,
-            Role::Prelude,
-            Pass::Image.host().prelude([None; 4]),
-        )
-        .unwrap();
-    let user = sources.add("test", None, Role::User, code).unwrap();
-    let sources = Arc::new(sources);
-    let unit = Unit {
-        sources: &sources,
-        files: &[header, user],
-        stage: Stage::Fragment,
-        dialect: Dialect::ShaderToy(Pass::Image),
-        infer_channels: true,
-        extent: Extent::Whole,
-    };
-    let analysis = analyze(&unit);
-    assert!(
-        analysis.diagnostics.is_empty(),
-        "{:?}",
-        analysis.diagnostics
-    );
+    let analysis = checked(code);
     let program = &analysis.program;
     let module = lower(program);
     let defs = Defs::of(program, &module);

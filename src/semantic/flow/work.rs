@@ -1,9 +1,13 @@
 //! How much the functions of a shader do: operations, and turns of loops.
 
 use super::lists::Lists;
-use super::{CallGraph, Loops, Structure, each_inner};
+use super::{CallGraph, Structure, each_inner};
 use crate::semantic::{BuiltinId, FunctionRef, Program, Resolution};
 use crate::syntax::ast::*;
+use rustc_hash::FxHashMap;
+
+/// The loops of a shader, and how often each turns at most, where that is known.
+pub type LoopTurns = FxHashMap<StmtId, Option<u64>>;
 
 /// How often a loop is taken to turn where the text does not tell.
 const UNKNOWN_TURNS: f64 = 8.0;
@@ -35,7 +39,12 @@ pub struct Nest {
 
 impl Work {
     /// Adds up the work of a shader.
-    pub fn of(program: &Program, structure: &Structure, calls: &CallGraph, loops: &Loops) -> Work {
+    pub fn of(
+        program: &Program,
+        structure: &Structure,
+        calls: &CallGraph,
+        loops: &LoopTurns,
+    ) -> Work {
         let tree = &program.tree;
         let functions = program.functions.len();
         let mut work = Work {
@@ -111,7 +120,7 @@ impl Work {
     }
 
     /// The loops, outermost first, in which a call of a function spends most turns.
-    pub fn heaviest(&self, program: &Program, loops: &Loops, entry: FunctionRef) -> Vec<Nest> {
+    pub fn heaviest(&self, program: &Program, loops: &LoopTurns, entry: FunctionRef) -> Vec<Nest> {
         let mut nests = Vec::new();
         let body_of = |f: FunctionRef| {
             let decl = program.function(f)?.definition?;
@@ -119,10 +128,10 @@ impl Work {
         };
         let mut at = body_of(entry);
         while let Some(stmt) = at {
-            if let Some(found) = loops.get(stmt) {
+            if let Some(turns) = loops.get(&stmt) {
                 nests.push(Nest {
                     stmt,
-                    turns: found.turns.unwrap_or(1),
+                    turns: turns.unwrap_or(1),
                 });
             }
             let mut inner: Option<(f64, StmtId)> = None;
@@ -147,7 +156,7 @@ impl Work {
     }
 
     /// Finishes a statement whose calls have been counted and whose inner statements are finished.
-    fn close(&mut self, tree: &Tree, loops: &Loops, id: StmtId) {
+    fn close(&mut self, tree: &Tree, loops: &LoopTurns, id: StmtId) {
         let stmt = tree.stmt(id);
         let mut inside = 0.0;
         if let StmtKind::If {
@@ -163,8 +172,8 @@ impl Work {
             return;
         };
         *slot += inside;
-        if let Some(found) = loops.get(id) {
-            *slot = slot.max(1.0) * found.turns.unwrap_or(1) as f64;
+        if let Some(turns) = loops.get(&id) {
+            *slot = slot.max(1.0) * turns.unwrap_or(1) as f64;
         }
     }
 
@@ -188,14 +197,13 @@ fn add(all: &mut [f64], at: u32, value: f64) {
 }
 
 /// How often each statement runs in one call of its function.
-fn often(tree: &Tree, loops: &Loops) -> Vec<f64> {
+fn often(tree: &Tree, loops: &LoopTurns) -> Vec<f64> {
     let mut often = vec![1.0; tree.stmts.len()];
     // Parents stand behind their children, so the way down is the way back.
     for (i, stmt) in tree.stmts.iter().enumerate().rev() {
         let own = often.get(i).copied().unwrap_or(1.0);
-        let turns = loops
-            .get(StmtId(i as u32))
-            .map_or(1.0, |l| l.turns.map_or(UNKNOWN_TURNS, |t| t as f64));
+        let turns = loops.get(&StmtId(i as u32));
+        let turns = turns.map_or(1.0, |t| t.map_or(UNKNOWN_TURNS, |t| t as f64));
         let inside = f64::min(own * turns, 1e15);
         each_inner(tree, stmt, |s| {
             if let Some(slot) = often.get_mut(s.0 as usize) {

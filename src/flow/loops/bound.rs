@@ -1,0 +1,276 @@
+//! What ends a loop for certain, and after how many turns.
+
+use super::pace::{Pace, Tracer, is_still};
+use super::{Bound, Found, Loop};
+use crate::flow::defs::{Def, DefId, each_comparison};
+use crate::flow::ranges::Query;
+use crate::ir::{Binary, OpId, OpKind, Origin, Root};
+use crate::semantic::builtins::Transfer;
+use crate::syntax::ast::ExprId;
+
+/// How far a limit is followed from parameters to arguments.
+const MAX_CALLS: u32 = 24;
+
+/// How the counter of a loop that goes on is related to a limit.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Relation {
+    Below { or_equal: bool },
+    Above { or_equal: bool },
+    Not,
+}
+
+impl Relation {
+    const fn turned(self) -> Relation {
+        match self {
+            Relation::Below { or_equal } => Relation::Above { or_equal },
+            Relation::Above { or_equal } => Relation::Below { or_equal },
+            Relation::Not => Relation::Not,
+        }
+    }
+}
+
+impl Found {
+    /// Looks for what ends the loop.
+    pub(super) fn looped(self, query: Query) -> Option<Loop> {
+        let (module, defs) = (query.module, query.defs);
+        let looped = module.looped(self.id)?;
+        let is_one = |op: OpId| match module.op(op).kind {
+            OpKind::Binary(kind, ..) => kind.compares(),
+            OpKind::Same { .. } => true,
+            _ => false,
+        };
+        let mut made = Loop {
+            stmt: looped.stmt,
+            function: self.function,
+            bound: Bound::Open,
+            counter: None,
+            limit: None,
+            given: None,
+            ends_early: self.ends_early || looped.condition.is_some_and(|c| !is_one(c)),
+        };
+        let mut comparisons = Vec::new();
+        for goes in &self.goes {
+            each_comparison(module, defs, goes.condition, goes.truth, |op, truth| {
+                comparisons.push((op, truth));
+            });
+        }
+        for (comparison, truth) in comparisons {
+            let Some((relation, left, right)) = related(query, comparison, truth) else {
+                continue;
+            };
+            self.compare(query, &mut made, relation, left, right);
+            self.compare(query, &mut made, relation.turned(), right, left);
+        }
+        if let (Bound::Exact(turns), true) = (made.bound, made.ends_early) {
+            made.bound = Bound::AtMost(turns);
+        }
+        Some(made)
+    }
+
+    /// Takes a relation over where it says more than what is known.
+    fn compare(
+        &self,
+        query: Query,
+        made: &mut Loop,
+        relation: Relation,
+        side: OpId,
+        limit: OpId,
+    ) -> Option<()> {
+        let defs = query.defs;
+        let moved = Tracer::new(query, self.id).value(side, 0)?;
+        let Def::Head {
+            slot, init, back, ..
+        } = defs.get(moved.head)
+        else {
+            return None;
+        };
+        let turn = Tracer::new(query, self.id).def(back)?;
+        let is_there = turn.head == moved.head && heads_there(relation, turn.pace);
+        if !is_there || !is_still(query, self.id, limit) {
+            return None;
+        }
+        let turns = start(query, init, turn.pace)
+            .zip(end(query, limit, relation, turn.pace))
+            .and_then(|(start, end)| turns(start, relation, end, turn.pace));
+        let is_exact = || {
+            let is_known = query.lane(limit, 0).single().is_some();
+            is_known && query.def(init).single().is_some()
+        };
+        let bound = match turns {
+            Some(turns) if is_exact() => Bound::Exact(turns),
+            Some(turns) => Bound::AtMost(turns),
+            None => Bound::Ends,
+        };
+        let is_more = match (made.bound.turns(), turns) {
+            (Some(known), Some(turns)) => turns < known,
+            (None, Some(_)) => true,
+            _ => made.bound == Bound::Open,
+        };
+        if is_more {
+            made.bound = bound;
+            made.counter = Some(defs.variable_at(slot).0);
+            made.limit = expr_of(query, limit);
+            made.given = expr_of(query, source(query, limit));
+        }
+        Some(())
+    }
+}
+
+/// What a comparison says of its sides where it is true or false.
+fn related(query: Query, comparison: OpId, truth: bool) -> Option<(Relation, OpId, OpId)> {
+    match query.module.op(comparison).kind {
+        OpKind::Binary(kind, left, right) => {
+            let relation = match (kind, truth) {
+                (Binary::Less, true) | (Binary::GreaterEqual, false) => {
+                    Relation::Below { or_equal: false }
+                }
+                (Binary::LessEqual, true) | (Binary::Greater, false) => {
+                    Relation::Below { or_equal: true }
+                }
+                (Binary::Greater, true) | (Binary::LessEqual, false) => {
+                    Relation::Above { or_equal: false }
+                }
+                (Binary::GreaterEqual, true) | (Binary::Less, false) => {
+                    Relation::Above { or_equal: true }
+                }
+                _ => return None,
+            };
+            Some((relation, left, right))
+        }
+        OpKind::Same {
+            negated,
+            left,
+            right,
+        } => (negated == truth).then_some((Relation::Not, left, right)),
+        _ => None,
+    }
+}
+
+/// Whether a counter that moves like this comes to where the relation ends.
+fn heads_there(relation: Relation, pace: Pace) -> bool {
+    match (relation, pace) {
+        (
+            _,
+            Pace::By {
+                lo: 0.0, hi: 0.0, ..
+            },
+        ) => false,
+        (_, Pace::By { is_still: true, .. }) if !is_known(pace) => true,
+        (Relation::Below { .. }, Pace::By { lo, .. }) => lo > 0.0,
+        (Relation::Above { .. }, Pace::By { hi, .. }) => hi < 0.0,
+        (Relation::Not, Pace::By { lo, hi, .. }) => lo == hi,
+        (Relation::Below { .. }, Pace::Times(by)) => by > 1.0,
+        // Whole numbers that are shifted come to zero.
+        (Relation::Above { .. } | Relation::Not, Pace::Times(by)) => by < 1.0,
+    }
+}
+
+/// Whether it is one number that is added.
+fn is_known(pace: Pace) -> bool {
+    matches!(pace, Pace::By { lo, hi, .. } if lo == hi)
+}
+
+/// The first value of a counter, so that it turns most often.
+fn start(query: Query, init: DefId, pace: Pace) -> Option<f64> {
+    let (module, defs) = (query.module, query.defs);
+    let range = query.def(init);
+    if let Some(value) = range.single() {
+        return Some(value);
+    }
+    if let Def::Stored { value, .. } = defs.get(defs.unrefined(init)) {
+        match module.op(value).kind {
+            // The browser starts every variable at zero.
+            OpKind::Undef => return Some(0.0),
+            // `min(frame, 0)` is zero: the other operand is there to keep the compiler from
+            // unrolling.
+            OpKind::Builtin(function, list) if matches!(function.transfer(), Transfer::Minimum) => {
+                let mut args = module.operands(list).iter();
+                return args.find_map(|arg| query.lane(*arg, 0).single());
+            }
+            _ => {}
+        }
+    }
+    let worst = match is_rising(pace) {
+        true => range.lo.value,
+        false => range.hi.value,
+    };
+    worst.is_finite().then_some(worst)
+}
+
+/// The limit that is reached last.
+fn end(query: Query, limit: OpId, relation: Relation, pace: Pace) -> Option<f64> {
+    let range = query.lane(limit, 0);
+    if relation == Relation::Not {
+        return range.single();
+    }
+    let worst = match is_rising(pace) {
+        true => range.hi.value,
+        false => range.lo.value,
+    };
+    worst.is_finite().then_some(worst)
+}
+
+fn is_rising(pace: Pace) -> bool {
+    match pace {
+        Pace::By { lo, .. } => lo > 0.0,
+        Pace::Times(by) => by > 1.0,
+    }
+}
+
+/// How often a counter from `start` passes a relation to `end`.
+fn turns(start: f64, relation: Relation, end: f64, pace: Pace) -> Option<u64> {
+    let way = match pace {
+        Pace::By { lo, hi, .. } if lo == hi => (end - start) / lo,
+        Pace::Times(by) if start > 0.0 && end > 0.0 => (end / start).ln() / by.ln(),
+        Pace::By { .. } | Pace::Times(_) => return None,
+    };
+    let count = match relation {
+        Relation::Below { or_equal: false } | Relation::Above { or_equal: false } => way.ceil(),
+        Relation::Below { or_equal: true } | Relation::Above { or_equal: true } => {
+            way.floor() + 1.0
+        }
+        Relation::Not if way >= 0.0 => way.ceil(),
+        Relation::Not => return None,
+    };
+    Some(count.max(0.0) as u64)
+}
+
+fn expr_of(query: Query, op: OpId) -> Option<ExprId> {
+    match query.module.origin(op) {
+        Origin::Expr(expr) => Some(expr),
+        _ => None,
+    }
+}
+
+/// Where the value of an operation is given: the argument of the call that gives the largest, where
+/// it is a parameter, and itself otherwise.
+fn source(query: Query, op: OpId) -> OpId {
+    let mut at = op;
+    for _ in 0..MAX_CALLS {
+        let Some(argument) = largest_argument(query, at) else {
+            break;
+        };
+        at = argument;
+    }
+    at
+}
+
+fn largest_argument(query: Query, op: OpId) -> Option<OpId> {
+    let (module, defs) = (query.module, query.defs);
+    let OpKind::Load(place) = module.op(op).kind else {
+        return None;
+    };
+    let variable = module.variable(module.place(place).variable)?;
+    if variable.root != Root::Parameter {
+        return None;
+    }
+    let Def::Entry(slot) = defs.get(defs.unrefined(defs.seen(op, 0))) else {
+        return None;
+    };
+    let passed = defs.passed(module, slot)?;
+    let all = passed
+        .args()
+        .map(|arg| (query.lane(arg, passed.lane).hi.value, arg));
+    let largest = all.reduce(|most, next| if next.0 > most.0 { next } else { most });
+    largest.map(|(_, arg)| arg)
+}

@@ -1,0 +1,268 @@
+//! How a counter moves: what a turn of a loop makes of the value that it began with.
+
+use crate::flow::defs::{Def, DefId};
+use crate::flow::ranges::{Query, Range};
+use crate::ir::{Binary, LoopId, OpId, OpKind, Root};
+
+/// How many steps back are looked at.
+const BUDGET: u32 = 64;
+
+/// How a value follows from what it was when a turn began.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Pace {
+    /// Something between two numbers is added; whether that is the same at each turn.
+    By { lo: f64, hi: f64, is_still: bool },
+    /// It is multiplied.
+    Times(f64),
+}
+
+/// A value that comes from the head of a loop.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Moved {
+    /// The head.
+    pub head: DefId,
+    /// How far it is from it.
+    pub pace: Pace,
+}
+
+impl Pace {
+    const NONE: Pace = Pace::By {
+        lo: 0.0,
+        hi: 0.0,
+        is_still: true,
+    };
+
+    fn then(self, next: Pace) -> Option<Pace> {
+        match (self, next) {
+            (same, Pace::NONE) | (Pace::NONE, same) => Some(same),
+            (
+                Pace::By { lo, hi, is_still },
+                Pace::By {
+                    lo: a,
+                    hi: b,
+                    is_still: other,
+                },
+            ) => Some(Pace::By {
+                lo: lo + a,
+                hi: hi + b,
+                is_still: is_still && other,
+            }),
+            _ => None,
+        }
+    }
+
+    fn or(self, other: Pace) -> Option<Pace> {
+        match (self, other) {
+            (a, b) if a == b => Some(a),
+            (Pace::By { lo, hi, .. }, Pace::By { lo: a, hi: b, .. }) => Some(Pace::By {
+                lo: lo.min(a),
+                hi: hi.max(b),
+                is_still: false,
+            }),
+            _ => None,
+        }
+    }
+}
+
+/// Follows values back to the head of a loop.
+pub(super) struct Tracer<'x> {
+    pub query: Query<'x>,
+    pub looped: LoopId,
+    left: u32,
+}
+
+impl<'x> Tracer<'x> {
+    pub(super) fn new(query: Query<'x>, looped: LoopId) -> Tracer<'x> {
+        Tracer {
+            query,
+            looped,
+            left: BUDGET,
+        }
+    }
+
+    /// What a value is, as something that a turn began with and has moved.
+    pub(super) fn value(&mut self, op: OpId, lane: u32) -> Option<Moved> {
+        self.left = self.left.checked_sub(1)?;
+        let (module, defs) = (self.query.module, self.query.defs);
+        match module.op(op).kind {
+            OpKind::Load(_) => self.def(defs.seen(op, lane)),
+            OpKind::Convert(a) => self.value(a, lane),
+            OpKind::Select {
+                then, otherwise, ..
+            } => {
+                let (a, b) = (self.value(then, lane)?, self.value(otherwise, lane)?);
+                a.or(b)
+            }
+            OpKind::Binary(kind, a, b) => self.binary(kind, a, b, lane),
+            _ => {
+                let (op, lane) = defs.part_of(module, op, lane)?;
+                self.value(op, lane)
+            }
+        }
+    }
+
+    fn binary(&mut self, kind: Binary, a: OpId, b: OpId, lane: u32) -> Option<Moved> {
+        let factor = |op| slowest(self.query.lane(op, lane));
+        let times = match kind {
+            Binary::Add => return self.sum(a, b, lane),
+            Binary::Subtract => {
+                let moved = self.value(a, lane)?;
+                let by = self.by(b, lane, -1.0);
+                return moved.then(by);
+            }
+            Binary::Multiply => match factor(b) {
+                Some(by) => by,
+                None => {
+                    let by = factor(a)?;
+                    return self.value(b, lane)?.then(Pace::Times(by));
+                }
+            },
+            Binary::Divide => 1.0 / factor(b)?,
+            Binary::ShiftLeft => factor(b)?.exp2(),
+            Binary::ShiftRight => (-factor(b)?).exp2(),
+            _ => return None,
+        };
+        self.value(a, lane)?.then(Pace::Times(times))
+    }
+
+    fn sum(&mut self, a: OpId, b: OpId, lane: u32) -> Option<Moved> {
+        let (left, right) = (self.value(a, lane), self.value(b, lane));
+        match (left, right) {
+            // `i += i`
+            (Some(x), Some(y)) if x == y && x.pace == Pace::NONE => x.then(Pace::Times(2.0)),
+            (Some(moved), None) => moved.then(self.by(b, lane, 1.0)),
+            (None, Some(moved)) => moved.then(self.by(a, lane, 1.0)),
+            _ => None,
+        }
+    }
+
+    fn by(&mut self, op: OpId, lane: u32, sign: f64) -> Pace {
+        let range = self.query.lane(op, lane);
+        let (lo, hi) = (range.lo.value * sign, range.hi.value * sign);
+        Pace::By {
+            lo: lo.min(hi),
+            hi: lo.max(hi),
+            is_still: is_still(self.query, self.looped, op),
+        }
+    }
+
+    /// The same of a definition.
+    pub(super) fn def(&mut self, def: DefId) -> Option<Moved> {
+        self.left = self.left.checked_sub(1)?;
+        let defs = self.query.defs;
+        let def = defs.unrefined(def);
+        match defs.get(def) {
+            Def::Head { of, .. } if of == self.looped => Some(Moved {
+                head: def,
+                pace: Pace::NONE,
+            }),
+            // What a loop inside moves only one way.
+            Def::Head { of, init, back, .. } if self.is_inside(def) => {
+                let moved = self.def(init)?;
+                let mut inner = Tracer {
+                    looped: of,
+                    ..Tracer::new(self.query, of)
+                };
+                inner.left = self.left / 2;
+                let turn = inner.def(back).filter(|turn| turn.head == def)?;
+                let Pace::By { lo, hi, .. } = turn.pace else {
+                    return None;
+                };
+                let any = |by: f64| if by == 0.0 { 0.0 } else { by * f64::INFINITY };
+                moved.then(Pace::By {
+                    lo: any(lo.min(0.0)),
+                    hi: any(hi.max(0.0)),
+                    is_still: false,
+                })
+            }
+            Def::Stored { value, lane } => self.value(value, lane),
+            Def::Merge { sides, .. } => {
+                let mut joined: Option<Moved> = None;
+                for side in defs.list(sides) {
+                    let moved = self.def(*side)?;
+                    joined = Some(match joined {
+                        Some(known) => known.or(moved)?,
+                        None => moved,
+                    });
+                }
+                joined
+            }
+            _ => None,
+        }
+    }
+
+    fn is_inside(&self, def: DefId) -> bool {
+        self.query.defs.made_in(self.looped).contains(&def)
+    }
+}
+
+impl Moved {
+    fn then(self, next: Pace) -> Option<Moved> {
+        let pace = self.pace.then(next)?;
+        Some(Moved { pace, ..self })
+    }
+
+    fn or(self, other: Moved) -> Option<Moved> {
+        let pace = self.pace.or(other.pace)?;
+        (self.head == other.head).then_some(Moved { pace, ..self })
+    }
+}
+
+/// The factor that moves a value least: of those above one, or of those between zero and one.
+fn slowest(range: Range) -> Option<f64> {
+    let (lo, hi) = (range.lo.value, range.hi.value);
+    match range.single() {
+        Some(one) => Some(one).filter(|v| *v > 0.0),
+        None if lo >= 1.0 => Some(lo),
+        None => Some(hi).filter(|_| lo > 0.0 && hi <= 1.0),
+    }
+}
+
+/// Whether a value is the same at each turn of a loop.
+pub(super) fn is_still(query: Query, looped: LoopId, op: OpId) -> bool {
+    let (module, defs) = (query.module, query.defs);
+    let made = defs.made_in(looped);
+    let mut todo = vec![op];
+    for _ in 0..BUDGET {
+        let Some(op) = todo.pop() else {
+            return true;
+        };
+        match module.op(op).kind {
+            OpKind::Undef | OpKind::Unknown => return false,
+            OpKind::Load(_) => {
+                let lanes = 0..defs.lanes_of(op).max(1);
+                let mut seen = lanes.map(|lane| defs.unrefined(defs.seen(op, lane)));
+                let is_own = |def: DefId| made.contains(&def) && !is_entry(query, looped, def);
+                if seen.any(is_own) {
+                    return false;
+                }
+            }
+            _ => {}
+        }
+        module.each_operand(op, |operand| todo.push(operand));
+    }
+    false
+}
+
+/// Whether a definition stands for what was there before the loop, though it was made inside.
+fn is_entry(query: Query, looped: LoopId, def: DefId) -> bool {
+    let defs = query.defs;
+    match defs.get(def) {
+        Def::Measured(parts) => {
+            let made = defs.made_in(looped);
+            let mut parts = defs.list(parts).iter().map(|part| defs.unrefined(*part));
+            parts.all(|part| !made.contains(&part) || is_entry(query, looped, part))
+        }
+        Def::Entry(slot) => {
+            let (id, _) = defs.variable_at(slot);
+            let root = query.module.variable(id).map(|v| v.root);
+            let is_local = matches!(root, Some(Root::Local | Root::Temporary));
+            let mut heads = defs.heads(looped);
+            let is_written = heads.any(
+                |head| matches!(defs.get(head), Def::Head { slot: written, .. } if written == slot),
+            );
+            !is_local && !is_written
+        }
+        _ => false,
+    }
+}

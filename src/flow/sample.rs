@@ -1,0 +1,29 @@
+//! Shaders for the tests of the analyses.
+
+use crate::semantic::{Checked, Dialect, Extent, Pass, Stage, Unit, analyze};
+use crate::text::{Role, Sources};
+use std::sync::Arc;
+
+/// A ShaderToy image pass that is checked and has no errors.
+pub(super) fn checked(code: &str) -> Checked {
+    let mut sources = Sources::default();
+    let prelude = Pass::Image.host().prelude([None; 4]);
+    let header = sources.add("header", None, Role::Prelude, prelude).unwrap();
+    let user = sources.add("test", None, Role::User, code).unwrap();
+    let sources = Arc::new(sources);
+    let unit = Unit {
+        sources: &sources,
+        files: &[header, user],
+        stage: Stage::Fragment,
+        dialect: Dialect::ShaderToy(Pass::Image),
+        infer_channels: true,
+        extent: Extent::Whole,
+    };
+    let analysis = analyze(&unit);
+    assert!(
+        analysis.diagnostics.is_empty(),
+        "{:?}",
+        analysis.diagnostics
+    );
+    analysis
+}
