@@ -3,7 +3,7 @@
 use crate::diagnostic::Severity;
 use crate::lint::light::{factors, has_word, name_of, terms};
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::semantic::flow::root;
+use crate::semantic::root;
 use crate::semantic::{BuiltinId, Program};
 use crate::syntax::ast::*;
 

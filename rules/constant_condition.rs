@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Binary, Check, Context, Group, Rule};
-use crate::semantic::flow::each_operand;
+use crate::semantic::each_operand;
 use crate::semantic::{Scalar, Value};
 use crate::syntax::ast::*;
 

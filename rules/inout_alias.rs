@@ -2,8 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::flow::swizzled;
-use crate::semantic::{Direction, FunctionRef, Resolution, Storage, VariableId};
+use crate::semantic::{Direction, FunctionRef, Resolution, Storage, VariableId, swizzled};
 use crate::syntax::ast::{ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {

@@ -2,8 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::semantic::flow::{each_operand, each_written};
-use crate::semantic::{Program, Resolution, Storage, VariableId};
+use crate::semantic::{Program, Resolution, Storage, VariableId, each_operand};
 use crate::syntax::ast::*;
 use std::collections::BTreeSet;
 
@@ -25,10 +24,10 @@ pub static RULE: Rule = Rule {
 fn check(cx: &mut Context) {
     let program = cx.program;
     let facts = cx.facts;
-    let mut writes: Option<Writes> = None;
+    let mut places: Option<Places> = None;
     for call in &program.calls {
         if facts.work().operations(call.callee) < cx.option("operations")
-            || !facts.purity().is_pure(call.callee)
+            || !facts.effects().is_pure(call.callee)
             || program.expr(call.expr).is_const
         {
             continue;
@@ -43,9 +42,9 @@ fn check(cx: &mut Context) {
         else {
             continue;
         };
-        let writes = writes.get_or_insert_with(|| Writes::of(program));
+        let places = places.get_or_insert_with(|| Places::of(cx));
         let extent = program.tree.stmt(looped.stmt).extent;
-        if !is_still(program, writes, call.expr, extent) {
+        if !is_still(cx, places, call.expr, extent) {
             continue;
         }
         let Some(function) = program.function(call.callee) else {
@@ -78,19 +77,21 @@ fn runs_each_turn(program: &Program, looped: StmtId, expr: ExprId) -> bool {
 
 /// Where variables are written to, declarations included: first tokens, in order of the variables
 /// and of the text.
-struct Writes(Vec<(VariableId, TokenId)>);
+struct Places(Vec<(VariableId, TokenId)>);
 
-impl Writes {
-    fn of(program: &Program) -> Writes {
+impl Places {
+    fn of(cx: &Context) -> Places {
+        let program = cx.program;
         let mut all = Vec::new();
         for (i, expr) in program.tree.exprs.iter().enumerate() {
             let token = expr.extent.first;
-            each_written(program, ExprId(i as u32), |v| all.push((v, token)));
+            let written = cx.facts.writes().by(ExprId(i as u32)).iter();
+            all.extend(written.map(|v| (*v, token)));
         }
         let variables = program.variables.iter().zip(0..);
         all.extend(variables.filter_map(|(v, i)| Some((VariableId(i), v.token?))));
         all.sort_unstable();
-        Writes(all)
+        Places(all)
     }
 
     fn is_written_in(&self, variable: VariableId, extent: Extent) -> bool {
@@ -101,13 +102,12 @@ impl Writes {
 }
 
 /// Whether an expression has no effects and names nothing that changes in a loop.
-fn is_still(program: &Program, writes: &Writes, expr: ExprId, extent: Extent) -> bool {
+fn is_still(cx: &Context, places: &Places, expr: ExprId, extent: Extent) -> bool {
+    let program = cx.program;
     let mut todo = vec![expr];
     let mut seen = BTreeSet::new();
     while let Some(e) = todo.pop() {
-        let mut assigns = false;
-        each_written(program, e, |_| assigns = true);
-        if assigns {
+        if !cx.facts.writes().by(e).is_empty() {
             return false;
         }
         if let Resolution::Variable(v) = program.expr(e).resolution
@@ -116,7 +116,7 @@ fn is_still(program: &Program, writes: &Writes, expr: ExprId, extent: Extent) ->
             let storage = program.variable(v).map(|v| (v.storage, v.written));
             // A function that the loop calls may write to a global variable.
             let is_shared = matches!(storage, Some((Storage::Global | Storage::Output, true)));
-            if is_shared || writes.is_written_in(v, extent) {
+            if is_shared || places.is_written_in(v, extent) {
                 return false;
             }
         }

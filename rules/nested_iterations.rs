@@ -32,10 +32,7 @@ fn check(cx: &mut Context) {
         return;
     }
     let program = cx.program;
-    let nests = cx
-        .facts
-        .work()
-        .heaviest(program, &cx.facts.loops().turns(), entry);
+    let nests = cx.facts.work().heaviest(cx.facts.module(), entry);
     let Some(inner) = nests.last() else {
         return;
     };

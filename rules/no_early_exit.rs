@@ -2,8 +2,8 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::semantic::flow::{each_inner, each_operand};
 use crate::semantic::{FunctionRef, Resolution};
+use crate::semantic::{each_inner, each_operand};
 use crate::syntax::ast::*;
 
 pub static RULE: Rule = Rule {

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Check, Context, Group, Rule, remove_statement};
 use crate::semantic::Resolution;
-use crate::semantic::flow::is_dropped;
+use crate::semantic::is_dropped;
 use crate::syntax::ast::*;
 use crate::text::Edit;
 

@@ -3,9 +3,8 @@
 use crate::diagnostic::Severity;
 use crate::lint::light::has_word;
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::semantic::Resolution;
-use crate::semantic::flow::each_written;
 use crate::semantic::tunable::range_behind;
+use crate::semantic::{Resolution, VariableId};
 use crate::syntax::ast::*;
 
 pub static RULE: Rule = Rule {
@@ -70,7 +69,7 @@ fn sums_octaves(cx: &Context, stmt: StmtId) -> bool {
         inside(program.tree.expr(c.expr)) && is_noise(name)
     });
     // Only then is it worth looking at every expression.
-    calls_noise && scales(program, &inside) >= 2
+    calls_noise && scales(cx, &inside) >= 2
 }
 
 fn is_noise(name: &str) -> bool {
@@ -83,8 +82,9 @@ fn is_noise(name: &str) -> bool {
 }
 
 /// How many variables are scaled by a number.
-fn scales(program: &crate::semantic::Program, inside: &impl Fn(&Expr) -> bool) -> usize {
-    let mut scaled = std::collections::BTreeSet::new();
+fn scales(cx: &Context, inside: &impl Fn(&Expr) -> bool) -> usize {
+    let program = cx.program;
+    let mut scaled: std::collections::BTreeSet<VariableId> = Default::default();
     for (i, expr) in program
         .tree
         .exprs
@@ -102,9 +102,7 @@ fn scales(program: &crate::semantic::Program, inside: &impl Fn(&Expr) -> bool) -
             _ => false,
         };
         if is_scaling {
-            each_written(program, ExprId(i as u32), |v| {
-                scaled.insert(v);
-            });
+            scaled.extend(cx.facts.writes().by(ExprId(i as u32)));
         }
     }
     scaled.len()

@@ -2,8 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::semantic::flow::{each_operand, each_written};
-use crate::semantic::{FunctionRef, Program};
+use crate::semantic::{FunctionRef, Program, each_expr, each_operand};
 use crate::syntax::TokenKind;
 use crate::syntax::ast::*;
 use rustc_hash::FxHashMap;
@@ -31,7 +30,7 @@ fn check(cx: &mut Context) {
     let mut first: FxHashMap<(StmtId, FunctionRef, Vec<Word>), ExprId> = FxHashMap::default();
     for call in &program.calls {
         if facts.work().operations(call.callee) < cx.option("operations")
-            || !facts.purity().is_pure(call.callee)
+            || !facts.effects().is_pure(call.callee)
         {
             continue;
         }
@@ -98,7 +97,7 @@ fn is_taken_apart(cx: &Context, stmt: StmtId) -> bool {
     let program = cx.program;
     let tree = &program.tree;
     let mut roots = Vec::new();
-    crate::semantic::flow::each_expr(tree, tree.stmt(stmt), |e| roots.push(e));
+    each_expr(tree, tree.stmt(stmt), |e| roots.push(e));
     let is_assignment = |e: ExprId| matches!(tree.expr(e).kind, ExprKind::Assign(..));
     let mut todo = Vec::new();
     for root in roots {
@@ -108,8 +107,7 @@ fn is_taken_apart(cx: &Context, stmt: StmtId) -> bool {
         }
     }
     while let Some(e) = todo.pop() {
-        let mut writes = is_assignment(e);
-        each_written(program, e, |_| writes = true);
+        let writes = is_assignment(e) || !cx.facts.writes().by(e).is_empty();
         if writes || matches!(tree.expr(e).kind, ExprKind::Ternary(..)) {
             return true;
         }

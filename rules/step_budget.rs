@@ -3,7 +3,7 @@
 use crate::diagnostic::Severity;
 use crate::lint::march::{March, Role, way};
 use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::semantic::flow::each_operand;
+use crate::semantic::each_operand;
 use crate::semantic::tunable::{Range, range_behind};
 use crate::semantic::{FunctionRef, Resolution};
 use crate::syntax::ast::ExprId;

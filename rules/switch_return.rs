@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::flow::each_inner;
+use crate::semantic::each_inner;
 use crate::syntax::ast::{Extent, StmtId, StmtKind};
 
 pub static RULE: Rule = Rule {

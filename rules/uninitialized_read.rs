@@ -1,8 +1,8 @@
 //! Variables that are read before they have a value.
 
 use crate::diagnostic::{Fix, Severity};
+use crate::flow::Unset;
 use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::flow::Unset;
 use crate::semantic::{FunctionRef, Scalar, Storage, Variable, VariableId};
 use crate::text::Edit;
 

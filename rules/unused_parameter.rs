@@ -36,12 +36,12 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let Some(param) = program.variable(id) else {
             continue;
         };
-        let usage = cx.facts.usage();
+        let writes = cx.facts.writes();
         // What an `out` parameter gets, the caller reads.
-        let is_used = usage.is_read(id)
+        let is_used = writes.is_read(id)
             || matches!(param.storage, Storage::Param(d) if d == Direction::Out)
             || (matches!(param.storage, Storage::Param(d) if d.writes())
-                && usage.writes(id).next().is_some());
+                && !writes.idle(id).is_empty());
         let own = program.names.text(param.name);
         let Some(token) = param.token else { continue };
         let is_direct = program.token(token).is_some_and(|t| t.is_direct());

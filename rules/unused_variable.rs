@@ -89,7 +89,7 @@ fn is_unused(cx: &Context, id: VariableId) -> bool {
     };
     matches!(variable.storage, Storage::Local | Storage::Global)
         && !name.starts_with('_')
-        && !cx.facts.usage().is_read(id)
+        && !cx.facts.writes().is_read(id)
         && is_direct()
         && !cx.facts.unseen().has(name)
 }
@@ -101,8 +101,8 @@ fn report(cx: &mut Context, declared: &Declared) {
     };
     let Some(token) = variable.token else { return };
     let name = program.names.text(variable.name);
-    let writes: Vec<ExprId> = cx.facts.usage().writes(declared.variable).collect();
-    let fix = removal(cx, declared, &writes)
+    let writes = cx.facts.writes().idle(declared.variable);
+    let fix = removal(cx, declared, writes)
         .map(|edits| Fix::suggestion(format!("take `{name}` out"), edits));
     let message = match writes.first() {
         None => format!("`{name}` is never used"),

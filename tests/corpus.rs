@@ -2,7 +2,8 @@
 //!
 //! `INSTA_UPDATE=always cargo test` accepts what is said now.
 
-use shaderlint::engine::{NoFiles, Options, check};
+use shaderlint::engine::{NoFiles, Options, analyze, check};
+use shaderlint::ir::{print, verify};
 use shaderlint::port::{Project, compose, glsl};
 use shaderlint::report::render;
 use std::fs;
@@ -60,6 +61,21 @@ fn what_shaderport_writes() {
             "the user's text stays as it is"
         );
         golden(&path, "port", passes[0].fragment.clone());
+    }
+}
+
+#[test]
+fn what_shaders_become() {
+    for path in templates() {
+        let text = fs::read_to_string(&path).unwrap();
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let report = analyze(name, &text, &Options::default(), &NoFiles);
+        let printed = report.analyses.iter().map(|analysis| {
+            let (program, module) = (&analysis.program, analysis.module());
+            assert_eq!(verify(program, module), []);
+            print(program, module)
+        });
+        golden(&path, "ir", printed.collect());
     }
 }
 

@@ -2,8 +2,9 @@
 
 use crate::mutate::split;
 use crate::pairs;
-use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, check, mend};
+use shaderlint::diagnostic::{Diagnostic, Severity};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, analyze, check, mend};
+use shaderlint::ir::{print, verify};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::port::{Project, compose, glsl, html};
 use shaderlint::report::{Format, Reporter};
@@ -143,6 +144,10 @@ fn errors(text: &str) -> usize {
 /// Everything up to what is printed, in every format.
 fn check_all(text: &str) {
     let Some(found) = judge(text) else { return };
+    let has_errors = |d: &Diagnostic| d.severity == Severity::Error;
+    if !found.diagnostics.iter().any(has_errors) {
+        is_well_formed(text);
+    }
     for d in &found.diagnostics {
         let file = found.sources.file_at(d.span.start);
         assert!(
@@ -164,6 +169,16 @@ fn check_all(text: &str) {
             "{format:?} has {} bytes",
             out.len()
         );
+    }
+}
+
+/// What is accepted becomes a well-formed module, which can be printed.
+fn is_well_formed(text: &str) {
+    let report = analyze("a.glsl", text, &Options::default(), &NoFiles);
+    for analysis in &report.analyses {
+        let (program, module) = (&analysis.program, analysis.module());
+        assert_eq!(verify(program, module), []);
+        print(program, module);
     }
 }
 

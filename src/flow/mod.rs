@@ -1,17 +1,27 @@
 //! What a shader does, asked of its middle form: each analysis is a short file, made once when it is
 //! asked for and never changed.
 
+mod calls;
 pub mod defs;
+mod effects;
 mod gradients;
 mod layout;
 mod loops;
+mod paths;
 pub mod ranges;
 mod same;
 #[cfg(test)]
 mod sample;
 mod uniformity;
+mod work;
+mod writes;
 
+pub use calls::{CallSite, Calls};
+pub use effects::Effects;
 pub use gradients::{Gradient, Parted, gradients};
 pub use loops::{Bound, Loop, Loops};
+pub use paths::{Findings, Paths, Unset};
 pub use same::is_same;
 pub use uniformity::{Control, ControlId, Parting, PartingId, Turns, Uniformity, Varying};
+pub use work::{Nest, Work};
+pub use writes::Writes;

@@ -7,7 +7,7 @@
 //! too little.
 
 use crate::ir::{LoopId, Module, OpId, OpKind, Origin, PlaceId, Region, Root, Run, Step};
-use crate::semantic::flow::lists::Lists;
+use crate::semantic::lists::Lists;
 use crate::semantic::{FunctionRef, VariableId};
 use crate::syntax::ast::StmtId;
 use rustc_hash::FxHashMap;

@@ -4,6 +4,8 @@
 mod form;
 mod lower;
 mod print;
+#[cfg(test)]
+mod tests;
 mod verify;
 
 pub use form::{

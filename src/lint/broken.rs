@@ -3,7 +3,7 @@
 
 use super::words::each_word;
 use crate::diagnostic::{Diagnostic, Severity, error};
-use crate::semantic::flow::CallGraph;
+use crate::semantic::CallGraph;
 use crate::semantic::{Function, FunctionRef, Program, Type};
 use crate::syntax::ast::{ExprKind, Item, StmtKind};
 use crate::syntax::{Macro, Name, TokenKind};

@@ -5,12 +5,11 @@ use super::march::{March, marches};
 use super::words::{Counts, Unseen};
 use crate::flow::defs::Defs;
 use crate::flow::ranges::{Query, Range, Ranges};
-use crate::flow::{Gradient, Loops, Uniformity, gradients, is_same};
-use crate::ir::{Module, lower};
-use crate::semantic::flow::{
-    CallGraph, Effects, Mentions, Paths, Purity, Reach, Structure, Usage, Work,
+use crate::flow::{
+    Calls, Effects, Gradient, Loops, Paths, Uniformity, Work, Writes, gradients, is_same,
 };
-use crate::semantic::{FunctionRef, Program, Stage};
+use crate::ir::{Module, lower};
+use crate::semantic::{FunctionRef, Mentions, Program, Reach, Stage, Structure};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
 use crate::text::embed::Embedder;
@@ -21,7 +20,7 @@ pub struct Facts<'a> {
     program: &'a Program,
     module: OnceCell<Module>,
     structure: OnceCell<Structure>,
-    calls: OnceCell<CallGraph>,
+    calls: OnceCell<Calls>,
     loops: OnceCell<Loops>,
     mentions: OnceCell<Mentions>,
     defs: OnceCell<Defs>,
@@ -29,8 +28,7 @@ pub struct Facts<'a> {
     paths: OnceCell<Paths>,
     entry: OnceCell<Option<FunctionRef>>,
     effects: OnceCell<Effects>,
-    purity: OnceCell<Purity>,
-    usage: OnceCell<Usage>,
+    writes: OnceCell<Writes>,
     reach: OnceCell<Reach>,
     unseen: OnceCell<Unseen<'a>>,
     counts: OnceCell<Counts<'a>>,
@@ -59,8 +57,7 @@ impl<'a> Facts<'a> {
             paths: OnceCell::new(),
             entry: OnceCell::new(),
             effects: OnceCell::new(),
-            purity: OnceCell::new(),
-            usage: OnceCell::new(),
+            writes: OnceCell::new(),
             reach: OnceCell::new(),
             unseen: OnceCell::new(),
             counts: OnceCell::new(),
@@ -84,8 +81,8 @@ impl<'a> Facts<'a> {
     }
 
     /// Who calls whom.
-    pub fn calls(&self) -> &CallGraph {
-        self.calls.get_or_init(|| CallGraph::of(self.program))
+    pub fn calls(&self) -> &Calls {
+        self.calls.get_or_init(|| Calls::of(self.module()))
     }
 
     /// The loops.
@@ -98,17 +95,18 @@ impl<'a> Facts<'a> {
         self.mentions.get_or_init(|| Mentions::of(self.program))
     }
 
-    /// Which functions give the same answer to the same arguments.
-    pub fn purity(&self) -> &Purity {
-        self.purity
-            .get_or_init(|| Purity::of(self.program, self.structure(), self.calls()))
+    /// Where variables are written to, and which are read.
+    pub fn writes(&self) -> &Writes {
+        self.writes
+            .get_or_init(|| Writes::of(self.program, self.module(), self.mentions()))
     }
 
     /// How much the functions do.
     pub fn work(&self) -> &Work {
         self.work.get_or_init(|| {
             let turns = self.loops().turns();
-            Work::of(self.program, self.structure(), self.calls(), &turns)
+            let turns = |l: &crate::ir::Loop| turns.get(&l.stmt).copied().flatten();
+            Work::of(self.module(), self.calls(), turns)
         })
     }
 
@@ -138,7 +136,7 @@ impl<'a> Facts<'a> {
     /// What has a value when, on the paths through the functions.
     pub fn paths(&self) -> &Paths {
         self.paths
-            .get_or_init(|| Paths::of(self.program, self.structure()))
+            .get_or_init(|| Paths::of(self.program, self.module(), self.mentions()))
     }
 
     /// Which write each read sees.
@@ -182,14 +180,10 @@ impl<'a> Facts<'a> {
 
     /// Which expressions and functions do more than give a value.
     pub fn effects(&self) -> &Effects {
-        self.effects
-            .get_or_init(|| Effects::of(self.program, self.structure(), self.calls()))
-    }
-
-    /// How each variable is used.
-    pub fn usage(&self) -> &Usage {
-        self.usage
-            .get_or_init(|| Usage::of(self.program, self.structure()))
+        self.effects.get_or_init(|| {
+            let (module, calls) = (self.module(), self.calls());
+            Effects::of(self.program, module, calls, self.writes())
+        })
     }
 
     /// Behind which statements nothing runs.

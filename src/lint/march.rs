@@ -1,7 +1,6 @@
 //! Loops that march along a ray, and the functions that they ask for the scene.
 
-use crate::flow::{Loop, Loops};
-use crate::semantic::flow::CallGraph;
+use crate::flow::{Calls, Loop, Loops};
 use crate::semantic::{FunctionRef, Program};
 
 /// A loop that asks the scene at each step along a ray.
@@ -39,7 +38,7 @@ impl Role {
 pub fn marches(
     program: &Program,
     loops: &Loops,
-    calls: &CallGraph,
+    calls: &Calls,
     entry: Option<FunctionRef>,
 ) -> Vec<March> {
     let Some(entry) = entry else {
@@ -69,7 +68,7 @@ fn role(program: &Program, looped: &Loop) -> Option<Role> {
 }
 
 /// The function of the shader that a loop's body calls with a place.
-fn scene(program: &Program, calls: &CallGraph, looped: &Loop) -> Option<FunctionRef> {
+fn scene(program: &Program, calls: &Calls, looped: &Loop) -> Option<FunctionRef> {
     let extent = program.tree.stmt(looped.stmt).extent;
     let called = calls.calls_by(looped.function).find(|call| {
         let expr = program.tree.expr(call.expr);
@@ -89,7 +88,7 @@ fn takes_place(program: &Program, function: FunctionRef) -> bool {
 /// the two.
 pub fn way(
     program: &Program,
-    calls: &CallGraph,
+    calls: &Calls,
     entry: FunctionRef,
     to: FunctionRef,
 ) -> Option<String> {

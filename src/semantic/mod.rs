@@ -6,26 +6,32 @@
 
 mod blame;
 pub mod builtins;
+mod calls;
 mod channels;
 mod checker;
 mod constant;
 mod dialect;
 mod explain;
-pub mod flow;
 mod fold;
 mod host;
 pub mod link;
+pub(crate) mod lists;
+mod mentions;
 mod part;
 mod program;
+mod reach;
 mod scope;
 mod settle;
 pub mod snippet;
+mod structure;
+mod target;
 pub mod tunable;
 mod types;
 mod typing;
 mod unit;
 
 pub use builtins::{BuiltinId, Stage};
+pub use calls::CallGraph;
 pub use channels::needed_channels;
 pub use checker::check;
 pub use constant::{Constant, Pool, Value};
@@ -33,10 +39,14 @@ pub use dialect::{
     Channels, Dialect, Guess, Kind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
 };
 pub use host::{EntryPoint, EntryResult, Host};
+pub use mentions::Mentions;
 pub use part::{Extent, Open};
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
     Variable, VariableId,
 };
+pub use reach::Reach;
+pub use structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
+pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type};
 pub use unit::{Checked, Unit, analyze, analyze_part};

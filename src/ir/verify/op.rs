@@ -79,16 +79,7 @@ pub(super) fn check(v: &Verifier<'_>, id: OpId) -> Checked {
                 None => Err(format!("part {number} of {}", v.name(ty(a)))),
             }
         }
-        OpKind::ExtractComputed { base, index } => {
-            holds(place::is_index(ty(index)), || {
-                format!("{} is no index", v.name(ty(index)))
-            })?;
-            match place::computed(ty(base)) {
-                Some(found) => gives(v, op.ty, found),
-                None if ty(base).is_error() => Ok(()),
-                None => Err(format!("{} has no elements", v.name(ty(base)))),
-            }
-        }
+        OpKind::ExtractComputed { base, index } => computed(v, op.ty, ty(base), ty(index)),
         OpKind::Builtin(function, arguments) => builtin(v, op.ty, function, arguments),
         OpKind::Call(callee, arguments) => call(v, op.ty, callee, arguments),
         OpKind::Returned(call, number) => returned(v, op.ty, call, number),
@@ -121,6 +112,17 @@ fn takes(v: &Verifier<'_>, found: Type, needed: Type) -> Checked {
     holds(fits(found, needed), || {
         format!("it takes {} and not {}", v.name(needed), v.name(found))
     })
+}
+
+fn computed(v: &Verifier<'_>, ty: Type, base: Type, index: Type) -> Checked {
+    holds(place::is_index(index), || {
+        format!("{} is no index", v.name(index))
+    })?;
+    match place::computed(base) {
+        Some(found) => gives(v, ty, found),
+        None if base.is_error() => Ok(()),
+        None => Err(format!("{} has no elements", v.name(base))),
+    }
 }
 
 fn scalar_of(ty: Type) -> Type {

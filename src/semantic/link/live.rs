@@ -1,7 +1,7 @@
 //! Which code is left when the browser has dropped what does nothing: functions that `main` does not
 //! reach, statements and locals whose value nobody uses, branches that never run.
 
-use crate::semantic::flow::CallGraph;
+use crate::semantic::CallGraph;
 use crate::semantic::{FunctionRef, Program, Resolution, Value};
 use crate::syntax::ast::*;
 

@@ -1,45 +1,97 @@
 //! Who calls whom.
 
-use super::lists::Lists;
-use crate::semantic::{Call, FunctionRef, Program, Resolution};
-use crate::syntax::ast::{ExprId, ExprKind};
+use crate::ir::{Module, OpId, OpKind, Origin};
+use crate::semantic::FunctionRef;
+use crate::semantic::lists::Lists;
+use crate::syntax::ast::ExprId;
+use std::collections::VecDeque;
+
+/// A call of one of the shader's functions.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct CallSite {
+    /// The function that calls; `None` at global scope.
+    pub caller: Option<FunctionRef>,
+    /// The function that is called.
+    pub callee: FunctionRef,
+    /// The call.
+    pub op: OpId,
+    /// The expression that it comes from.
+    pub expr: ExprId,
+}
 
 /// The calls of a shader's functions, by who is called and by who calls.
 #[derive(Default, Debug)]
-pub struct CallGraph {
-    calls: Vec<Call>,
-    /// Indexes of `calls`, by callee.
+pub struct Calls {
+    /// In the order of the text.
+    all: Vec<CallSite>,
+    /// Indexes of `all`, by callee.
     of: Lists<u32>,
-    /// Indexes of `calls`, by caller.
+    /// Indexes of `all`, by caller.
     by: Lists<u32>,
     functions: usize,
 }
 
-impl CallGraph {
+impl Calls {
     /// The calls in a shader.
-    pub fn of(program: &Program) -> CallGraph {
-        let count = program.functions.len();
-        let calls = || program.calls.iter().zip(0..);
-        CallGraph {
-            calls: program.calls.clone(),
-            of: Lists::of(count, calls().map(|(c, i)| (c.callee.0, i))),
-            by: Lists::of(count, calls().filter_map(|(c, i)| Some((c.caller?.0, i)))),
-            functions: count,
+    pub fn of(module: &Module) -> Calls {
+        let mut bodies: Vec<_> = (0..)
+            .map(FunctionRef)
+            .zip(&module.functions)
+            .filter(|(_, f)| f.ops.len > 0)
+            .collect();
+        bodies.sort_by_key(|(_, f)| f.ops.first);
+        let caller = |op: OpId| {
+            let next = bodies.partition_point(|(_, f)| f.ops.first <= op);
+            let (id, function) = bodies.get(next.checked_sub(1)?)?;
+            function.ops.contains(op).then_some(*id)
+        };
+        let mut all = Vec::new();
+        for (op, made) in (0..).map(OpId).zip(&module.ops) {
+            if let OpKind::Call(callee, _) = made.kind
+                && let Origin::Expr(expr) = module.origin(op)
+            {
+                all.push(CallSite {
+                    caller: caller(op),
+                    callee,
+                    op,
+                    expr,
+                });
+            }
+        }
+        let functions = module.functions.len();
+        let numbered = || all.iter().zip(0..);
+        Calls {
+            of: Lists::of(functions, numbered().map(|(c, i)| (c.callee.0, i))),
+            by: Lists::of(
+                functions,
+                numbered().filter_map(|(c, i)| Some((c.caller?.0, i))),
+            ),
+            functions,
+            all,
         }
     }
 
-    fn pick<'a>(&'a self, lists: &'a Lists<u32>, f: FunctionRef) -> impl Iterator<Item = &'a Call> {
+    /// All calls, in the order of evaluation.
+    pub fn all(&self) -> &[CallSite] {
+        &self.all
+    }
+
+    fn pick<'a>(
+        &'a self,
+        lists: &'a Lists<u32>,
+        f: FunctionRef,
+    ) -> impl Iterator<Item = &'a CallSite> {
         let list = lists.get(f.0).iter();
-        list.filter_map(|&i| self.calls.get(i as usize))
+        list.filter_map(|&i| self.all.get(i as usize))
     }
 
     /// The calls of a function.
-    pub fn calls_of(&self, callee: FunctionRef) -> impl Iterator<Item = &Call> {
+    pub fn calls_of(&self, callee: FunctionRef) -> impl Iterator<Item = &CallSite> {
         self.pick(&self.of, callee)
     }
 
     /// The calls in a function.
-    pub fn calls_by(&self, caller: FunctionRef) -> impl Iterator<Item = &Call> {
+    pub fn calls_by(&self, caller: FunctionRef) -> impl Iterator<Item = &CallSite> {
         self.pick(&self.by, caller)
     }
 
@@ -83,7 +135,7 @@ impl CallGraph {
     /// A shortest chain of functions from `entry` to `to`, both included.
     pub fn chain(&self, entry: FunctionRef, to: FunctionRef) -> Option<Vec<FunctionRef>> {
         let mut from: Vec<Option<FunctionRef>> = vec![None; self.functions];
-        let mut todo = std::collections::VecDeque::from([entry]);
+        let mut todo = VecDeque::from([entry]);
         while let Some(next) = todo.pop_front() {
             if next == to {
                 let way = std::iter::successors(Some(to), |f| {
@@ -104,13 +156,5 @@ impl CallGraph {
             }
         }
         None
-    }
-}
-
-/// The arguments of a call of one of the shader's functions.
-pub fn arguments(program: &Program, call: ExprId) -> &[ExprId] {
-    match (program.tree.expr(call).kind, program.expr(call).resolution) {
-        (ExprKind::Call(_, args), Resolution::Function(_)) => program.tree.args(args),
-        _ => &[],
     }
 }

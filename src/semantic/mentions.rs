@@ -25,12 +25,22 @@ impl Mentions {
         self.0.get(variable.0)
     }
 
-    /// Whether a variable is named among some tokens.
-    pub fn is_in(&self, program: &Program, variable: VariableId, extent: Extent) -> bool {
+    /// Where a variable is first named among some tokens.
+    pub fn first_in(
+        &self,
+        program: &Program,
+        variable: VariableId,
+        extent: Extent,
+    ) -> Option<ExprId> {
         let all = self.all(variable);
         let extent_of = |e: &ExprId| program.tree.expr(*e).extent;
         let next = all.partition_point(|e| extent_of(e).last < extent.first);
-        let next = all.get(next);
-        next.is_some_and(|e| extent_of(e).first <= extent.last)
+        let next = all.get(next).filter(|e| extent_of(e).first <= extent.last);
+        next.copied()
+    }
+
+    /// Whether a variable is named among some tokens.
+    pub fn is_in(&self, program: &Program, variable: VariableId, extent: Extent) -> bool {
+        self.first_in(program, variable, extent).is_some()
     }
 }

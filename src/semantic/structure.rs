@@ -194,3 +194,31 @@ pub fn each_expr(tree: &Tree, stmt: &Stmt, mut visit: impl FnMut(ExprId)) {
         _ => {}
     }
 }
+
+/// Whether nothing makes use of the value of an expression.
+pub fn is_dropped(program: &Program, structure: &Structure, expr: ExprId) -> bool {
+    let tree = &program.tree;
+    let mut at = expr;
+    while let Some(parent) = structure.parent(at) {
+        match tree.expr(parent).kind {
+            ExprKind::Paren(_) => at = parent,
+            ExprKind::Comma(left, _) if left == at => return true,
+            ExprKind::Comma(..) => at = parent,
+            _ => return false,
+        }
+    }
+    let Some(stmt) = structure.stmt_of(at) else {
+        return false;
+    };
+    match tree.stmt(stmt).kind {
+        StmtKind::For { step, .. } => step == Some(at),
+        StmtKind::Expr(_) => {
+            let outer = structure.outer(stmt).map(|s| tree.stmt(s).kind);
+            !matches!(outer,
+                Some(StmtKind::For { condition: Some(c), .. }) if c == stmt)
+                && !matches!(outer,
+                Some(StmtKind::While { condition, .. }) if condition == stmt)
+        }
+        _ => false,
+    }
+}

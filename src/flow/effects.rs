@@ -1,0 +1,172 @@
+//! What expressions and functions do besides giving a value.
+
+use super::{Calls, Writes};
+use crate::ir::{Module, OpId, OpKind, Origin, PlaceId, Region, Root, Step};
+use crate::semantic::{FunctionRef, Program, VariableId};
+use crate::syntax::ast::ExprId;
+
+/// What a call of a function does besides giving a value.
+#[derive(Clone, Copy, Default, Debug)]
+struct Summary {
+    /// Whether it gives values back through parameters.
+    gives_back: bool,
+    /// Whether it writes to what outlives it, or ends the shader, wherever it does so.
+    acts: bool,
+    /// Whether it touches what may hold something else at another call.
+    depends: bool,
+}
+
+/// Which expressions and functions do something that is seen elsewhere.
+#[derive(Default, Debug)]
+pub struct Effects {
+    /// By expression, its operands included.
+    exprs: Vec<bool>,
+    functions: Vec<Summary>,
+}
+
+impl Effects {
+    /// Finds the effects in a shader.
+    pub fn of(program: &Program, module: &Module, calls: &Calls, writes: &Writes) -> Effects {
+        let mut effects = Effects {
+            exprs: vec![false; program.tree.exprs.len()],
+            functions: Vec::with_capacity(module.functions.len()),
+        };
+        effects.functions = (0..module.functions.len() as u32)
+            .map(|i| summary(module, writes, FunctionRef(i)))
+            .collect();
+        for caller in calls.bottom_up() {
+            let called = calls.calls_by(caller).map(|c| effects.summary(c.callee));
+            let (acts, depends) = called.fold((false, false), |(acts, depends), callee| {
+                (
+                    acts | callee.acts,
+                    depends | callee.depends | callee.gives_back,
+                )
+            });
+            if let Some(slot) = effects.functions.get_mut(caller.0 as usize) {
+                slot.acts |= acts;
+                slot.depends |= depends;
+            }
+        }
+        for (op, made) in (0..).map(OpId).zip(&module.ops) {
+            let acts = match made.kind {
+                OpKind::Store(place, _) => !is_temporary(module, place),
+                OpKind::Call(callee, _) => effects.summary(callee).acts,
+                OpKind::Unknown => true,
+                _ => false,
+            };
+            if let (true, Origin::Expr(e)) = (acts, module.origin(op))
+                && let Some(slot) = effects.exprs.get_mut(e.0 as usize)
+            {
+                *slot = true;
+            }
+        }
+        effects.hand_up(program);
+        effects
+    }
+
+    /// An expression does what its operands do.
+    fn hand_up(&mut self, program: &Program) {
+        let tree = &program.tree;
+        for (i, expr) in tree.exprs.iter().enumerate() {
+            let mut found = false;
+            crate::semantic::each_operand(tree, expr, |child| {
+                found |= self.has(child);
+            });
+            if let Some(slot) = self.exprs.get_mut(i) {
+                *slot |= found;
+            }
+        }
+    }
+
+    /// What nobody knows may do anything.
+    fn summary(&self, function: FunctionRef) -> Summary {
+        let unknown = Summary {
+            gives_back: true,
+            acts: true,
+            depends: true,
+        };
+        let found = self.functions.get(function.0 as usize);
+        found.copied().unwrap_or(unknown)
+    }
+
+    /// Whether an expression does more than have a value.
+    pub fn has(&self, expr: ExprId) -> bool {
+        self.exprs.get(expr.0 as usize).is_none_or(|e| *e)
+    }
+
+    /// Whether a function gives the same answer to the same arguments wherever it is called, and
+    /// changes nothing.
+    pub fn is_pure(&self, function: FunctionRef) -> bool {
+        let found = self.summary(function);
+        !found.depends && !found.gives_back
+    }
+}
+
+/// What a function does by itself.
+fn summary(module: &Module, writes: &Writes, id: FunctionRef) -> Summary {
+    let mut found = Summary::default();
+    let Some((function, body)) = module.function(id).and_then(|f| Some((f, f.body?))) else {
+        return Summary {
+            gives_back: true,
+            acts: true,
+            depends: true,
+        };
+    };
+    let parameters = module.parameters(function).iter();
+    found.gives_back = parameters
+        .filter_map(|p| module.variable(*p))
+        .any(|p| matches!(p.root, Root::ParameterOut | Root::ParameterInout));
+    for op in function.ops.ops() {
+        let (place, is_store) = match module.op(op).kind {
+            OpKind::Load(place) => (place, false),
+            OpKind::Store(place, _) => (place, true),
+            _ => continue,
+        };
+        let variable = module.place(place).variable;
+        match module.variable(variable).map(|v| v.root) {
+            Some(Root::Output) => found.depends = true,
+            Some(Root::Global) if is_store || writes.changes(variable) => found.depends = true,
+            _ => continue,
+        }
+        found.acts |= is_store;
+    }
+    found.acts |= discards(module, body);
+    found
+}
+
+/// Whether a region may end the pixel.
+fn discards(module: &Module, region: Region) -> bool {
+    let mut todo = vec![region];
+    while let Some(region) = todo.pop() {
+        for step in module.steps(region) {
+            match *step {
+                Step::Discard(_) => return true,
+                Step::If {
+                    then, otherwise, ..
+                } => todo.extend([then, otherwise]),
+                Step::Loop(id) => {
+                    let parts = module.looped(id).map(|l| [l.test, l.body, l.step]);
+                    todo.extend(parts.into_iter().flatten());
+                }
+                Step::Switch(id) => {
+                    let cases = module.switch(id).map_or(&[][..], |s| module.cases(s));
+                    todo.extend(cases.iter().map(|c| c.body));
+                }
+                _ => {}
+            }
+        }
+    }
+    false
+}
+
+fn is_temporary(module: &Module, place: PlaceId) -> bool {
+    let root = module
+        .variable(module.place(place).variable)
+        .map(|v| v.root);
+    root == Some(Root::Temporary)
+}
+
+/// The variable that a place lies in, unless lowering made it.
+pub(super) fn declared(module: &Module, place: PlaceId) -> Option<VariableId> {
+    (!is_temporary(module, place)).then(|| module.place(place).variable)
+}

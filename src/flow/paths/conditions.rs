@@ -1,0 +1,237 @@
+//! Conditions that are asked more than once, and what follows from the answers.
+
+use crate::ir::{Binary, Module, OpId, OpKind, Root, Unary};
+use crate::semantic::VariableId;
+use rustc_hash::{FxHashMap, FxHasher};
+use std::hash::{Hash, Hasher};
+
+/// How deep conditions are compared.
+const MAX_DEPTH: u32 = 8;
+
+/// A condition, as the number that its operations come to, and the answer to it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Fact {
+    key: u64,
+    truth: bool,
+}
+
+impl Fact {
+    /// The other answer.
+    pub fn turned(self) -> Fact {
+        Fact {
+            truth: !self.truth,
+            ..self
+        }
+    }
+}
+
+/// Components of a variable that have a value wherever a fact holds.
+#[derive(Clone, Copy)]
+struct Consequence {
+    fact: Fact,
+    variable: VariableId,
+    mask: u8,
+}
+
+/// What is known of conditions on the way to a point.
+#[derive(Default)]
+pub(super) struct Conditions {
+    facts: Vec<Fact>,
+    consequences: Vec<Consequence>,
+    /// By load: how often its variable had been written to.
+    versions: FxHashMap<OpId, u32>,
+    /// By variable: how often it was written to so far.
+    writes: FxHashMap<VariableId, u32>,
+    /// How often something was called that may write to globals.
+    calls: u32,
+}
+
+/// A point to come back to.
+#[derive(Clone, Copy)]
+pub(super) struct Mark {
+    facts: usize,
+    consequences: usize,
+}
+
+impl Conditions {
+    /// Forgets everything.
+    pub fn clear(&mut self) {
+        *self = Conditions::default();
+    }
+
+    /// A point to come back to.
+    pub fn mark(&self) -> Mark {
+        Mark {
+            facts: self.facts.len(),
+            consequences: self.consequences.len(),
+        }
+    }
+
+    /// Forgets what was learned since a point.
+    pub fn undo(&mut self, mark: Mark) {
+        self.facts.truncate(mark.facts);
+        self.consequences.truncate(mark.consequences);
+    }
+
+    /// A variable is written to.
+    pub fn written(&mut self, variable: VariableId) {
+        *self.writes.entry(variable).or_insert(0) += 1;
+    }
+
+    /// A variable has no value any more.
+    pub fn reset(&mut self, variable: VariableId) {
+        self.written(variable);
+        for consequence in &mut self.consequences {
+            if consequence.variable == variable {
+                consequence.mask = 0;
+            }
+        }
+    }
+
+    /// A function is called.
+    pub fn called(&mut self) {
+        self.calls += 1;
+    }
+
+    /// A variable is read.
+    pub fn loaded(&mut self, module: &Module, load: OpId, variable: VariableId) {
+        let mut version = self.writes.get(&variable).copied().unwrap_or(0);
+        let root = module.variable(variable).map(|v| v.root);
+        if matches!(root, Some(Root::Global | Root::Output)) {
+            version = version.wrapping_add(self.calls << 16);
+        }
+        self.versions.insert(load, version);
+    }
+
+    /// What it means that a condition has an answer: itself, and what it is made of.
+    pub fn facts_of(&self, module: &Module, condition: OpId, truth: bool) -> Vec<Fact> {
+        let mut found = Vec::new();
+        let mut todo = vec![(condition, truth, 0)];
+        while let Some((op, truth, depth)) = todo.pop() {
+            found.extend(self.fact(module, op, truth));
+            if depth >= MAX_DEPTH {
+                continue;
+            }
+            match module.op(op).kind {
+                OpKind::Unary(Unary::Not, a) => todo.push((a, !truth, depth + 1)),
+                OpKind::Binary(Binary::And, a, b) if truth => {
+                    todo.extend([(a, true, depth + 1), (b, true, depth + 1)]);
+                }
+                OpKind::Binary(Binary::Or, a, b) if !truth => {
+                    todo.extend([(a, false, depth + 1), (b, false, depth + 1)]);
+                }
+                _ => {}
+            }
+        }
+        found
+    }
+
+    /// A condition and its answer, told apart from all others; `None` where it cannot be.
+    pub fn fact(&self, module: &Module, condition: OpId, truth: bool) -> Option<Fact> {
+        let (op, truth) = straight(module, condition, truth);
+        let key = self.number(module, op)?;
+        Some(Fact { key, truth })
+    }
+
+    /// The number that a value's operations come to; `None` where it cannot be told from others.
+    pub fn number(&self, module: &Module, op: OpId) -> Option<u64> {
+        let mut hasher = FxHasher::default();
+        self.hash(module, op, 0, &mut hasher)?;
+        Some(hasher.finish())
+    }
+
+    fn hash(&self, module: &Module, op: OpId, depth: u32, to: &mut FxHasher) -> Option<()> {
+        if depth > MAX_DEPTH {
+            return None;
+        }
+        let found = module.op(op);
+        let mut operands = Vec::new();
+        match found.kind {
+            OpKind::Const(_) => {
+                for value in module.constant(op) {
+                    format!("{value:?}").hash(to);
+                }
+            }
+            OpKind::Load(place) => {
+                let place = module.place(place);
+                place.variable.hash(to);
+                self.versions.get(&op)?.hash(to);
+                for access in module.path(place) {
+                    std::mem::discriminant(access).hash(to);
+                    match access {
+                        crate::ir::Access::Computed(index) => operands.push(*index),
+                        other => other.hash(to),
+                    }
+                }
+            }
+            OpKind::Unary(unary, _) => unary.hash(to),
+            // One way to say it, whichever way it was written.
+            OpKind::Binary(Binary::Greater | Binary::LessEqual, a, b) => {
+                Binary::Less.hash(to);
+                operands.extend([b, a]);
+            }
+            OpKind::Binary(Binary::GreaterEqual, a, b) => {
+                Binary::Less.hash(to);
+                operands.extend([a, b]);
+            }
+            OpKind::Binary(binary, ..) => binary.hash(to),
+            OpKind::Same { .. } => 1u8.hash(to),
+            OpKind::Swizzle(_, lanes) => lanes.hash(to),
+            OpKind::Extract(_, number) => number.hash(to),
+            OpKind::Convert(_) => found.ty.hash(to),
+            OpKind::Builtin(function, _) => function.hash(to),
+            _ => return None,
+        }
+        std::mem::discriminant(&found.kind).hash(to);
+        if operands.is_empty() {
+            module.each_operand(op, |o| operands.push(o));
+        }
+        operands.into_iter().try_for_each(|o| {
+            let (o, truth) = straight(module, o, true);
+            truth.hash(to);
+            self.hash(module, o, depth + 1, to)
+        })
+    }
+
+    /// From here on some facts hold.
+    pub fn learn(&mut self, facts: impl IntoIterator<Item = Fact>) {
+        self.facts.extend(facts);
+    }
+
+    /// Where a fact holds, components of a variable have a value. Gives those that have one whatever
+    /// the answer is.
+    pub fn follows(&mut self, fact: Fact, variable: VariableId, mask: u8) -> u8 {
+        let other = fact.turned();
+        let others = self.consequences.iter();
+        let others = others.filter(|c| c.variable == variable && c.fact == other);
+        let both = others.fold(0, |all, c| all | c.mask) & mask;
+        self.consequences.push(Consequence {
+            fact,
+            variable,
+            mask,
+        });
+        both
+    }
+
+    /// The components of a variable that have a value because of what holds here.
+    pub fn known(&self, variable: VariableId) -> u8 {
+        let own = self.consequences.iter();
+        let own = own.filter(|c| c.variable == variable && self.facts.contains(&c.fact));
+        own.fold(0, |all, c| all | c.mask)
+    }
+}
+
+/// A condition without what turns its answer round.
+fn straight(module: &Module, mut op: OpId, mut truth: bool) -> (OpId, bool) {
+    loop {
+        match module.op(op).kind {
+            OpKind::Unary(Unary::Not, a) => {
+                op = a;
+                truth = !truth;
+            }
+            OpKind::Binary(Binary::GreaterEqual | Binary::LessEqual, ..)
+            | OpKind::Same { negated: true, .. } => return (op, !truth),
+            _ => return (op, truth),
+        }
+    }
+}

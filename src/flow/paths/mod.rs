@@ -1,0 +1,111 @@
+//! What happens on every path through a function: which variables have a value when they are read
+//! and when the function is left, and whether its end is reached.
+//!
+//! What a loop may write counts as written behind it: whether it turns at all, and whether it finds
+//! what it looks for, is seldom written in the text. A condition that is asked again gives the same
+//! answer as before, until something that it is made of changes.
+
+mod conditions;
+mod state;
+#[cfg(test)]
+mod tests;
+mod walk;
+
+use crate::ir::{Module, OpKind, Root};
+use crate::semantic::{FunctionRef, Mentions, Program, Stage, VariableId};
+use crate::syntax::ast::Extent;
+use rustc_hash::FxHashMap;
+use walk::Walk;
+
+/// A variable without a value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Unset {
+    /// The variable.
+    pub variable: VariableId,
+    /// Where its value is missed.
+    pub at: Extent,
+    /// The components that are missing, a bit each.
+    pub missing: u8,
+    /// Whether nothing has written to them before; of an output: whether nothing ever does.
+    pub always: bool,
+    /// Whether a condition stands between the declaration and here, which may well tell whether
+    /// there is a value.
+    pub guarded: bool,
+}
+
+/// What was found in a function.
+#[derive(Clone, Default, PartialEq, Eq, Debug)]
+pub struct Findings {
+    /// Variables that are read before they are written to.
+    pub reads: Vec<Unset>,
+    /// Parameters and outputs that the function leaves without a value.
+    pub outputs: Vec<Unset>,
+    /// Whether its end may be reached.
+    pub reaches_end: bool,
+}
+
+/// What was found, by function.
+#[derive(Default, Debug)]
+pub struct Paths {
+    by_function: FxHashMap<FunctionRef, Findings>,
+}
+
+impl Paths {
+    /// Follows the paths through all functions of a shader.
+    pub fn of(program: &Program, module: &Module, mentions: &Mentions) -> Paths {
+        let main = main(program);
+        let outputs = main.map_or(Vec::new(), |main| outputs_of(program, module, main));
+        let mut walk = Walk::new(program, module, mentions);
+        let mut paths = Paths::default();
+        for id in (0..module.functions.len() as u32).map(FunctionRef) {
+            let globals = match Some(id) == main {
+                true => outputs.as_slice(),
+                false => &[],
+            };
+            if let Some(findings) = walk.function(id, globals) {
+                paths.by_function.insert(id, findings);
+            }
+        }
+        paths
+    }
+
+    /// What was found in a function.
+    pub fn get(&self, function: FunctionRef) -> Option<&Findings> {
+        self.by_function.get(&function)
+    }
+}
+
+fn main(program: &Program) -> Option<FunctionRef> {
+    let name = program.names.get("main")?;
+    let is_main = |f: &crate::semantic::Function| f.definition.is_some() && f.name == name;
+    let at = program.functions.iter().position(is_main)?;
+    Some(FunctionRef(at as u32))
+}
+
+/// The outputs of a fragment shader that `main` alone touches.
+fn outputs_of(program: &Program, module: &Module, main: FunctionRef) -> Vec<VariableId> {
+    if program.stage != Stage::Fragment {
+        return Vec::new();
+    }
+    let is_output = |v: VariableId| module.variable(v).is_some_and(|v| v.root == Root::Output);
+    let ids = (0..).map(VariableId).zip(&program.variables);
+    let mut found: Vec<VariableId> = ids
+        .filter(|(id, v)| is_output(*id) && (v.token.is_some() || v.written))
+        .map(|(id, _)| id)
+        .collect();
+    for id in (0..module.functions.len() as u32).map(FunctionRef) {
+        let Some(function) = module
+            .function(id)
+            .filter(|_| id != main && !found.is_empty())
+        else {
+            continue;
+        };
+        for op in function.ops.ops() {
+            if let OpKind::Load(place) | OpKind::Store(place, _) = module.op(op).kind {
+                let variable = module.place(place).variable;
+                found.retain(|v| *v != variable);
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,104 @@
+//! What has a value on the way to a point, and how ways come together.
+
+use crate::semantic::VariableId;
+use rustc_hash::FxHashMap;
+
+/// All components, or the whole of what has none.
+pub(super) const ALL: u8 = 0xff;
+
+/// What differs from a point of the trail on one way from there, by variable.
+pub(super) type Path = FxHashMap<u32, u8>;
+
+/// By variable: the components that have a value on every path to here.
+pub(super) struct State {
+    set: Vec<u8>,
+    /// The variables that changed, and what they were.
+    trail: Vec<(u32, u8)>,
+    /// Whether no path leads here.
+    pub dead: bool,
+}
+
+impl State {
+    /// Everything has a value.
+    pub fn new(variables: usize) -> State {
+        State {
+            set: vec![ALL; variables],
+            trail: Vec::new(),
+            dead: false,
+        }
+    }
+
+    /// The components of a variable that have a value.
+    pub fn get(&self, variable: VariableId) -> u8 {
+        self.at(variable.0)
+    }
+
+    fn at(&self, variable: u32) -> u8 {
+        self.set.get(variable as usize).copied().unwrap_or(ALL)
+    }
+
+    /// Sets which components of a variable have a value.
+    pub fn put(&mut self, variable: VariableId, value: u8) {
+        self.put_at(variable.0, value);
+    }
+
+    fn put_at(&mut self, variable: u32, value: u8) {
+        if let Some(slot) = self.set.get_mut(variable as usize)
+            && *slot != value
+        {
+            self.trail.push((variable, *slot));
+            *slot = value;
+        }
+    }
+
+    /// A point to come back to.
+    pub fn mark(&self) -> usize {
+        self.trail.len()
+    }
+
+    /// Goes back to what was known at a point.
+    pub fn undo(&mut self, mark: usize) {
+        while self.trail.len() > mark
+            && let Some((variable, old)) = self.trail.pop()
+        {
+            if let Some(slot) = self.set.get_mut(variable as usize) {
+                *slot = old;
+            }
+        }
+    }
+
+    /// The path from a point to here, if there is one.
+    pub fn path(&self, mark: usize) -> Option<Path> {
+        let since = self.trail.get(mark..).unwrap_or(&[]);
+        (!self.dead).then(|| since.iter().map(|(v, _)| (*v, self.at(*v))).collect())
+    }
+
+    /// What a variable was at a point.
+    pub fn before(&self, mark: usize, variable: u32) -> u8 {
+        let since = self.trail.get(mark..).unwrap_or(&[]);
+        let first = since.iter().find(|(v, _)| *v == variable);
+        first.map_or_else(|| self.at(variable), |(_, old)| *old)
+    }
+
+    /// Goes back to a point, and takes on the states of the paths that come from there: a variable
+    /// has a value if it has one on all of them.
+    pub fn join(&mut self, mark: usize, paths: &[Path]) {
+        self.undo(mark);
+        self.dead = paths.is_empty();
+        let Some((first, others)) = paths.split_first() else {
+            return;
+        };
+        for (&variable, &value) in first {
+            let start = self.at(variable);
+            let other = |p: &Path| p.get(&variable).copied().unwrap_or(start);
+            let all = others.iter().fold(value, |all, p| all & other(p));
+            self.put_at(variable, all);
+        }
+        // What lost its value on another path.
+        for path in others {
+            for (&variable, &value) in path.iter().filter(|(v, _)| !first.contains_key(*v)) {
+                self.put_at(variable, self.at(variable) & value);
+            }
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! What is without a value, as short sentences.
+
+use super::{Paths, Unset};
+use crate::ir::lower;
+use crate::semantic::{Dialect, Extent, Mentions, Pass, Stage, Unit, analyze};
+use crate::text::{Role, Sources};
+use std::sync::Arc;
+
+/// Compares what is found in the last function of some code: `?` where it is behind a condition.
+#[track_caller]
+fn check(code: &str, expected: &str) {
+    let mut sources = Sources::new();
+    let head = Pass::Image.host().prelude([None; 4]);
+    let head = sources.add("", None, Role::Prelude, head).unwrap();
+    let user = sources.add("a.glsl", None, Role::User, code).unwrap();
+    let sources = Arc::new(sources);
+    let analysis = analyze(&Unit {
+        sources: &sources,
+        files: &[head, user],
+        stage: Stage::Fragment,
+        dialect: Dialect::ShaderToy(Pass::Image),
+        infer_channels: true,
+        extent: Extent::Part,
+    });
+    assert_eq!(analysis.diagnostics, [], "{code}");
+    let program = &analysis.program;
+    let module = lower(program);
+    let paths = Paths::of(program, &module, &Mentions::of(program));
+    let tested = program
+        .functions
+        .iter()
+        .rposition(|f| f.definition.is_some());
+    let tested = crate::semantic::FunctionRef(tested.unwrap() as u32);
+    let found = paths.get(tested).unwrap();
+    let say = |word: &str, unset: &Unset| {
+        let name = program
+            .names
+            .text(program.variables[unset.variable.0 as usize].name);
+        let word = if unset.always { "never" } else { word };
+        let guard = if unset.guarded { "?" } else { "" };
+        format!("{name} {word}{guard}")
+    };
+    let reads = found.reads.iter().map(|u| say("read", u));
+    let outputs = found.outputs.iter().map(|u| say("left", u));
+    let end = found.reaches_end.then(|| "end".to_string());
+    let said: Vec<String> = reads.chain(outputs).chain(end).collect();
+    assert_eq!(said.join(", "), expected, "{code}");
+}
+
+#[test]
+fn what_is_read_too_early() {
+    check("float f() { float a; return a; }", "a never");
+    check(
+        "float f(float x) { float a; if (x > 0.) a = 1.; return a; }",
+        "a read",
+    );
+    check(
+        "float f() { float a; for (int i = 0; i < 4; i++) a += 1.; return a; }",
+        "a never",
+    );
+    check("float f(float x) { float a = x; return a; }", "");
+    check(
+        "void f(out float d, float c) { for (;;) { if (c > 1.) break; d += c; } }",
+        "d never?, end",
+    );
+}
+
+#[test]
+fn a_turn_before_may_have_written() {
+    check(
+        "float f(float x) { float s, l; for (int i = 0; i < 4; i++) { \
+         if (i == 0) s = 1.; else s += l; l = s; } return s; }",
+        "l read?, s read?",
+    );
+}
+
+#[test]
+fn a_condition_answers_the_same_again() {
+    check(
+        "float f(float x) { float a; if (x > 0.) a = 1.; if (!(x > 0.)) a = 2.; return a; }",
+        "",
+    );
+    check(
+        "float f(float x) { float a; if (x > 0.) a = 1.; if (x <= 0.) a = 2.; return a; }",
+        "",
+    );
+    check(
+        "float f(bool b) { float a; if (b) a = 1.; if (b) return a; return 0.; }",
+        "",
+    );
+    check(
+        "float f(float x) { float a; if (x > 0.) a = 1.; x = -x; if (x > 0.) return a; return 0.; }",
+        "a read?",
+    );
+}
+
+#[test]
+fn values_that_are_told_apart_are_all() {
+    check(
+        "float f(int i) { float a; if (i == 0) a = 1.; else if (i == 1) a = 2.; return a; }",
+        "",
+    );
+    check(
+        "float f(int i) { float a; switch (i) { case 0: a = 1.; break; case 1: a = 2.; } return a; }",
+        "",
+    );
+    check(
+        "float f(int i) { float a; if (i == 0) a = 1.; return a; }",
+        "a read",
+    );
+    check(
+        "float f(int i) { if (i == 0) return 1.; else if (i == 1) return 2.; }",
+        "end",
+    );
+}
+
+#[test]
+fn what_functions_leave_behind() {
+    check(
+        "void f(float d, out float n) { if (d > 1.) return; n = 1.; }",
+        "n left, end",
+    );
+    check(
+        "void f(float d, out float n) { if (d > 1.) return; }",
+        "n never, end",
+    );
+    check("void f(float d, out float n) { n = d; }", "end");
+    check("float f(float d) { if (d > 1.) return 1.; }", "end");
+    check(
+        "float f(float d) { while (true) { if (d > 1.) return 1.; d += 1.; } }",
+        "",
+    );
+}

@@ -1,0 +1,609 @@
+//! The walk through the regions of a function.
+
+use super::conditions::Conditions;
+use super::state::{ALL, Path, State};
+use super::{Findings, Unset};
+use crate::ir::{
+    Access, Binary, Loop, LoopId, Module, Op, OpId, OpKind, Origin, Place, PlaceId, Region, Root,
+    Run, Step, SwitchId,
+};
+use crate::semantic::{FunctionRef, Mentions, Program, VariableId};
+use crate::syntax::ast::Extent;
+use rustc_hash::FxHashMap;
+
+/// How deep regions may nest; of a function with deeper ones nothing is said.
+const MAX_DEPTH: u32 = 200;
+
+/// A loop or `switch` that is being walked.
+struct Frame {
+    /// The trail when it began.
+    mark: usize,
+    /// The first operation behind its beginning.
+    start: u32,
+    /// Its last operation, of a loop: what it writes may come from the turn before.
+    last: Option<u32>,
+    /// What differs from the beginning where `break` leaves it, on all paths so far.
+    exits: Option<Path>,
+}
+
+pub(super) struct Walk<'x> {
+    program: &'x Program,
+    module: &'x Module,
+    mentions: &'x Mentions,
+    /// By operation: whether a choice between values, both computed, may pass it over.
+    chosen: Vec<bool>,
+    state: State,
+    conditions: Conditions,
+    /// By variable: the components that were written to anywhere so far.
+    ever: FxHashMap<VariableId, u8>,
+    /// By variable: where it began to be without a value.
+    since: FxHashMap<VariableId, u32>,
+    /// Variables that must have a value when the function is left.
+    outputs: Vec<VariableId>,
+    /// All writes in the function so far.
+    writes: Vec<(VariableId, u8)>,
+    frames: Vec<Frame>,
+    /// The sides of conditions around here: where the condition stands, and the last operation.
+    branches: Vec<(u32, u32)>,
+    /// The value that the conditions around here compared with one constant each.
+    compared: Option<u64>,
+    /// The last condition behind which the function, a loop or a `switch` may have been left.
+    exit: u32,
+    /// The operation that comes next.
+    next: u32,
+    too_deep: bool,
+    findings: Findings,
+}
+
+impl<'x> Walk<'x> {
+    pub fn new(program: &'x Program, module: &'x Module, mentions: &'x Mentions) -> Walk<'x> {
+        Walk {
+            program,
+            module,
+            mentions,
+            chosen: chosen(module),
+            state: State::new(module.variables.len()),
+            conditions: Conditions::default(),
+            ever: FxHashMap::default(),
+            since: FxHashMap::default(),
+            outputs: Vec::new(),
+            writes: Vec::new(),
+            frames: Vec::new(),
+            branches: Vec::new(),
+            compared: None,
+            exit: 0,
+            next: 0,
+            too_deep: false,
+            findings: Findings::default(),
+        }
+    }
+
+    /// Follows the paths through a function that has to write to some globals.
+    pub fn function(&mut self, id: FunctionRef, globals: &[VariableId]) -> Option<Findings> {
+        let module = self.module;
+        let function = module.function(id)?;
+        let body = function.body?;
+        self.conditions.clear();
+        self.ever.clear();
+        self.since.clear();
+        self.writes.clear();
+        self.exit = 0;
+        self.next = function.ops.first.0;
+        self.too_deep = false;
+        self.state.dead = false;
+        let is_out = |v: &&VariableId| {
+            module
+                .variable(**v)
+                .is_some_and(|v| v.root == Root::ParameterOut)
+        };
+        let out = module.parameters(function).iter().filter(is_out);
+        self.outputs = globals.iter().chain(out).copied().collect();
+        for variable in self.outputs.clone() {
+            self.lose(variable, self.next);
+        }
+        self.region(body, 0);
+        self.findings.reaches_end = !self.state.dead;
+        let definition = self.program.function(id).and_then(|f| f.definition);
+        let end = definition.and_then(|d| self.program.tree.function(d));
+        self.leave(Extent::token(end.map_or(0, |d| d.extent.last)));
+        self.state.undo(0);
+        let mut findings = std::mem::take(&mut self.findings);
+        for unset in &mut findings.outputs {
+            unset.always = self.written(unset.variable) & unset.missing == 0;
+        }
+        (!self.too_deep).then_some(findings)
+    }
+
+    /// A variable is without a value from here on.
+    fn lose(&mut self, variable: VariableId, at: u32) {
+        self.state.put(variable, 0);
+        self.since.insert(variable, at);
+        self.conditions.reset(variable);
+    }
+
+    /// Whether any variable of the function was ever without a value.
+    fn is_open(&self) -> bool {
+        !self.since.is_empty()
+    }
+
+    fn written(&self, variable: VariableId) -> u8 {
+        self.ever.get(&variable).copied().unwrap_or(0)
+    }
+
+    fn region(&mut self, region: Region, depth: u32) {
+        self.too_deep |= depth > MAX_DEPTH;
+        if self.too_deep {
+            return;
+        }
+        let held = self.conditions.mark();
+        for step in self.module.steps(region) {
+            self.step(step, depth);
+        }
+        self.conditions.undo(held);
+    }
+
+    fn step(&mut self, step: &Step, depth: u32) {
+        match *step {
+            Step::Run(run) => self.run(run),
+            Step::If {
+                condition,
+                then,
+                otherwise,
+                ..
+            } => self.branch(condition, then, otherwise, depth),
+            Step::Loop(id) => self.looped(id, depth),
+            Step::Switch(id) => self.switch(id, depth),
+            Step::Break(_) => self.leave_frame(),
+            Step::Continue(_) | Step::Discard(_) => self.state.dead = true,
+            Step::Return(_, stmt) => {
+                self.leave(self.program.tree.stmt(stmt).extent);
+                self.state.dead = true;
+            }
+        }
+    }
+
+    fn run(&mut self, run: Run) {
+        self.next = run.first.0 + run.len;
+        if self.state.dead {
+            return;
+        }
+        let module = self.module;
+        for id in run.ops() {
+            match module.op(id).kind {
+                OpKind::Load(place) if self.is_open() => {
+                    let variable = module.place(place).variable;
+                    self.conditions.loaded(module, id, variable);
+                    self.read(id, place);
+                }
+                OpKind::Store(place, value) => self.store(id, place, module.op(value)),
+                OpKind::Call(..) => self.conditions.called(),
+                _ => {}
+            }
+        }
+    }
+
+    fn store(&mut self, id: OpId, place: PlaceId, value: &Op) {
+        let module = self.module;
+        let place = module.place(place);
+        let variable = place.variable;
+        let root = module.variable(variable).map(|v| v.root);
+        if value.kind == OpKind::Undef && root == Some(Root::Local) {
+            return self.lose(variable, id.0);
+        }
+        let mask = lanes(module, place).unwrap_or(ALL);
+        *self.ever.entry(variable).or_insert(0) |= mask;
+        if self.is_open() {
+            self.conditions.written(variable);
+            self.writes.push((variable, mask));
+            self.state.put(variable, self.state.get(variable) | mask);
+        }
+    }
+
+    fn known(&self, condition: OpId) -> Option<bool> {
+        self.module.constant(condition).first().map(|v| v.as_bool())
+    }
+
+    fn branch(&mut self, condition: OpId, then: Region, otherwise: Region, depth: u32) {
+        let known = self.known(condition);
+        let start = self.next;
+        let mark = self.state.mark();
+        let was_dead = self.state.dead;
+        let compared = self.compared(condition);
+        let is_next = compared.is_some() && compared == self.compared;
+        let outer = self.compared.take();
+        self.side(condition, true, then, depth);
+        let first = self.state.path(mark).filter(|_| known != Some(false));
+        self.state.undo(mark);
+        self.state.dead = was_dead;
+        self.compared = compared;
+        self.side(condition, false, otherwise, depth);
+        self.compared = outer;
+        let second = self.state.path(mark).filter(|_| known != Some(true));
+        // Two values have been told apart and nothing is left for others: there are none.
+        let is_empty = self.module.steps(otherwise).is_empty();
+        let second = second.filter(|_| !(is_next && is_empty && first.is_some()));
+        let paths: Vec<Path> = first.iter().chain(&second).cloned().collect();
+        self.state.join(mark, &paths);
+        if was_dead || !self.is_open() {
+            return;
+        }
+        match (first, second) {
+            (Some(first), Some(second)) => self.compare(condition, &first, &second),
+            (None, None) => {}
+            (first, _) => {
+                self.exit = self.exit.max(if is_next && is_empty { 0 } else { start });
+                let facts = self
+                    .conditions
+                    .facts_of(self.module, condition, first.is_some());
+                if !(is_next && is_empty) {
+                    self.conditions.learn(facts);
+                }
+            }
+        }
+    }
+
+    /// One side of a branch.
+    fn side(&mut self, condition: OpId, truth: bool, region: Region, depth: u32) {
+        let held = self.conditions.mark();
+        let start = condition.0 + 1;
+        if self.is_open() {
+            let facts = self.conditions.facts_of(self.module, condition, truth);
+            self.conditions.learn(facts);
+        }
+        self.guarded_region(region, start, depth);
+        self.conditions.undo(held);
+    }
+
+    /// A region that runs where a condition at `start` has one of its answers.
+    fn guarded_region(&mut self, region: Region, start: u32, depth: u32) {
+        let last = last_in(self.module, region).unwrap_or(start);
+        self.branches.push((start, last));
+        self.region(region, depth + 1);
+        self.branches.pop();
+    }
+
+    /// The value that a condition compares with a constant.
+    fn compared(&self, condition: OpId) -> Option<u64> {
+        let OpKind::Same {
+            negated: false,
+            left,
+            right,
+        } = self.module.op(condition).kind
+        else {
+            return None;
+        };
+        let is_constant = |op: OpId| matches!(self.module.op(op).kind, OpKind::Const(_));
+        let value = match (is_constant(left), is_constant(right)) {
+            (false, true) => left,
+            (true, false) => right,
+            _ => return None,
+        };
+        let is_bounded = !self.is_outside(value);
+        is_bounded.then(|| self.conditions.number(self.module, value))?
+    }
+
+    /// Whether a value comes from outside as it is, so that it may be any.
+    fn is_outside(&self, value: OpId) -> bool {
+        let OpKind::Load(place) = self.module.op(value).kind else {
+            return false;
+        };
+        let variable = self.module.variable(self.module.place(place).variable);
+        matches!(variable.map(|v| v.root), Some(Root::Uniform | Root::Input))
+    }
+
+    /// Keeps what the two sides of a condition tell of it: where it holds, what the one side wrote
+    /// to has a value.
+    fn compare(&mut self, condition: OpId, first: &Path, second: &Path) {
+        let Some(fact) = self.conditions.fact(self.module, condition, true) else {
+            return;
+        };
+        let mut all: Vec<u32> = first.keys().chain(second.keys()).copied().collect();
+        all.sort_unstable();
+        all.dedup();
+        for variable in all {
+            let id = VariableId(variable);
+            // Behind the join it is what it was on both sides.
+            let start = self.state.get(id);
+            let of = |path: &Path| path.get(&variable).copied().unwrap_or(start);
+            let (then, otherwise) = (of(first), of(second));
+            for (gained, fact) in [
+                (then & !otherwise, fact),
+                (otherwise & !then, fact.turned()),
+            ] {
+                if gained != 0 {
+                    let both = self.conditions.follows(fact, id, gained);
+                    self.state.put(id, self.state.get(id) | both);
+                }
+            }
+        }
+    }
+
+    fn begin(&mut self, start: u32, last: Option<u32>) -> usize {
+        let mark = self.state.mark();
+        self.frames.push(Frame {
+            mark,
+            start,
+            last,
+            exits: None,
+        });
+        mark
+    }
+
+    /// Ends a loop or `switch`, which is left by `break`, or on one more path.
+    fn end(&mut self, mark: usize, path: Option<Path>) {
+        let exits = self.frames.pop().and_then(|f| f.exits);
+        let paths: Vec<Path> = path.into_iter().chain(exits).collect();
+        self.state.join(mark, &paths);
+    }
+
+    /// What a loop wrote on some path stays written behind it.
+    fn keep(&mut self, before: usize) {
+        for i in before..self.writes.len() {
+            if let Some(&(variable, mask)) = self.writes.get(i) {
+                self.state.put(variable, self.state.get(variable) | mask);
+            }
+        }
+    }
+
+    fn looped(&mut self, id: LoopId, depth: u32) {
+        let Some(&found) = self.module.looped(id) else {
+            return;
+        };
+        let (start, last) = (self.next, last_op(self.module, &found));
+        self.turn_over(start, last);
+        let is_endless = found.condition.is_none_or(|c| self.known(c) == Some(true));
+        let before = self.writes.len();
+        if found.tests_first {
+            self.region(found.test, depth + 1);
+        }
+        let mark = self.begin(start, last);
+        let was_dead = self.state.dead;
+        self.region(found.body, depth + 1);
+        self.region(found.step, depth + 1);
+        if !found.tests_first {
+            self.region(found.test, depth + 1);
+        }
+        let path = match self.state.path(mark) {
+            // No turn comes to its end, but the loop may not turn at all.
+            None if !was_dead && found.tests_first => Some(Path::default()),
+            path => path,
+        };
+        self.end(mark, path.filter(|_| !is_endless));
+        self.keep(before);
+    }
+
+    /// What a loop writes to is another at each turn.
+    fn turn_over(&mut self, start: u32, last: Option<u32>) {
+        if !self.is_open() {
+            return;
+        }
+        for op in start..last.map_or(start, |l| l + 1) {
+            match self.module.op(OpId(op)).kind {
+                OpKind::Store(place, _) => {
+                    let variable = self.module.place(place).variable;
+                    self.conditions.written(variable);
+                }
+                OpKind::Call(..) => self.conditions.called(),
+                _ => {}
+            }
+        }
+    }
+
+    fn switch(&mut self, id: SwitchId, depth: u32) {
+        let module = self.module;
+        let Some(found) = module.switch(id) else {
+            return;
+        };
+        let start = self.next;
+        let mark = self.begin(start, None);
+        let was_dead = self.state.dead;
+        let cases = module.cases(found);
+        let mut has_default = false;
+        for case in cases {
+            has_default |= module.labels(case).contains(&crate::ir::Label::Default);
+            // A label is reached from the top too, where less has a value.
+            self.state.undo(mark);
+            self.state.dead = was_dead;
+            self.guarded_region(case.body, start, depth);
+        }
+        let path = self.state.path(mark);
+        let has_left = self.frames.last().is_some_and(|f| f.exits.is_some());
+        // Whoever tells several values apart that the shader made has all that there are.
+        let is_told =
+            cases.len() > 1 && !self.is_outside(found.selector) && (path.is_some() || has_left);
+        let path = match path {
+            _ if !has_default && !was_dead && !is_told => Some(Path::default()),
+            path => path,
+        };
+        self.end(mark, path);
+    }
+
+    /// A `break`.
+    fn leave_frame(&mut self) {
+        let Some(frame) = self.frames.last_mut() else {
+            return;
+        };
+        let Some(path) = self.state.path(frame.mark) else {
+            return;
+        };
+        self.state.dead = true;
+        let Some(exits) = &mut frame.exits else {
+            frame.exits = Some(path);
+            return;
+        };
+        let start = |v: u32| self.state.before(frame.mark, v);
+        for (&variable, value) in exits.iter_mut() {
+            *value &= path
+                .get(&variable)
+                .copied()
+                .unwrap_or_else(|| start(variable));
+        }
+        for (&variable, &value) in &path {
+            exits
+                .entry(variable)
+                .or_insert_with(|| start(variable) & value);
+        }
+    }
+
+    /// The function is left: what it must give has a value, or not.
+    fn leave(&mut self, at: Extent) {
+        if self.state.dead {
+            return;
+        }
+        for i in 0..self.outputs.len() {
+            let Some(&variable) = self.outputs.get(i) else {
+                continue;
+            };
+            let has = self.state.get(variable) | self.conditions.known(variable);
+            let missing = self.needed(variable) & !has;
+            let is_told = self.findings.outputs.iter().any(|u| u.variable == variable);
+            if missing != 0 && !is_told {
+                self.findings.outputs.push(Unset {
+                    variable,
+                    at,
+                    missing,
+                    always: false,
+                    guarded: false,
+                });
+            }
+        }
+    }
+
+    /// The components of a variable, or one bit for anything that has none.
+    fn needed(&self, variable: VariableId) -> u8 {
+        match self.module.variable(variable).map(|v| v.ty) {
+            Some(ty) if ty.is_vector() => (1 << ty.components()) - 1,
+            _ => 1,
+        }
+    }
+
+    /// A place is read.
+    fn read(&mut self, op: OpId, place: PlaceId) {
+        let place = self.module.place(place);
+        let variable = place.variable;
+        let has = self.state.get(variable);
+        if has == ALL {
+            return;
+        }
+        let needed = match self.module.path(place).first() {
+            // Which component it is, the text does not tell.
+            Some(Access::Computed(_) | Access::Element(_)) if has != 0 => 0,
+            _ => lanes(self.module, place).unwrap_or_else(|| self.needed(variable)),
+        };
+        let missing = needed & !(has | self.conditions.known(variable));
+        if missing == 0 {
+            return;
+        }
+        let since = self.since.get(&variable).copied().unwrap_or(0);
+        let is_later = self.is_written_later(variable, missing, op, since);
+        self.findings.reads.push(Unset {
+            variable,
+            at: self.named(variable, op),
+            missing,
+            always: self.written(variable) & missing == 0 && !is_later,
+            guarded: self.is_guarded(op, since),
+        });
+        // Once is enough.
+        self.state.put(variable, ALL);
+    }
+
+    /// Whether a condition stands between a point and here.
+    fn is_guarded(&self, op: OpId, since: u32) -> bool {
+        let is_chosen = self.chosen.get(op.0 as usize).copied().unwrap_or(false);
+        is_chosen || self.exit > since || self.branches.iter().any(|b| b.0 > since)
+    }
+
+    /// Whether the turn before may have written what is read here: on a way that passes the read
+    /// over, by a condition that may well tell the first turn from the others.
+    fn is_written_later(&self, variable: VariableId, missing: u8, op: OpId, since: u32) -> bool {
+        let loops = self.frames.iter().filter(|f| f.start >= since);
+        let mut loops = loops.filter_map(|f| Some((f.start, f.last?)));
+        loops.any(|(start, last)| {
+            let around = self.branches.last().filter(|b| b.0 > start);
+            let is_chosen = self.chosen.get(op.0 as usize) == Some(&true);
+            let behind = around.map(|b| b.1).or(is_chosen.then_some(op.0));
+            behind.is_some_and(|behind| {
+                (behind + 1..=last).any(|later| {
+                    let OpKind::Store(place, _) = self.module.op(OpId(later)).kind else {
+                        return false;
+                    };
+                    let place = self.module.place(place);
+                    let mask = lanes(self.module, place).unwrap_or(ALL);
+                    place.variable == variable && mask & missing != 0
+                })
+            })
+        })
+    }
+
+    /// Where the variable that is read is named.
+    fn named(&self, variable: VariableId, op: OpId) -> Extent {
+        let tree = &self.program.tree;
+        let extent = match self.module.origin(op) {
+            Origin::Expr(e) => tree.expr(e).extent,
+            Origin::Stmt(s) => tree.stmt(s).extent,
+            Origin::Declaration(token) => Extent::token(token),
+            Origin::Language => Extent::token(0),
+        };
+        let name = self.mentions.first_in(self.program, variable, extent);
+        name.map_or(extent, |e| tree.expr(e).extent)
+    }
+}
+
+/// The components that a place is, if they are known and all that is in its way.
+fn lanes(module: &Module, place: &Place) -> Option<u8> {
+    match module.path(place) {
+        [Access::Lanes(lanes)] => Some(lanes.numbers().iter().fold(0, |mask, n| mask | 1 << n)),
+        _ => None,
+    }
+}
+
+/// By operation: whether it is computed for a choice that may pass it over: `c ? a : b`, `a && b`.
+fn chosen(module: &Module) -> Vec<bool> {
+    let mut chosen = vec![false; module.ops.len()];
+    let mark = |chosen: &mut Vec<bool>, op: OpId| {
+        if let Some(slot) = chosen.get_mut(op.0 as usize) {
+            *slot = true;
+        }
+    };
+    for op in (0..module.ops.len() as u32).rev().map(OpId) {
+        match module.op(op).kind {
+            OpKind::Select {
+                then, otherwise, ..
+            } => {
+                mark(&mut chosen, then);
+                mark(&mut chosen, otherwise);
+            }
+            OpKind::Binary(Binary::And | Binary::Or, _, right) => mark(&mut chosen, right),
+            _ => {}
+        }
+        if chosen.get(op.0 as usize) == Some(&true) {
+            module.each_operand(op, |o| mark(&mut chosen, o));
+        }
+    }
+    chosen
+}
+
+/// The last operation of a loop.
+fn last_op(module: &Module, looped: &Loop) -> Option<u32> {
+    let regions = [looped.test, looped.body, looped.step];
+    regions.into_iter().filter_map(|r| last_in(module, r)).max()
+}
+
+fn last_in(module: &Module, region: Region) -> Option<u32> {
+    module
+        .steps(region)
+        .iter()
+        .rev()
+        .find_map(|step| match *step {
+            Step::Run(run) => (run.first.0 + run.len).checked_sub(1),
+            Step::If {
+                then, otherwise, ..
+            } => last_in(module, otherwise).or_else(|| last_in(module, then)),
+            Step::Loop(id) => last_op(module, module.looped(id)?),
+            Step::Switch(id) => {
+                let cases = module.cases(module.switch(id)?).iter().rev();
+                cases.into_iter().find_map(|c| last_in(module, c.body))
+            }
+            _ => None,
+        })
+}

@@ -1,0 +1,168 @@
+//! What becomes of each variable: where it is written to, and whether its value is ever used.
+
+use super::effects::declared;
+use crate::ir::{Module, OpId, OpKind, Origin, Step};
+use crate::semantic::lists::Lists;
+use crate::semantic::{Mentions, Program, VariableId};
+use crate::syntax::ast::ExprId;
+
+/// The writes of a shader.
+#[derive(Default, Debug)]
+pub struct Writes {
+    /// By expression: the variables that it writes to by itself.
+    by_expr: Lists<VariableId>,
+    /// By variable: the expressions that do nothing but write to it, in order.
+    idle: Lists<ExprId>,
+    /// By variable: whether anything makes use of its value.
+    read: Vec<bool>,
+    /// By variable: whether anything writes to it behind its declaration.
+    changes: Vec<bool>,
+}
+
+/// A write that an expression makes.
+#[derive(Clone, Copy)]
+struct Write {
+    variable: VariableId,
+    expr: ExprId,
+    store: OpId,
+    /// Whether it is what a call gives back.
+    is_returned: bool,
+}
+
+impl Writes {
+    /// Finds the writes in a shader.
+    pub fn of(program: &Program, module: &Module, mentions: &Mentions) -> Writes {
+        let count = module.variables.len();
+        let all = all(module);
+        let pairs = || all.iter().map(|w| (w.expr.0, w.variable));
+        let mut writes = Writes {
+            by_expr: Lists::of(program.tree.exprs.len(), pairs()),
+            idle: Lists::default(),
+            read: vec![false; count],
+            changes: vec![false; count],
+        };
+        let last = last_uses(module);
+        let mut idle = Vec::new();
+        for write in &all {
+            mark(&mut writes.changes, write.variable);
+            let value = module.op_of(write.expr);
+            let used = value.and_then(|v| last.get(v.0 as usize).copied().flatten());
+            if write.is_returned || used.is_some_and(|used| used > write.store) {
+                mark(&mut writes.read, write.variable);
+            } else {
+                idle.push((write.variable.0, write.expr));
+            }
+        }
+        // In the order of the text, and a variable that two members of are written is named once.
+        idle.sort_unstable();
+        idle.dedup();
+        writes.idle = Lists::of(count, idle.iter().copied());
+        for (op, made) in (0..).map(OpId).zip(&module.ops) {
+            if let OpKind::Load(place) = made.kind {
+                let variable = module.place(place).variable;
+                // What an assignment reads to write it back is no use of it.
+                let is_own = matches!(module.origin(op), Origin::Expr(e)
+                    if writes.by(e).contains(&variable));
+                if !is_own {
+                    mark(&mut writes.read, variable);
+                }
+            }
+        }
+        // What is named and does not run was read before: constants, the length of an array.
+        let running = running(module);
+        let named = (0..program.variables.len() as u32).map(VariableId);
+        for ((id, slot), running) in named.zip(&mut writes.read).zip(running) {
+            *slot |= mentions.all(id).len() > running;
+        }
+        writes
+    }
+
+    /// The variables that an expression itself writes to, its operands' writes left out.
+    pub fn by(&self, expr: ExprId) -> &[VariableId] {
+        self.by_expr.get(expr.0)
+    }
+
+    /// Whether anything writes to a variable behind its declaration.
+    pub fn changes(&self, variable: VariableId) -> bool {
+        let found = self.changes.get(variable.0 as usize);
+        found.is_none_or(|c| *c)
+    }
+
+    /// Whether anything makes use of a variable's value.
+    pub fn is_read(&self, variable: VariableId) -> bool {
+        self.read.get(variable.0 as usize).is_none_or(|r| *r)
+    }
+
+    /// The assignments to a variable that do nothing but write to it, in the order of the text.
+    pub fn idle(&self, variable: VariableId) -> &[ExprId] {
+        self.idle.get(variable.0)
+    }
+}
+
+fn mark(all: &mut [bool], variable: VariableId) {
+    if let Some(slot) = all.get_mut(variable.0 as usize) {
+        *slot = true;
+    }
+}
+
+/// By variable: how often it is named in what runs. Each name is a place of its own.
+fn running(module: &Module) -> Vec<usize> {
+    let mut count: Vec<usize> = vec![0; module.variables.len()];
+    for place in &module.places {
+        if let Some(slot) = count.get_mut(place.variable.0 as usize) {
+            *slot += 1;
+        }
+    }
+    for (op, made) in (0..).map(OpId).zip(&module.ops) {
+        if let (OpKind::Store(place, _), Origin::Declaration(_)) = (made.kind, module.origin(op))
+            && let Some(slot) = count.get_mut(module.place(place).variable.0 as usize)
+        {
+            *slot = slot.saturating_sub(1);
+        }
+    }
+    count
+}
+
+/// The writes that expressions make, in the order of evaluation.
+fn all(module: &Module) -> Vec<Write> {
+    let ops = (0..).map(OpId).zip(&module.ops);
+    let writes = ops.filter_map(|(store, made)| {
+        let (OpKind::Store(place, value), Origin::Expr(expr)) = (made.kind, module.origin(store))
+        else {
+            return None;
+        };
+        Some(Write {
+            variable: declared(module, place)?,
+            expr,
+            store,
+            is_returned: matches!(module.op(value).kind, OpKind::Returned(..)),
+        })
+    });
+    writes.collect()
+}
+
+/// By operation: the last one that uses its value; behind all, where control flow does.
+fn last_uses(module: &Module) -> Vec<Option<OpId>> {
+    const BEHIND: OpId = OpId(u32::MAX);
+    let mut last = vec![None; module.ops.len()];
+    let mut set = |value: OpId, user: OpId| {
+        if let Some(slot) = last.get_mut(value.0 as usize) {
+            *slot = (*slot).max(Some(user));
+        }
+    };
+    for user in (0..module.ops.len() as u32).map(OpId) {
+        module.each_operand(user, |value| set(value, user));
+    }
+    for step in &module.steps {
+        match *step {
+            Step::If { condition, .. } => set(condition, BEHIND),
+            Step::Return(Some(value), _) => set(value, BEHIND),
+            _ => {}
+        }
+    }
+    let conditions = module.loops.iter().filter_map(|l| l.condition);
+    conditions.for_each(|c| set(c, BEHIND));
+    let selectors = module.switches.iter().map(|s| s.selector);
+    selectors.for_each(|s| set(s, BEHIND));
+    last
+}

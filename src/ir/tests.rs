@@ -1,0 +1,265 @@
+//! What becomes of GLSL, as the printer writes it; and that the verifier sees what is broken.
+
+use super::{
+    Access, Lanes, Module, OpId, OpKind, Origin, PlaceId, Precision, Step, lower, print, verify,
+};
+use crate::semantic::{Constant, Dialect, Extent, Program, Stage, Type, Unit, analyze};
+use crate::text::{Role, Sources};
+use std::sync::Arc;
+
+/// What every shader here starts with, on one line.
+const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int; out vec4 color; \
+                    uniform int n; uniform float x; uniform vec3 v; uniform mat3 m; \
+                    uniform sampler2D tex; struct S { float a; vec2 b; };\n";
+
+fn lowered(code: &str) -> (Program, Module) {
+    let mut sources = Sources::new();
+    let files = [sources.add("a.frag", None, Role::User, code).unwrap()];
+    let sources = Arc::new(sources);
+    let analysis = analyze(&Unit {
+        sources: &sources,
+        files: &files,
+        stage: Stage::Fragment,
+        dialect: Dialect::WebGl,
+        infer_channels: false,
+        extent: Extent::Whole,
+    });
+    assert_eq!(analysis.diagnostics, [], "{code}");
+    let module = lower(&analysis.program);
+    (analysis.program, module)
+}
+
+/// Compares the statements of `main`, lowered, without the remarks.
+#[track_caller]
+fn check(statements: &str, expected: &str) {
+    let (program, module) = lowered(&format!("{HEAD}void main() {{ {statements} }}\n"));
+    assert_eq!(verify(&program, &module), []);
+    let text = print(&program, &module);
+    let body = text.split_once("fn main() {").unwrap().1;
+    let lines = body.lines().map(|l| l.split(" //").next().unwrap());
+    let lines = lines.map(|l| l.strip_prefix("  ").unwrap_or(l).trim_end());
+    // What only closes something, and the numbers of values, say nothing here.
+    let is_told = |l: &&str| !matches!(l.trim(), "" | "}");
+    let lines: Vec<String> = lines.filter(is_told).map(without_numbers).collect();
+    let expected: Vec<&str> = expected.lines().filter(is_told).collect();
+    assert_eq!(lines, expected, "{text}");
+}
+
+fn without_numbers(line: &str) -> String {
+    let mut parts = line.split('%');
+    let first = parts.next().unwrap_or("").to_string();
+    parts.fold(first, |text, part| {
+        text + "%" + part.trim_start_matches(|c: char| c.is_ascii_digit())
+    })
+}
+
+#[test]
+fn values() {
+    check("float y = 2.0;", "local y: float = 2.0");
+    check("float y;", "local y: float = undefined");
+    check("float y = -x * 2.0;", "local y: float = (-x) * 2.0");
+    check("bool b = !(x < 1.0);", "local b: bool = !(x < 1.0)");
+    check("int i = n << 2u;", "local i: int = n << 2u");
+    check("vec3 p = v * x;", "local p: vec3 = v * splat(x)");
+    check("vec3 p = m * v;", "local p: vec3 = product(m, v)");
+    check("bool b = v == v.zyx;", "local b: bool = v == v.zyx");
+    check("float y = float(n);", "local y: float = float(n)");
+    check("vec4 p = vec4(v, x);", "local p: vec4 = vec4(v, x)");
+    check("float y = m[1].z;", "local y: float = m[1].z");
+    check("float y = v[n];", "local y: float = v[n]");
+    check("float y = (v + v)[n];", "local y: float = (v + v)[n]");
+    check(
+        "float y = S(x, v.xy).b.y;",
+        "local y: float = S(x, v.xy).b.y",
+    );
+    check(
+        "vec4 p = texture(tex, v.xy);",
+        "local p: vec4 = texture(tex, v.xy)",
+    );
+    check(
+        "float y = x > 0.0 ? x : 1.0;",
+        "local y: float = select(x > 0.0, x, 1.0)",
+    );
+    check(
+        "bool b = x > 0.0 && n == 1;",
+        "local b: bool = (x > 0.0) && (n == 1)",
+    );
+}
+
+#[test]
+fn what_may_not_run_is_control_flow() {
+    check(
+        "bool b = x > 0.0 && 1.0 / x < 2.0;",
+        "temporary $1: bool\n\
+         %: bool = x > 0.0\n\
+         $1 = %\n\
+         if % {\n  \
+         $1 = (1.0 / x) < 2.0\n\
+         local b: bool = $1",
+    );
+    check(
+        "float y = n > 0 ? sqrt(x) : 1.0;",
+        "temporary $1: float\n\
+         if n > 0 {\n  \
+         $1 = sqrt(x)\n\
+         } else {\n  \
+         $1 = 1.0\n\
+         local y: float = $1",
+    );
+}
+
+#[test]
+fn places() {
+    check("color.zx = v.xy;", "color.zx = v.xy");
+    check(
+        "vec4 p = color; p[n] = x;",
+        "local p: vec4 = color\np[n] = x",
+    );
+    check(
+        "S s; s.b.y += x;",
+        "local s: S = undefined\ns.b.y = s.b.y + x",
+    );
+    check(
+        "float a[2]; a[n] = a[1];",
+        "local a: float[2] = undefined\na[n] = a[1]",
+    );
+    check(
+        "int i = 0; int j = i++ + i;",
+        "local i: int = 0\n%: int = i\ni = % + 1\nlocal j: int = % + i",
+    );
+}
+
+#[test]
+fn loops() {
+    check(
+        "float y = 0.0; for (int i = 0; i < 4; i++) { if (i == n) continue; y += x; }",
+        "local y: float = 0.0\n\
+         local i: int = 0\n\
+         loop while i < 4 {\n  \
+         if i == n {\n    \
+         continue\n  \
+         y = y + x\n\
+         } step {\n  \
+         i = i + 1",
+    );
+    check(
+        "float y = x; do { y *= 2.0; } while (y < 9.0);",
+        "local y: float = x\n\
+         loop {\n  \
+         y = y * 2.0\n\
+         } while y < 9.0",
+    );
+    check("while (true) { break; }", "loop while true {\n  break");
+}
+
+#[test]
+fn choices() {
+    check(
+        "switch (n) { case 1: case 2: discard; default: color = vec4(x); }",
+        "switch n {\n\
+         case 1, case 2:\n  \
+         discard\n\
+         default:\n  \
+         color = splat(x)",
+    );
+}
+
+#[test]
+fn calls_copy_in_and_out() {
+    let code = "float f(float a, inout vec2 b, out int c) { c = 1; b *= a; return a; }\n\
+                void main() { vec3 p = v; int i; color.x = f(x, p.zx, i); }";
+    let (program, module) = lowered(&format!("{HEAD}{code}\n"));
+    assert_eq!(verify(&program, &module), []);
+    let text = print(&program, &module);
+    let call = [
+        "float = call f(x, p.zx, undefined)",
+        "p.zx = returned(%",
+        "i = returned(%",
+        "color.x = %",
+    ];
+    let mut rest = text.as_str();
+    for line in call {
+        let at = rest.find(line).unwrap_or_else(|| panic!("{line}\n{text}"));
+        rest = &rest[at..];
+    }
+}
+
+/// The first operation of a kind in a module that is well-formed.
+fn find(module: &Module, is_it: impl Fn(&OpKind) -> bool) -> OpId {
+    let at = module.ops.iter().position(|op| is_it(&op.kind));
+    OpId(at.unwrap() as u32)
+}
+
+/// Breaks a module and says what the verifier must say of it.
+#[track_caller]
+fn broken(expected: &str, break_it: impl FnOnce(&mut Module)) {
+    let (program, mut module) = lowered(&format!(
+        "{HEAD}float f(float a) {{ return a; }}\n\
+         void main() {{ vec3 p = v; p.x = f(-x); if (p.x > 1.0) {{ p = v * 2.0; }} \
+         color = vec4(p, 1.0); }}\n"
+    ));
+    assert_eq!(verify(&program, &module), []);
+    break_it(&mut module);
+    let found = verify(&program, &module);
+    let said: Vec<String> = found.iter().map(ToString::to_string).collect();
+    assert!(said.iter().any(|s| s.contains(expected)), "{said:?}");
+}
+
+#[test]
+fn what_is_broken_is_seen() {
+    broken("every operation has an origin", |m| {
+        m.origins.pop();
+    });
+    broken("is not in the program", |m| {
+        m.origins[0] = Origin::Declaration(9999);
+    });
+    broken("it gives", |m| {
+        let op = find(m, |k| matches!(k, OpKind::Unary(..)));
+        m.ops[op.0 as usize].ty = Type::INT;
+    });
+    broken("is not defined here", |m| {
+        let op = find(m, |k| matches!(k, OpKind::Unary(..)));
+        let OpKind::Unary(unary, _) = m.ops[op.0 as usize].kind else {
+            unreachable!()
+        };
+        m.ops[op.0 as usize].kind = OpKind::Unary(unary, op);
+    });
+    broken("it writes to what cannot be written", |m| {
+        let load = find(m, |k| matches!(k, OpKind::Load(_)));
+        let OpKind::Load(place) = m.ops[load.0 as usize].kind else {
+            unreachable!()
+        };
+        let uniform = (0..m.places.len() as u32).map(PlaceId).find(|p| {
+            let variable = m.variable(m.place(*p).variable);
+            variable.is_some_and(|v| v.root == super::Root::Uniform && v.ty == Type::FLOAT)
+        });
+        let value = find(m, |k| matches!(k, OpKind::Unary(..)));
+        let store = find(m, |k| matches!(k, OpKind::Store(_, v) if v.0 > value.0));
+        m.ops[store.0 as usize].kind = OpKind::Store(uniform.unwrap_or(place), value);
+    });
+    broken("has no components", |m| {
+        let at = m
+            .access_lists
+            .iter()
+            .position(|a| matches!(a, Access::Lanes(_)));
+        m.access_lists[at.unwrap()] = Access::Lanes(Lanes::new([3]));
+    });
+    broken("stand in runs", |m| {
+        let op = m.ops[0];
+        m.ops.push(op);
+        m.origins.push(Origin::Language);
+    });
+    broken("a `continue` is in no loop", |m| {
+        let stmt = crate::syntax::ast::StmtId(0);
+        let at = m.steps.iter().position(|s| matches!(s, Step::If { .. }));
+        m.steps[at.unwrap()] = Step::Continue(stmt);
+    });
+    broken("a constant of 0 scalars is no float", |m| {
+        let op = find(m, |k| matches!(k, OpKind::Const(_)));
+        m.ops[op.0 as usize] = super::Op {
+            kind: OpKind::Const(Constant::NONE),
+            ty: Type::FLOAT,
+            precision: Precision::None,
+        };
+    });
+}
