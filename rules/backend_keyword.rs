@@ -1,8 +1,8 @@
 //! Names that are words of other shading languages.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
-use crate::syntax::ast::{Extent, TokenId};
+use crate::lint::{Check, Context, DeclaredName, Group, Rule, RuleOption, Setting};
+use crate::syntax::ast::Extent;
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
 
@@ -11,15 +11,13 @@ pub static RULE: Rule = Rule {
     group: Group::Portability,
     severity: Severity::Info,
     default: true,
-    options: &[RuleOption {
-        name: "wgsl",
-        default: 0.0,
-        on_gpu: 0.0,
-        about: "Whether words of WGSL alone are reported: 1 or 0",
-    }],
+    options: &[RuleOption::Switch(&WGSL)],
     page: include_str!("backend_keyword.md"),
-    check: Check::Program(check),
+    checks: &[Check::Name(check)],
 };
+
+static WGSL: Setting<bool> =
+    Setting::new("wgsl", false, "Whether words of WGSL alone are reported");
 
 /// Languages that shaders are brought to, and the words that each keeps for itself and WebGL leaves
 /// free.
@@ -76,44 +74,25 @@ static REFUSED_BY: LazyLock<FxHashMap<&str, u8>> = LazyLock::new(|| {
     refused_by
 });
 
-fn check(cx: &mut Context) {
-    let program = cx.program;
-    let variables = program.variables.iter().filter_map(|v| v.token);
-    let functions = program.functions.iter().filter_map(|f| {
-        let decl = program.tree.function(f.declaration)?;
-        Some(decl.ident.token)
-    });
-    let structs = program
-        .tree
-        .structs
+fn check(cx: &mut Context, name: &DeclaredName) {
+    let Some(languages) = REFUSED_BY.get(name.text) else {
+        return;
+    };
+    let refusing: Vec<&str> = LANGUAGES
         .iter()
-        .filter_map(|s| Some(s.name?.token));
-    let mut tokens: Vec<TokenId> = variables.chain(functions).chain(structs).collect();
-    tokens.sort_unstable();
-    tokens.dedup();
-    for token in tokens {
-        let Some(name) = cx.user_name(token) else {
-            continue;
-        };
-        let Some(languages) = REFUSED_BY.get(name) else {
-            continue;
-        };
-        let refusing: Vec<&str> = LANGUAGES
-            .iter()
-            .enumerate()
-            .filter(|(i, _)| languages >> i & 1 == 1)
-            .map(|(_, (language, _))| *language)
-            .collect();
-        if refusing == ["WGSL"] && cx.option("wgsl") == 0.0 {
-            continue;
-        }
-        cx.report(
-            Extent::token(token),
-            format!("`{name}` is a word of {}", listed(&refusing)),
-        )
-        .note("WebGL takes it as a name; a port of the shader, and some drivers, do not")
-        .help("take another name");
+        .enumerate()
+        .filter(|(i, _)| languages >> i & 1 == 1)
+        .map(|(_, (language, _))| *language)
+        .collect();
+    if refusing == ["WGSL"] && !cx.option(&WGSL) {
+        return;
     }
+    cx.report(
+        Extent::token(name.token),
+        format!("`{}` is a word of {}", name.text, listed(&refusing)),
+    )
+    .note("WebGL takes it as a name; a port of the shader, and some drivers, do not")
+    .help("take another name");
 }
 
 /// `a`, `a and b`, `a, b and c`.

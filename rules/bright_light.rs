@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::light::{factors, has_word, name_of, terms};
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting, Shape};
 use crate::semantic::root;
 use crate::semantic::{BuiltinId, Program};
 use crate::syntax::ast::*;
@@ -12,23 +12,13 @@ pub static RULE: Rule = Rule {
     group: Group::Look,
     severity: Severity::Warning,
     default: false,
-    options: &[
-        RuleOption {
-            name: "sun",
-            default: 2.0,
-            on_gpu: 2.0,
-            about: "Brightest light of the sun",
-        },
-        RuleOption {
-            name: "sky",
-            default: 1.0,
-            on_gpu: 1.0,
-            about: "Brightest light of the sky",
-        },
-    ],
+    options: &[RuleOption::Number(&MOST_SUN), RuleOption::Number(&MOST_SKY)],
     page: include_str!("bright_light.md"),
-    check: Check::Program(check),
+    checks: &[Check::Expr(&[Shape::Assign], check)],
 };
+
+static MOST_SUN: Setting<f64> = Setting::new("sun", 2.0, "Brightest light of the sun");
+static MOST_SKY: Setting<f64> = Setting::new("sky", 1.0, "Brightest light of the sky");
 
 const SUM: &[&str] = &["lighting", "lin", "light", "lights", "illumination"];
 const SUN: &[&str] = &["sun", "dif", "diff", "diffuse", "ndotl", "key"];
@@ -47,25 +37,18 @@ const LAMP: &[&str] = &[
     "spe",
 ];
 
-fn check(cx: &mut Context) {
+fn check(cx: &mut Context, id: ExprId) {
     let program = cx.program;
-    if maps_tones(program) {
+    let ExprKind::Assign(None | Some(BinaryOp::Add), target, value) = program.tree.expr(id).kind
+    else {
+        return;
+    };
+    let is_sum = name_of(program, target).is_some_and(|n| has_word(n, SUM));
+    if !is_sum || program.expr(id).is_const || maps_tones(program) {
         return;
     }
-    for (i, expr) in program.tree.exprs.iter().enumerate() {
-        let ExprKind::Assign(None | Some(BinaryOp::Add), target, value) = expr.kind else {
-            continue;
-        };
-        let is_users = program
-            .token(expr.extent.first)
-            .is_some_and(|t| cx.is_users(t.span));
-        let is_sum = name_of(program, target).is_some_and(|n| has_word(n, SUM));
-        if !is_sum || !is_users || program.expr(ExprId(i as u32)).is_const {
-            continue;
-        }
-        for term in terms(program, value) {
-            light(cx, term);
-        }
+    for term in terms(program, value) {
+        light(cx, term);
     }
 }
 
@@ -82,9 +65,9 @@ fn light(cx: &mut Context, term: ExprId) {
         return;
     }
     let (what, most) = if is(SKY) {
-        ("sky", cx.option("sky"))
+        ("sky", cx.option(&MOST_SKY))
     } else if is(SUN) {
-        ("sun", cx.option("sun"))
+        ("sun", cx.option(&MOST_SUN))
     } else {
         return;
     };

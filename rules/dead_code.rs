@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("dead_code.md"),
-    check: Check::Stmt(check),
+    checks: &[Check::Stmt(check)],
 };
 
 fn check(cx: &mut Context, id: StmtId) {

@@ -15,7 +15,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("define_with_call.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
 
 fn check(cx: &mut Context) {

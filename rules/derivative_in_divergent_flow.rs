@@ -15,7 +15,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("derivative_in_divergent_flow.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
 
 /// Most places that a finding points at.
@@ -107,7 +107,7 @@ fn labels(cx: &Context, control: ControlId) -> Vec<(Span, String)> {
             _ => format!("because of `{name}`, the place of the pixel"),
         };
         let token = source.token.and_then(|t| program.token(t));
-        let span = token.map(|t| t.span).filter(|s| cx.is_users(*s));
+        let span = token.map(|t| t.span).filter(|s| program.is_user(*s));
         match (span, labels.last_mut()) {
             (Some(span), _) => labels.push((span, what)),
             (None, Some((_, message))) => *message = format!("{message}, {what}"),

@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: false,
     options: &[],
     page: include_str!("directional_only_indoors.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
 
 /// What a light inside is known by.

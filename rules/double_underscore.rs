@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule};
+use crate::syntax::Macro;
 
 pub static RULE: Rule = Rule {
     name: "double-underscore",
@@ -10,23 +11,25 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("double_underscore.md"),
-    check: Check::Program(check),
+    checks: &[Check::Macro(check)],
 };
 
-fn check(cx: &mut Context) {
-    let program = cx.program;
-    for definition in &program.tokens.macros {
-        let span = definition.name_span;
-        let name = program.sources.text(span);
-        if !name.contains("__") || !cx.is_users(span) {
-            continue;
-        }
-        let mut shorter = name.to_string();
-        while shorter.contains("__") {
-            shorter = shorter.replace("__", "_");
-        }
-        cx.report_span(span, format!("the macro name `{name}` holds two underscores in a row"))
-            .note("GLSL keeps such names for itself: the browser takes them for macros, some drivers do not")
-            .help(format!("write `{shorter}`"));
+fn check(cx: &mut Context, definition: &Macro) {
+    let span = definition.name_span;
+    let name = cx.program.sources.text(span);
+    if !name.contains("__") {
+        return;
     }
+    let mut shorter = name.to_string();
+    while shorter.contains("__") {
+        shorter = shorter.replace("__", "_");
+    }
+    cx.report_span(
+        span,
+        format!("the macro name `{name}` holds two underscores in a row"),
+    )
+    .note(
+        "GLSL keeps such names for itself: the browser takes them for macros, some drivers do not",
+    )
+    .help(format!("write `{shorter}`"));
 }

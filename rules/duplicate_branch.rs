@@ -1,7 +1,7 @@
 //! Branches that do the same, and conditions that are asked twice.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, code_hash, same_code};
+use crate::lint::{Check, Context, Group, Rule, Shape, code_hash, same_code};
 use crate::syntax::ast::*;
 use rustc_hash::FxHashMap;
 
@@ -12,43 +12,46 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("duplicate_branch.md"),
-    check: Check::Program(check),
+    checks: &[
+        Check::Stmt(check_if),
+        Check::Expr(&[Shape::Ternary], check_ternary),
+    ],
 };
 
-fn check(cx: &mut Context) {
+fn check_if(cx: &mut Context, id: StmtId) {
     let program = cx.program;
     let tree = &program.tree;
-    for (i, stmt) in tree.stmts.iter().enumerate() {
-        let StmtKind::If {
-            then,
-            otherwise: Some(otherwise),
-            ..
-        } = stmt.kind
-        else {
-            continue;
-        };
-        let bodies = [then, otherwise].map(|s| tree.stmt(s).extent);
-        let is_empty = bodies.iter().any(|b| b.last - b.first < 2);
-        if !is_empty && same_code(program, bodies[0], bodies[1]) {
-            let first = program.span(bodies[0]);
-            cx.report(bodies[1], "both branches of this `if` do the same")
-                .label(first, "the other one");
-        }
-        let is_chain = matches!(tree.stmt(otherwise).kind, StmtKind::If { .. });
-        if is_chain && !is_else(cx, StmtId(i as u32)) {
-            check_chain(cx, StmtId(i as u32));
-        }
+    let StmtKind::If {
+        then,
+        otherwise: Some(otherwise),
+        ..
+    } = tree.stmt(id).kind
+    else {
+        return;
+    };
+    let bodies = [then, otherwise].map(|s| tree.stmt(s).extent);
+    let is_empty = bodies.iter().any(|b| b.last - b.first < 2);
+    if !is_empty && same_code(program, bodies[0], bodies[1]) {
+        let first = program.span(bodies[0]);
+        cx.report(bodies[1], "both branches of this `if` do the same")
+            .label(first, "the other one");
     }
-    for expr in &tree.exprs {
-        let ExprKind::Ternary(_, a, b) = expr.kind else {
-            continue;
-        };
-        let [first, second] = [a, b].map(|e| tree.expr(e).extent);
-        if program.is_direct(expr.extent) && same_code(program, first, second) {
-            let first = program.span(first);
-            cx.report(second, "both answers of `?:` are the same")
-                .label(first, "the other one");
-        }
+    let is_chain = matches!(tree.stmt(otherwise).kind, StmtKind::If { .. });
+    if is_chain && !is_else(cx, id) {
+        check_chain(cx, id);
+    }
+}
+
+fn check_ternary(cx: &mut Context, id: ExprId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let ExprKind::Ternary(_, a, b) = tree.expr(id).kind else {
+        return;
+    };
+    let [first, second] = [a, b].map(|e| tree.expr(e).extent);
+    if cx.is_direct(id) && same_code(program, first, second) {
+        cx.report(second, "both answers of `?:` are the same")
+            .label(program.span(first), "the other one");
     }
 }
 

@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("float_equality.md"),
-    check: Check::Binary(check),
+    checks: &[Check::Binary(check)],
 };
 
 fn check(cx: &mut Context, e: &Binary) {

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::light::has_word;
-use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::{BuiltinId, Program, VariableId};
 use crate::syntax::ast::*;
 use crate::text::Edit;
@@ -12,15 +12,12 @@ pub static RULE: Rule = Rule {
     group: Group::Look,
     severity: Severity::Warning,
     default: false,
-    options: &[RuleOption {
-        name: "most",
-        default: 0.7,
-        on_gpu: 0.7,
-        about: "Thickest fog",
-    }],
+    options: &[RuleOption::Number(&MOST)],
     page: include_str!("fog_unclamped.md"),
-    check: Check::Builtin(check),
+    checks: &[Check::Builtin(check)],
 };
+
+static MOST: Setting<f64> = Setting::new("most", 0.7, "Thickest fog");
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (&[_, _, amount], BuiltinId::Mix) = (call.args, call.function) else {
@@ -36,7 +33,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     if !has_word(name, &["fog", "haze", "mist"]) || is_limited(program, variable) {
         return;
     }
-    let most = cx.option("most");
+    let most = cx.option(&MOST);
     let text = format!("clamp({}, 0.0, {most})", program.expr_text(amount));
     let extent = program.tree.expr(amount).extent;
     let fix = program.is_direct(extent).then(|| {
@@ -54,8 +51,7 @@ fn check(cx: &mut Context, call: &Builtin) {
 
 /// Whether a variable's value is limited where it is given.
 fn is_limited(program: &Program, variable: VariableId) -> bool {
-    let declared = program.declared.iter().position(|d| *d == Some(variable));
-    let init = declared.and_then(|i| program.tree.declarator_lists.get(i)?.init);
+    let init = program.declarator_of(variable).and_then(|d| d.init);
     let mut values: Vec<ExprId> = init.into_iter().collect();
     for expr in &program.tree.exprs {
         if let ExprKind::Assign(_, target, value) = expr.kind

@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("gradient_in_loop.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
 
 /// Most findings in one shader.

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::light::{color, has_word, name_of};
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Shape};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting, Shape};
 use crate::syntax::ast::*;
 
 pub static RULE: Rule = Rule {
@@ -11,28 +11,26 @@ pub static RULE: Rule = Rule {
     severity: Severity::Warning,
     default: false,
     options: &[
-        RuleOption {
-            name: "saturation",
-            default: 0.03,
-            on_gpu: 0.03,
-            about: "Smallest saturation of a bright material",
-        },
-        RuleOption {
-            name: "brightness",
-            default: 0.7,
-            on_gpu: 0.7,
-            about: "Smallest brightness of a material that counts as bright",
-        },
-        RuleOption {
-            name: "green",
-            default: 0.4,
-            on_gpu: 0.4,
-            about: "Smallest saturation of grass and leaves",
-        },
+        RuleOption::Number(&SATURATION),
+        RuleOption::Number(&BRIGHTNESS),
+        RuleOption::Number(&LEAST_GREEN),
     ],
     page: include_str!("gray_material.md"),
-    check: Check::Expr(&[Shape::Construct], check),
+    checks: &[Check::Expr(&[Shape::Construct], check)],
 };
+
+static SATURATION: Setting<f64> = Setting::new(
+    "saturation",
+    0.03,
+    "Smallest saturation of a bright material",
+);
+static BRIGHTNESS: Setting<f64> = Setting::new(
+    "brightness",
+    0.7,
+    "Smallest brightness of a material that counts as bright",
+);
+static LEAST_GREEN: Setting<f64> =
+    Setting::new("green", 0.4, "Smallest saturation of grass and leaves");
 
 const MATERIALS: &[&str] = &[
     "material", "mat", "albedo", "wall", "brick", "bricks", "stone", "wood", "dirt", "roof",
@@ -60,9 +58,9 @@ fn check(cx: &mut Context, id: ExprId) {
         return;
     };
     let is_gray = has_word(name, MATERIALS)
-        && saturation <= cx.option("saturation")
-        && low >= cx.option("brightness");
-    let is_dull = has_word(name, GREEN) && saturation < cx.option("green");
+        && saturation <= cx.option(&SATURATION)
+        && low >= cx.option(&BRIGHTNESS);
+    let is_dull = has_word(name, GREEN) && saturation < cx.option(&LEAST_GREEN);
     if has_word(name, WHITE) || !(is_gray || is_dull) {
         return;
     }

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::light::{factors, has_word, name_of, words};
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Binary, Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::{BuiltinId, FunctionRef};
 use crate::syntax::ast::*;
 use std::collections::BTreeMap;
@@ -12,20 +12,16 @@ pub static RULE: Rule = Rule {
     group: Group::Look,
     severity: Severity::Warning,
     default: false,
-    options: &[RuleOption {
-        name: "spacing",
-        default: 0.2,
-        on_gpu: 0.2,
-        about: "Least distance of two thresholds of a height from 0 to 1",
-    }],
+    options: &[RuleOption::Number(&SPACING)],
     page: include_str!("height_band_spacing.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(bands), Check::Binary(heights)],
 };
 
-fn check(cx: &mut Context) {
-    bands(cx);
-    heights(cx);
-}
+static SPACING: Setting<f64> = Setting::new(
+    "spacing",
+    0.2,
+    "Least distance of two thresholds of a height from 0 to 1",
+);
 
 /// Comparisons of one ratio with numbers that lie close together.
 fn bands(cx: &mut Context) {
@@ -54,7 +50,7 @@ fn bands(cx: &mut Context) {
             found.entry((function, name)).or_default().push((value, b));
         }
     }
-    let least = cx.option("spacing");
+    let least = cx.option(&SPACING);
     for ((_, name), mut thresholds) in found {
         thresholds.sort_by(|a, b| a.0.total_cmp(&b.0));
         for pair in thresholds.windows(2) {
@@ -81,41 +77,36 @@ fn bands(cx: &mut Context) {
 }
 
 /// `y / maxH` beside a height function that reaches another height.
-fn heights(cx: &mut Context) {
+fn heights(cx: &mut Context, ratio: &Binary) {
     let program = cx.program;
     let calls = cx.facts.calls();
-    for (i, expr) in program.tree.exprs.iter().enumerate() {
-        let ExprKind::Binary(BinaryOp::Div, _, by) = expr.kind else {
-            continue;
-        };
-        let Some(name) = name_of(program, by).filter(|n| is_max_height(n)) else {
-            continue;
-        };
-        let Some(function) = cx.facts.structure().function_of_expr(ExprId(i as u32)) else {
-            continue;
-        };
-        let Some(taken) = number(cx, by) else {
-            continue;
-        };
-        let reached = calls.calls_by(function).find_map(|c| {
-            let called = program.function(c.callee)?;
-            let text = program.names.text(called.name);
-            let is_height = has_word(text, &["height", "terrain", "mountain", "elevation"]);
-            let reached = is_height.then(|| highest(cx, c.callee))??;
-            Some((text, reached, program.expr_span(c.expr)))
-        });
-        let Some((called, reached, span)) = reached else {
-            continue;
-        };
-        if (taken - reached).abs() > 0.01 * reached.abs() {
-            cx.report_expr(
-                by,
-                format!("`{name}` is {taken}, but `{called}` reaches {reached}"),
-            )
-            .label(span, "the height comes from here")
-            .note("the bands of colour lie where the ground is not")
-            .help(format!("make `{name}` {reached:?}"));
-        }
+    let by = ratio.right;
+    let name = name_of(program, by).filter(|n| ratio.op == BinaryOp::Div && is_max_height(n));
+    let function = cx.facts.structure().function_of_expr(ratio.id);
+    let (Some(name), Some(function)) = (name, function) else {
+        return;
+    };
+    let Some(taken) = number(cx, by) else {
+        return;
+    };
+    let reached = calls.calls_by(function).find_map(|c| {
+        let called = program.function(c.callee)?;
+        let text = program.names.text(called.name);
+        let is_height = has_word(text, &["height", "terrain", "mountain", "elevation"]);
+        let reached = is_height.then(|| highest(cx, c.callee))??;
+        Some((text, reached, program.expr_span(c.expr)))
+    });
+    let Some((called, reached, span)) = reached else {
+        return;
+    };
+    if (taken - reached).abs() > 0.01 * reached.abs() {
+        cx.report_expr(
+            by,
+            format!("`{name}` is {taken}, but `{called}` reaches {reached}"),
+        )
+        .label(span, "the height comes from here")
+        .note("the bands of colour lie where the ground is not")
+        .help(format!("make `{name}` {reached:?}"));
     }
 }
 

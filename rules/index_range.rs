@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("index_range.md"),
-    check: Check::Expr(&[Shape::Index], check),
+    checks: &[Check::Expr(&[Shape::Index], check)],
 };
 
 fn check(cx: &mut Context, id: ExprId) {

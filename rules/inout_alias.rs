@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("inout_alias.md"),
-    check: Check::Expr(&[Shape::Call], check),
+    checks: &[Check::Expr(&[Shape::Call], check)],
 };
 
 fn check(cx: &mut Context, id: ExprId) {

@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("inverse_trig_range.md"),
-    check: Check::Builtin(check),
+    checks: &[Check::Builtin(check)],
 };
 
 /// How far beyond 1.0 a range may go by the rounding of its own computation.

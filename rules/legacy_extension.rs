@@ -3,7 +3,6 @@
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Check, Context, Group, Rule, remove_lines};
 use crate::syntax::Version;
-use crate::text::Role;
 
 pub static RULE: Rule = Rule {
     name: "legacy-extension",
@@ -12,7 +11,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("legacy_extension.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
 
 /// Extensions of WebGL1, and what of WebGL2 does the same.
@@ -36,9 +35,8 @@ fn check(cx: &mut Context) {
     }
     for used in &program.tokens.extensions {
         let name = program.names.text(used.name);
-        let file = program.sources.file_at(used.span.start);
-        let is_user = file.is_some_and(|f| f.role == Role::User);
-        let Some((_, what)) = CORE.iter().find(|(n, _)| *n == name && is_user) else {
+        let known = CORE.iter().find(|(known, _)| *known == name);
+        let Some((_, what)) = known.filter(|_| program.is_user(used.span)) else {
             continue;
         };
         let edit = remove_lines(program, used.span);

@@ -1,7 +1,7 @@
 //! Expensive calls that give the same in every turn of a loop.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::{Program, Resolution, Storage, VariableId, each_operand};
 use crate::syntax::ast::*;
 use std::collections::BTreeSet;
@@ -11,22 +11,24 @@ pub static RULE: Rule = Rule {
     group: Group::Budget,
     severity: Severity::Info,
     default: true,
-    options: &[RuleOption {
-        name: "operations",
-        default: 12.0,
-        on_gpu: 40.0,
-        about: "Fewest operations of a call that is reported",
-    }],
+    options: &[RuleOption::Number(&OPERATIONS)],
     page: include_str!("loop_invariant_call.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
+
+static OPERATIONS: Setting<f64> = Setting::new(
+    "operations",
+    12.0,
+    "Fewest operations of a call that is reported",
+)
+.on_gpu(40.0);
 
 fn check(cx: &mut Context) {
     let program = cx.program;
     let facts = cx.facts;
     let mut places: Option<Places> = None;
     for call in &program.calls {
-        if facts.work().operations(call.callee) < cx.option("operations")
+        if facts.work().operations(call.callee) < cx.option(&OPERATIONS)
             || !facts.effects().is_pure(call.callee)
             || program.expr(call.expr).is_const
         {

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::light::{INDOORS, given, has_word, named};
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::text::Span;
 
 pub static RULE: Rule = Rule {
@@ -11,22 +11,20 @@ pub static RULE: Rule = Rule {
     severity: Severity::Warning,
     default: false,
     options: &[
-        RuleOption {
-            name: "indoors",
-            default: 0.2,
-            on_gpu: 0.2,
-            about: "Least ambient light in closed places",
-        },
-        RuleOption {
-            name: "sunset",
-            default: 0.3,
-            on_gpu: 0.3,
-            about: "Least ambient light where the sun stands low",
-        },
+        RuleOption::Number(&LEAST_INDOORS),
+        RuleOption::Number(&LEAST_SUNSET),
     ],
     page: include_str!("low_ambient.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
+
+static LEAST_INDOORS: Setting<f64> =
+    Setting::new("indoors", 0.2, "Least ambient light in closed places");
+static LEAST_SUNSET: Setting<f64> = Setting::new(
+    "sunset",
+    0.3,
+    "Least ambient light where the sun stands low",
+);
 
 const SUNSET: &[&str] = &["sunset", "sunrise", "dusk", "dawn", "twilight"];
 
@@ -44,15 +42,15 @@ fn check(cx: &mut Context) {
             let is_light = matches!(values.len(), 1 | 3);
             is_light.then(|| (g, values.iter().sum::<f64>() / values.len() as f64))
         })
-        .filter(|(_, light)| *light < cx.option("indoors").max(cx.option("sunset")))
+        .filter(|(_, light)| *light < cx.option(&LEAST_INDOORS).max(cx.option(&LEAST_SUNSET)))
         .collect();
     if dim.is_empty() {
         return;
     }
     let sunset = named(cx, SUNSET).or_else(|| remarked(cx, SUNSET));
     let (place, least, shown) = match (sunset, named(cx, INDOORS)) {
-        (Some(shown), _) => ("at sunset", cx.option("sunset"), shown),
-        (None, Some(shown)) => ("indoors", cx.option("indoors"), shown),
+        (Some(shown), _) => ("at sunset", cx.option(&LEAST_SUNSET), shown),
+        (None, Some(shown)) => ("indoors", cx.option(&LEAST_INDOORS), shown),
         (None, None) => return,
     };
     for (given, light) in dim.into_iter().filter(|(_, light)| *light < least) {
@@ -70,5 +68,5 @@ fn check(cx: &mut Context) {
 fn remarked(cx: &Context, wanted: &[&str]) -> Option<Span> {
     let program = cx.program;
     let mut comments = program.tokens.comments.iter().copied();
-    comments.find(|c| cx.is_users(*c) && has_word(program.sources.text(*c), wanted))
+    comments.find(|c| program.is_user(*c) && has_word(program.sources.text(*c), wanted))
 }

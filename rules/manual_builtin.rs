@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("manual_builtin.md"),
-    check: Check::Expr(&[Shape::Binary, Shape::Call], check),
+    checks: &[Check::Expr(&[Shape::Binary, Shape::Call], check)],
 };
 
 /// What a formula is, and the call that says the same.

@@ -1,7 +1,7 @@
 //! Large scene functions that one function calls many times.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::FunctionRef;
 use crate::syntax::ast::ExprId;
 use std::collections::BTreeMap;
@@ -11,23 +11,21 @@ pub static RULE: Rule = Rule {
     group: Group::Budget,
     severity: Severity::Info,
     default: true,
-    options: &[
-        RuleOption {
-            name: "calls",
-            default: 4.0,
-            on_gpu: 4.0,
-            about: "Fewest calls of one function in another that are reported",
-        },
-        RuleOption {
-            name: "size",
-            default: 150.0,
-            on_gpu: 150.0,
-            about: "Fewest operations of the called function that are reported",
-        },
-    ],
+    options: &[RuleOption::Count(&CALLS), RuleOption::Number(&SIZE)],
     page: include_str!("map_inlining.md"),
-    check: Check::Function(check),
+    checks: &[Check::Function(check)],
 };
+
+static CALLS: Setting<u64> = Setting::new(
+    "calls",
+    4,
+    "Fewest calls of one function in another that are reported",
+);
+static SIZE: Setting<f64> = Setting::new(
+    "size",
+    150.0,
+    "Fewest operations of the called function that are reported",
+);
 
 /// Most further calls that a finding points at.
 const MAX_LABELS: usize = 7;
@@ -42,12 +40,12 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let takes_place = program
             .function(callee)
             .is_some_and(|f| f.params.iter().any(|p| p.ty.components() >= 2));
-        let is_many = calls.len() as f64 >= cx.option("calls");
+        let is_many = calls.len() as u64 >= cx.option(&CALLS);
         if !is_many || !takes_place {
             continue;
         }
         let size = cx.facts.work().size(callee);
-        let (Some(name), true) = (program.function(callee), size >= cx.option("size")) else {
+        let (Some(name), true) = (program.function(callee), size >= cx.option(&SIZE)) else {
             continue;
         };
         let name = program.names.text(name.name);

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::light::{factors, has_word};
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::{BuiltinId, Program, Scalar, Stage, Storage};
 use crate::syntax::TypeWord;
 use crate::syntax::ast::*;
@@ -13,15 +13,16 @@ pub static RULE: Rule = Rule {
     group: Group::Portability,
     severity: Severity::Warning,
     default: true,
-    options: &[RuleOption {
-        name: "factor",
-        default: 1000.0,
-        on_gpu: 1000.0,
-        about: "Smallest factor before a `fract` that makes it a hash",
-    }],
+    options: &[RuleOption::Number(&FACTOR)],
     page: include_str!("mediump_noise.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
+
+static FACTOR: Setting<f64> = Setting::new(
+    "factor",
+    1000.0,
+    "Smallest factor before a `fract` that makes it a hash",
+);
 
 fn check(cx: &mut Context) {
     let program = cx.program;
@@ -47,12 +48,8 @@ fn check(cx: &mut Context) {
     let Some((place, what)) = hash(cx).or_else(|| time(program)) else {
         return;
     };
-    let is_users = cx.is_users(place);
-    let mut finding = cx.report(extent, format!("too few digits for {what}"));
-    if is_users {
-        finding = finding.label(place, "it stands here");
-    }
-    finding
+    cx.report(extent, format!("too few digits for {what}"))
+        .label(place, "it stands here")
         .note("on phones it has 10 bits behind the point: noise turns into stripes, and time stands still after seconds")
         .help("write `precision highp float;`");
 }
@@ -60,7 +57,7 @@ fn check(cx: &mut Context) {
 /// `fract(x * 43758.5453)`
 fn hash(cx: &Context) -> Option<(Span, &'static str)> {
     let program = cx.program;
-    let limit = cx.option("factor");
+    let limit = cx.option(&FACTOR);
     let exprs = program.tree.exprs.iter().enumerate();
     let mut fracts = exprs.filter_map(|(i, e)| match e.kind {
         ExprKind::Call(_, args) => {

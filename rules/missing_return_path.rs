@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("missing_return_path.md"),
-    check: Check::Function(check),
+    checks: &[Check::Function(check)],
 };
 
 fn check(cx: &mut Context, id: FunctionRef) {

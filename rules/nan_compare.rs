@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("nan_compare.md"),
-    check: Check::Binary(check),
+    checks: &[Check::Binary(check)],
 };
 
 fn check(cx: &mut Context, e: &Binary) {

@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("negative_to_uint.md"),
-    check: Check::Expr(&[Shape::Construct], check),
+    checks: &[Check::Expr(&[Shape::Construct], check)],
 };
 
 fn check(cx: &mut Context, id: ExprId) {

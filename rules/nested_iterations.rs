@@ -1,7 +1,7 @@
 //! Nested loops that turn more often for a pixel than a renderer can take.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::syntax::ast::{Extent, StmtKind};
 
 pub static RULE: Rule = Rule {
@@ -9,15 +9,17 @@ pub static RULE: Rule = Rule {
     group: Group::Budget,
     severity: Severity::Info,
     default: true,
-    options: &[RuleOption {
-        name: "turns",
-        default: 1000.0,
-        on_gpu: 100_000.0,
-        about: "Most turns of all innermost loops for one pixel",
-    }],
+    options: &[RuleOption::Number(&TURNS)],
     page: include_str!("nested_iterations.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
+
+static TURNS: Setting<f64> = Setting::new(
+    "turns",
+    1000.0,
+    "Most turns of all innermost loops for one pixel",
+)
+.on_gpu(100_000.0);
 
 /// Most loops that a finding points at.
 const MAX_LABELS: usize = 6;
@@ -27,7 +29,7 @@ fn check(cx: &mut Context) {
         return;
     };
     let turns = cx.facts.work().turns(entry);
-    let most = cx.option("turns");
+    let most = cx.option(&TURNS);
     if turns <= most {
         return;
     }

@@ -1,7 +1,7 @@
 //! Scene functions that compute every primitive at every step.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::{FunctionRef, Resolution};
 use crate::semantic::{each_inner, each_operand};
 use crate::syntax::ast::*;
@@ -12,22 +12,25 @@ pub static RULE: Rule = Rule {
     severity: Severity::Info,
     default: true,
     options: &[
-        RuleOption {
-            name: "primitives",
-            default: 8.0,
-            on_gpu: 16.0,
-            about: "Fewest calls in a scene function that want a test before them",
-        },
-        RuleOption {
-            name: "operations",
-            default: 80.0,
-            on_gpu: 600.0,
-            about: "Fewest operations of a scene function that wants a test",
-        },
+        RuleOption::Count(&PRIMITIVES),
+        RuleOption::Number(&OPERATIONS),
     ],
     page: include_str!("no_early_exit.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
+
+static PRIMITIVES: Setting<u64> = Setting::new(
+    "primitives",
+    8,
+    "Fewest calls in a scene function that want a test before them",
+)
+.on_gpu(16);
+static OPERATIONS: Setting<f64> = Setting::new(
+    "operations",
+    80.0,
+    "Fewest operations of a scene function that wants a test",
+)
+.on_gpu(600.0);
 
 fn check(cx: &mut Context) {
     let facts = cx.facts;
@@ -54,7 +57,7 @@ fn check(cx: &mut Context) {
         }
         let operations = facts.work().operations(scene);
         let is_large =
-            count as f64 >= cx.option("primitives") && operations >= cx.option("operations");
+            count as u64 >= cx.option(&PRIMITIVES) && operations >= cx.option(&OPERATIONS);
         if !is_large || decl.body.is_none_or(|b| branches(cx, b)) {
             continue;
         }

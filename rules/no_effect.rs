@@ -1,7 +1,7 @@
 //! Expressions whose value is thrown away, and that do nothing else.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, remove_statement};
+use crate::lint::{Check, Context, Group, Rule, Shape, remove_statement};
 use crate::semantic::Resolution;
 use crate::semantic::is_dropped;
 use crate::syntax::ast::*;
@@ -14,33 +14,34 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("no_effect.md"),
-    check: Check::Program(check),
+    checks: &[
+        Check::Stmt(check_statement),
+        Check::Expr(&[Shape::Comma], check_comma),
+    ],
 };
 
-fn check(cx: &mut Context) {
+fn check_statement(cx: &mut Context, id: StmtId) {
     let program = cx.program;
-    let tree = &program.tree;
-    for (i, stmt) in tree.stmts.iter().enumerate() {
-        if let StmtKind::Expr(root) = stmt.kind
-            && is_idle(cx, root)
-            && is_dropped(program, cx.facts.structure(), root)
-        {
-            report_statement(cx, StmtId(i as u32), root);
-        }
+    if let StmtKind::Expr(root) = program.tree.stmt(id).kind
+        && is_idle(cx, root)
+        && is_dropped(program, cx.facts.structure(), root)
+    {
+        report_statement(cx, id, root);
     }
-    for (i, expr) in tree.exprs.iter().enumerate() {
-        let ExprKind::Comma(left, right) = expr.kind else {
-            continue;
-        };
-        // Where the whole does nothing, it was reported as a statement.
-        let id = ExprId(i as u32);
-        let dropped = is_idle(cx, right) && is_dropped(program, cx.facts.structure(), id);
-        // Of `a, b, c` the tree is `(a, b), c`.
-        let is_list = matches!(tree.expr(left).kind, ExprKind::Comma(..));
-        if !dropped && !is_list && is_idle(cx, left) {
-            cx.report_expr(left, "the value left of the comma is thrown away")
-                .note("`a, b` computes both, and is `b`");
-        }
+}
+
+fn check_comma(cx: &mut Context, id: ExprId) {
+    let program = cx.program;
+    let ExprKind::Comma(left, right) = program.tree.expr(id).kind else {
+        return;
+    };
+    // Where the whole does nothing, it was reported as a statement.
+    let dropped = is_idle(cx, right) && is_dropped(program, cx.facts.structure(), id);
+    // Of `a, b, c` the tree is `(a, b), c`.
+    let is_list = matches!(program.tree.expr(left).kind, ExprKind::Comma(..));
+    if !dropped && !is_list && is_idle(cx, left) {
+        cx.report_expr(left, "the value left of the comma is thrown away")
+            .note("`a, b` computes both, and is `b`");
     }
 }
 

@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("normalize_zero.md"),
-    check: Check::Builtin(check),
+    checks: &[Check::Builtin(check)],
 };
 
 fn check(cx: &mut Context, call: &Builtin) {

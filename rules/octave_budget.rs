@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::light::has_word;
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::tunable::range_behind;
 use crate::semantic::{Resolution, VariableId};
 use crate::syntax::ast::*;
@@ -12,15 +12,13 @@ pub static RULE: Rule = Rule {
     group: Group::Budget,
     severity: Severity::Info,
     default: true,
-    options: &[RuleOption {
-        name: "octaves",
-        default: 6.0,
-        on_gpu: 12.0,
-        about: "Most octaves of a sum of noise",
-    }],
+    options: &[RuleOption::Count(&OCTAVES)],
     page: include_str!("octave_budget.md"),
-    check: Check::Stmt(check),
+    checks: &[Check::Stmt(check)],
 };
+
+static OCTAVES: Setting<u64> =
+    Setting::new("octaves", 6, "Most octaves of a sum of noise").on_gpu(12);
 
 fn check(cx: &mut Context, stmt: StmtId) {
     let program = cx.program;
@@ -30,9 +28,9 @@ fn check(cx: &mut Context, stmt: StmtId) {
     let (Some(turns), Some(given)) = (looped.bound.turns(), looped.given) else {
         return;
     };
-    let most = cx.option("octaves");
+    let most = cx.option(&OCTAVES);
     // A loop that leaves early sums as many octaves as its caller asks for.
-    if looped.ends_early || turns as f64 <= most || !sums_octaves(cx, stmt) {
+    if looped.ends_early || turns <= most || !sums_octaves(cx, stmt) {
         return;
     }
     let uses = program.macros_at(program.tree.expr(given).extent.first);

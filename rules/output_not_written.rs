@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("output_not_written.md"),
-    check: Check::Function(check),
+    checks: &[Check::Function(check)],
 };
 
 /// The bit of the alpha component.
@@ -50,10 +50,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
             true => format!("`{what}` is never written to"),
             false => format!("`{what}` may not be written to"),
         };
-        let declared = variable
-            .token
-            .and_then(|t| program.token(t))
-            .map(|t| t.span);
+        let declared = program.declared_at(variable);
         let left = program.span(unset.at);
         let finding = cx.report_span(declared.unwrap_or(left), message);
         let finding = match declared {

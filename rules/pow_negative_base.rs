@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("pow_negative_base.md"),
-    check: Check::Builtin(check),
+    checks: &[Check::Builtin(check)],
 };
 
 fn check(cx: &mut Context, call: &Builtin) {

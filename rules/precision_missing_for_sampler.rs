@@ -1,10 +1,9 @@
 //! Samplers of data that are read in the lowest precision.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Base, BuiltinId, Sampler, Storage};
+use crate::lint::{Check, Context, Declaration, Group, Rule};
+use crate::semantic::{Base, BuiltinId, Sampler, Storage, VariableId};
 use crate::syntax::ast::*;
-use rustc_hash::FxHashSet;
 
 pub static RULE: Rule = Rule {
     name: "precision-missing-for-sampler",
@@ -13,67 +12,42 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("precision_missing_for_sampler.md"),
-    check: Check::Program(check),
+    checks: &[Check::Declaration(check)],
 };
 
-fn check(cx: &mut Context) {
+fn check(cx: &mut Context, declared: &Declaration) {
+    use QualifierKind::{Highp, Lowp, Mediump};
     let program = cx.program;
     let tree = &program.tree;
-    // What is fetched texel by texel is data, not a picture.
-    let mut fetched = FxHashSet::default();
-    for (i, expr) in tree.exprs.iter().enumerate() {
-        let ExprKind::Call(_, args) = expr.kind else {
-            continue;
-        };
-        if program.builtin_called(ExprId(i as u32)) == Some(BuiltinId::TexelFetch) {
-            let sampler = tree
-                .args(args)
-                .first()
-                .and_then(|s| program.variable_of(*s));
-            fetched.extend(sampler);
-        }
+    let variable = program.variable(declared.variable);
+    let Some(variable) = variable.filter(|v| v.storage == Storage::Uniform) else {
+        return;
+    };
+    let Base::Sampler(sampler @ (Sampler::Sampler2D | Sampler::SamplerCube)) = variable.ty.base
+    else {
+        return;
+    };
+    let mut qualifiers = tree.qualifiers(declared.qualifiers).iter();
+    let is_set = qualifiers.any(|q| matches!(q.kind, Lowp | Mediump | Highp));
+    let Some(declarator) = declared.declarator() else {
+        return;
+    };
+    if is_set || has_default(tree, declared.ty) || !is_fetched(cx, declared.variable) {
+        return;
     }
-    for item in &tree.items {
-        let Item::Decl(id) = item else { continue };
-        let Some(DeclKind::Variables {
-            qualifiers,
-            declarators,
-            ty,
-        }) = tree.decl(*id).map(|d| d.kind)
-        else {
-            continue;
-        };
-        let is_set = |q: &Qualifier| {
-            use QualifierKind::*;
-            matches!(q.kind, Lowp | Mediump | Highp)
-        };
-        if tree.qualifiers(qualifiers).iter().any(is_set) {
-            continue;
-        }
-        let from = declarators.start as usize;
-        let declared = program.declared.get(from..).unwrap_or(&[]);
-        for (declarator, variable) in tree.declarators(declarators).iter().zip(declared) {
-            let Some(found) = variable.filter(|v| fetched.contains(v)) else {
-                continue;
-            };
-            let Some(variable) = program.variable(found) else {
-                continue;
-            };
-            let Base::Sampler(sampler @ (Sampler::Sampler2D | Sampler::SamplerCube)) =
-                variable.ty.base
-            else {
-                continue;
-            };
-            let token = declarator.ident.token;
-            let is_users = program.token(token).is_some_and(|t| cx.is_users(t.span));
-            if variable.storage == Storage::Uniform && is_users && !has_default(tree, ty) {
-                let name = sampler.name();
-                cx.report(Extent::token(token), format!("`{name}` is `lowp` unless it says otherwise"))
-                    .note("texels are fetched from it one by one, as data; `lowp` keeps 8 bits of them where it is taken at its word")
-                    .help(format!("write `uniform highp {name}`, or `precision highp {name};` once"));
-            }
-        }
-    }
+    let name = sampler.name();
+    cx.report(Extent::token(declarator.ident.token), format!("`{name}` is `lowp` unless it says otherwise"))
+        .note("texels are fetched from it one by one, as data; `lowp` keeps 8 bits of them where it is taken at its word")
+        .help(format!("write `uniform highp {name}`, or `precision highp {name};` once"));
+}
+
+/// Whether texels are fetched from a sampler one by one: what it holds is data, and no picture.
+fn is_fetched(cx: &Context, sampler: VariableId) -> bool {
+    let program = cx.program;
+    cx.facts.mentions().all(sampler).iter().any(|&mention| {
+        let call = cx.facts.structure().parent(mention);
+        call.is_some_and(|call| program.builtin_called(call) == Some(BuiltinId::TexelFetch))
+    })
 }
 
 /// Whether the shader gives a default precision for a type.

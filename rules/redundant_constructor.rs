@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("redundant_constructor.md"),
-    check: Check::Expr(&[Shape::Construct], check),
+    checks: &[Check::Expr(&[Shape::Construct], check)],
 };
 
 /// Longest code that a message repeats, in bytes.

@@ -1,7 +1,7 @@
 //! The same expensive call twice in one statement.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::{FunctionRef, Program, each_expr, each_operand};
 use crate::syntax::TokenKind;
 use crate::syntax::ast::*;
@@ -13,15 +13,17 @@ pub static RULE: Rule = Rule {
     group: Group::Budget,
     severity: Severity::Info,
     default: true,
-    options: &[RuleOption {
-        name: "operations",
-        default: 20.0,
-        on_gpu: 60.0,
-        about: "Fewest operations of a call that is reported",
-    }],
+    options: &[RuleOption::Number(&OPERATIONS)],
     page: include_str!("repeated_call.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
+
+static OPERATIONS: Setting<f64> = Setting::new(
+    "operations",
+    20.0,
+    "Fewest operations of a call that is reported",
+)
+.on_gpu(60.0);
 
 fn check(cx: &mut Context) {
     let program = cx.program;
@@ -29,7 +31,7 @@ fn check(cx: &mut Context) {
     // By statement, function and spelling; a call stands in one statement.
     let mut first: FxHashMap<(StmtId, FunctionRef, Vec<Word>), ExprId> = FxHashMap::default();
     for call in &program.calls {
-        if facts.work().operations(call.callee) < cx.option("operations")
+        if facts.work().operations(call.callee) < cx.option(&OPERATIONS)
             || !facts.effects().is_pure(call.callee)
         {
             continue;

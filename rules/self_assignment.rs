@@ -1,7 +1,7 @@
 //! `x = x`, and `y = x; x = y`.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, remove_statement, same_code};
+use crate::lint::{Check, Context, Group, Rule, Shape, remove_statement, same_code};
 use crate::semantic::VariableId;
 use crate::syntax::ast::*;
 
@@ -12,30 +12,29 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("self_assignment.md"),
-    check: Check::Program(check),
+    checks: &[
+        Check::Expr(&[Shape::Assign], check_assignment),
+        Check::Stmt(check_copies),
+    ],
 };
 
-fn check(cx: &mut Context) {
+fn check_copies(cx: &mut Context, id: StmtId) {
     let tree = &cx.program.tree;
-    for (i, expr) in tree.exprs.iter().enumerate() {
-        if let ExprKind::Assign(None, target, value) = expr.kind {
-            check_assignment(cx, ExprId(i as u32), target, value);
-        }
-    }
-    for stmt in &tree.stmts {
-        if let StmtKind::Block(body) = stmt.kind {
-            for pair in tree.block(body).windows(2) {
-                if let [first, second] = *pair {
-                    check_copy(cx, first, second);
-                }
+    if let StmtKind::Block(body) = tree.stmt(id).kind {
+        for pair in tree.block(body).windows(2) {
+            if let [first, second] = *pair {
+                check_copy(cx, first, second);
             }
         }
     }
 }
 
-fn check_assignment(cx: &mut Context, id: ExprId, target: ExprId, value: ExprId) {
+fn check_assignment(cx: &mut Context, id: ExprId) {
     let program = cx.program;
     let tree = &program.tree;
+    let ExprKind::Assign(None, target, value) = tree.expr(id).kind else {
+        return;
+    };
     let whole = tree.expr(id).extent;
     let [left, right] = [target, tree.unparen(value)].map(|e| tree.expr(e).extent);
     if !same_code(program, left, right)

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::march::Role;
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
@@ -10,18 +10,20 @@ pub static RULE: Rule = Rule {
     group: Group::Budget,
     severity: Severity::Warning,
     default: true,
-    options: &[RuleOption {
-        name: "steps",
-        default: 16.0,
-        on_gpu: 64.0,
-        about: "Most steps of a shadow loop that never stops early",
-    }],
+    options: &[RuleOption::Count(&STEPS)],
     page: include_str!("shadow_steps.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
 
+static STEPS: Setting<u64> = Setting::new(
+    "steps",
+    16,
+    "Most steps of a shadow loop that never stops early",
+)
+.on_gpu(64);
+
 fn check(cx: &mut Context) {
-    let most = cx.option("steps");
+    let most = cx.option(&STEPS);
     let facts = cx.facts;
     for march in facts.marches() {
         let looped = march.looped;
@@ -30,7 +32,7 @@ fn check(cx: &mut Context) {
         else {
             continue;
         };
-        if turns as f64 <= most {
+        if turns <= most {
             continue;
         }
         let head = Extent::token(cx.program.tree.stmt(looped.stmt).extent.first);

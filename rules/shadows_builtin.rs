@@ -1,10 +1,10 @@
 //! Variables and functions that hide a built-in function.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
+use crate::lint::{Check, Context, DeclaredName, Group, Named, Rule};
 use crate::semantic::Storage;
 use crate::semantic::builtins::Builtins;
-use crate::syntax::ast::{Extent, TokenId};
+use crate::syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "shadows-builtin",
@@ -13,51 +13,29 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("shadows_builtin.md"),
-    check: Check::Program(check),
+    checks: &[Check::Name(check)],
 };
 
-fn check(cx: &mut Context) {
+fn check(cx: &mut Context, declared: &DeclaredName) {
     let program = cx.program;
-    let mut found: Vec<(TokenId, Hidden)> = Vec::new();
-    for variable in &program.variables {
-        let hidden = match variable.storage {
-            Storage::Local | Storage::Param(_) => Hidden::InScope,
-            _ => Hidden::Everywhere,
-        };
-        found.extend(variable.token.map(|t| (t, hidden)));
-    }
-    for function in &program.functions {
-        let decl = program.tree.function(function.declaration);
-        found.extend(decl.map(|d| (d.ident.token, Hidden::Everywhere)));
-    }
-    found.sort_unstable_by_key(|(t, _)| *t);
+    let name = declared.text;
     let builtins = Builtins::of(program.version, program.stage);
-    for (token, hidden) in found {
-        let Some(name) = cx.user_name(token) else {
-            continue;
-        };
-        if builtins.function(name).is_none() {
-            continue;
-        }
-        let finding = cx.report(
-            Extent::token(token),
-            format!("`{name}` hides the built-in function `{name}`"),
-        );
-        let finding = match hidden {
-            Hidden::InScope => {
-                finding.note("the function cannot be called where this name is seen")
-            }
-            Hidden::Everywhere => finding.note(
-                "WebGL allows it, other compilers of GLSL ES take both for one name and refuse it",
-            ),
-        };
-        finding.help("take another name");
+    if declared.what == Named::Struct || builtins.function(name).is_none() {
+        return;
     }
-}
-
-/// Where a built-in function is hidden.
-#[derive(Clone, Copy)]
-enum Hidden {
-    InScope,
-    Everywhere,
+    let is_local = match declared.what {
+        Named::Variable(id) => program
+            .variable(id)
+            .is_some_and(|v| matches!(v.storage, Storage::Local | Storage::Param(_))),
+        Named::Function(_) | Named::Struct => false,
+    };
+    cx.report(
+        Extent::token(declared.token),
+        format!("`{name}` hides the built-in function `{name}`"),
+    )
+    .note(match is_local {
+        true => "the function cannot be called where this name is seen",
+        false => "WebGL allows it, other compilers of GLSL ES take both for one name and refuse it",
+    })
+    .help("take another name");
 }

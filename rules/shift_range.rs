@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("shift_range.md"),
-    check: Check::Expr(&[Shape::Binary, Shape::Assign], check),
+    checks: &[Check::Expr(&[Shape::Binary, Shape::Assign], check)],
 };
 
 fn check(cx: &mut Context, id: ExprId) {

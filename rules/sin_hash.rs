@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::light::factors;
-use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::{BuiltinId, Program, Scalar, Type};
 use crate::syntax::Version;
 use crate::syntax::ast::*;
@@ -13,15 +13,13 @@ pub static RULE: Rule = Rule {
     group: Group::Portability,
     severity: Severity::Info,
     default: true,
-    options: &[RuleOption {
-        name: "factor",
-        default: 100.0,
-        on_gpu: 100.0,
-        about: "Smallest factor that makes a sine a hash",
-    }],
+    options: &[RuleOption::Number(&FACTOR)],
     page: include_str!("sin_hash.md"),
-    check: Check::Builtin(check),
+    checks: &[Check::Builtin(check)],
 };
+
+static FACTOR: Setting<f64> =
+    Setting::new("factor", 100.0, "Smallest factor that makes a sine a hash");
 
 /// Name of the function that takes its place.
 const HASH: &str = "integerHash";
@@ -34,7 +32,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     }
     let program = cx.program;
     let factors = factors(program, arg);
-    let limit = cx.option("factor");
+    let limit = cx.option(&FACTOR);
     let is_large = factors.iter().any(|f| {
         let values = program.values(*f);
         values.iter().any(|v| v.as_float().abs() as f64 >= limit)

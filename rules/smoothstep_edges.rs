@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("smoothstep_edges.md"),
-    check: Check::Builtin(check),
+    checks: &[Check::Builtin(check)],
 };
 
 fn check(cx: &mut Context, call: &Builtin) {

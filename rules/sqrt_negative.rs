@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("sqrt_negative.md"),
-    check: Check::Builtin(check),
+    checks: &[Check::Builtin(check)],
 };
 
 fn check(cx: &mut Context, call: &Builtin) {

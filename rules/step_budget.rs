@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::march::{March, Role, way};
-use crate::lint::{Check, Context, Group, Rule, RuleOption};
+use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::each_operand;
 use crate::semantic::tunable::{Range, range_behind};
 use crate::semantic::{FunctionRef, Resolution};
@@ -15,28 +15,28 @@ pub static RULE: Rule = Rule {
     severity: Severity::Warning,
     default: true,
     options: &[
-        RuleOption {
-            name: "main",
-            default: 64.0,
-            on_gpu: 256.0,
-            about: "Most steps of a loop that looks for what a pixel shows",
-        },
-        RuleOption {
-            name: "shadow",
-            default: 16.0,
-            on_gpu: 64.0,
-            about: "Most steps of a loop that looks for what stands before a light",
-        },
-        RuleOption {
-            name: "sum",
-            default: 80.0,
-            on_gpu: 512.0,
-            about: "Most steps of all marching loops together",
-        },
+        RuleOption::Count(&MAIN),
+        RuleOption::Count(&SHADOW),
+        RuleOption::Count(&SUM),
     ],
     page: include_str!("step_budget.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
+
+static MAIN: Setting<u64> = Setting::new(
+    "main",
+    64,
+    "Most steps of a loop that looks for what a pixel shows",
+)
+.on_gpu(256);
+static SHADOW: Setting<u64> = Setting::new(
+    "shadow",
+    16,
+    "Most steps of a loop that looks for what stands before a light",
+)
+.on_gpu(64);
+static SUM: Setting<u64> =
+    Setting::new("sum", 80, "Most steps of all marching loops together").on_gpu(512);
 
 /// A marching loop, and how many steps it may take.
 struct Marched {
@@ -67,7 +67,7 @@ fn check(cx: &mut Context) {
     }
     let counted: Vec<&Marched> = marches.iter().filter(|m| m.documented.is_none()).collect();
     let sum = counted.iter().map(|m| m.steps).sum();
-    if !is_over && sum > cx.option("sum") as u64 {
+    if !is_over && sum > cx.option(&SUM) {
         report_sum(cx, &counted, sum);
     }
 }
@@ -81,14 +81,14 @@ fn marched(cx: &Context, march: &March) -> Option<Marched> {
     }
     let documented = documented(cx, given);
     let usual = match march.role {
-        Role::Picture => cx.option("main"),
-        Role::Shadow => cx.option("shadow"),
+        Role::Picture => cx.option(&MAIN),
+        Role::Shadow => cx.option(&SHADOW),
     };
     Some(Marched {
         march: *march,
         given,
         steps,
-        allowed: documented.as_ref().map_or(usual, |r| r.max) as u64,
+        allowed: documented.as_ref().map_or(usual, |r| r.max as u64),
         documented,
     })
 }
@@ -115,10 +115,9 @@ fn definition(cx: &Context, given: ExprId) -> Option<(Span, Span)> {
         if let Resolution::Variable(id) = program.expr(next).resolution
             && let Some(variable) = program.variable(id).filter(|v| v.is_const)
         {
-            let position = program.declared.iter().position(|d| *d == Some(id))?;
-            let declarator = program.tree.declarator_lists.get(position)?;
+            let declarator = program.declarator_of(id)?;
             let behind = program.token(declarator.extent.last + 1)?.span;
-            return Some((behind, program.token(variable.token?)?.span));
+            return Some((behind, program.declared_at(variable)?));
         }
         each_operand(&program.tree, expr, |child| todo.push(child));
     }
@@ -168,7 +167,7 @@ fn report_sum(cx: &mut Context, marches: &[&Marched], sum: u64) {
         .filter(|m| m.march.looped.stmt != largest.march.looped.stmt)
         .map(|m| (cx.program.expr_span(m.given), m.steps))
         .collect();
-    let (main, shadow, most) = (cx.option("main"), cx.option("shadow"), cx.option("sum"));
+    let (main, shadow, most) = (cx.option(&MAIN), cx.option(&SHADOW), cx.option(&SUM));
     let mut finding = cx
         .report_expr(
             largest.given,

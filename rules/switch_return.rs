@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("switch_return.md"),
-    check: Check::Stmt(check),
+    checks: &[Check::Stmt(check)],
 };
 
 fn check(cx: &mut Context, stmt: StmtId) {

@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("tunable_range.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
 
 fn check(cx: &mut Context) {

@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("unbounded_loop.md"),
-    check: Check::Stmt(check),
+    checks: &[Check::Stmt(check)],
 };
 
 fn check(cx: &mut Context, stmt: StmtId) {

@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("uninitialized_read.md"),
-    check: Check::Function(check),
+    checks: &[Check::Function(check)],
 };
 
 fn check(cx: &mut Context, function: FunctionRef) {
@@ -36,10 +36,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
             true => format!("`{name}` is read before it has a value"),
             false => format!("`{name}` may be read before it has a value"),
         };
-        let declared = variable
-            .token
-            .and_then(|t| program.token(t))
-            .map(|t| t.span);
+        let declared = program.declared_at(variable);
         let fix = zero(cx, variable);
         let finding = cx.report(unset.at, message).fix(fix);
         let finding = match declared {

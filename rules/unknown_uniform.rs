@@ -11,5 +11,5 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("unknown_uniform.md"),
-    check: Check::Page,
+    checks: &[Check::Page],
 };

@@ -11,5 +11,5 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("unused_allow.md"),
-    check: Check::Allows,
+    checks: &[Check::Allows],
 };

@@ -2,10 +2,8 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Check, Context, Group, Rule, remove_statement};
-use crate::semantic::FunctionRef;
-use crate::syntax::Name;
+use crate::semantic::{FunctionRef, starts_a_shader};
 use crate::syntax::ast::{DeclKind, Extent, FunctionDecl};
-use rustc_hash::FxHashSet;
 
 pub static RULE: Rule = Rule {
     name: "unused-function",
@@ -14,59 +12,41 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("unused_function.md"),
-    check: Check::Program(check),
+    checks: &[Check::Function(check)],
 };
 
-/// What players call.
-const ENTRIES: [&str; 5] = ["main", "mainImage", "mainCubemap", "mainSound", "mainVR"];
-
-fn check(cx: &mut Context) {
-    let Some(own) = cx.facts.own_file() else {
+fn check(cx: &mut Context, id: FunctionRef) {
+    let program = cx.program;
+    let function = program.function(id);
+    let definition = function.and_then(|f| program.tree.function(f.definition?));
+    let Some(definition) = definition else {
         return;
     };
-    let program = cx.program;
-    let mut prototypes: Option<FxHashSet<Name>> = None;
-    for (i, function) in program.functions.iter().enumerate() {
-        let definition = function.definition.and_then(|d| program.tree.function(d));
-        let Some(definition) = definition else {
-            continue;
-        };
-        let name = program.names.text(function.name);
-        let token = program.token(definition.ident.token);
-        let is_own = token.is_some_and(|t| t.is_direct() && own.contains(t.span));
-        let is_exempt = || name.starts_with('_') || ENTRIES.contains(&name);
-        let called = || cx.facts.calls().calls_of(FunctionRef(i as u32)).next();
-        if !is_own || is_exempt() || called().is_some() || cx.facts.unseen().has(name) {
-            continue;
-        }
-        let prototypes = prototypes.get_or_insert_with(|| prototypes_of(cx));
-        let fix = removal(cx, definition, prototypes);
-        cx.report(
-            Extent::token(definition.ident.token),
-            format!("nothing calls `{name}`"),
-        )
-        .fix(fix);
+    let name = program.names.text(definition.ident.name);
+    let at = Extent::token(definition.ident.token);
+    let own = cx.facts.own_file();
+    let is_own = own.is_some_and(|own| own.contains(program.span(at))) && program.is_direct(at);
+    let is_exempt = name.starts_with('_') || starts_a_shader(name);
+    let is_called = || cx.facts.calls().calls_of(id).next().is_some();
+    if !is_own || is_exempt || is_called() || cx.facts.unseen().has(name) {
+        return;
     }
+    let fix = removal(cx, definition);
+    cx.report(at, format!("nothing calls `{name}`")).fix(fix);
 }
 
-/// The names of which there are prototypes.
-fn prototypes_of(cx: &Context) -> FxHashSet<Name> {
-    let tree = &cx.program.tree;
-    let prototype = |kind: &DeclKind| match kind {
-        DeclKind::Prototype(f) => tree.function(*f).map(|f| f.ident.name),
-        _ => None,
-    };
-    tree.decls
-        .iter()
-        .filter_map(|d| prototype(&d.kind))
-        .collect()
-}
-
-fn removal(cx: &Context, definition: &FunctionDecl, prototypes: &FxHashSet<Name>) -> Option<Fix> {
+fn removal(cx: &Context, definition: &FunctionDecl) -> Option<Fix> {
     let program = cx.program;
     let name = definition.ident.name;
     // Its prototype, or that of an overload, stands elsewhere.
-    if prototypes.contains(&name) {
+    let has_prototype = program.tree.decls.iter().any(|d| match d.kind {
+        DeclKind::Prototype(f) => program
+            .tree
+            .function(f)
+            .is_some_and(|f| f.ident.name == name),
+        _ => false,
+    });
+    if has_prototype {
         return None;
     }
     let edit = remove_statement(program, definition.extent)?;

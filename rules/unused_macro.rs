@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Check, Context, Group, Rule, remove_lines};
+use crate::syntax::Macro;
 use crate::text::{Edit, Span};
 
 pub static RULE: Rule = Rule {
@@ -11,29 +12,25 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("unused_macro.md"),
-    check: Check::Program(check),
+    checks: &[Check::Macro(check)],
 };
 
-fn check(cx: &mut Context) {
-    let Some(own) = cx.facts.own_file() else {
-        return;
-    };
+fn check(cx: &mut Context, definition: &Macro) {
     let program = cx.program;
-    for definition in &program.tokens.macros {
-        if definition.predefined || definition.uses > 0 || !own.contains(definition.name_span) {
-            continue;
-        }
-        let name = program.names.text(definition.name);
-        // Any other mention may be a test, or code that is left out at the moment.
-        if name.starts_with('_') || cx.facts.counts().of_word(name) != 1 {
-            continue;
-        }
-        let span = definition.name_span;
-        let fix =
-            removal(cx, span).map(|edit| Fix::suggestion(format!("take `{name}` out"), vec![edit]));
-        cx.report_span(span, format!("nothing uses the macro `{name}`"))
-            .fix(fix);
+    let span = definition.name_span;
+    let is_own = cx.facts.own_file().is_some_and(|own| own.contains(span));
+    if definition.uses > 0 || !is_own {
+        return;
     }
+    let name = program.names.text(definition.name);
+    // Any other mention may be a test, or code that is left out at the moment.
+    if name.starts_with('_') || cx.facts.counts().of_word(name) != 1 {
+        return;
+    }
+    let edit = removal(cx, span);
+    let fix = edit.map(|edit| Fix::suggestion(format!("take `{name}` out"), vec![edit]));
+    cx.report_span(span, format!("nothing uses the macro `{name}`"))
+        .fix(fix);
 }
 
 /// Takes the `#define` away whose name stands at a span.

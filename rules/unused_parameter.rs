@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Direction, FunctionRef, Storage};
+use crate::semantic::{Direction, FunctionRef, Storage, starts_a_shader};
 use crate::syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
@@ -12,11 +12,8 @@ pub static RULE: Rule = Rule {
     default: false,
     options: &[],
     page: include_str!("unused_parameter.md"),
-    check: Check::Function(check),
+    checks: &[Check::Function(check)],
 };
-
-/// What players call, with the parameters that they give.
-const ENTRIES: [&str; 4] = ["mainImage", "mainCubemap", "mainSound", "mainVR"];
 
 fn check(cx: &mut Context, function: FunctionRef) {
     let program = cx.program;
@@ -25,7 +22,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
     };
     let name = program.names.text(function.name);
     let definition = function.definition.and_then(|d| program.tree.function(d));
-    let Some(definition) = definition.filter(|_| !ENTRIES.contains(&name)) else {
+    let Some(definition) = definition.filter(|_| !starts_a_shader(name)) else {
         return;
     };
     let from = definition.params.start as usize;
@@ -44,7 +41,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
                 && !writes.idle(id).is_empty());
         let own = program.names.text(param.name);
         let Some(token) = param.token else { continue };
-        let is_direct = program.token(token).is_some_and(|t| t.is_direct());
+        let is_direct = program.is_direct(Extent::token(token));
         if is_used || own.starts_with('_') || !is_direct || cx.facts.unseen().has(own) {
             continue;
         }

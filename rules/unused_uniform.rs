@@ -1,9 +1,9 @@
 //! Uniforms that the shader declares and never reads.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, remove_declarator, remove_statement};
+use crate::lint::{Check, Context, Declaration, Group, Rule, remove_declaration};
 use crate::semantic::Storage;
-use crate::syntax::ast::{DeclKind, Extent, Item};
+use crate::syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "unused-uniform",
@@ -12,54 +12,28 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("unused_uniform.md"),
-    check: Check::Program(check),
+    checks: &[Check::Declaration(check)],
 };
 
-fn check(cx: &mut Context) {
-    let Some(own) = cx.facts.own_file() else {
+fn check(cx: &mut Context, declared: &Declaration) {
+    let program = cx.program;
+    let variable = program.variable(declared.variable);
+    let Some(variable) = variable.filter(|v| v.storage == Storage::Uniform && !v.read) else {
         return;
     };
-    let program = cx.program;
-    for item in &program.tree.items {
-        let Item::Decl(decl) = *item else { continue };
-        let Some(decl) = program.tree.decl(decl) else {
-            continue;
-        };
-        let DeclKind::Variables { declarators, .. } = decl.kind else {
-            continue;
-        };
-        if !own.contains(program.span(decl.extent)) {
-            continue;
-        }
-        let all = program.tree.declarators(declarators);
-        for (index, declarator) in all.iter().enumerate() {
-            let at = declarators.start as usize + index;
-            let Some(id) = program.declared.get(at).copied().flatten() else {
-                continue;
-            };
-            let Some(variable) = program.variable(id) else {
-                continue;
-            };
-            let name = program.names.text(variable.name);
-            let token = declarator.ident.token;
-            let is_direct = program.token(token).is_some_and(|t| t.is_direct());
-            if variable.storage != Storage::Uniform || variable.read || !is_direct {
-                continue;
-            }
-            if name.starts_with('_') || cx.facts.unseen().has(name) {
-                continue;
-            }
-            let edit = match all.len() {
-                1 => remove_statement(program, decl.extent),
-                _ => remove_declarator(program, all, index),
-            };
-            let fix = edit.map(|e| Fix::suggestion(format!("take `{name}` out"), vec![e]));
-            cx.report(
-                Extent::token(token),
-                format!("the uniform `{name}` is never read"),
-            )
-            .note("the compiler drops it: a page that sets it gets no location for it")
-            .fix(fix);
-        }
+    let own = cx.facts.own_file();
+    let is_own = own.is_some_and(|own| own.contains(program.span(declared.extent)));
+    let name = program.names.text(variable.name);
+    let token = declared.declarator().map(|d| Extent::token(d.ident.token));
+    let Some(token) = token.filter(|t| is_own && program.is_direct(*t)) else {
+        return;
+    };
+    if name.starts_with('_') || cx.facts.unseen().has(name) {
+        return;
     }
+    let edit = remove_declaration(program, declared);
+    let fix = edit.map(|e| Fix::suggestion(format!("take `{name}` out"), vec![e]));
+    cx.report(token, format!("the uniform `{name}` is never read"))
+        .note("the compiler drops it: a page that sets it gets no location for it")
+        .fix(fix);
 }

@@ -1,8 +1,8 @@
 //! Variables whose value nothing makes use of.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, remove_declarator, remove_statement};
-use crate::semantic::{Storage, VariableId};
+use crate::lint::{Check, Context, Declaration, Group, Rule, remove_declaration, remove_statement};
+use crate::semantic::Storage;
 use crate::syntax::ast::*;
 use crate::text::Edit;
 
@@ -13,130 +13,71 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("unused_variable.md"),
-    check: Check::Program(check),
+    checks: &[Check::Declaration(check)],
 };
 
-/// One of the names of a declaration.
-struct Declared {
-    variable: VariableId,
-    declarators: List,
-    ty: TypeId,
-    index: usize,
-    /// All of the declaration.
-    extent: Extent,
-    /// The statement that it is; `None` at global scope.
-    stmt: Option<StmtId>,
-}
-
-fn check(cx: &mut Context) {
+fn check(cx: &mut Context, declared: &Declaration) {
     let program = cx.program;
-    for (i, stmt) in program.tree.stmts.iter().enumerate() {
-        if let StmtKind::Decl(decl) = stmt.kind {
-            check_declaration(cx, decl, Some(StmtId(i as u32)));
-        }
-    }
-    let Some(own) = cx.facts.own_file() else {
+    if !is_unused(cx, declared) {
         return;
-    };
-    for item in &program.tree.items {
-        let Item::Decl(decl) = *item else { continue };
-        let extent = program.tree.decl(decl).map(|d| d.extent);
-        if extent.is_some_and(|e| own.contains(program.span(e))) {
-            check_declaration(cx, decl, None);
-        }
     }
-}
-
-fn check_declaration(cx: &mut Context, decl: DeclId, stmt: Option<StmtId>) {
-    let program = cx.program;
-    let Some(decl) = program.tree.decl(decl) else {
-        return;
-    };
-    let DeclKind::Variables {
-        ty, declarators, ..
-    } = decl.kind
-    else {
-        return;
-    };
-    for index in 0..declarators.len as usize {
-        let at = declarators.start as usize + index;
-        let Some(variable) = program.declared.get(at).copied().flatten() else {
-            continue;
-        };
-        if is_unused(cx, variable) {
-            let declared = Declared {
-                variable,
-                declarators,
-                ty,
-                index,
-                extent: decl.extent,
-                stmt,
-            };
-            report(cx, &declared);
-        }
-    }
-}
-
-fn is_unused(cx: &Context, id: VariableId) -> bool {
-    let program = cx.program;
-    let Some(variable) = program.variable(id) else {
-        return false;
-    };
-    let name = program.names.text(variable.name);
-    let is_direct = || {
-        let token = variable.token.and_then(|t| program.token(t));
-        token.is_some_and(|t| t.is_direct())
-    };
-    matches!(variable.storage, Storage::Local | Storage::Global)
-        && !name.starts_with('_')
-        && !cx.facts.writes().is_read(id)
-        && is_direct()
-        && !cx.facts.unseen().has(name)
-}
-
-fn report(cx: &mut Context, declared: &Declared) {
-    let program = cx.program;
     let Some(variable) = program.variable(declared.variable) else {
         return;
     };
     let Some(token) = variable.token else { return };
     let name = program.names.text(variable.name);
-    let writes = cx.facts.writes().idle(declared.variable);
-    let fix = removal(cx, declared, writes)
+    let writes: Vec<ExprId> = cx.facts.writes().idle(declared.variable).to_vec();
+    let fix = removal(cx, declared, &writes)
         .map(|edits| Fix::suggestion(format!("take `{name}` out"), edits));
     let message = match writes.first() {
         None => format!("`{name}` is never used"),
         Some(_) => format!("`{name}` is written to, but never read"),
     };
-    let written = writes.first().map(|&w| program.expr_span(w));
     let mut finding = cx.report(Extent::token(token), message);
-    if let Some(written) = written {
-        finding = finding.label(written, "this value goes nowhere");
+    if let Some(&written) = writes.first() {
+        finding = finding.label(program.expr_span(written), "this value goes nowhere");
     }
     finding.fix(fix);
 }
 
+fn is_unused(cx: &Context, declared: &Declaration) -> bool {
+    let program = cx.program;
+    let Some(variable) = program.variable(declared.variable) else {
+        return false;
+    };
+    let name = program.names.text(variable.name);
+    // A global may be meant for another pass, unless it stands in the last file.
+    let is_own = || {
+        let own = cx.facts.own_file();
+        own.is_some_and(|own| own.contains(program.span(declared.extent)))
+    };
+    matches!(variable.storage, Storage::Local | Storage::Global)
+        && !name.starts_with('_')
+        && !cx.facts.writes().is_read(declared.variable)
+        && variable
+            .token
+            .is_some_and(|t| program.is_direct(Extent::token(t)))
+        && !cx.facts.unseen().has(name)
+        && (declared.stmt.is_some() || is_own())
+}
+
 /// The edits that take a variable and all that is written to it away, where nothing else goes with
 /// them.
-fn removal(cx: &Context, declared: &Declared, writes: &[ExprId]) -> Option<Vec<Edit>> {
+fn removal(cx: &Context, declared: &Declaration, writes: &[ExprId]) -> Option<Vec<Edit>> {
     let program = cx.program;
     let tree = &program.tree;
     let effects = cx.facts.effects();
-    let all = tree.declarators(declared.declarators);
-    let init = all.get(declared.index)?.init;
+    let init = declared.declarator()?.init;
     // A struct that is declared on the spot would go too.
     let declares_type = matches!(tree.ty(declared.ty).base, TypeBase::Struct(_));
     if init.is_some_and(|e| effects.has(e)) || declares_type {
         return None;
     }
-    let mut edits = vec![if all.len() > 1 {
-        remove_declarator(program, all, declared.index)?
-    } else {
-        if declared.stmt.is_some_and(|s| !stands_alone(cx, s)) {
-            return None;
-        }
-        remove_statement(program, declared.extent)?
-    }];
+    let is_alone = declared.declarators.len() == 1;
+    if is_alone && declared.stmt.is_some_and(|s| !stands_alone(cx, s)) {
+        return None;
+    }
+    let mut edits = vec![remove_declaration(program, declared)?];
     for &write in writes {
         let (target, value) = match tree.expr(write).kind {
             ExprKind::Assign(_, target, value) => (target, Some(value)),

@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("webgl1_context.md"),
-    check: Check::Program(check),
+    checks: &[Check::Program(check)],
 };
 
 fn check(cx: &mut Context) {

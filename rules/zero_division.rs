@@ -12,7 +12,10 @@ pub static RULE: Rule = Rule {
     default: true,
     options: &[],
     page: include_str!("zero_division.md"),
-    check: Check::Expr(&[Shape::Binary, Shape::Assign, Shape::Call], check),
+    checks: &[Check::Expr(
+        &[Shape::Binary, Shape::Assign, Shape::Call],
+        check,
+    )],
 };
 
 fn check(cx: &mut Context, id: ExprId) {

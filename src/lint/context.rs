@@ -1,11 +1,11 @@
 //! What a rule works with.
 
-use super::{Facts, Rule, Settings};
+use super::{Facts, OptionType, Rule, Setting, Settings};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
 use crate::ir::{self, OpId};
 use crate::semantic::Program;
-use crate::syntax::ast::{ExprId, ExprKind, Extent, TokenId};
-use crate::text::{Role, Span};
+use crate::syntax::ast::{ExprId, ExprKind, Extent};
+use crate::text::Span;
 
 /// A shader, and a place for findings.
 pub struct Context<'a, 'p> {
@@ -20,25 +20,15 @@ pub struct Context<'a, 'p> {
 }
 
 /// A finding that is being put together; it counts as soon as it is made.
-pub struct Finding<'a>(&'a mut Diagnostic);
+pub struct Finding<'a> {
+    program: &'a Program,
+    diagnostic: &'a mut Diagnostic,
+}
 
 impl<'p> Context<'_, 'p> {
-    /// A number that the rule goes by; its name is one of the rule's options.
-    pub fn option(&self, name: &str) -> f64 {
-        self.settings.option(self.rule, name)
-    }
-
-    /// Whether a place is in the user's text, and not in what a host puts before it.
-    pub fn is_users(&self, span: Span) -> bool {
-        let file = self.program.sources.file_at(span.start);
-        !span.is_empty() && file.is_some_and(|f| f.role == Role::User)
-    }
-
-    /// The name that a token of the user's text is.
-    pub fn user_name(&self, token: TokenId) -> Option<&'p str> {
-        let token = self.program.token(token)?;
-        let text = self.program.sources.text(token.span);
-        (self.is_users(token.span) && token.is_direct()).then_some(text)
+    /// What the rule goes by: one of its options.
+    pub fn option<T: OptionType>(&self, setting: &Setting<T>) -> T {
+        self.settings.option(self.rule, setting)
     }
 
     /// Code with an operator, in parentheses if it would fall apart in the place of an expression.
@@ -68,7 +58,7 @@ impl<'p> Context<'_, 'p> {
         let span = self.program.span(extent);
         let macros = self.program.macros_at(extent.first);
         let finding = self.report_span(span, message);
-        finding.0.macros = macros;
+        finding.diagnostic.macros = macros;
         finding
     }
 
@@ -96,41 +86,46 @@ impl<'p> Context<'_, 'p> {
             Diagnostic::new(self.rule.name, Origin::Rule, self.severity, span, message);
         self.diagnostics.push(diagnostic);
         let last = self.diagnostics.len() - 1;
-        Finding(&mut self.diagnostics[last])
+        Finding {
+            program: self.program,
+            diagnostic: &mut self.diagnostics[last],
+        }
     }
 }
 
 impl Finding<'_> {
     /// Sets the remark under the place itself.
     pub fn mark(self, message: impl Into<String>) -> Self {
-        self.0.label = message.into();
+        self.diagnostic.label = message.into();
         self
     }
 
-    /// Points at another place.
+    /// Points at another place, unless that is none of the user's text.
     pub fn label(self, span: Span, message: impl Into<String>) -> Self {
-        self.0.labels.push(Label {
-            span,
-            message: message.into(),
-        });
+        if self.program.is_user(span) {
+            self.diagnostic.labels.push(Label {
+                span,
+                message: message.into(),
+            });
+        }
         self
     }
 
     /// Says why.
     pub fn note(self, note: impl Into<String>) -> Self {
-        self.0.notes.push(note.into());
+        self.diagnostic.notes.push(note.into());
         self
     }
 
     /// Says what to write instead.
     pub fn help(self, help: impl Into<String>) -> Self {
-        self.0.help.push(help.into());
+        self.diagnostic.help.push(help.into());
         self
     }
 
     /// Adds the fix, if there is one.
     pub fn fix(self, fix: impl Into<Option<Fix>>) -> Self {
-        self.0.fix = fix.into();
+        self.diagnostic.fix = fix.into();
         self
     }
 }

@@ -1,6 +1,7 @@
 //! What names and numbers of a shader say about its lights and colours.
 
-use super::Context;
+use super::run::declared_names;
+use super::{Context, DeclaredName, Named};
 use crate::semantic::Program;
 use crate::syntax::ast::*;
 use crate::text::Span;
@@ -59,19 +60,16 @@ pub fn name_of(program: &Program, expr: ExprId) -> Option<&str> {
 /// A name of the user's text that has one of these words, and where it is declared.
 pub fn named(cx: &Context, wanted: &[&str]) -> Option<Span> {
     let program = cx.program;
-    let variables = program.variables.iter().filter_map(|v| v.token);
-    let functions = program.functions.iter().filter_map(|f| {
-        let decl = program.tree.function(f.declaration)?;
-        Some(decl.ident.token)
-    });
-    let tokens = variables.chain(functions);
-    let mut spans = tokens.filter_map(|t| Some((cx.user_name(t)?, program.token(t)?.span)));
-    let found = spans.find(|(name, _)| has_word(name, wanted));
-    let macros = program.tokens.macros.iter().map(|m| m.name_span);
-    let mut macros = macros.filter(|s| has_word(program.sources.text(*s), wanted));
-    found
-        .map(|(_, span)| span)
-        .or_else(|| macros.find(|s| cx.is_users(*s)))
+    let is_it = |n: &&DeclaredName| n.what != Named::Struct && has_word(n.text, wanted);
+    let names = declared_names(program);
+    let found = names
+        .iter()
+        .find(is_it)
+        .and_then(|n| program.token(n.token));
+    let mut macros = program.tokens.macros.iter().map(|m| m.name_span);
+    found.map(|token| token.span).or_else(|| {
+        macros.find(|s| program.is_user(*s) && has_word(program.sources.text(*s), wanted))
+    })
 }
 
 /// Words for places without a sky.
@@ -108,8 +106,9 @@ pub fn given<'a>(cx: &Context<'_, 'a>) -> Vec<Given<'a>> {
     let all = cx.program.tree.declarator_lists.iter();
     all.filter_map(|d| {
         let token = d.ident.token;
-        Some(Given {
-            name: cx.user_name(token)?,
+        let found = cx.program.token(token).filter(|t| t.is_direct())?;
+        cx.program.is_user(found.span).then_some(Given {
+            name: cx.program.sources.text(found.span),
             token,
             init: d.init?,
         })

@@ -1,6 +1,7 @@
 //! Edits that take code away and leave no debris: no blank line where a statement was, no comma
 //! without its name.
 
+use super::Declaration;
 use crate::semantic::Program;
 use crate::syntax::ast::{Declarator, Extent};
 use crate::text::{Edit, Span};
@@ -67,9 +68,17 @@ fn ends_in_blank_line(text: &str) -> bool {
     lines.next().is_none_or(|l| l.trim().is_empty())
 }
 
+/// Takes a variable's declaration away: all of it, or the one name among several.
+pub fn remove_declaration(program: &Program, declared: &Declaration) -> Option<Edit> {
+    match declared.declarators.len() {
+        1 => remove_statement(program, declared.extent),
+        _ => remove_declarator(program, declared.declarators, declared.index),
+    }
+}
+
 /// Takes one of several names of a declaration away, with its initializer and a comma. `None` where
 /// part of it comes from a macro, or there is only one.
-pub fn remove_declarator(program: &Program, all: &[Declarator], index: usize) -> Option<Edit> {
+fn remove_declarator(program: &Program, all: &[Declarator], index: usize) -> Option<Edit> {
     let this = all.get(index)?;
     let span = |extent: Extent| program.is_direct(extent).then(|| program.span(extent));
     let own = span(this.extent)?;

@@ -1,9 +1,12 @@
 //! The shape of a rule.
 
-use super::Context;
+use super::{Context, RuleOption};
 use crate::diagnostic::Severity;
-use crate::semantic::{BuiltinId, FunctionRef};
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind, StmtId};
+use crate::semantic::{BuiltinId, FunctionRef, VariableId};
+use crate::syntax::Macro;
+use crate::syntax::ast::{
+    BinaryOp, Declarator, ExprId, ExprKind, Extent, List, StmtId, TokenId, TypeId,
+};
 
 /// What a rule is about.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -70,6 +73,54 @@ pub struct Builtin<'a> {
     pub args: &'a [ExprId],
 }
 
+/// One variable of a declaration in the user's text, as rules get it.
+#[derive(Clone, Copy, Debug)]
+pub struct Declaration<'a> {
+    /// The variable.
+    pub variable: VariableId,
+    /// All names of the declaration.
+    pub declarators: &'a [Declarator],
+    /// Which of them it is.
+    pub index: usize,
+    /// Qualifiers of all, in [`Tree::qualifiers`](crate::syntax::ast::Tree::qualifiers).
+    pub qualifiers: List,
+    /// Type of all, without what stands behind a name.
+    pub ty: TypeId,
+    /// The whole declaration.
+    pub extent: Extent,
+    /// The statement that it is, inside a function.
+    pub stmt: Option<StmtId>,
+}
+
+impl<'a> Declaration<'a> {
+    /// The name, and what stands with it.
+    pub fn declarator(&self) -> Option<&'a Declarator> {
+        self.declarators.get(self.index)
+    }
+}
+
+/// A name that the user's text declares, outside any macro call.
+#[derive(Clone, Copy, Debug)]
+pub struct DeclaredName<'a> {
+    /// Where it stands first.
+    pub token: TokenId,
+    /// The name.
+    pub text: &'a str,
+    /// What is named so.
+    pub what: Named,
+}
+
+/// What a name is declared to be.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Named {
+    /// A variable or parameter.
+    Variable(VariableId),
+    /// A function.
+    Function(FunctionRef),
+    /// A struct.
+    Struct,
+}
+
 /// The shapes of expressions that rules ask for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Shape {
@@ -83,11 +134,15 @@ pub enum Shape {
     Construct,
     /// `object[index]`
     Index,
+    /// `condition ? a : b`
+    Ternary,
+    /// `a, b`
+    Comma,
 }
 
 impl Shape {
     /// How many there are.
-    pub(super) const COUNT: usize = 5;
+    pub(super) const COUNT: usize = 7;
 
     /// The shape of an expression; `None` for one that no rule asks for.
     pub(super) const fn of(kind: &ExprKind) -> Option<Shape> {
@@ -97,15 +152,18 @@ impl Shape {
             ExprKind::Call(..) => Some(Shape::Call),
             ExprKind::Construct(..) => Some(Shape::Construct),
             ExprKind::Index(..) => Some(Shape::Index),
+            ExprKind::Ternary(..) => Some(Shape::Ternary),
+            ExprKind::Comma(..) => Some(Shape::Comma),
             _ => None,
         }
     }
 }
 
-/// What a rule wants to look at. One walk over the tree serves all rules.
+/// What a rule wants to look at. One walk over the tree serves all rules, and shows them nothing but
+/// the user's text: what a host puts around it is none of theirs.
 #[derive(Clone, Copy)]
 pub enum Check {
-    /// The whole shader, once.
+    /// The whole shader, once; what is asked of the facts is the place to start from.
     Program(fn(&mut Context)),
     /// Every `l op r`.
     Binary(fn(&mut Context, &Binary)),
@@ -117,22 +175,23 @@ pub enum Check {
     Stmt(fn(&mut Context, StmtId)),
     /// Every function with a body.
     Function(fn(&mut Context, FunctionRef)),
+    /// Every variable of a declaration, parameters left out.
+    Declaration(fn(&mut Context, &Declaration)),
+    /// Every name that is declared.
+    Name(fn(&mut Context, &DeclaredName)),
+    /// Every macro.
+    Macro(fn(&mut Context, &Macro)),
     /// Comments that allow findings, which are looked at when all findings are there.
     Allows,
     /// What the script around shaders asks of them, which is looked at where they are linked.
     Page,
 }
 
-/// A number that a rule goes by, and that the configuration may set.
-pub struct RuleOption {
-    /// Its name in the configuration: words with hyphens.
-    pub name: &'static str,
-    /// Its value where a renderer on the processor draws.
-    pub default: f64,
-    /// Its value where a graphics card draws.
-    pub on_gpu: f64,
-    /// What it is, as a sentence without a full stop.
-    pub about: &'static str,
+impl Rule {
+    /// Whether it looks at the comments that allow findings.
+    pub fn is_of_allows(&self) -> bool {
+        self.checks.iter().any(|c| matches!(c, Check::Allows))
+    }
 }
 
 /// A lint rule. `NAME.rs` in `rules/` holds one; `NAME.md` beside it is what it means.
@@ -145,10 +204,10 @@ pub struct Rule {
     pub severity: Severity,
     /// Whether it runs without being asked for.
     pub default: bool,
-    /// The numbers that it goes by.
+    /// What it goes by, and the configuration may change.
     pub options: &'static [RuleOption],
     /// Its page.
     pub page: &'static str,
-    /// What it does.
-    pub check: Check,
+    /// What it looks at, and what it does there.
+    pub checks: &'static [Check],
 }

@@ -1,9 +1,12 @@
 //! Runs rules over a shader.
 
 use super::broken::Broken;
-use super::{Binary, Builtin, Check, Context, Facts, Rule, Settings, Shape};
+use super::{
+    Binary, Builtin, Check, Context, Declaration, DeclaredName, Facts, Named, Rule, Settings, Shape,
+};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::semantic::{FunctionRef, Program};
+use crate::semantic::{FunctionRef, Program, VariableId};
+use crate::syntax::Macro;
 use crate::syntax::ast::*;
 use crate::text::embed::Embedder;
 use crate::text::{Role, Span};
@@ -90,7 +93,7 @@ fn broken_functions(program: &Program, broken: &Broken) -> Vec<String> {
     placed.into_iter().map(|(_, name)| name).collect()
 }
 
-/// Runs the rules over all that is there.
+/// Runs the rules over all that is there of the user's text.
 fn walk<'p>(
     program: &'p Program,
     facts: &Facts<'p>,
@@ -98,62 +101,39 @@ fn walk<'p>(
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
+    let checks = Checks::of(rules, settings);
     let mut run = Run {
         program,
         facts,
         settings,
         diagnostics,
     };
-    let mut exprs = ExprRules::default();
-    let mut stmts = Vec::new();
-    let mut functions = Vec::new();
-    for &rule in rules {
-        let Some(level) = settings.level(rule) else {
-            continue;
-        };
-        let active = Active { rule, level };
-        match rule.check {
-            Check::Program(check) => check(&mut run.context(active)),
-            Check::Binary(check) => exprs.binary.push((active, check)),
-            Check::Builtin(check) => exprs.builtin.push((active, check)),
-            Check::Expr(shapes, check) => {
-                for &shape in shapes {
-                    if let Some(all) = exprs.by_shape.get_mut(shape as usize) {
-                        all.push((active, check));
-                    }
-                }
-            }
-            Check::Stmt(check) => stmts.push((active, check)),
-            Check::Function(check) => functions.push((active, check)),
-            Check::Allows | Check::Page => {}
-        }
+    for (rule, check) in &checks.program {
+        check(&mut run.context(*rule));
     }
+    run.names(&checks);
+    run.macros(&checks);
     let first = first_user_token(program);
+    run.declarations(&checks, first);
     let tree = &program.tree;
-    for (i, expr) in tree
-        .exprs
-        .iter()
-        .enumerate()
-        .filter(|(_, e)| e.extent.first >= first)
-    {
-        run.expr(&exprs, ExprId(i as u32), expr);
-    }
-    for (i, _) in tree
-        .stmts
-        .iter()
-        .enumerate()
-        .filter(|(_, s)| s.extent.first >= first)
-    {
-        for (rule, check) in &stmts {
-            check(&mut run.context(*rule), StmtId(i as u32));
+    for (expr, i) in tree.exprs.iter().zip(0..) {
+        if expr.extent.first >= first {
+            run.expr(&checks, ExprId(i), expr);
         }
     }
-    for (i, function) in program.functions.iter().enumerate() {
+    for (stmt, i) in tree.stmts.iter().zip(0..) {
+        if stmt.extent.first >= first {
+            for (rule, check) in &checks.stmt {
+                check(&mut run.context(*rule), StmtId(i));
+            }
+        }
+    }
+    for (function, i) in program.functions.iter().zip(0..) {
         let decl = function.definition.and_then(|d| tree.function(d));
-        let is_whole = !facts.broken.function(FunctionRef(i as u32));
+        let is_whole = !facts.broken.function(FunctionRef(i));
         if is_whole && decl.is_some_and(|d| d.extent.first >= first) {
-            for (rule, check) in &functions {
-                check(&mut run.context(*rule), FunctionRef(i as u32));
+            for (rule, check) in &checks.function {
+                check(&mut run.context(*rule), FunctionRef(i));
             }
         }
     }
@@ -178,17 +158,66 @@ struct Active {
     level: Severity,
 }
 
-type BinaryCheck = fn(&mut Context, &Binary);
-type BuiltinCheck = fn(&mut Context, &Builtin);
-type ExprCheck = fn(&mut Context, ExprId);
+type OnProgram = fn(&mut Context);
+type OnBinary = fn(&mut Context, &Binary);
+type OnBuiltin = fn(&mut Context, &Builtin);
+type OnExpr = fn(&mut Context, ExprId);
+type OnStmt = fn(&mut Context, StmtId);
+type OnFunction = fn(&mut Context, FunctionRef);
+type OnDeclaration = fn(&mut Context, &Declaration);
+type OnName = fn(&mut Context, &DeclaredName);
+type OnMacro = fn(&mut Context, &Macro);
 
-/// The rules that look at expressions, by what they want.
+/// The checks of the rules that run, by what they look at.
 #[derive(Default)]
-struct ExprRules {
-    binary: Vec<(Active, BinaryCheck)>,
-    builtin: Vec<(Active, BuiltinCheck)>,
+struct Checks {
+    program: Vec<(Active, OnProgram)>,
+    binary: Vec<(Active, OnBinary)>,
+    builtin: Vec<(Active, OnBuiltin)>,
     /// By [`Shape`].
-    by_shape: [Vec<(Active, ExprCheck)>; Shape::COUNT],
+    by_shape: [Vec<(Active, OnExpr)>; Shape::COUNT],
+    stmt: Vec<(Active, OnStmt)>,
+    function: Vec<(Active, OnFunction)>,
+    declaration: Vec<(Active, OnDeclaration)>,
+    name: Vec<(Active, OnName)>,
+    macros: Vec<(Active, OnMacro)>,
+}
+
+impl Checks {
+    fn of(rules: &[&'static Rule], settings: &Settings) -> Checks {
+        let mut checks = Checks::default();
+        for &rule in rules {
+            let Some(level) = settings.level(rule) else {
+                continue;
+            };
+            let active = Active { rule, level };
+            for check in rule.checks {
+                checks.add(active, *check);
+            }
+        }
+        checks
+    }
+
+    fn add(&mut self, rule: Active, check: Check) {
+        match check {
+            Check::Program(check) => self.program.push((rule, check)),
+            Check::Binary(check) => self.binary.push((rule, check)),
+            Check::Builtin(check) => self.builtin.push((rule, check)),
+            Check::Expr(shapes, check) => {
+                for &shape in shapes {
+                    if let Some(all) = self.by_shape.get_mut(shape as usize) {
+                        all.push((rule, check));
+                    }
+                }
+            }
+            Check::Stmt(check) => self.stmt.push((rule, check)),
+            Check::Function(check) => self.function.push((rule, check)),
+            Check::Declaration(check) => self.declaration.push((rule, check)),
+            Check::Name(check) => self.name.push((rule, check)),
+            Check::Macro(check) => self.macros.push((rule, check)),
+            Check::Allows | Check::Page => {}
+        }
+    }
 }
 
 struct Run<'a, 'p> {
@@ -210,11 +239,11 @@ impl<'p> Run<'_, 'p> {
         }
     }
 
-    fn expr(&mut self, rules: &ExprRules, id: ExprId, expr: &Expr) {
+    fn expr(&mut self, checks: &Checks, id: ExprId, expr: &Expr) {
         let Some(shape) = Shape::of(&expr.kind) else {
             return;
         };
-        for (rule, check) in rules.by_shape.get(shape as usize).into_iter().flatten() {
+        for (rule, check) in checks.by_shape.get(shape as usize).into_iter().flatten() {
             check(&mut self.context(*rule), id);
         }
         match expr.kind {
@@ -225,7 +254,7 @@ impl<'p> Run<'_, 'p> {
                     left,
                     right,
                 };
-                for (rule, check) in &rules.binary {
+                for (rule, check) in &checks.binary {
                     check(&mut self.context(*rule), &binary);
                 }
             }
@@ -239,11 +268,111 @@ impl<'p> Run<'_, 'p> {
                     function,
                     args: program.tree.args(args),
                 };
-                for (rule, check) in &rules.builtin {
+                for (rule, check) in &checks.builtin {
                     check(&mut self.context(*rule), &builtin);
                 }
             }
             _ => {}
         }
     }
+
+    fn declarations(&mut self, checks: &Checks, first: TokenId) {
+        let tree = &self.program.tree;
+        let locals = tree.stmts.iter().zip(0..);
+        let locals = locals.filter_map(|(stmt, i)| match stmt.kind {
+            StmtKind::Decl(decl) => Some((decl, Some(StmtId(i)))),
+            _ => None,
+        });
+        let globals = tree.items.iter().filter_map(|item| match *item {
+            Item::Decl(decl) => Some((decl, None)),
+            _ => None,
+        });
+        for (decl, stmt) in locals.chain(globals) {
+            if tree.decl(decl).is_some_and(|d| d.extent.first >= first) {
+                self.declaration(checks, decl, stmt);
+            }
+        }
+    }
+
+    fn declaration(&mut self, checks: &Checks, decl: DeclId, stmt: Option<StmtId>) {
+        let program = self.program;
+        let Some(decl) = program.tree.decl(decl) else {
+            return;
+        };
+        let DeclKind::Variables {
+            qualifiers,
+            ty,
+            declarators,
+        } = decl.kind
+        else {
+            return;
+        };
+        let declared = program.declared.get(declarators.start as usize..);
+        let all = program.tree.declarators(declarators);
+        for (index, variable) in declared.unwrap_or(&[]).iter().take(all.len()).enumerate() {
+            let Some(variable) = *variable else { continue };
+            let declaration = Declaration {
+                variable,
+                declarators: all,
+                index,
+                qualifiers,
+                ty,
+                extent: decl.extent,
+                stmt,
+            };
+            for (rule, check) in &checks.declaration {
+                check(&mut self.context(*rule), &declaration);
+            }
+        }
+    }
+
+    fn names(&mut self, checks: &Checks) {
+        if checks.name.is_empty() {
+            return;
+        }
+        for name in declared_names(self.program) {
+            for (rule, check) in &checks.name {
+                check(&mut self.context(*rule), &name);
+            }
+        }
+    }
+
+    fn macros(&mut self, checks: &Checks) {
+        let program = self.program;
+        for definition in &program.tokens.macros {
+            if program.is_user(definition.name_span) {
+                for (rule, check) in &checks.macros {
+                    check(&mut self.context(*rule), definition);
+                }
+            }
+        }
+    }
+}
+
+/// The names that the user's text declares, in its order.
+pub(super) fn declared_names(program: &Program) -> Vec<DeclaredName<'_>> {
+    let tree = &program.tree;
+    let variables = program.variables.iter().zip(0..);
+    let variables = variables.filter_map(|(v, i)| Some((v.token?, Named::Variable(VariableId(i)))));
+    let functions = program.functions.iter().zip(0..).filter_map(|(f, i)| {
+        let decl = tree.function(f.declaration)?;
+        Some((decl.ident.token, Named::Function(FunctionRef(i))))
+    });
+    let structs = tree.structs.iter();
+    let structs = structs.filter_map(|s| Some((s.name?.token, Named::Struct)));
+    let all = variables.chain(functions).chain(structs);
+    let mut names: Vec<DeclaredName> = all
+        .filter_map(|(id, what)| {
+            let token = program.token(id)?;
+            let is_own = token.is_direct() && program.is_user(token.span);
+            is_own.then(|| DeclaredName {
+                token: id,
+                text: program.sources.text(token.span),
+                what,
+            })
+        })
+        .collect();
+    names.sort_by_key(|n| n.token);
+    names.dedup_by_key(|n| n.token);
+    names
 }

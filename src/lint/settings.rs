@@ -1,6 +1,6 @@
-//! Which rules run, how bad their findings are, and the numbers that they go by.
+//! Which rules run, how bad their findings are, and what they go by.
 
-use super::{Group, Rule};
+use super::{Group, OptionType, OptionValue, Rule, Setting};
 use crate::diagnostic::{ERRORS, Severity};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -20,7 +20,7 @@ pub struct Settings {
     /// The rules that run, and how bad their findings are.
     levels: FxHashMap<&'static str, Severity>,
     /// By rule and option, where it differs from what the rule goes by otherwise.
-    options: FxHashMap<(&'static str, &'static str), f64>,
+    options: FxHashMap<(&'static str, &'static str), OptionValue>,
     /// The rules whose findings fail the run.
     failing: FxHashSet<&'static str>,
     /// The only names that are reported, where these were chosen.
@@ -142,13 +142,9 @@ impl Settings {
         };
     }
 
-    /// Sets a number that a rule goes by. Says whether the rule has such a number.
-    pub fn set_option(&mut self, rule: &Rule, option: &str, value: f64) -> bool {
-        let known = rule.options.iter().find(|o| o.name == option);
-        if let Some(known) = known {
-            self.options.insert((rule.name, known.name), value);
-        }
-        known.is_some()
+    /// Sets what a rule goes by.
+    pub fn set_option(&mut self, rule: &Rule, option: &'static str, value: OptionValue) {
+        self.options.insert((rule.name, option), value);
     }
 
     /// How bad the findings of a rule are; `None` where it does not run.
@@ -156,16 +152,11 @@ impl Settings {
         self.levels.get(rule.name).copied()
     }
 
-    /// A number that a rule goes by.
-    pub fn option(&self, rule: &Rule, option: &str) -> f64 {
-        let Some(known) = rule.options.iter().find(|o| o.name == option) else {
-            return 0.0;
-        };
-        let set = self.options.get(&(rule.name, known.name)).copied();
-        set.unwrap_or(match self.target {
-            Renderer::SwiftShader => known.default,
-            Renderer::Gpu => known.on_gpu,
-        })
+    /// What a rule goes by.
+    pub fn option<T: OptionType>(&self, rule: &Rule, setting: &Setting<T>) -> T {
+        let set = self.options.get(&(rule.name, setting.name));
+        set.and_then(|value| T::of(*value))
+            .unwrap_or(setting.usual(self.target))
     }
 }
 

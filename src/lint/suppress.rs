@@ -7,7 +7,7 @@
 
 use super::misspelt::{self, Meant};
 use super::removal::remove_lines;
-use super::{Check, Rule, Settings, nearest_rule};
+use super::{Rule, Settings, nearest_rule};
 use crate::diagnostic::{Diagnostic, ERRORS, Fix, Origin};
 use crate::semantic::Program;
 use crate::syntax::{Lexer, RawKind};
@@ -157,7 +157,7 @@ impl Allows {
 
     /// Reports what allows nothing.
     pub fn report(self, rules: &[&'static Rule], settings: &Settings, out: &mut Vec<Diagnostic>) {
-        let own = rules.iter().find(|r| matches!(r.check, Check::Allows));
+        let own = rules.iter().find(|r| r.is_of_allows());
         let Some((rule, level)) = own.and_then(|r| Some((r, settings.level(r)?))) else {
             return;
         };

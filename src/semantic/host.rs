@@ -44,6 +44,15 @@ pub enum EntryResult {
     Returned,
 }
 
+/// Whether a shader may start at a function of this name: it is `main`, or a host calls it. What
+/// parameters it takes, the host says.
+pub fn starts_a_shader(name: &str) -> bool {
+    matches!(
+        name,
+        "main" | "mainImage" | "mainCubemap" | "mainSound" | "mainVR"
+    )
+}
+
 impl EntryPoint {
     /// Whether the host's text declares the function, and calls it from a `main` of its own.
     pub fn is_called_by_host(self) -> bool {

@@ -7,7 +7,7 @@ use super::types::{Base, Struct, Type, type_name};
 use crate::diagnostic::MacroUse;
 use crate::syntax::ast::*;
 use crate::syntax::{Name, Names, Token, Tokens, Version, macro_uses};
-use crate::text::{Sources, Span};
+use crate::text::{Role, Sources, Span};
 use std::sync::Arc;
 
 /// Index of a [`Variable`].
@@ -284,6 +284,23 @@ impl Program {
         Builtins::of(self.version, self.stage)
             .variable(self.names.text(name))?
             .precision
+    }
+
+    /// Whether a place is in the user's text, and not in what a host puts around it.
+    pub fn is_user(&self, span: Span) -> bool {
+        let file = self.sources.file_at(span.start);
+        !span.is_empty() && file.is_some_and(|f| f.role == Role::User)
+    }
+
+    /// Where the name of a variable stands that the text declares.
+    pub fn declared_at(&self, variable: &Variable) -> Option<Span> {
+        variable.token.and_then(|t| self.token(t)).map(|t| t.span)
+    }
+
+    /// What declares a variable; `None` for a parameter and for what the language defines.
+    pub fn declarator_of(&self, variable: VariableId) -> Option<&Declarator> {
+        let at = self.declared.iter().position(|d| *d == Some(variable))?;
+        self.tree.declarator_lists.get(at)
     }
 
     /// A token.

@@ -6,7 +6,7 @@ use super::complain;
 use crate::diagnostic::{ERRORS, Severity, error_page};
 use crate::engine::config::schema;
 use crate::host::{PRESETS, Preset, preset};
-use crate::lint::Page;
+use crate::lint::{OptionValue, Page, Target};
 use crate::rules::RULES;
 use clap::CommandFactory;
 use serde_json::{Value, json};
@@ -84,12 +84,21 @@ fn rules() -> String {
     text
 }
 
+fn json_of(value: OptionValue) -> Value {
+    match value {
+        OptionValue::Count(value) => json!(value),
+        OptionValue::Number(value) => json!(value),
+        OptionValue::Switch(value) => json!(value),
+    }
+}
+
 /// All rules and compile errors, with all that is known of each.
 fn list() -> Value {
     let rules = RULES.iter().map(|rule| {
-        let options = rule.options.iter().map(
-            |o| json!({"name": o.name, "about": o.about, "default": o.default, "on_gpu": o.on_gpu}),
-        );
+        let options = rule.options.iter().map(|o| {
+            let [default, on_gpu] = [Target::SwiftShader, Target::Gpu].map(|t| json_of(o.usual(t)));
+            json!({"name": o.name(), "about": o.about(), "default": default, "on_gpu": on_gpu})
+        });
         json!({
             "name": rule.name,
             "kind": "rule",

@@ -13,7 +13,7 @@ pub use schema::schema;
 use super::options::{Desktop, DialectChoice, HostNames, Options};
 use super::path::plain;
 use crate::diagnostic::Severity;
-use crate::lint::{Failing, Renderer, Settings, UnknownRule};
+use crate::lint::{Failing, OptionValue, Renderer, Settings, UnknownRule};
 use crate::rules::RULES;
 use globset::GlobSet;
 use std::path::{Path, PathBuf};
@@ -34,8 +34,8 @@ pub struct Layer {
     pub levels: Vec<(RuleName, Option<Severity>)>,
     /// Rules whose findings fail the run, or do not, groups before single rules.
     pub failing: Vec<(RuleName, Failing)>,
-    /// Numbers that rules go by.
-    pub options: Vec<(RuleName, String, f64)>,
+    /// What rules go by.
+    pub options: Vec<(RuleName, &'static str, OptionValue)>,
     /// Folders that `#include` searches behind that of the file, from the configuration's own.
     pub include_roots: Option<Vec<String>>,
 }

@@ -4,7 +4,7 @@ use super::super::options::{Desktop, DialectChoice, HostNames, HostUniform};
 use super::{Config, Layer};
 use crate::diagnostic::{ERRORS, Severity};
 use crate::host::{PRESETS, preset};
-use crate::lint::{Failing, Group, Renderer, Rule, nearest_rule};
+use crate::lint::{Failing, Group, OptionValue, Renderer, Rule, RuleOption, nearest_rule};
 use crate::syntax::{Version, WordClass, classify};
 use crate::text::LineIndex;
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
@@ -212,13 +212,9 @@ fn options(
             continue;
         }
         if name == "fail" {
-            let failing = match value.get_ref() {
-                DeValue::Boolean(true) => Failing::Yes,
-                DeValue::Boolean(false) => Failing::No,
-                _ => {
-                    let message = "this must be `true` or `false`";
-                    return Err(Problem(value.span(), message.to_string()));
-                }
+            let failing = match switch(value)? {
+                true => Failing::Yes,
+                false => Failing::No,
             };
             layer
                 .failing
@@ -226,15 +222,19 @@ fn options(
             continue;
         }
         let rule = named.first().filter(|_| width == Width::Rule);
-        let known: Vec<&str> =
-            rule.map_or(Vec::new(), |r| r.options.iter().map(|o| o.name).collect());
-        let (Some(rule), true) = (rule, known.contains(&name)) else {
-            let keys: Vec<&str> = known.into_iter().chain(["level", "fail"]).collect();
+        let known = rule.map_or(&[][..], |r| r.options);
+        let option = known.iter().find(|o| o.name() == name);
+        let (Some(rule), Some(option)) = (rule, option) else {
+            let names = known.iter().map(|o| o.name());
+            let keys: Vec<&str> = names.chain(["level", "fail"]).collect();
             return Err(Problem(key.span(), unknown_key(name, &keys)));
         };
-        layer
-            .options
-            .push((rule.name, name.to_string(), number(value)?));
+        let given = match option {
+            RuleOption::Count(_) => OptionValue::Count(count(value)?),
+            RuleOption::Number(_) => OptionValue::Number(number(value)?),
+            RuleOption::Switch(_) => OptionValue::Switch(switch(value)?),
+        };
+        layer.options.push((rule.name, option.name(), given));
     }
     Ok(own)
 }
@@ -250,6 +250,32 @@ fn level(value: &Value) -> Result<Option<Severity>> {
         "warning" => Some(Severity::Warning),
         _ => None,
     })
+}
+
+fn switch(value: &Value) -> Result<bool> {
+    match value.get_ref() {
+        DeValue::Boolean(on) => Ok(*on),
+        _ => {
+            let message = "this must be `true` or `false`";
+            Err(Problem(value.span(), message.to_string()))
+        }
+    }
+}
+
+fn count(value: &Value) -> Result<u64> {
+    let wrong = || {
+        Problem(
+            value.span(),
+            "this must be a whole number, 0 or more".to_string(),
+        )
+    };
+    match value.get_ref() {
+        DeValue::Integer(i) => {
+            let digits = i.as_str().replace('_', "");
+            u64::from_str_radix(&digits, i.radix()).map_err(|_| wrong())
+        }
+        _ => Err(wrong()),
+    }
 }
 
 fn number(value: &Value) -> Result<f64> {

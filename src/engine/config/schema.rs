@@ -2,7 +2,7 @@
 
 use super::read::{DESKTOPS, DIALECTS, LEVELS, TARGETS};
 use crate::host::PRESETS;
-use crate::lint::{Group, Page, Rule};
+use crate::lint::{Group, Page, Rule, RuleOption, Target};
 use serde_json::{Map, Value, json};
 
 /// The schema, as it is committed in `editors/shaderlint.schema.json`.
@@ -99,10 +99,12 @@ fn names(rules: &[&'static Rule]) -> Map<String, Value> {
         for option in r.options {
             let about = format!(
                 "{} (default {}, on a GPU {})",
-                option.about, option.default, option.on_gpu
+                option.about(),
+                option.usual(Target::SwiftShader),
+                option.usual(Target::Gpu)
             );
-            let value = json!({"description": about, "type": "number"});
-            properties.insert(option.name.to_string(), value);
+            let value = json!({"description": about, "type": type_of(*option)});
+            properties.insert(option.name().to_string(), value);
         }
         let summary = Page::new(r.page).summary;
         let value = json!({"description": summary, "oneOf": [level.clone(), table(properties)]});
@@ -112,4 +114,13 @@ fn names(rules: &[&'static Rule]) -> Map<String, Value> {
         .chain(Group::ALL.iter().map(group))
         .chain(rules.iter().map(rule))
         .collect()
+}
+
+/// How a schema calls the type of an option.
+const fn type_of(option: RuleOption) -> &'static str {
+    match option {
+        RuleOption::Count(_) => "integer",
+        RuleOption::Number(_) => "number",
+        RuleOption::Switch(_) => "boolean",
+    }
 }
