@@ -7,7 +7,7 @@
 use shaderlint::diagnostic::{Diagnostic, ERRORS, error_page};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
 use shaderlint::host::presets;
-use shaderlint::lint::{Allow, Fence, FenceKind, Page, Settings};
+use shaderlint::lint::{Allow, Fence, FenceKind, Page, Rule, Settings, Target};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
 use shaderlint::semantic::{Kind, guess};
@@ -357,6 +357,42 @@ fn tables_of_rules_and_errors() {
         fs::write(&path, &fresh).unwrap();
     }
     assert!(fresh == text, "a table in rules/README.md is stale");
+}
+
+/// What a rule goes by, as the last section of its page; nothing where it has no options.
+fn options_of(rule: &Rule) -> String {
+    let rows = rule.options.iter().map(|option| {
+        let [usual, on_gpu] = [Target::SwiftShader, Target::Gpu].map(|t| option.usual(t));
+        let (name, about) = (option.name(), option.about());
+        format!("| `{name}` | {usual} | {on_gpu} | {about} |\n")
+    });
+    let rows: String = rows.collect();
+    match rows.is_empty() {
+        true => rows,
+        false => format!("{OPTIONS}| option | default | on a GPU | |\n|---|---|---|---|\n{rows}"),
+    }
+}
+
+/// How the section of options starts.
+const OPTIONS: &str = "\n## Options\n\n";
+
+#[test]
+fn pages_end_with_the_options() {
+    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
+    let mut stale = Vec::new();
+    for rule in RULES {
+        let text = rule.page.split(OPTIONS).next().unwrap().to_string();
+        let fresh = text + &options_of(rule);
+        if fresh == rule.page {
+            continue;
+        }
+        stale.push(rule.name);
+        if accept {
+            let name = format!("rules/{}.md", rule.name.replace('-', "_"));
+            fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join(name), fresh).unwrap();
+        }
+    }
+    assert!(stale.is_empty(), "stale: {stale:?}");
 }
 
 #[test]
