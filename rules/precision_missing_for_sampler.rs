@@ -1,7 +1,7 @@
 //! Samplers of data that are read in the lowest precision.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Declaration, Group, Rule};
+use crate::lint::{Check, Context, DeclaredVariable, Group, Rule};
 use crate::semantic::{Base, BuiltinId, Sampler, Storage, VariableId};
 use crate::syntax::ast::*;
 
@@ -15,7 +15,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Declaration(check)],
 };
 
-fn check(cx: &mut Context, declared: &Declaration) {
+fn check(cx: &mut Context, declared: &DeclaredVariable) {
     use QualifierKind::{Highp, Lowp, Mediump};
     let program = cx.program;
     let tree = &program.tree;

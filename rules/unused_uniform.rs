@@ -1,7 +1,7 @@
 //! Uniforms that the shader declares and never reads.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Declaration, Group, Rule, remove_declaration};
+use crate::lint::{Check, Context, DeclaredVariable, Group, Rule, remove_declaration};
 use crate::semantic::Storage;
 use crate::syntax::ast::Extent;
 
@@ -15,7 +15,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Declaration(check)],
 };
 
-fn check(cx: &mut Context, declared: &Declaration) {
+fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let program = cx.program;
     let variable = program.variable(declared.variable);
     let Some(variable) = variable.filter(|v| v.storage == Storage::Uniform && !v.read) else {

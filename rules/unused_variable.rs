@@ -1,7 +1,9 @@
 //! Variables whose value nothing makes use of.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Declaration, Group, Rule, remove_declaration, remove_statement};
+use crate::lint::{
+    Check, Context, DeclaredVariable, Group, Rule, remove_declaration, remove_statement,
+};
 use crate::semantic::Storage;
 use crate::syntax::ast::*;
 use crate::text::Edit;
@@ -16,7 +18,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Declaration(check)],
 };
 
-fn check(cx: &mut Context, declared: &Declaration) {
+fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let program = cx.program;
     if !is_unused(cx, declared) {
         return;
@@ -40,7 +42,7 @@ fn check(cx: &mut Context, declared: &Declaration) {
     finding.fix(fix);
 }
 
-fn is_unused(cx: &Context, declared: &Declaration) -> bool {
+fn is_unused(cx: &Context, declared: &DeclaredVariable) -> bool {
     let program = cx.program;
     let Some(variable) = program.variable(declared.variable) else {
         return false;
@@ -63,7 +65,7 @@ fn is_unused(cx: &Context, declared: &Declaration) -> bool {
 
 /// The edits that take a variable and all that is written to it away, where nothing else goes with
 /// them.
-fn removal(cx: &Context, declared: &Declaration, writes: &[ExprId]) -> Option<Vec<Edit>> {
+fn removal(cx: &Context, declared: &DeclaredVariable, writes: &[ExprId]) -> Option<Vec<Edit>> {
     let program = cx.program;
     let tree = &program.tree;
     let effects = cx.facts.effects();

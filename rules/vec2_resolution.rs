@@ -1,7 +1,7 @@
 //! `uniform vec2 iResolution`.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Declaration, Group, Rule};
+use crate::lint::{Check, Context, DeclaredVariable, Group, Rule};
 use crate::semantic::{Scalar, Storage, Type};
 use crate::syntax::ast::Extent;
 
@@ -15,7 +15,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Declaration(check)],
 };
 
-fn check(cx: &mut Context, declared: &Declaration) {
+fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let program = cx.program;
     let is_it = program.variable(declared.variable).is_some_and(|v| {
         v.storage == Storage::Uniform

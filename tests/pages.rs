@@ -7,7 +7,7 @@
 use shaderlint::diagnostic::{Diagnostic, ERRORS, error_page};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
 use shaderlint::host::presets;
-use shaderlint::lint::{Allow, Fence, FenceKind, Page, Rule, Settings, Target};
+use shaderlint::lint::{Allow, Fence, FenceKind, Page, Renderer, Rule, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
 use shaderlint::semantic::{Kind, guess};
@@ -362,7 +362,7 @@ fn tables_of_rules_and_errors() {
 /// What a rule goes by, as the last section of its page; nothing where it has no options.
 fn options_of(rule: &Rule) -> String {
     let rows = rule.options.iter().map(|option| {
-        let [usual, on_gpu] = [Target::SwiftShader, Target::Gpu].map(|t| option.usual(t));
+        let [usual, on_gpu] = [Renderer::SwiftShader, Renderer::Gpu].map(|t| option.usual(t));
         let (name, about) = (option.name(), option.about());
         format!("| `{name}` | {usual} | {on_gpu} | {about} |\n")
     });

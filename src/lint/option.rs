@@ -1,6 +1,6 @@
 //! What a rule goes by and the configuration may change: numbers and switches, each of its type.
 
-use super::Target;
+use super::Renderer;
 
 /// A value that a rule goes by.
 #[derive(Debug)]
@@ -33,10 +33,10 @@ impl<T: Copy> Setting<T> {
     }
 
     /// What the rule goes by where the configuration says nothing.
-    pub const fn usual(&self, target: Target) -> T {
+    pub const fn usual(&self, target: Renderer) -> T {
         match target {
-            Target::SwiftShader => self.default,
-            Target::Gpu => self.on_gpu,
+            Renderer::SwiftShader => self.default,
+            Renderer::Gpu => self.on_gpu,
         }
     }
 }
@@ -72,7 +72,7 @@ impl RuleOption {
     }
 
     /// What the rule goes by where the configuration says nothing.
-    pub const fn usual(self, target: Target) -> OptionValue {
+    pub const fn usual(self, target: Renderer) -> OptionValue {
         match self {
             RuleOption::Count(setting) => OptionValue::Count(setting.usual(target)),
             RuleOption::Number(setting) => OptionValue::Number(setting.usual(target)),

@@ -1,7 +1,7 @@
 //! Edits that take code away and leave no debris: no blank line where a statement was, no comma
 //! without its name.
 
-use super::Declaration;
+use super::DeclaredVariable;
 use crate::semantic::Program;
 use crate::syntax::ast::{Declarator, Extent};
 use crate::text::{Edit, Span};
@@ -69,7 +69,7 @@ fn ends_in_blank_line(text: &str) -> bool {
 }
 
 /// Takes a variable's declaration away: all of it, or the one name among several.
-pub fn remove_declaration(program: &Program, declared: &Declaration) -> Option<Edit> {
+pub fn remove_declaration(program: &Program, declared: &DeclaredVariable) -> Option<Edit> {
     match declared.declarators.len() {
         1 => remove_statement(program, declared.extent),
         _ => remove_declarator(program, declared.declarators, declared.index),

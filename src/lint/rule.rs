@@ -75,7 +75,7 @@ pub struct Builtin<'a> {
 
 /// One variable of a declaration in the user's text, as rules get it.
 #[derive(Clone, Copy, Debug)]
-pub struct Declaration<'a> {
+pub struct DeclaredVariable<'a> {
     /// The variable.
     pub variable: VariableId,
     /// All names of the declaration.
@@ -92,7 +92,7 @@ pub struct Declaration<'a> {
     pub stmt: Option<StmtId>,
 }
 
-impl<'a> Declaration<'a> {
+impl<'a> DeclaredVariable<'a> {
     /// The name, and what stands with it.
     pub fn declarator(&self) -> Option<&'a Declarator> {
         self.declarators.get(self.index)
@@ -176,7 +176,7 @@ pub enum Check {
     /// Every function with a body.
     Function(fn(&mut Context, FunctionRef)),
     /// Every variable of a declaration, parameters left out.
-    Declaration(fn(&mut Context, &Declaration)),
+    Declaration(fn(&mut Context, &DeclaredVariable)),
     /// Every name that is declared.
     Name(fn(&mut Context, &DeclaredName)),
     /// Every macro.

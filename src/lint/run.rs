@@ -2,7 +2,8 @@
 
 use super::broken::Broken;
 use super::{
-    Binary, Builtin, Check, Context, Declaration, DeclaredName, Facts, Named, Rule, Settings, Shape,
+    Binary, Builtin, Check, Context, DeclaredName, DeclaredVariable, Facts, Named, Rule, Settings,
+    Shape,
 };
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::semantic::{FunctionRef, Program, VariableId};
@@ -164,7 +165,7 @@ type OnBuiltin = fn(&mut Context, &Builtin);
 type OnExpr = fn(&mut Context, ExprId);
 type OnStmt = fn(&mut Context, StmtId);
 type OnFunction = fn(&mut Context, FunctionRef);
-type OnDeclaration = fn(&mut Context, &Declaration);
+type OnDeclaration = fn(&mut Context, &DeclaredVariable);
 type OnName = fn(&mut Context, &DeclaredName);
 type OnMacro = fn(&mut Context, &Macro);
 
@@ -311,7 +312,7 @@ impl<'p> Run<'_, 'p> {
         let all = program.tree.declarators(declarators);
         for (index, variable) in declared.unwrap_or(&[]).iter().take(all.len()).enumerate() {
             let Some(variable) = *variable else { continue };
-            let declaration = Declaration {
+            let declaration = DeclaredVariable {
                 variable,
                 declarators: all,
                 index,

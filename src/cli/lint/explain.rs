@@ -6,7 +6,7 @@ use super::complain;
 use crate::diagnostic::{ERRORS, Severity, error_page};
 use crate::engine::config::schema;
 use crate::host::{PRESETS, Preset, preset};
-use crate::lint::{OptionValue, Page, Target};
+use crate::lint::{OptionValue, Page, Renderer};
 use crate::rules::RULES;
 use clap::CommandFactory;
 use serde_json::{Value, json};
@@ -96,7 +96,8 @@ fn json_of(value: OptionValue) -> Value {
 fn list() -> Value {
     let rules = RULES.iter().map(|rule| {
         let options = rule.options.iter().map(|o| {
-            let [default, on_gpu] = [Target::SwiftShader, Target::Gpu].map(|t| json_of(o.usual(t)));
+            let [default, on_gpu] =
+                [Renderer::SwiftShader, Renderer::Gpu].map(|t| json_of(o.usual(t)));
             json!({"name": o.name(), "about": o.about(), "default": default, "on_gpu": on_gpu})
         });
         json!({

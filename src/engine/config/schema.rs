@@ -2,7 +2,7 @@
 
 use super::read::{DESKTOPS, DIALECTS, LEVELS, TARGETS};
 use crate::host::PRESETS;
-use crate::lint::{Group, Page, Rule, RuleOption, Target};
+use crate::lint::{Group, Page, Renderer, Rule, RuleOption};
 use serde_json::{Map, Value, json};
 
 /// The schema, as it is committed in `editors/shaderlint.schema.json`.
@@ -100,8 +100,8 @@ fn names(rules: &[&'static Rule]) -> Map<String, Value> {
             let about = format!(
                 "{} (default {}, on a GPU {})",
                 option.about(),
-                option.usual(Target::SwiftShader),
-                option.usual(Target::Gpu)
+                option.usual(Renderer::SwiftShader),
+                option.usual(Renderer::Gpu)
             );
             let value = json!({"description": about, "type": type_of(*option)});
             properties.insert(option.name().to_string(), value);
