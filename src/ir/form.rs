@@ -326,6 +326,8 @@ pub struct Loop {
     pub step: Region,
     /// Whether the condition is looked at before the first turn: not in `do`.
     pub tests_first: bool,
+    /// All operations of the condition, the body and the step.
+    pub ops: Run,
     /// The statement.
     pub stmt: StmtId,
 }

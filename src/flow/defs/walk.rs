@@ -4,7 +4,9 @@ use super::condition::{each_comparison, each_load};
 use super::place::Spot;
 use super::{Def, DefId, Defs, Guard, Slot};
 use crate::flow::layout::{Layout, length_lane};
-use crate::ir::{Binary, LoopId, Module, OpId, OpKind, PlaceId, Region, Root, Run, Step, SwitchId};
+use crate::ir::{
+    self, Binary, LoopId, Module, OpId, OpKind, PlaceId, Region, Root, Run, Step, SwitchId,
+};
 use crate::semantic::{FunctionRef, Program};
 use rustc_hash::FxHashMap;
 
@@ -341,7 +343,7 @@ impl<'m> Walker<'m> {
         };
         let first = self.next();
         let was_alive = self.is_alive;
-        let heads = self.heads(id, &[found.test, found.body, found.step]);
+        let heads = self.heads(id, &found);
         let (mark, guard) = (self.trail.len(), self.guard);
         self.frames.push(Frame {
             is_loop: true,
@@ -384,8 +386,8 @@ impl<'m> Walker<'m> {
     }
 
     /// The heads of what a loop writes to.
-    fn heads(&mut self, id: LoopId, regions: &[Region]) -> Vec<(Slot, DefId)> {
-        let written = self.written(regions);
+    fn heads(&mut self, id: LoopId, looped: &ir::Loop) -> Vec<(Slot, DefId)> {
+        let written = self.written(looped);
         let mut heads = Vec::with_capacity(written.len());
         let mut inits = Vec::with_capacity(written.len());
         for slot in written {
@@ -413,17 +415,12 @@ impl<'m> Walker<'m> {
         heads
     }
 
-    /// The slots that something in regions writes to, each once, in order.
-    fn written(&mut self, regions: &[Region]) -> Vec<Slot> {
+    /// The slots that something in a loop writes to, each once, in order.
+    fn written(&mut self, looped: &ir::Loop) -> Vec<Slot> {
         let module = self.module;
-        let spans = regions.iter().filter_map(|r| span(module, *r));
-        let joined = spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
-        let Some((first, last)) = joined else {
-            return Vec::new();
-        };
         self.stamp += 1;
         let mut written = Vec::new();
-        for op in (first.0..=last.0).map(OpId) {
+        for op in looped.ops.ops() {
             match module.op(op).kind {
                 OpKind::Store(place, _) => {
                     let Some(spot) = self.spot(place) else {
@@ -697,35 +694,5 @@ impl<'m> Walker<'m> {
         if is_global {
             self.defs.global_writes.entry(slot).or_default().push(def);
         }
-    }
-}
-
-/// The first and the last operation of a region.
-fn span(module: &Module, region: Region) -> Option<(OpId, OpId)> {
-    let steps = module.steps(region);
-    let first = steps.iter().find_map(|s| step_span(module, s))?.0;
-    let last = steps.iter().rev().find_map(|s| step_span(module, s))?.1;
-    Some((first, last))
-}
-
-fn step_span(module: &Module, step: &Step) -> Option<(OpId, OpId)> {
-    let join = |regions: &mut dyn Iterator<Item = Region>| {
-        let spans = regions.filter_map(|r| span(module, r));
-        spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-    };
-    match *step {
-        Step::Run(run) if run.len > 0 => Some((run.first, OpId(run.first.0 + run.len - 1))),
-        Step::If {
-            then, otherwise, ..
-        } => join(&mut [then, otherwise].into_iter()),
-        Step::Loop(id) => {
-            let found = module.looped(id)?;
-            join(&mut [found.test, found.body, found.step].into_iter())
-        }
-        Step::Switch(id) => {
-            let cases = module.cases(module.switch(id)?);
-            join(&mut cases.iter().map(|c| c.body))
-        }
-        _ => None,
     }
 }

@@ -349,7 +349,7 @@ impl<'x> Walk<'x> {
         let Some(&found) = self.module.looped(id) else {
             return;
         };
-        let (start, last) = (self.next, last_op(self.module, &found));
+        let (start, last) = (self.next, last_op(&found));
         self.turn_over(start, last);
         let is_endless = found.condition.is_none_or(|c| self.known(c) == Some(true));
         let before = self.writes.len();
@@ -584,9 +584,8 @@ fn chosen(module: &Module) -> Vec<bool> {
 }
 
 /// The last operation of a loop.
-fn last_op(module: &Module, looped: &Loop) -> Option<u32> {
-    let regions = [looped.test, looped.body, looped.step];
-    regions.into_iter().filter_map(|r| last_in(module, r)).max()
+fn last_op(looped: &Loop) -> Option<u32> {
+    looped.ops.ops().next_back().map(|op| op.0)
 }
 
 fn last_in(module: &Module, region: Region) -> Option<u32> {
@@ -599,7 +598,7 @@ fn last_in(module: &Module, region: Region) -> Option<u32> {
             Step::If {
                 then, otherwise, ..
             } => last_in(module, otherwise).or_else(|| last_in(module, then)),
-            Step::Loop(id) => last_op(module, module.looped(id)?),
+            Step::Loop(id) => last_op(module.looped(id)?),
             Step::Switch(id) => {
                 let cases = module.cases(module.switch(id)?).iter().rev();
                 cases.into_iter().find_map(|c| last_in(module, c.body))

@@ -162,6 +162,19 @@ impl Lowerer<'_> {
         id
     }
 
+    /// The number of the next operation.
+    fn next_op(&self) -> OpId {
+        OpId(self.module.ops.len() as u32)
+    }
+
+    /// The operations from one on.
+    fn run_from(&self, first: OpId) -> Run {
+        Run {
+            first,
+            len: self.next_op().0.saturating_sub(first.0),
+        }
+    }
+
     /// A list of operands.
     fn operands(&mut self, operands: &[OpId]) -> List {
         let start = self.module.operand_lists.len() as u32;

@@ -49,12 +49,12 @@ impl Lowerer<'_> {
             return;
         };
         self.function = Some(function);
-        let first = OpId(self.module.ops.len() as u32);
+        let first = self.next_op();
         let body = self.region(|l| l.statement(body));
-        let len = self.module.ops.len() as u32 - first.0;
+        let ops = self.run_from(first);
         if let Some(slot) = self.module.functions.get_mut(function.0 as usize) {
             slot.body = Some(body);
-            slot.ops = Run { first, len };
+            slot.ops = ops;
         }
         self.function = None;
     }
@@ -196,12 +196,14 @@ impl Lowerer<'_> {
 
     fn looped(&mut self, id: StmtId) {
         let mut condition = None;
+        let mut first = self.next_op();
         let mut made = Loop {
             test: Region::default(),
             condition: None,
             body: Region::default(),
             step: Region::default(),
             tests_first: true,
+            ops: self.run_from(first),
             stmt: id,
         };
         match self.program.tree.stmt(id).kind {
@@ -212,6 +214,7 @@ impl Lowerer<'_> {
                 body,
             } => {
                 self.statement(init);
+                first = self.next_op();
                 if let Some(test) = test {
                     made.test = self.region(|l| condition = l.condition(test));
                 }
@@ -240,6 +243,7 @@ impl Lowerer<'_> {
             _ => {}
         }
         made.condition = condition;
+        made.ops = self.run_from(first);
         let at = LoopId(self.module.loops.len() as u32);
         self.module.loops.push(made);
         self.step(Step::Loop(at));
