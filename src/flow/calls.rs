@@ -1,10 +1,8 @@
 //! Who calls whom.
 
 use crate::ir::{Module, OpId, OpKind, Origin};
-use crate::semantic::FunctionRef;
-use crate::semantic::lists::Lists;
+use crate::semantic::{CallGraph, FunctionRef};
 use crate::syntax::ast::ExprId;
-use std::collections::VecDeque;
 
 /// A call of one of the shader's functions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -22,13 +20,10 @@ pub struct CallSite {
 /// The calls of a shader's functions, by who is called and by who calls.
 #[derive(Default, Debug)]
 pub struct Calls {
-    /// In the order of the text.
+    /// In the order of evaluation.
     all: Vec<CallSite>,
-    /// Indexes of `all`, by callee.
-    of: Lists<u32>,
-    /// Indexes of `all`, by caller.
-    by: Lists<u32>,
-    functions: usize,
+    /// Its calls have the indexes of `all`.
+    graph: CallGraph,
 }
 
 impl Calls {
@@ -58,17 +53,16 @@ impl Calls {
                 });
             }
         }
-        let functions = module.functions.len();
-        let numbered = || all.iter().zip(0..);
+        let pairs = all.iter().map(|c| (c.caller, c.callee));
         Calls {
-            of: Lists::of(functions, numbered().map(|(c, i)| (c.callee.0, i))),
-            by: Lists::of(
-                functions,
-                numbered().filter_map(|(c, i)| Some((c.caller?.0, i))),
-            ),
-            functions,
+            graph: CallGraph::new(module.functions.len(), pairs.collect()),
             all,
         }
+    }
+
+    /// Who calls whom, whichever call it is.
+    pub fn graph(&self) -> &CallGraph {
+        &self.graph
     }
 
     /// All calls, in the order of evaluation.
@@ -76,85 +70,17 @@ impl Calls {
         &self.all
     }
 
-    fn pick<'a>(
-        &'a self,
-        lists: &'a Lists<u32>,
-        f: FunctionRef,
-    ) -> impl Iterator<Item = &'a CallSite> {
-        let list = lists.get(f.0).iter();
-        list.filter_map(|&i| self.all.get(i as usize))
+    fn pick<'a>(&'a self, numbers: &'a [u32]) -> impl Iterator<Item = &'a CallSite> {
+        numbers.iter().filter_map(|&i| self.all.get(i as usize))
     }
 
     /// The calls of a function.
     pub fn calls_of(&self, callee: FunctionRef) -> impl Iterator<Item = &CallSite> {
-        self.pick(&self.of, callee)
+        self.pick(self.graph.calls_of(callee))
     }
 
     /// The calls in a function.
     pub fn calls_by(&self, caller: FunctionRef) -> impl Iterator<Item = &CallSite> {
-        self.pick(&self.by, caller)
-    }
-
-    /// Whether each function is reached from `entry`, by number. `entry` itself is.
-    pub fn reached_from(&self, entry: FunctionRef) -> Vec<bool> {
-        let mut reached = vec![false; self.functions];
-        let mut todo = vec![entry];
-        while let Some(next) = todo.pop() {
-            match reached.get_mut(next.0 as usize) {
-                Some(seen) if !*seen => *seen = true,
-                _ => continue,
-            }
-            todo.extend(self.calls_by(next).map(|c| c.callee));
-        }
-        reached
-    }
-
-    /// All functions, each behind those that it calls.
-    pub fn bottom_up(&self) -> Vec<FunctionRef> {
-        let mut order = Vec::with_capacity(self.functions);
-        let mut open = vec![false; self.functions];
-        for root in 0..self.functions as u32 {
-            // A function comes a second time when all that it calls is done.
-            let mut todo = vec![(FunctionRef(root), false)];
-            while let Some((next, is_done)) = todo.pop() {
-                if is_done {
-                    order.push(next);
-                    continue;
-                }
-                match open.get_mut(next.0 as usize) {
-                    Some(seen) if !*seen => *seen = true,
-                    _ => continue,
-                }
-                todo.push((next, true));
-                todo.extend(self.calls_by(next).map(|c| (c.callee, false)));
-            }
-        }
-        order
-    }
-
-    /// A shortest chain of functions from `entry` to `to`, both included.
-    pub fn chain(&self, entry: FunctionRef, to: FunctionRef) -> Option<Vec<FunctionRef>> {
-        let mut from: Vec<Option<FunctionRef>> = vec![None; self.functions];
-        let mut todo = VecDeque::from([entry]);
-        while let Some(next) = todo.pop_front() {
-            if next == to {
-                let way = std::iter::successors(Some(to), |f| {
-                    (*f != entry).then(|| from.get(f.0 as usize).copied().flatten())?
-                });
-                let mut chain: Vec<FunctionRef> = way.collect();
-                chain.reverse();
-                return Some(chain);
-            }
-            for call in self.calls_by(next) {
-                let slot = from.get_mut(call.callee.0 as usize);
-                if let Some(slot) = slot.filter(|s| s.is_none())
-                    && call.callee != entry
-                {
-                    *slot = Some(next);
-                    todo.push_back(call.callee);
-                }
-            }
-        }
-        None
+        self.pick(self.graph.calls_by(caller))
     }
 }

@@ -1,5 +1,6 @@
 //! Calls that take derivatives between neighbouring pixels, and the code that parts the pixels.
 
+use super::Calls;
 use super::uniformity::{ControlId, Uniformity, Varying};
 use crate::ir::{LoopId, Module, OpId, OpKind};
 use crate::semantic::{BuiltinId, FunctionRef};
@@ -26,7 +27,7 @@ pub enum Parted {
 }
 
 /// The calls that take derivatives where the pixels may have parted, in the order of evaluation.
-pub fn gradients(module: &Module, uniformity: &Uniformity) -> Vec<Gradient> {
+pub fn gradients(module: &Module, calls: &Calls, uniformity: &Uniformity) -> Vec<Gradient> {
     let mut found = Vec::new();
     let mut looped: Option<Vec<Option<LoopId>>> = None;
     for call in (0..module.ops.len() as u32).map(OpId) {
@@ -46,7 +47,7 @@ pub fn gradients(module: &Module, uniformity: &Uniformity) -> Vec<Gradient> {
             continue;
         };
         let around = loop_around(uniformity, control).or_else(|| {
-            let from = looped.get_or_insert_with(|| called_from(module, uniformity));
+            let from = looped.get_or_insert_with(|| called_from(module, calls, uniformity));
             let function = uniformity.control(control)?.function?;
             from.get(function.0 as usize).copied().flatten()
         });
@@ -75,34 +76,20 @@ fn loop_around(uniformity: &Uniformity, control: ControlId) -> Option<LoopId> {
 }
 
 /// By function: a loop that pixels leave apart from which it is called, directly or not.
-fn called_from(module: &Module, uniformity: &Uniformity) -> Vec<Option<LoopId>> {
-    let mut calls: Vec<(FunctionRef, FunctionRef, Option<LoopId>)> = Vec::new();
-    for op in (0..module.ops.len() as u32).map(OpId) {
-        if let OpKind::Call(callee, _) = module.op(op).kind
-            && let Some(control) = uniformity.control_of(op)
-            && let Some(caller) = uniformity.control(control).and_then(|c| c.function)
-        {
-            calls.push((caller, callee, loop_around(uniformity, control)));
-        }
-    }
+fn called_from(module: &Module, calls: &Calls, uniformity: &Uniformity) -> Vec<Option<LoopId>> {
     let mut from: Vec<Option<LoopId>> = vec![None; module.functions.len()];
-    let mut todo: Vec<FunctionRef> = Vec::new();
-    for &(_, callee, looped) in &calls {
-        if let (Some(looped), Some(slot @ None)) = (looped, from.get_mut(callee.0 as usize)) {
+    let around = |op| loop_around(uniformity, uniformity.control_of(op)?);
+    let looped = calls.all().iter();
+    let mut todo: Vec<(FunctionRef, LoopId)> = looped
+        .filter_map(|call| Some((call.callee, around(call.op)?)))
+        .collect();
+    // A loop of its own is nearer than that of a caller, so the calls in loops come first.
+    let mut done = 0;
+    while let Some(&(function, looped)) = todo.get(done) {
+        done += 1;
+        if let Some(slot @ None) = from.get_mut(function.0 as usize) {
             *slot = Some(looped);
-            todo.push(callee);
-        }
-    }
-    calls.sort_by_key(|(caller, ..)| *caller);
-    while let Some(next) = todo.pop() {
-        let handed = from.get(next.0 as usize).copied().flatten();
-        let start = calls.partition_point(|(caller, ..)| *caller < next);
-        let own = calls.get(start..).unwrap_or(&[]).iter();
-        for &(_, callee, _) in own.take_while(|(caller, ..)| *caller == next) {
-            if let Some(slot @ None) = from.get_mut(callee.0 as usize) {
-                *slot = handed;
-                todo.push(callee);
-            }
+            todo.extend(calls.graph().callees(function).map(|f| (f, looped)));
         }
     }
     from

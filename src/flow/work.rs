@@ -59,7 +59,7 @@ impl Work {
             loops: vec![0.0; module.loops.len()],
             counts: module.loops.iter().map(turns).collect(),
         };
-        for id in calls.bottom_up() {
+        for id in calls.graph().bottom_up() {
             let Some(body) = module.function(id).and_then(|f| f.body) else {
                 continue;
             };

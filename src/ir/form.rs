@@ -7,7 +7,7 @@
 //! are a range of numbers.
 
 use crate::semantic::{BuiltinId, Constant, FunctionRef, Pool, Scalar, Stage, Type, VariableId};
-use crate::syntax::ast::{ExprId, List, StmtId, TokenId};
+use crate::syntax::ast::{ExprId, Extent, List, StmtId, TokenId, Tree};
 
 /// Index of an [`Op`], and of the value that it gives.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -393,6 +393,18 @@ impl Precision {
             Precision::Low => "lowp",
             Precision::Medium => "mediump",
             Precision::High => "highp",
+        }
+    }
+}
+
+impl Origin {
+    /// Where that stands in the text; `None` for nothing in it.
+    pub fn extent(self, tree: &Tree) -> Option<Extent> {
+        match self {
+            Origin::Expr(id) => Some(tree.expr(id).extent),
+            Origin::Declaration(token) => Some(Extent::token(token)),
+            Origin::Stmt(id) => Some(tree.stmt(id).extent),
+            Origin::Language => None,
         }
     }
 }

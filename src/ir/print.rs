@@ -122,12 +122,7 @@ impl Printer<'_> {
     }
 
     fn token(&self, origin: Origin) -> Option<TokenId> {
-        match origin {
-            Origin::Expr(e) => Some(self.program.tree.expr(e).extent.first),
-            Origin::Declaration(token) => Some(token),
-            Origin::Stmt(s) => Some(self.program.tree.stmt(s).extent.first),
-            Origin::Language => None,
-        }
+        origin.extent(&self.program.tree).map(|e| e.first)
     }
 
     fn globals(&mut self) {

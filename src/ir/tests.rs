@@ -3,9 +3,7 @@
 use super::{
     Access, Lanes, Module, OpId, OpKind, Origin, PlaceId, Precision, Step, lower, print, verify,
 };
-use crate::semantic::{Constant, Dialect, Extent, Program, Stage, Type, Unit, analyze};
-use crate::text::{Role, Sources};
-use std::sync::Arc;
+use crate::semantic::{Constant, Program, Type, analyze_fragment};
 
 /// What every shader here starts with, on one line.
 const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int; out vec4 color; \
@@ -13,17 +11,7 @@ const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int;
                     uniform sampler2D tex; struct S { float a; vec2 b; };\n";
 
 fn lowered(code: &str) -> (Program, Module) {
-    let mut sources = Sources::new();
-    let files = [sources.add("a.frag", None, Role::User, code).unwrap()];
-    let sources = Arc::new(sources);
-    let analysis = analyze(&Unit {
-        sources: &sources,
-        files: &files,
-        stage: Stage::Fragment,
-        dialect: Dialect::WebGl,
-        infer_channels: false,
-        extent: Extent::Whole,
-    });
+    let analysis = analyze_fragment(code);
     assert_eq!(analysis.diagnostics, [], "{code}");
     let module = lower(&analysis.program);
     (analysis.program, module)

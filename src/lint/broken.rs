@@ -243,7 +243,7 @@ impl<'a> Broken<'a> {
         let all = (0..suspect.len() as u32).map(FunctionRef);
         let mut todo: Vec<FunctionRef> = all.filter(|f| self.function(*f)).collect();
         while let Some(next) = todo.pop() {
-            for caller in calls.calls_of(next).filter_map(|c| c.caller) {
+            for caller in calls.callers(next) {
                 if let Some(is_suspect @ false) = suspect.get_mut(caller.0 as usize) {
                     *is_suspect = true;
                     todo.push(caller);

@@ -2,7 +2,7 @@
 
 use super::{Facts, OptionType, Rule, Setting, Settings};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
-use crate::ir::{self, OpId};
+use crate::ir::OpId;
 use crate::semantic::Program;
 use crate::syntax::ast::{ExprId, ExprKind, Extent};
 use crate::text::Span;
@@ -70,13 +70,9 @@ impl<'p> Context<'_, 'p> {
 
     /// Reports a finding at what an operation comes from.
     pub fn report_op(&mut self, op: OpId, message: impl Into<String>) -> Finding<'_> {
-        let extent = match self.facts.module().origin(op) {
-            ir::Origin::Expr(expr) => self.program.tree.expr(expr).extent,
-            ir::Origin::Declaration(token) => Extent::token(token),
-            ir::Origin::Stmt(stmt) => self.program.tree.stmt(stmt).extent,
-            ir::Origin::Language => Extent::default(),
-        };
-        self.report(extent, message)
+        let origin = self.facts.module().origin(op);
+        let extent = origin.extent(&self.program.tree);
+        self.report(extent.unwrap_or_default(), message)
     }
 
     /// Reports a finding at a place in the text.

@@ -44,7 +44,7 @@ pub fn marches(
     let Some(entry) = entry else {
         return Vec::new();
     };
-    let reached = calls.reached_from(entry);
+    let reached = calls.graph().reached_from(entry);
     let is_reached = |f: FunctionRef| reached.get(f.0 as usize).copied().unwrap_or(false);
     let all = loops.all.iter().filter(|l| is_reached(l.function));
     all.filter_map(|l| {
@@ -92,7 +92,7 @@ pub fn way(
     entry: FunctionRef,
     to: FunctionRef,
 ) -> Option<String> {
-    let chain = calls.chain(entry, to)?;
+    let chain = calls.graph().chain(entry, to)?;
     let names: Vec<String> = chain
         .iter()
         .filter_map(|f| program.function(*f))

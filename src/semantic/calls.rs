@@ -1,45 +1,60 @@
 //! Who calls whom.
 
 use super::lists::Lists;
-use super::{Call, FunctionRef, Program};
+use super::{FunctionRef, Program};
+use std::collections::VecDeque;
 
-/// The calls of a shader's functions, by who is called and by who calls.
+/// Calls between a shader's functions, each under its number, by who is called and by who calls.
 #[derive(Default, Debug)]
 pub struct CallGraph {
-    calls: Vec<Call>,
-    /// Indexes of `calls`, by callee.
+    /// By call: who calls, `None` at global scope, and who is called.
+    calls: Vec<(Option<FunctionRef>, FunctionRef)>,
+    /// Numbers of calls, by callee.
     of: Lists<u32>,
-    /// Indexes of `calls`, by caller.
+    /// Numbers of calls, by caller.
     by: Lists<u32>,
     functions: usize,
 }
 
 impl CallGraph {
-    /// The calls in a shader.
+    /// The calls in the text of a shader, in its order.
     pub fn of(program: &Program) -> CallGraph {
-        let count = program.functions.len();
-        let calls = || program.calls.iter().zip(0..);
+        let calls = program.calls.iter().map(|c| (c.caller, c.callee));
+        CallGraph::new(program.functions.len(), calls.collect())
+    }
+
+    /// Calls between so many functions: who calls, and who is called.
+    pub fn new(functions: usize, calls: Vec<(Option<FunctionRef>, FunctionRef)>) -> CallGraph {
+        let numbered = || calls.iter().zip(0..);
+        let by = |((caller, _), i): (&(Option<FunctionRef>, _), u32)| Some(((*caller)?.0, i));
         CallGraph {
-            calls: program.calls.clone(),
-            of: Lists::of(count, calls().map(|(c, i)| (c.callee.0, i))),
-            by: Lists::of(count, calls().filter_map(|(c, i)| Some((c.caller?.0, i)))),
-            functions: count,
+            of: Lists::of(functions, numbered().map(|((_, callee), i)| (callee.0, i))),
+            by: Lists::of(functions, numbered().filter_map(by)),
+            functions,
+            calls,
         }
     }
 
-    fn pick<'a>(&'a self, lists: &'a Lists<u32>, f: FunctionRef) -> impl Iterator<Item = &'a Call> {
-        let list = lists.get(f.0).iter();
-        list.filter_map(|&i| self.calls.get(i as usize))
+    /// The numbers of the calls of a function.
+    pub fn calls_of(&self, callee: FunctionRef) -> &[u32] {
+        self.of.get(callee.0)
     }
 
-    /// The calls of a function.
-    pub fn calls_of(&self, callee: FunctionRef) -> impl Iterator<Item = &Call> {
-        self.pick(&self.of, callee)
+    /// The numbers of the calls in a function.
+    pub fn calls_by(&self, caller: FunctionRef) -> &[u32] {
+        self.by.get(caller.0)
     }
 
-    /// The calls in a function.
-    pub fn calls_by(&self, caller: FunctionRef) -> impl Iterator<Item = &Call> {
-        self.pick(&self.by, caller)
+    /// The functions that call a function, once for each call.
+    pub fn callers(&self, callee: FunctionRef) -> impl Iterator<Item = FunctionRef> {
+        let calls = self.calls_of(callee).iter();
+        calls.filter_map(|&i| self.calls.get(i as usize)?.0)
+    }
+
+    /// The functions that a function calls, once for each call.
+    pub fn callees(&self, caller: FunctionRef) -> impl Iterator<Item = FunctionRef> {
+        let calls = self.calls_by(caller).iter();
+        calls.filter_map(|&i| Some(self.calls.get(i as usize)?.1))
     }
 
     /// Whether each function is reached from `entry`, by number. `entry` itself is.
@@ -51,8 +66,57 @@ impl CallGraph {
                 Some(seen) if !*seen => *seen = true,
                 _ => continue,
             }
-            todo.extend(self.calls_by(next).map(|c| c.callee));
+            todo.extend(self.callees(next));
         }
         reached
+    }
+
+    /// All functions, each behind those that it calls.
+    pub fn bottom_up(&self) -> Vec<FunctionRef> {
+        let mut order = Vec::with_capacity(self.functions);
+        let mut open = vec![false; self.functions];
+        for root in 0..self.functions as u32 {
+            // A function comes a second time when all that it calls is done.
+            let mut todo = vec![(FunctionRef(root), false)];
+            while let Some((next, is_done)) = todo.pop() {
+                if is_done {
+                    order.push(next);
+                    continue;
+                }
+                match open.get_mut(next.0 as usize) {
+                    Some(seen) if !*seen => *seen = true,
+                    _ => continue,
+                }
+                todo.push((next, true));
+                todo.extend(self.callees(next).map(|f| (f, false)));
+            }
+        }
+        order
+    }
+
+    /// A shortest chain of functions from `entry` to `to`, both included.
+    pub fn chain(&self, entry: FunctionRef, to: FunctionRef) -> Option<Vec<FunctionRef>> {
+        let mut from: Vec<Option<FunctionRef>> = vec![None; self.functions];
+        let mut todo = VecDeque::from([entry]);
+        while let Some(next) = todo.pop_front() {
+            if next == to {
+                let way = std::iter::successors(Some(to), |f| {
+                    (*f != entry).then(|| from.get(f.0 as usize).copied().flatten())?
+                });
+                let mut chain: Vec<FunctionRef> = way.collect();
+                chain.reverse();
+                return Some(chain);
+            }
+            for callee in self.callees(next) {
+                let slot = from.get_mut(callee.0 as usize);
+                if let Some(slot) = slot.filter(|s| s.is_none())
+                    && callee != entry
+                {
+                    *slot = Some(next);
+                    todo.push_back(callee);
+                }
+            }
+        }
+        None
     }
 }

@@ -49,4 +49,6 @@ pub use reach::Reach;
 pub use structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
 pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type};
+#[cfg(test)]
+pub(crate) use unit::analyze_fragment;
 pub use unit::{Checked, Unit, analyze, analyze_part};

@@ -7,7 +7,7 @@ use super::types::{Base, Struct, Type, type_name};
 use crate::diagnostic::MacroUse;
 use crate::syntax::ast::*;
 use crate::syntax::{Name, Names, Token, Tokens, Version, macro_uses};
-use crate::text::{Role, Sources, Span};
+use crate::text::{Sources, Span};
 use std::sync::Arc;
 
 /// Index of a [`Variable`].
@@ -288,8 +288,7 @@ impl Program {
 
     /// Whether a place is in the user's text, and not in what a host puts around it.
     pub fn is_user(&self, span: Span) -> bool {
-        let file = self.sources.file_at(span.start);
-        !span.is_empty() && file.is_some_and(|f| f.role == Role::User)
+        !span.is_empty() && self.sources.is_user(span.start)
     }
 
     /// Where the name of a variable stands that the text declares.

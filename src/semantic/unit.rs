@@ -107,6 +107,24 @@ pub fn analyze(unit: &Unit) -> Checked {
     }
 }
 
+/// A whole fragment shader without a host, checked.
+#[cfg(test)]
+pub(crate) fn analyze_fragment(code: &str) -> Checked {
+    let mut sources = Sources::new();
+    let files: Vec<FileId> = sources
+        .add("test", None, Role::User, code)
+        .into_iter()
+        .collect();
+    analyze(&Unit {
+        sources: &Arc::new(sources),
+        files: &files,
+        stage: Stage::Fragment,
+        dialect: Dialect::WebGl,
+        infer_channels: false,
+        extent: Extent::Whole,
+    })
+}
+
 /// Keeps what is said of the user's text, without what it says of a host's.
 fn keep_own(sources: &Sources, diagnostics: &mut Vec<Diagnostic>) {
     let is_user = |span: Span| {

@@ -4,8 +4,8 @@ use super::conditions::Conditions;
 use super::state::{ALL, Path, State};
 use super::{Findings, Unset};
 use crate::ir::{
-    Access, Binary, Loop, LoopId, Module, Op, OpId, OpKind, Origin, Place, PlaceId, Region, Root,
-    Run, Step, SwitchId,
+    Access, Binary, Loop, LoopId, Module, Op, OpId, OpKind, Place, PlaceId, Region, Root, Run,
+    Step, SwitchId,
 };
 use crate::semantic::{FunctionRef, Mentions, Program, VariableId};
 use crate::syntax::ast::Extent;
@@ -538,12 +538,7 @@ impl<'x> Walk<'x> {
     /// Where the variable that is read is named.
     fn named(&self, variable: VariableId, op: OpId) -> Extent {
         let tree = &self.program.tree;
-        let extent = match self.module.origin(op) {
-            Origin::Expr(e) => tree.expr(e).extent,
-            Origin::Stmt(s) => tree.stmt(s).extent,
-            Origin::Declaration(token) => Extent::token(token),
-            Origin::Language => Extent::token(0),
-        };
+        let extent = self.module.origin(op).extent(tree).unwrap_or_default();
         let name = self.mentions.first_in(self.program, variable, extent);
         name.map_or(extent, |e| tree.expr(e).extent)
     }

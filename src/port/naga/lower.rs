@@ -112,14 +112,8 @@ impl<'p> Lowerer<'p> {
 
     /// Says where what is lowered now comes from.
     pub(super) fn stand_at(&mut self, origin: ir::Origin) {
-        let program = self.program;
-        match origin {
-            ir::Origin::Expr(id) => self.place = program.expr_span(id),
-            ir::Origin::Stmt(id) => self.place = program.span(program.tree.stmt(id).extent),
-            ir::Origin::Declaration(token) => {
-                self.place = program.token(token).map_or(self.place, |t| t.span);
-            }
-            ir::Origin::Language => {}
+        if let Some(extent) = origin.extent(&self.program.tree) {
+            self.place = self.program.span(extent);
         }
     }
 

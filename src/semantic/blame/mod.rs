@@ -21,7 +21,7 @@ pub(super) use calls::gather;
 use super::program::Program;
 use super::unit::{Unit, analyze_once};
 use crate::diagnostic::{Diagnostic, error};
-use crate::text::{Edit, Role, Span};
+use crate::text::{Edit, Span};
 use calls::Calls;
 use trial::{Budget, Copy};
 
@@ -195,8 +195,7 @@ impl Case<'_> {
     }
 
     fn is_user(&self, span: Span) -> bool {
-        let file = self.unit.sources.file_at(span.start);
-        file.is_some_and(|f| f.role == Role::User)
+        self.unit.sources.is_user(span.start)
     }
 }
 

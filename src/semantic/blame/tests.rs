@@ -1,29 +1,22 @@
 //! Where a mistake in a macro or directive is told, and that its fix mends the shader.
 
-use crate::semantic::{Dialect, Extent, Stage, Unit, analyze};
-use crate::text::{Role, Sources, apply_edits};
-use std::sync::Arc;
+use crate::semantic::{Checked, analyze_fragment};
+use crate::text::apply_edits;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n";
 
 /// What is said of `code`, one finding a line as `line:column rule`, lines counted in `code`, and
 /// the code with the first fix applied.
 fn found(code: &str) -> (Vec<String>, String) {
-    let mut sources = Sources::default();
     let text = format!("{HEAD}{code}");
-    let file = sources.add("test", None, Role::User, text.clone()).unwrap();
-    let sources = Arc::new(sources);
-    let unit = Unit {
-        sources: &sources,
-        files: &[file],
-        stage: Stage::Fragment,
-        dialect: Dialect::WebGl,
-        infer_channels: false,
-        extent: Extent::Whole,
-    };
-    let diagnostics = analyze(&unit).diagnostics;
+    let Checked {
+        program,
+        diagnostics,
+        ..
+    } = analyze_fragment(&text);
     let told = diagnostics.iter().map(|d| {
-        let at = sources.file(file).unwrap().position(d.span.start);
+        let file = program.sources.file_at(d.span.start).unwrap();
+        let at = file.position(d.span.start);
         format!("{}:{} {}", at.line - 3, at.column, d.rule)
     });
     let told = told.collect();

@@ -1,8 +1,7 @@
 //! A statement in, what is said of it out.
 
-use crate::semantic::{Dialect, Extent, Stage, Unit, analyze};
-use crate::text::{Role, Sources, apply_edits};
-use std::sync::Arc;
+use crate::semantic::analyze_fragment;
+use crate::text::apply_edits;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n\
                     uniform vec3 size;\nfloat own(vec2 p, float k) { return p.x * k; }\n\
@@ -12,24 +11,13 @@ const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n\
 #[track_caller]
 fn check(statement: &str, expected: &str) {
     let text = format!("{HEAD}{statement}\n}}\n");
-    let mut sources = Sources::default();
-    let file = sources.add("test", None, Role::User, text.clone()).unwrap();
-    let sources = Arc::new(sources);
-    let found = analyze(&Unit {
-        sources: &sources,
-        files: &[file],
-        stage: Stage::Fragment,
-        dialect: Dialect::WebGl,
-        infer_channels: false,
-        extent: Extent::Whole,
-    });
+    let found = analyze_fragment(&text);
     let all: Vec<String> = found
         .diagnostics
         .iter()
         .map(|d| match &d.fix {
             Some(fix) => {
-                let base = sources.file(file).map_or(0, |f| f.base);
-                let mended = apply_edits(&text, base, &fix.edits).unwrap();
+                let mended = apply_edits(&text, 0, &fix.edits).unwrap();
                 let mended = mended.strip_prefix(HEAD).unwrap_or(&mended);
                 let mended = mended.strip_suffix("\n}\n").unwrap_or(mended);
                 format!("{} => {mended}", d.message)
