@@ -4,6 +4,7 @@ mod broken;
 mod context;
 mod facts;
 mod fix;
+pub mod formula;
 mod judged;
 pub mod light;
 pub mod march;

@@ -1,0 +1,109 @@
+//! Formulas: the shapes of expressions over operands, to be found in a shader however its author
+//! ordered and parenthesized them.
+
+use super::{Context, same_code};
+use crate::semantic::BuiltinId;
+use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+
+/// The shape of an expression.
+#[derive(Clone, Copy, Debug)]
+pub enum Formula {
+    /// Any expression; the same code wherever the formula has the same number.
+    Operand(usize),
+    /// A constant of this value.
+    Number(f32),
+    /// An operator and its operands, in either order where that is the same.
+    Binary(BinaryOp, &'static Formula, &'static Formula),
+    /// A call of a built-in function with one argument.
+    Unary(BuiltinId, &'static Formula),
+    /// A call of a built-in function with two arguments, in either order where that is the same.
+    Call(BuiltinId, &'static Formula, &'static Formula),
+}
+
+/// The most operands of a formula.
+pub const MAX_OPERANDS: usize = 3;
+
+/// By number: the expression that an operand of a formula stands for.
+type Operands = [Option<ExprId>; MAX_OPERANDS];
+
+/// The operands of an expression that has the shape of a formula, by their numbers and without
+/// parentheses: the first choice of them that `fits`.
+pub fn operands(
+    cx: &Context,
+    formula: &Formula,
+    expr: ExprId,
+    fits: impl Fn(&[ExprId]) -> bool,
+) -> Option<Vec<ExprId>> {
+    let mut found = None;
+    unify(cx, formula, expr, [None; MAX_OPERANDS], &mut |operands| {
+        let operands: Vec<ExprId> = operands.iter().flatten().copied().collect();
+        let is_it = fits(&operands);
+        if is_it {
+            found = Some(operands);
+        }
+        is_it
+    });
+    found
+}
+
+/// Tries every way in which `expr` has the shape of a formula, given what operands stand for
+/// already, until `then` says that one of them is it.
+fn unify(
+    cx: &Context,
+    formula: &Formula,
+    expr: ExprId,
+    mut given: Operands,
+    then: &mut dyn FnMut(Operands) -> bool,
+) -> bool {
+    let program = cx.program;
+    let tree = &program.tree;
+    let expr = tree.unparen(expr);
+    let kind = tree.expr(expr).kind;
+    match (*formula, kind) {
+        // It would be two arguments of a call.
+        (Formula::Operand(_), ExprKind::Comma(..)) => false,
+        (Formula::Operand(number), _) => match given.get_mut(number) {
+            Some(Some(same)) => {
+                let [a, b] = [*same, expr].map(|e| tree.expr(e).extent);
+                same_code(program, a, b) && then(given)
+            }
+            Some(slot) => {
+                *slot = Some(expr);
+                then(given)
+            }
+            None => false,
+        },
+        (Formula::Number(number), _) => {
+            program.scalar(expr).is_some_and(|v| v.as_float() == number) && then(given)
+        }
+        (Formula::Binary(op, p, q), ExprKind::Binary(found, a, b)) if op == found => {
+            let commutes = matches!(op, BinaryOp::Add | BinaryOp::Mul);
+            unify_pair(cx, [p, q], [a, b], commutes, given, then)
+        }
+        (Formula::Unary(function, p), ExprKind::Call(_, args)) => match *tree.args(args) {
+            [a] if program.builtin_called(expr) == Some(function) => unify(cx, p, a, given, then),
+            _ => false,
+        },
+        (Formula::Call(function, p, q), ExprKind::Call(_, args)) => match *tree.args(args) {
+            [a, b] if program.builtin_called(expr) == Some(function) => {
+                use BuiltinId::{Distance, Dot, Max, Min};
+                let commutes = matches!(function, Min | Max | Dot | Distance);
+                unify_pair(cx, [p, q], [a, b], commutes, given, then)
+            }
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+fn unify_pair(
+    cx: &Context,
+    [p, q]: [&Formula; 2],
+    [a, b]: [ExprId; 2],
+    commutes: bool,
+    given: Operands,
+    then: &mut dyn FnMut(Operands) -> bool,
+) -> bool {
+    let mut both = |a, b| unify(cx, p, a, given, &mut |given| unify(cx, q, b, given, then));
+    both(a, b) || (commutes && both(b, a))
+}
