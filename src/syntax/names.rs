@@ -1,9 +1,9 @@
 //! Words: each distinct one is stored once per shader and known by a small number.
 
 use super::token::TokenKind;
-use rustc_hash::{FxHashMap, FxHasher};
+use crate::text::WordIndex;
+use rustc_hash::FxHasher;
 use std::hash::Hasher;
-use std::sync::OnceLock;
 
 /// A distinct word of one shader.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -39,6 +39,14 @@ impl TypeWord {
             Sampler2DShadow, SamplerCubeShadow, Sampler2DArrayShadow,
         ]
     };
+
+    /// The type that a word of GLSL ES 3.00 names.
+    pub const fn named(word: &str) -> Option<TypeWord> {
+        match classify(word, Version::Es300) {
+            WordClass::Type(word) => Some(word),
+            _ => None,
+        }
+    }
 
     /// The word itself.
     pub fn name(self) -> &'static str {
@@ -77,7 +85,7 @@ struct Classes {
 }
 
 impl Classes {
-    fn of(self, version: Version) -> WordClass {
+    const fn of(self, version: Version) -> WordClass {
         match version {
             Version::Es100 => self.es100,
             Version::Es300 => self.es300,
@@ -86,34 +94,116 @@ impl Classes {
 }
 
 /// What `word` is in `version`.
-pub fn classify(word: &str, version: Version) -> WordClass {
-    special_words()
-        .get(word)
-        .map_or(WordClass::Plain, |classes| classes.of(version))
+pub const fn classify(word: &str, version: Version) -> WordClass {
+    classes_of(word).of(version)
 }
 
-fn special_words() -> &'static FxHashMap<&'static str, Classes> {
-    static MAP: OnceLock<FxHashMap<&'static str, Classes>> = OnceLock::new();
-    MAP.get_or_init(|| {
-        let mut map = FxHashMap::default();
-        let mut add = |words: &'static str, es100, es300| {
-            let classes = Classes { es100, es300 };
-            map.extend(words.split_ascii_whitespace().map(|w| (w, classes)));
-        };
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the index holds places in the list"
+)]
+const fn classes_of(word: &str) -> Classes {
+    static INDEX: WordIndex<512> = WordIndex::new(&SPECIAL.words);
+    static CLASSES: [Classes; SPECIAL_WORDS] = SPECIAL.classes;
+    match INDEX.find(word) {
+        Some(at) => CLASSES[at],
+        None => Classes {
+            es100: WordClass::Plain,
+            es300: WordClass::Plain,
+        },
+    }
+}
+
+const SPECIAL: Special = Special::read();
+
+/// Number of words that are special in some version.
+const SPECIAL_WORDS: usize = count_words(RESERVED_ALWAYS)
+    + count_words(RESERVED_SINCE_300)
+    + 1
+    + KEYWORDS.len()
+    + TYPES.len();
+
+/// The words that are special in some version, with what they are.
+struct Special {
+    words: [&'static str; SPECIAL_WORDS],
+    classes: [Classes; SPECIAL_WORDS],
+    count: usize,
+}
+
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler works it out, and would refuse"
+)]
+impl Special {
+    const fn read() -> Special {
         use WordClass::{Plain, Reserved};
-        add(RESERVED_ALWAYS, Reserved, Reserved);
-        add(RESERVED_SINCE_300, Plain, Reserved);
-        add("packed", Reserved, Plain);
-        for &(word, in_100, kind) in KEYWORDS {
-            let (es100, es300) = in_100.classes(WordClass::Keyword(kind));
-            add(word, es100, es300);
+        let plain = Classes {
+            es100: Plain,
+            es300: Plain,
+        };
+        let mut special = Special {
+            words: [""; SPECIAL_WORDS],
+            classes: [plain; SPECIAL_WORDS],
+            count: 0,
+        };
+        special.add_all(RESERVED_ALWAYS, (Reserved, Reserved));
+        special.add_all(RESERVED_SINCE_300, (Plain, Reserved));
+        special.add("packed", (Reserved, Plain));
+        let mut i = 0;
+        while i < KEYWORDS.len() {
+            let (word, in_100, kind) = KEYWORDS[i];
+            special.add(word, in_100.classes(WordClass::Keyword(kind)));
+            i += 1;
         }
-        for &(word, in_100, kind) in TYPES {
-            let (es100, es300) = in_100.classes(WordClass::Type(kind));
-            add(word, es100, es300);
+        let mut i = 0;
+        while i < TYPES.len() {
+            let (word, in_100, kind) = TYPES[i];
+            special.add(word, in_100.classes(WordClass::Type(kind)));
+            i += 1;
         }
-        map
-    })
+        special
+    }
+
+    const fn add(&mut self, word: &'static str, (es100, es300): (WordClass, WordClass)) {
+        self.words[self.count] = word;
+        self.classes[self.count] = Classes { es100, es300 };
+        self.count += 1;
+    }
+
+    const fn add_all(&mut self, text: &'static str, classes: (WordClass, WordClass)) {
+        let mut rest = text;
+        loop {
+            rest = rest.trim_ascii_start();
+            let len = word_len(rest);
+            if len == 0 {
+                return;
+            }
+            let (word, behind) = rest.split_at(len);
+            self.add(word, classes);
+            rest = behind;
+        }
+    }
+}
+
+const fn count_words(text: &str) -> usize {
+    let mut rest = text.trim_ascii_start();
+    let mut count = 0;
+    while !rest.is_empty() {
+        rest = rest.split_at(word_len(rest)).1.trim_ascii_start();
+        count += 1;
+    }
+    count
+}
+
+/// Length of the word that starts a text.
+#[expect(clippy::indexing_slicing, reason = "the loop ends before the text")]
+const fn word_len(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let mut len = 0;
+    while len < bytes.len() && !bytes[len].is_ascii_whitespace() {
+        len += 1;
+    }
+    len
 }
 
 /// Reserved by GLSL ES 1.00 section 3.7 and 3.00 section 3.8 alike; `samplerExternalOES` needs an
@@ -146,7 +236,7 @@ enum In100 {
 
 impl In100 {
     /// What a word of version 3.00 is in both versions.
-    fn classes(self, class: WordClass) -> (WordClass, WordClass) {
+    const fn classes(self, class: WordClass) -> (WordClass, WordClass) {
         match self {
             In100::Same => (class, class),
             In100::Plain => (WordClass::Plain, class),
@@ -307,10 +397,7 @@ impl Names {
     #[cold]
     fn insert(&mut self, slot: usize, key: u64, word: &str) -> Name {
         let index = self.entries.len() as u32;
-        let classes = special_words().get(word).copied().unwrap_or(Classes {
-            es100: WordClass::Plain,
-            es300: WordClass::Plain,
-        });
+        let classes = classes_of(word);
         let start = self.text.len() as u32;
         self.text.push_str(word);
         self.entries.push(Entry {

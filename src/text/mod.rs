@@ -12,9 +12,11 @@ pub mod kind;
 mod line_index;
 mod source;
 mod span;
+mod words;
 
 pub use content::{Content, Encoding};
 pub use edit::{Edit, EditError, apply_edits};
 pub use line_index::{LineIndex, Position};
 pub use source::{Code, FileId, Role, SourceFile, Sources};
 pub use span::Span;
+pub use words::WordIndex;

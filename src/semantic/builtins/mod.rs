@@ -13,10 +13,8 @@ use super::fold::Folding;
 use super::types::Type;
 use crate::syntax::Version;
 use crate::syntax::ast::QualifierKind;
-use prototype::{Prototype, declarations, read_variable};
-use rustc_hash::FxHashMap;
+use prototype::Declared;
 use std::ops::Range;
-use std::sync::OnceLock;
 
 /// Most parameters of a built-in function.
 pub const MAX_PARAMS: usize = 5;
@@ -34,12 +32,6 @@ impl BuiltinId {
     /// As it is written.
     pub const fn name(self) -> &'static str {
         self.row().name
-    }
-
-    /// The function of a name, in whatever version. Looks through the table, so it is for words that
-    /// are looked at once.
-    pub fn named(name: &str) -> Option<BuiltinId> {
-        BuiltinId::ALL.iter().copied().find(|id| id.name() == name)
     }
 
     /// What it does.
@@ -76,7 +68,7 @@ impl BuiltinId {
 }
 
 /// One form of a built-in function.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Overload {
     /// Its function.
     pub function: BuiltinId,
@@ -93,6 +85,16 @@ pub struct Overload {
 }
 
 impl Overload {
+    /// Of nothing; stands where none is yet.
+    const NONE: Overload = Overload {
+        function: BuiltinId::Radians,
+        params: [Type::VOID; MAX_PARAMS],
+        count: 0,
+        out: 0,
+        constant: 0,
+        returns: Type::VOID,
+    };
+
     /// The types of its parameters.
     pub fn params(&self) -> &[Type] {
         self.params
@@ -147,121 +149,96 @@ pub struct BuiltinVariable {
 }
 
 /// Everything that one version of the language defines for one stage.
-#[derive(Default, Debug)]
+#[derive(Debug)]
 pub struct Builtins {
     /// The overloads of all functions, those of one function side by side.
-    pub overloads: Vec<Overload>,
-    /// By [`BuiltinId`]: where its overloads are.
-    ranges: Vec<Range<u32>>,
-    by_name: FxHashMap<&'static str, BuiltinId>,
-    variables: FxHashMap<&'static str, BuiltinVariable>,
+    pub overloads: &'static [Overload],
+    /// By [`BuiltinId`]: where its overloads start, and behind the last one where they end.
+    starts: [u16; BuiltinId::ALL.len() + 1],
+    variables: &'static [(&'static str, BuiltinVariable)],
 }
 
+/// What some texts declare, as the compiler reads them.
+macro_rules! builtins {
+    ($($text:literal),*) => {{
+        const DECLARED: Declared = Declared::read(&[$(include_str!($text)),*]);
+        Builtins {
+            overloads: &const { DECLARED.overloads::<{ DECLARED.count }>() },
+            starts: DECLARED.starts(),
+            variables: &const { DECLARED.variables::<{ DECLARED.variable_count }>() },
+        }
+    }};
+}
+
+static ES_300_FRAGMENT: Builtins = builtins![
+    "functions_300.glsl",
+    "functions_300_fragment.glsl",
+    "variables_300.glsl",
+    "variables_300_fragment.glsl"
+];
+static ES_300_VERTEX: Builtins = builtins![
+    "functions_300.glsl",
+    "variables_300.glsl",
+    "variables_300_vertex.glsl"
+];
+static ES_100_FRAGMENT: Builtins = builtins![
+    "functions_100.glsl",
+    "functions_100_fragment.glsl",
+    "variables_100.glsl",
+    "variables_100_fragment.glsl"
+];
+static ES_100_VERTEX: Builtins = builtins![
+    "functions_100.glsl",
+    "functions_100_vertex.glsl",
+    "variables_100.glsl",
+    "variables_100_vertex.glsl"
+];
+
 impl Builtins {
-    /// What `version` defines for `stage`; read at the first call.
+    /// What `version` defines for `stage`.
     pub fn of(version: Version, stage: Stage) -> &'static Builtins {
-        static ALL: [OnceLock<Builtins>; 4] = [
-            OnceLock::new(),
-            OnceLock::new(),
-            OnceLock::new(),
-            OnceLock::new(),
-        ];
-        let index = (version == Version::Es300) as usize * 2 + (stage == Stage::Fragment) as usize;
-        match ALL.get(index) {
-            Some(cell) => cell.get_or_init(|| load(version, stage)),
-            None => {
-                static NONE: OnceLock<Builtins> = OnceLock::new();
-                NONE.get_or_init(Builtins::default)
-            }
+        match (version, stage) {
+            (Version::Es300, Stage::Fragment) => &ES_300_FRAGMENT,
+            (Version::Es300, Stage::Vertex) => &ES_300_VERTEX,
+            (Version::Es100, Stage::Fragment) => &ES_100_FRAGMENT,
+            (Version::Es100, Stage::Vertex) => &ES_100_VERTEX,
         }
     }
 
     /// The function of this name.
     pub fn function(&self, name: &str) -> Option<BuiltinId> {
-        self.by_name.get(name).copied()
+        BuiltinId::named(name).filter(|id| !self.range(*id).is_empty())
     }
 
     /// All functions, in the order of the table.
     pub fn functions(&self) -> impl Iterator<Item = BuiltinId> {
-        let all = BuiltinId::ALL.iter().zip(&self.ranges);
-        all.filter(|(_, range)| !range.is_empty())
-            .map(|(id, _)| *id)
+        let all = BuiltinId::ALL.iter().copied();
+        all.filter(|id| !self.range(*id).is_empty())
     }
 
     /// The variable of this name.
     pub fn variable(&self, name: &str) -> Option<BuiltinVariable> {
-        self.variables.get(name).copied()
+        let found = self.variables.iter().find(|(n, _)| *n == name);
+        found.map(|(_, variable)| *variable)
     }
 
     /// The number of a function's first overload, and its overloads.
-    pub fn overloads_of(&self, function: BuiltinId) -> (u32, &[Overload]) {
-        let range = self.ranges.get(function as usize).cloned();
-        let range = range.unwrap_or_default();
-        let overloads = self.overloads.get(range.start as usize..range.end as usize);
-        (range.start, overloads.unwrap_or(&[]))
+    pub fn overloads_of(&self, function: BuiltinId) -> (u32, &'static [Overload]) {
+        let range = self.range(function);
+        let overloads = self.overloads.get(range.clone());
+        (range.start as u32, overloads.unwrap_or(&[]))
     }
 
     /// An overload by its number.
-    pub fn overload(&self, number: u32) -> Option<&Overload> {
+    pub fn overload(&self, number: u32) -> Option<&'static Overload> {
         self.overloads.get(number as usize)
     }
-}
 
-fn texts(version: Version, stage: Stage) -> Vec<&'static str> {
-    match (version, stage) {
-        (Version::Es300, Stage::Fragment) => vec![
-            include_str!("functions_300.glsl"),
-            include_str!("functions_300_fragment.glsl"),
-            include_str!("variables_300.glsl"),
-            include_str!("variables_300_fragment.glsl"),
-        ],
-        (Version::Es300, Stage::Vertex) => vec![
-            include_str!("functions_300.glsl"),
-            include_str!("variables_300.glsl"),
-            include_str!("variables_300_vertex.glsl"),
-        ],
-        (Version::Es100, Stage::Fragment) => vec![
-            include_str!("functions_100.glsl"),
-            include_str!("functions_100_fragment.glsl"),
-            include_str!("variables_100.glsl"),
-            include_str!("variables_100_fragment.glsl"),
-        ],
-        (Version::Es100, Stage::Vertex) => vec![
-            include_str!("functions_100.glsl"),
-            include_str!("functions_100_vertex.glsl"),
-            include_str!("variables_100.glsl"),
-            include_str!("variables_100_vertex.glsl"),
-        ],
+    /// Where a function's overloads are.
+    fn range(&self, function: BuiltinId) -> Range<usize> {
+        let at = |i| self.starts.get(i).copied().unwrap_or(0) as usize;
+        at(function as usize)..at(function as usize + 1)
     }
-}
-
-fn load(version: Version, stage: Stage) -> Builtins {
-    let ids: FxHashMap<&str, BuiltinId> =
-        BuiltinId::ALL.iter().map(|id| (id.name(), *id)).collect();
-    let mut overloads: Vec<Vec<Overload>> = vec![Vec::new(); BuiltinId::ALL.len()];
-    let mut builtins = Builtins::default();
-    for line in texts(version, stage).into_iter().flat_map(declarations) {
-        if let Some(prototype) = Prototype::read(line) {
-            let id = ids.get(prototype.name).copied();
-            if let Some((id, forms)) = id.and_then(|id| Some((id, overloads.get_mut(id as usize)?)))
-            {
-                prototype.expand(id, forms);
-            }
-        } else if let Some((name, variable)) = read_variable(line) {
-            builtins.variables.insert(name, variable);
-        }
-    }
-    builtins.by_name = ids;
-    for (id, forms) in BuiltinId::ALL.iter().zip(overloads) {
-        let start = builtins.overloads.len() as u32;
-        builtins.overloads.extend(forms);
-        let range = start..builtins.overloads.len() as u32;
-        if range.is_empty() {
-            builtins.by_name.remove(id.name());
-        }
-        builtins.ranges.push(range);
-    }
-    builtins
 }
 
 impl BuiltinStorage {
@@ -294,18 +271,12 @@ mod tests {
     }
 
     #[test]
-    fn rows_and_prototypes_belong_together() {
+    fn every_row_has_a_prototype() {
         let mut without: BTreeSet<BuiltinId> = BuiltinId::ALL.iter().copied().collect();
         for version in [Version::Es100, Version::Es300] {
             for stage in [Stage::Vertex, Stage::Fragment] {
-                for overload in &Builtins::of(version, stage).overloads {
+                for overload in Builtins::of(version, stage).overloads {
                     without.remove(&overload.function);
-                }
-                let prototypes = texts(version, stage).concat();
-                let lines = prototypes.lines().filter(|l| !l.starts_with("//"));
-                for line in lines.filter(|l| l.ends_with(");")) {
-                    let name = line.split(['(', ' ']).nth(1);
-                    assert!(name.and_then(BuiltinId::named).is_some(), "{line}");
                 }
             }
         }
@@ -316,7 +287,7 @@ mod tests {
     fn what_a_lookup_takes_tells_its_parameters() {
         for stage in [Stage::Vertex, Stage::Fragment] {
             for version in [Version::Es100, Version::Es300] {
-                for overload in &Builtins::of(version, stage).overloads {
+                for overload in Builtins::of(version, stage).overloads {
                     let BuiltinKind::Lookup(lookup) = overload.function.kind() else {
                         assert!(!overload.has_bias());
                         continue;
@@ -368,35 +339,34 @@ mod tests {
 
     #[test]
     fn the_texts_are_read_without_errors() {
-        for version in [Version::Es100, Version::Es300] {
-            for stage in [Stage::Vertex, Stage::Fragment] {
-                for text in texts(version, stage) {
-                    for line in declarations(text) {
-                        let is_read =
-                            Prototype::read(line).is_some() || read_variable(line).is_some();
-                        assert!(is_read, "{line}");
-                    }
-                    let mut sources = Sources::new();
-                    let files = [
-                        sources
-                            .add("", None, Role::User, "#version 300 es\n")
-                            .unwrap(),
-                        sources.add("", None, Role::User, text).unwrap(),
-                    ];
-                    let mut read = preprocess(&sources, &files, true);
-                    let language = Language {
-                        version: Version::Es300,
-                        is_fragment: true,
-                    };
-                    let tokens = &mut read.tokens;
-                    let parse = parse_corrected(&sources, tokens, &read.names, language, &[]);
-                    let errors = parse.diagnostics;
-                    assert!(
-                        read.diagnostics.is_empty() && errors.is_empty(),
-                        "{errors:?}"
-                    );
-                }
-            }
+        for text in [
+            include_str!("functions_100.glsl"),
+            include_str!("functions_100_fragment.glsl"),
+            include_str!("functions_100_vertex.glsl"),
+            include_str!("functions_300.glsl"),
+            include_str!("functions_300_fragment.glsl"),
+            include_str!("variables_100.glsl"),
+            include_str!("variables_100_fragment.glsl"),
+            include_str!("variables_100_vertex.glsl"),
+            include_str!("variables_300.glsl"),
+            include_str!("variables_300_fragment.glsl"),
+            include_str!("variables_300_vertex.glsl"),
+        ] {
+            let mut sources = Sources::new();
+            let files = ["#version 300 es\n", text]
+                .map(|text| sources.add("", None, Role::User, text).unwrap());
+            let mut read = preprocess(&sources, &files, true);
+            let language = Language {
+                version: Version::Es300,
+                is_fragment: true,
+            };
+            let tokens = &mut read.tokens;
+            let parse = parse_corrected(&sources, tokens, &read.names, language, &[]);
+            let errors = parse.diagnostics;
+            assert!(
+                read.diagnostics.is_empty() && errors.is_empty(),
+                "{errors:?}"
+            );
         }
     }
 }

@@ -1,15 +1,235 @@
-//! Reads the declarations of built-in functions and variables: GLSL, one to a line, with one blank
-//! between words. They are read at every start, so that nothing is done here that they do not need.
+//! Reads the declarations of built-in functions and variables: GLSL, one to a line. The compiler
+//! does it, so that a start costs nothing; what cannot be read does not compile.
+#![expect(
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "the compiler works it out, and would refuse"
+)]
 
 use super::{BuiltinId, BuiltinStorage, BuiltinVariable, MAX_PARAMS, Overload};
 use crate::semantic::types::{Sampler, Scalar, Type};
+use crate::syntax::TypeWord;
 use crate::syntax::ast::QualifierKind;
-use crate::syntax::{Version, WordClass, classify};
 
-/// The declarations of a text, without the comments between them.
-pub(super) fn declarations(text: &'static str) -> impl Iterator<Item = &'static str> {
-    let lines = text.lines();
-    lines.filter(|line| !line.is_empty() && !line.starts_with("//"))
+/// Number of built-in functions.
+const FUNCTIONS: usize = BuiltinId::ALL.len();
+/// Room for the overloads of all functions.
+const MAX_OVERLOADS: usize = 640;
+/// Room for the variables.
+const MAX_VARIABLES: usize = 24;
+
+/// What some texts declare, in their order.
+pub(super) struct Declared {
+    overloads: [Overload; MAX_OVERLOADS],
+    /// Number of overloads.
+    pub count: usize,
+    variables: [(&'static str, BuiltinVariable); MAX_VARIABLES],
+    /// Number of variables.
+    pub variable_count: usize,
+}
+
+impl Declared {
+    /// Reads texts in the notation that `functions_300.glsl` explains.
+    pub const fn read(texts: &[&'static str]) -> Declared {
+        let nothing = BuiltinVariable {
+            ty: None,
+            storage: BuiltinStorage::In,
+            precision: None,
+        };
+        let mut declared = Declared {
+            overloads: [Overload::NONE; MAX_OVERLOADS],
+            count: 0,
+            variables: [("", nothing); MAX_VARIABLES],
+            variable_count: 0,
+        };
+        let mut i = 0;
+        while i < texts.len() {
+            let mut words = Words { rest: texts[i] };
+            while words.skip() {
+                declared.declaration(&mut words);
+            }
+            i += 1;
+        }
+        declared
+    }
+
+    const fn declaration(&mut self, words: &mut Words) {
+        let first = words.word();
+        let storage = match first.as_bytes() {
+            b"in" => BuiltinStorage::In,
+            b"out" => BuiltinStorage::Out,
+            b"uniform" => BuiltinStorage::Uniform,
+            b"const" => BuiltinStorage::Const(0),
+            _ => return self.expand(&Prototype::read(first, words)),
+        };
+        self.variables[self.variable_count] = read_variable(storage, words);
+        self.variable_count += 1;
+    }
+
+    /// Adds the overloads that a prototype stands for.
+    const fn expand(&mut self, prototype: &Prototype) {
+        let mut variants = prototype.returns.count();
+        let mut i = 0;
+        while i < MAX_PARAMS {
+            let count = prototype.params[i].count();
+            variants = if count > variants { count } else { variants };
+            i += 1;
+        }
+        let mut variant = 0;
+        while variant < variants {
+            let mut overload = Overload {
+                function: prototype.function,
+                params: [Type::VOID; MAX_PARAMS],
+                count: prototype.count,
+                out: prototype.out,
+                constant: prototype.constant,
+                returns: prototype.returns.get(variant),
+            };
+            let mut i = 0;
+            while i < MAX_PARAMS {
+                overload.params[i] = prototype.params[i].get(variant);
+                i += 1;
+            }
+            if !self.has(&overload) {
+                self.overloads[self.count] = overload;
+                self.count += 1;
+            }
+            variant += 1;
+        }
+    }
+
+    /// Whether there is such an overload of numbers: `min(genType, float)` and
+    /// `min(genType, genType)` are one for scalars.
+    const fn has(&self, overload: &Overload) -> bool {
+        let mut i = 0;
+        while i < self.count {
+            let other = &self.overloads[i];
+            let mut is_same = other.function as u8 == overload.function as u8;
+            is_same &= other.count == overload.count;
+            let mut k = 0;
+            while k < MAX_PARAMS && is_same {
+                is_same = k >= other.count as usize
+                    || match (other.params[k].numeric(), overload.params[k].numeric()) {
+                        (Some((s, c, r)), Some((scalar, columns, rows))) => {
+                            s as u8 == scalar as u8 && c == columns && r == rows
+                        }
+                        _ => false,
+                    };
+                k += 1;
+            }
+            if is_same {
+                return true;
+            }
+            i += 1;
+        }
+        false
+    }
+
+    /// By function: where its overloads start among all, and last where they end.
+    pub const fn starts(&self) -> [u16; FUNCTIONS + 1] {
+        let mut starts = [0; FUNCTIONS + 1];
+        let mut i = 0;
+        while i < self.count {
+            starts[self.overloads[i].function as usize + 1] += 1;
+            i += 1;
+        }
+        let mut i = 0;
+        while i < FUNCTIONS {
+            starts[i + 1] += starts[i];
+            i += 1;
+        }
+        starts
+    }
+
+    /// All `N` overloads, those of one function side by side.
+    pub const fn overloads<const N: usize>(&self) -> [Overload; N] {
+        let mut sorted = [Overload::NONE; N];
+        let mut next = self.starts();
+        let mut i = 0;
+        while i < N {
+            let overload = self.overloads[i];
+            let at = &mut next[overload.function as usize];
+            sorted[*at as usize] = overload;
+            *at += 1;
+            i += 1;
+        }
+        sorted
+    }
+
+    /// All `N` variables.
+    pub const fn variables<const N: usize>(&self) -> [(&'static str, BuiltinVariable); N] {
+        let mut variables = [self.variables[0]; N];
+        let mut i = 0;
+        while i < N {
+            variables[i] = self.variables[i];
+            i += 1;
+        }
+        variables
+    }
+}
+
+/// A text that is read word by word.
+struct Words {
+    rest: &'static str,
+}
+
+impl Words {
+    /// Takes so many bytes.
+    const fn take(&mut self, len: usize) -> &'static str {
+        let (taken, rest) = self.rest.split_at(len);
+        self.rest = rest;
+        taken
+    }
+
+    /// Passes by blanks and comments; whether anything stands behind them.
+    const fn skip(&mut self) -> bool {
+        let bytes = self.rest.as_bytes();
+        let mut at = 0;
+        while at < bytes.len() && (bytes[at].is_ascii_whitespace() || bytes[at] == b'/') {
+            if bytes[at] == b'/' {
+                while bytes[at] != b'\n' {
+                    at += 1;
+                }
+            }
+            at += 1;
+        }
+        self.take(at);
+        !self.rest.is_empty()
+    }
+
+    /// The word or number that stands next.
+    const fn word(&mut self) -> &'static str {
+        self.skip();
+        let bytes = self.rest.as_bytes();
+        let mut len = 0;
+        while len < bytes.len() && (bytes[len].is_ascii_alphanumeric() || bytes[len] == b'_') {
+            len += 1;
+        }
+        self.take(len)
+    }
+
+    /// Takes a mark if it stands next.
+    const fn eat(&mut self, mark: u8) -> bool {
+        let stands = self.skip() && self.rest.as_bytes()[0] == mark;
+        self.take(stands as usize);
+        stands
+    }
+
+    /// Takes a mark that must stand next.
+    const fn expect(&mut self, mark: u8) {
+        if !self.eat(mark) {
+            panic!("a declaration of a built-in function or variable is written otherwise");
+        }
+    }
+
+    /// The number that stands next.
+    const fn number(&mut self) -> i32 {
+        let sign = if self.eat(b'-') { -1 } else { 1 };
+        match i32::from_str_radix(self.word(), 10) {
+            Ok(number) => sign * number,
+            Err(_) => panic!("no number"),
+        }
+    }
 }
 
 /// What a word of the notation stands for: one type, or several in turn.
@@ -26,31 +246,42 @@ enum Form {
 }
 
 impl Form {
-    fn of(word: &str) -> Option<Form> {
+    const fn of(word: &str) -> Form {
         use Sampler::*;
         use Scalar::*;
-        let samplers = |all: [Sampler; 3]| Form::ByScalar(all.map(Type::sampler));
-        Some(match word {
-            "genType" => Form::Vectors(Float, 1),
-            "genIType" => Form::Vectors(Int, 1),
-            "genUType" => Form::Vectors(Uint, 1),
-            "genBType" => Form::Vectors(Bool, 1),
-            "vec" => Form::Vectors(Float, 2),
-            "ivec" => Form::Vectors(Int, 2),
-            "uvec" => Form::Vectors(Uint, 2),
-            "bvec" => Form::Vectors(Bool, 2),
-            "mat" => Form::Matrices,
-            "gvec4" => Form::ByScalar([Float, Int, Uint].map(|s| Type::vector(s, 4))),
-            "gsampler2D" => samplers([Sampler2D, Isampler2D, Usampler2D]),
-            "gsampler3D" => samplers([Sampler3D, Isampler3D, Usampler3D]),
-            "gsamplerCube" => samplers([SamplerCube, IsamplerCube, UsamplerCube]),
-            "gsampler2DArray" => samplers([Sampler2DArray, Isampler2DArray, Usampler2DArray]),
-            word => Form::One(type_named(word)?),
-        })
+        const fn samplers(all: [Sampler; 3]) -> Form {
+            let [float, int, uint] = all;
+            Form::ByScalar([
+                Type::sampler(float),
+                Type::sampler(int),
+                Type::sampler(uint),
+            ])
+        }
+        match word.as_bytes() {
+            b"genType" => Form::Vectors(Float, 1),
+            b"genIType" => Form::Vectors(Int, 1),
+            b"genUType" => Form::Vectors(Uint, 1),
+            b"genBType" => Form::Vectors(Bool, 1),
+            b"vec" => Form::Vectors(Float, 2),
+            b"ivec" => Form::Vectors(Int, 2),
+            b"uvec" => Form::Vectors(Uint, 2),
+            b"bvec" => Form::Vectors(Bool, 2),
+            b"mat" => Form::Matrices,
+            b"gvec4" => Form::ByScalar([
+                Type::vector(Float, 4),
+                Type::vector(Int, 4),
+                Type::vector(Uint, 4),
+            ]),
+            b"gsampler2D" => samplers([Sampler2D, Isampler2D, Usampler2D]),
+            b"gsampler3D" => samplers([Sampler3D, Isampler3D, Usampler3D]),
+            b"gsamplerCube" => samplers([SamplerCube, IsamplerCube, UsamplerCube]),
+            b"gsampler2DArray" => samplers([Sampler2DArray, Isampler2DArray, Usampler2DArray]),
+            _ => Form::One(type_named(word)),
+        }
     }
 
     /// How many types it stands for.
-    fn count(self) -> u8 {
+    const fn count(self) -> u8 {
         match self {
             Form::One(_) => 1,
             Form::Vectors(_, first) => 5 - first,
@@ -59,34 +290,26 @@ impl Form {
         }
     }
 
-    fn get(self, variant: u8) -> Type {
+    const fn get(self, variant: u8) -> Type {
         match self {
             Form::One(ty) => ty,
             Form::Vectors(scalar, first) => Type::vector(scalar, first + variant),
             Form::Matrices => Type::matrix(variant / 3 + 2, variant % 3 + 2),
-            Form::ByScalar(all) => all.get(variant as usize).copied().unwrap_or(Type::ERROR),
+            Form::ByScalar(all) => all[variant as usize],
         }
     }
 }
 
-/// What stands before the first such mark, and what behind it. The texts are short: a search that
-/// starts as one through a long text does takes more time than it saves.
-fn cut(text: &str, mark: u8) -> Option<(&str, &str)> {
-    let at = text.bytes().position(|byte| byte == mark)?;
-    Some((text.get(..at)?, text.get(at + 1..)?))
-}
-
-fn type_named(word: &str) -> Option<Type> {
-    match classify(word, Version::Es300) {
-        WordClass::Type(word) => Some(Type::of_word(word)),
-        _ => None,
+const fn type_named(word: &str) -> Type {
+    match TypeWord::named(word) {
+        Some(word) => Type::of_word(word),
+        None => panic!("no type"),
     }
 }
 
 /// A prototype in the notation of the texts.
-pub(super) struct Prototype {
-    /// The function's name.
-    pub name: &'static str,
+struct Prototype {
+    function: BuiltinId,
     returns: Form,
     params: [Form; MAX_PARAMS],
     count: u8,
@@ -95,92 +318,86 @@ pub(super) struct Prototype {
 }
 
 impl Prototype {
-    /// Reads `returns name(type name, ...);`; `None` where a declaration is none of a function.
-    pub fn read(line: &'static str) -> Option<Prototype> {
-        let (head, mut list) = cut(line.strip_suffix(");")?, b'(')?;
-        let (returns, name) = cut(head, b' ')?;
+    /// Reads `name(type name, ...);` behind the type that it returns.
+    const fn read(returns: &str, words: &mut Words) -> Prototype {
+        let Some(function) = BuiltinId::named(words.word()) else {
+            panic!("no row of the table is called so");
+        };
         let mut prototype = Prototype {
-            name,
-            returns: Form::of(returns)?,
+            function,
+            returns: Form::of(returns),
             params: [Form::One(Type::VOID); MAX_PARAMS],
             count: 0,
             out: 0,
             constant: 0,
         };
-        for slot in &mut prototype.params {
-            let (param, others) = cut(list, b',').unwrap_or((list, ""));
-            let (mut word, mut rest) = cut(param, b' ')?;
+        words.expect(b'(');
+        loop {
+            let mut word = words.word();
             let bit = 1 << prototype.count;
-            match word {
-                "out" => prototype.out |= bit,
-                "const" => prototype.constant |= bit,
-                _ => rest = "",
+            match word.as_bytes() {
+                b"out" => prototype.out |= bit,
+                b"const" => prototype.constant |= bit,
+                _ => {}
             }
-            if let Some((ty, _)) = cut(rest, b' ') {
-                word = ty;
+            if (prototype.out | prototype.constant) & bit != 0 {
+                word = words.word();
             }
-            *slot = Form::of(word)?;
+            prototype.params[prototype.count as usize] = Form::of(word);
             prototype.count += 1;
-            if others.is_empty() {
+            words.word();
+            if !words.eat(b',') {
                 break;
             }
-            list = others.strip_prefix(' ')?;
         }
-        Some(prototype)
-    }
-
-    /// Adds the overloads that it stands for to those of its function.
-    pub fn expand(&self, function: BuiltinId, overloads: &mut Vec<Overload>) {
-        let forms = self.params.iter().chain([&self.returns]);
-        let variants = forms.map(|form| form.count()).max().unwrap_or(1);
-        overloads.reserve(variants.into());
-        for variant in 0..variants {
-            let overload = Overload {
-                function,
-                params: self.params.map(|form| form.get(variant)),
-                count: self.count,
-                out: self.out,
-                constant: self.constant,
-                returns: self.returns.get(variant),
-            };
-            // `min(genType, float)` and `min(genType, genType)` are one for scalars.
-            let is_first = variant == 0;
-            if !is_first || overloads.iter().all(|o| o.params() != overload.params()) {
-                overloads.push(overload);
-            }
-        }
+        words.expect(b')');
+        words.expect(b';');
+        prototype
     }
 }
 
-/// Reads `storage precision type name[size] = value;`.
-pub(super) fn read_variable(line: &'static str) -> Option<(&'static str, BuiltinVariable)> {
-    let line = line.strip_suffix(';')?;
-    let (declared, value) = line.split_once(" = ").unwrap_or((line, ""));
-    let (head, name) = declared.rsplit_once(' ')?;
-    let (name, size) = name.split_once('[').unwrap_or((name, ""));
-    let (storage, rest) = head.split_once(' ')?;
-    let storage = match storage {
-        "in" => BuiltinStorage::In,
-        "out" => BuiltinStorage::Out,
-        "uniform" => BuiltinStorage::Uniform,
-        "const" => BuiltinStorage::Const(value.parse().ok()?),
-        _ => return None,
-    };
-    let array = size.strip_suffix(']').map_or(Some(0), |n| n.parse().ok())?;
-    let (first, ty) = rest.split_once(' ').unwrap_or(("", rest));
-    let precision = match first {
-        "highp" => Some(QualifierKind::Highp),
-        "mediump" => Some(QualifierKind::Mediump),
+/// Reads `precision type name[size] = value;` behind the storage.
+const fn read_variable(
+    storage: BuiltinStorage,
+    words: &mut Words,
+) -> (&'static str, BuiltinVariable) {
+    let mut word = words.word();
+    let precision = match word.as_bytes() {
+        b"highp" => Some(QualifierKind::Highp),
+        b"mediump" => Some(QualifierKind::Mediump),
         _ => None,
     };
-    let ty = match first {
-        "struct" => None,
-        _ => Some(type_named(ty)?.array_of(array)),
+    if precision.is_some() {
+        word = words.word();
+    }
+    let is_struct = matches!(word.as_bytes(), b"struct");
+    if is_struct {
+        // Its members stand in the text for readers.
+        while !words.eat(b'}') {
+            words.take(1);
+        }
+    }
+    let name = words.word();
+    let size = if words.eat(b'[') { words.number() } else { 0 };
+    if size > 0 {
+        words.expect(b']');
+    }
+    let storage = match storage {
+        BuiltinStorage::Const(_) => {
+            words.expect(b'=');
+            BuiltinStorage::Const(words.number())
+        }
+        storage => storage,
+    };
+    words.expect(b';');
+    let ty = match is_struct {
+        true => None,
+        false => Some(type_named(word).array_of(size as u32)),
     };
     let variable = BuiltinVariable {
         ty,
         storage,
         precision,
     };
-    Some((name, variable))
+    (name, variable)
 }

@@ -9,6 +9,7 @@ use super::row::{Axis, Row, lookup, projected, projected_shifted, shifted};
 use crate::semantic::constant::Value;
 use crate::semantic::fold::Folding::{ByColumns, Never, Values};
 use crate::semantic::fold::*;
+use crate::text::WordIndex;
 use std::f32::consts::PI;
 use std::f64;
 
@@ -31,6 +32,16 @@ macro_rules! table {
         impl BuiltinId {
             /// All built-in functions, in the order of the table.
             pub const ALL: &[BuiltinId] = &[$(BuiltinId::$id),*];
+
+            /// The function of a name, in whatever version.
+            #[expect(clippy::indexing_slicing, reason = "both lists are the table")]
+            pub const fn named(name: &str) -> Option<BuiltinId> {
+                static NAMES: WordIndex<512> = WordIndex::new(&[$($name),*]);
+                match NAMES.find(name) {
+                    Some(at) => Some(BuiltinId::ALL[at]),
+                    None => None,
+                }
+            }
 
             /// What the table says of it.
             pub(super) const fn row(self) -> &'static Row {
