@@ -374,7 +374,7 @@ pub enum Origin {
     Language,
 }
 
-const _: () = assert!(size_of::<Op>() <= 32);
+const _: () = assert!(size_of::<Op>() <= 28);
 const _: () = assert!(size_of::<Step>() <= 32);
 
 impl Root {

@@ -2,7 +2,7 @@
 
 use super::{Group, OptionType, OptionValue, Rule, Setting};
 use crate::diagnostic::{ERRORS, Severity};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
 /// What draws the shader in the end, which decides how much work a pixel may take.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -54,7 +54,7 @@ impl Settings {
     /// The rules that run by default.
     pub fn of_rules(rules: &[&'static Rule]) -> Settings {
         let mut settings = Settings {
-            levels: FxHashMap::default(),
+            levels: FxHashMap::with_capacity_and_hasher(rules.len(), FxBuildHasher),
             options: FxHashMap::default(),
             failing: FxHashSet::default(),
             chosen: None,

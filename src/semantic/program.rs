@@ -162,7 +162,7 @@ pub struct ExprInfo {
 }
 
 // Every expression has one.
-const _: () = assert!(size_of::<ExprInfo>() <= 32);
+const _: () = assert!(size_of::<ExprInfo>() <= 28);
 
 impl ExprInfo {
     /// An expression that was reported.
@@ -354,7 +354,7 @@ impl Program {
 }
 
 /// Name of a struct in messages.
-pub(super) fn struct_name(structs: &[Struct], names: &Names, id: u32) -> String {
+pub(super) fn struct_name(structs: &[Struct], names: &Names, id: u16) -> String {
     let name = structs.get(id as usize).and_then(|s| s.name);
     name.map_or("struct".to_string(), |n| names.text(n).to_string())
 }

@@ -91,9 +91,9 @@ pub enum Base {
     /// A sampler.
     Sampler(Sampler),
     /// A struct, by its number in [`Program`](super::Program).
-    Struct(u32),
+    Struct(u16),
     /// An interface block, by its number in [`Program`](super::Program).
-    Block(u32),
+    Block(u16),
 }
 
 /// A type. Arrays have one dimension; GLSL ES 3.00 has no more.
@@ -104,6 +104,9 @@ pub struct Type {
     /// Size of the array; 0 for no array, [`Type::UNSIZED`] for one of unknown size.
     pub array: u32,
 }
+
+// It goes by value everywhere: it fits a register.
+const _: () = assert!(size_of::<Type>() <= 8);
 
 impl Type {
     /// The array size of `float a[]`.
@@ -156,11 +159,24 @@ impl Type {
         }
     }
 
+    /// A struct, by its number. A shader with more of them than numbers is none that anyone wrote;
+    /// of those nothing is said.
+    pub const fn structure(id: u32) -> Type {
+        let base = match id <= u16::MAX as u32 {
+            true => Base::Struct(id as u16),
+            false => Base::Error,
+        };
+        Type { base, array: 0 }
+    }
+
     /// An interface block, by its number.
     pub const fn block(id: u32) -> Type {
-        Type {
-            base: Base::Block(id),
-            array: 0,
+        match Type::structure(id).base {
+            Base::Struct(id) => Type {
+                base: Base::Block(id),
+                array: 0,
+            },
+            _ => Type::ERROR,
         }
     }
 
@@ -368,7 +384,7 @@ pub struct Inside {
 
 impl Inside {
     /// Looks into a type, given what is inside the struct that it is.
-    pub fn of(ty: Type, record: impl FnOnce(u32) -> Inside) -> Inside {
+    pub fn of(ty: Type, record: impl FnOnce(u16) -> Inside) -> Inside {
         let mut inside = match ty.base {
             Base::Struct(id) | Base::Block(id) => record(id),
             Base::Numeric {
@@ -426,7 +442,7 @@ fn numeric_name(scalar: Scalar, columns: u8, rows: u8) -> String {
 }
 
 /// A type as it is written; `struct_name` names structs and blocks.
-pub fn type_name(ty: Type, struct_name: impl Fn(u32) -> String) -> String {
+pub fn type_name(ty: Type, struct_name: impl Fn(u16) -> String) -> String {
     let base = match ty.base {
         Base::Error => "?".to_string(),
         Base::Void => "void".to_string(),

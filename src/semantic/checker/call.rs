@@ -15,14 +15,7 @@ impl Checker<'_> {
         }
         match self.scopes.get(name) {
             Some(Binding::Struct(index)) => {
-                return self.construct_type(
-                    id,
-                    Type {
-                        base: Base::Struct(index),
-                        array: 0,
-                    },
-                    args,
-                );
+                return self.construct_type(id, Type::structure(index), args);
             }
             Some(Binding::Error) => return ExprInfo::ERROR,
             Some(Binding::Variable(variable)) => {

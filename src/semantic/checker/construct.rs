@@ -64,7 +64,7 @@ impl Checker<'_> {
         let infos = args.iter().map(|&a| self.info(a));
         let mut info = self.result(ty, infos, constant);
         if let Base::Struct(index) = ty.base {
-            info.resolution = Resolution::Struct(index);
+            info.resolution = Resolution::Struct(index.into());
         }
         info
     }

@@ -473,10 +473,7 @@ impl<'a> Checker<'a> {
 
     fn named_type(&mut self, name: Name, token: TokenId) -> Type {
         match self.scopes.get(name) {
-            Some(Binding::Struct(id)) => Type {
-                base: Base::Struct(id),
-                array: 0,
-            },
+            Some(Binding::Struct(id)) => Type::structure(id),
             Some(Binding::Error) => Type::ERROR,
             found => {
                 let foreign = match found {

@@ -80,10 +80,7 @@ impl Checker<'_> {
                 ..Inside::default()
             },
         });
-        Type {
-            base: Base::Struct(index),
-            array: 0,
-        }
+        Type::structure(index)
     }
 
     /// A name used as a variable.

@@ -48,10 +48,7 @@ impl Checker<'_> {
         {
             self.scopes.declare(ident.name, Binding::Struct(index));
         }
-        Type {
-            base: Base::Struct(index),
-            array: 0,
-        }
+        Type::structure(index)
     }
 
     fn members(&mut self, decl: &StructDecl, is_block: bool) -> Members {
@@ -347,10 +344,7 @@ impl Checker<'_> {
         if let Some(Binding::Struct(id)) = self.scopes.get(ident.name)
             && !qualified.invariant
         {
-            let ty = Type {
-                base: Base::Struct(id),
-                array: 0,
-            };
+            let ty = Type::structure(id);
             let extent = Extent::token(ident.token);
             self.check_type_of_variables(&qualified, ty, extent);
             return self.check_variable_layout(&qualified, extent);

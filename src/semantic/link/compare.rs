@@ -56,7 +56,7 @@ pub struct Comparison<'a, 'p> {
     vertex: &'a Interface<'p>,
     fragment: &'a Interface<'p>,
     /// Structs that were compared, and how they differ: each pair is looked at once.
-    known: FxHashMap<(u32, u32, Precisions), Option<Difference>>,
+    known: FxHashMap<(u16, u16, Precisions), Option<Difference>>,
 }
 
 impl<'a, 'p> Comparison<'a, 'p> {
@@ -119,8 +119,8 @@ impl<'a, 'p> Comparison<'a, 'p> {
     /// Where two structs or blocks of one name differ first. Structs nest at most four deep.
     pub fn records(
         &mut self,
-        vertex: u32,
-        fragment: u32,
+        vertex: u16,
+        fragment: u16,
         precisions: Precisions,
     ) -> Option<Difference> {
         let key = (vertex, fragment, precisions);
@@ -132,8 +132,8 @@ impl<'a, 'p> Comparison<'a, 'p> {
         found
     }
 
-    fn members(&mut self, v: u32, f: u32, precisions: Precisions) -> Option<Difference> {
-        let of = |i: &'a Interface, id: u32| i.program.structs.get(id as usize);
+    fn members(&mut self, v: u16, f: u16, precisions: Precisions) -> Option<Difference> {
+        let of = |i: &'a Interface, id: u16| i.program.structs.get(id as usize);
         let (v, f) = (of(self.vertex, v)?, of(self.fragment, f)?);
         let count = |n: usize| match n {
             1 => "1 member".to_string(),
@@ -184,7 +184,7 @@ fn is_record(ty: Type) -> bool {
 
 impl Interface<'_> {
     /// Name of a struct or block; empty where it has none.
-    pub fn record_name(&self, id: u32) -> &str {
+    pub fn record_name(&self, id: u16) -> &str {
         let record = self.program.structs.get(id as usize);
         let name = record.and_then(|s| s.name);
         name.map_or("", |n| self.program.names.text(n))

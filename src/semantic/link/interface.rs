@@ -42,7 +42,7 @@ pub struct Block {
     /// The token that names it.
     pub token: TokenId,
     /// Its number among the structs of its program.
-    pub record: u32,
+    pub record: u16,
     /// Its instance: the token that names it, and the size of the array, or 0.
     pub instance: Option<(TokenId, u32)>,
     /// Whether matrices lie by rows, as its own layout or the default says.
@@ -143,7 +143,7 @@ struct Reader<'a> {
     /// By the token that declares it.
     variables: FxHashMap<TokenId, VariableId>,
     /// By the token that names it.
-    records: FxHashMap<TokenId, u32>,
+    records: FxHashMap<TokenId, u16>,
     float: Option<Precision>,
     int: Option<Precision>,
     /// `layout(row_major) uniform;`
@@ -154,7 +154,7 @@ impl<'a> Reader<'a> {
     fn new(program: &'a Program) -> Reader<'a> {
         let is_vertex = program.stage == Stage::Vertex;
         let declared = program.variables.iter().zip(0..);
-        let records = program.structs.iter().zip(0..);
+        let records = program.structs.iter().zip(0..=u16::MAX);
         Reader {
             found: Interface {
                 program,
@@ -224,7 +224,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads the precisions of members; gives the struct's number.
-    fn record(&mut self, id: StructId) -> Option<u32> {
+    fn record(&mut self, id: StructId) -> Option<u16> {
         let program = self.found.program;
         let tree = &program.tree;
         let decl = tree.structure(id)?;

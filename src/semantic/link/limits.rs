@@ -193,7 +193,7 @@ fn add_vectors(interface: &Interface, ty: Type, by_width: &mut [u64; 5]) {
 }
 
 /// What a uniform of a type takes. Each struct is looked into once.
-fn need(interface: &Interface, ty: Type, known: &mut FxHashMap<u32, Need>) -> Need {
+fn need(interface: &Interface, ty: Type, known: &mut FxHashMap<u16, Need>) -> Need {
     let one = match ty.base {
         Base::Numeric { columns, .. } => Need {
             vectors: columns as u64,

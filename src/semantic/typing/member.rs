@@ -39,7 +39,7 @@ pub fn member(types: Types, object: Type, name: Name, text: &str) -> Result<Memb
     }
 }
 
-fn field(types: Types, index: u32, name: Name) -> Result<Member, Misfit> {
+fn field(types: Types, index: u16, name: Name) -> Result<Member, Misfit> {
     let fields = types
         .structs
         .get(index as usize)

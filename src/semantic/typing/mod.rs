@@ -28,7 +28,7 @@ pub struct Types<'a> {
 impl Types<'_> {
     /// What lies inside a type, at any depth.
     pub fn inside(self, ty: Type) -> Inside {
-        let record = |id: u32| self.structs.get(id as usize).map(|s| s.inside);
+        let record = |id: u16| self.structs.get(id as usize).map(|s| s.inside);
         Inside::of(ty, |id| record(id).unwrap_or_default())
     }
 
@@ -79,7 +79,7 @@ pub enum Misfit {
     /// The letter of this number picks a component that the vector has not.
     Component(Type, usize),
     /// The struct or block of this number has no such member.
-    Field(u32),
+    Field(u16),
     /// A type without elements.
     NoElements(Type),
     /// An index that is no integer.

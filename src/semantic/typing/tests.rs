@@ -58,10 +58,7 @@ fn read(text: &str) -> Type {
         Some((base, size)) => (base, size.parse().unwrap()),
         None => (text, 0),
     };
-    let record = |id| Type {
-        base: Base::Struct(id),
-        array: 0,
-    };
+    let record = |id| Type::structure(id);
     let ty = match base {
         "void" => Type::VOID,
         "?" => Type::ERROR,
