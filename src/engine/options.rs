@@ -56,6 +56,8 @@ impl Options {
 /// What the user says a shader is written for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
 pub enum DialectChoice {
     /// What the text tells.
     #[default]
@@ -108,6 +110,8 @@ pub struct HostUniform {
 
 /// What is said of shaders that WebGL does not compile.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
 pub enum Desktop {
     /// That WebGL does not compile them.
     #[default]

@@ -30,6 +30,6 @@ pub use removal::{remove_declaration, remove_lines, remove_statement};
 pub use rule::{Binary, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule, Shape};
 pub use run::{Unrun, lint, lint_within};
 pub use same::{code_hash, same_code};
-pub use settings::{Failing, Renderer, Settings, UnknownRule, nearest_name, nearest_rule};
+pub use settings::{Failing, Reach, Renderer, Settings, UnknownRule, nearest_name, nearest_rule};
 pub use suppress::Allows;
 pub use words::{Counts, Unseen};

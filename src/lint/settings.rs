@@ -6,6 +6,8 @@ use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
 /// What draws the shader in the end, which decides how much work a pixel may take.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+#[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
 pub enum Renderer {
     /// A renderer on the processor, as headless browsers have.
     #[default]
@@ -171,15 +173,18 @@ pub enum Failing {
 
 /// How much a word names; the less, the more it says.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Reach {
+pub enum Reach {
+    /// Every rule.
     All,
+    /// The rules of a group.
     Group,
+    /// A rule.
     Rule,
 }
 
 impl Reach {
     /// As what a word names a rule, if it does.
-    fn of(word: &str, rule: &Rule) -> Option<Reach> {
+    pub fn of(word: &str, rule: &Rule) -> Option<Reach> {
         match word {
             _ if word == rule.name => Some(Reach::Rule),
             _ if word == rule.group.name() => Some(Reach::Group),

@@ -194,8 +194,8 @@ fn load(file: &Path) -> Result<Arc<Config>, Arc<str>> {
     let here = std::env::current_dir().unwrap_or_default();
     let shown = file.strip_prefix(here).unwrap_or(file).display();
     let text = fs::read_to_string(file).map_err(|e| format!("{shown}: {e}"))?;
-    let mut config = parse(&text, RULES)
-        .map_err(|e| format!("{shown}:{}:{}: {}", e.line, e.column, e.message))?;
+    let mut config =
+        parse(&text).map_err(|e| format!("{shown}:{}:{}: {}", e.line, e.column, e.message))?;
     let folder = absolute(file);
     config.root = folder.parent().unwrap_or(Path::new("/")).to_path_buf();
     let overrides = config.overrides.iter_mut().map(|(_, layer)| layer);

@@ -31,7 +31,7 @@ pub fn run(command: &Command) -> io::Result<u8> {
             clap_complete::generate(*shell, &mut Args::command(), "shaderlint", &mut text);
         }
         Command::Man => clap_mangen::Man::new(Args::command()).render(&mut text)?,
-        Command::Schema => text.extend_from_slice(schema(RULES).as_bytes()),
+        Command::Schema => text.extend_from_slice(schema().as_bytes()),
     }
     io::stdout().lock().write_all(&text)?;
     Ok(CLEAN)

@@ -2,25 +2,21 @@
 
 #[cfg(feature = "cli")]
 mod read;
-#[cfg(feature = "cli")]
-mod schema;
 
 #[cfg(feature = "cli")]
-pub use read::{ConfigError, parse};
-#[cfg(feature = "cli")]
-pub use schema::schema;
+pub use read::{ConfigError, parse, schema};
 
 use super::options::{Desktop, DialectChoice, HostNames, Options};
 use super::path::plain;
 use crate::diagnostic::Severity;
-use crate::lint::{Failing, OptionValue, Renderer, Settings, UnknownRule};
+use crate::lint::{Failing, OptionValue, Renderer, Rule, Settings, UnknownRule};
 use crate::rules::RULES;
 use globset::GlobSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What a configuration says of all files, or of those under some patterns.
-#[derive(Clone, Default, Debug)]
+#[derive(Default)]
 pub struct Layer {
     /// What draws the shaders.
     pub target: Option<Renderer>,
@@ -30,44 +26,39 @@ pub struct Layer {
     pub host: Option<HostNames>,
     /// What is said of shaders that WebGL does not compile.
     pub desktop: Option<Desktop>,
-    /// Levels of rules, groups before single rules; `None` is off.
-    pub levels: Vec<(RuleName, Option<Severity>)>,
-    /// Rules whose findings fail the run, or do not, groups before single rules.
-    pub failing: Vec<(RuleName, Failing)>,
-    /// What rules go by.
-    pub options: Vec<(RuleName, &'static str, OptionValue)>,
     /// Folders that `#include` searches behind that of the file, from the configuration's own.
     pub include_roots: Option<Vec<String>>,
+    /// What it says of rules; the later holds.
+    pub rules: Vec<(&'static Rule, Adjustment)>,
+}
+
+/// What is said of a rule.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Adjustment {
+    /// How bad its findings are; `None` is off.
+    Level(Option<Severity>),
+    /// Whether its findings fail the run.
+    Failing(Failing),
+    /// What it goes by.
+    Option(&'static str, OptionValue),
 }
 
 impl Layer {
     /// Does what it says of rules.
     fn apply(&self, settings: &mut Settings) {
-        let rule = |name: &str| RULES.iter().find(|r| r.name == name);
         settings.target = self.target.unwrap_or(settings.target);
-        for (name, level) in &self.levels {
-            if let Some(rule) = rule(name) {
-                settings.set_level(rule, *level);
-            }
-        }
-        for (name, failing) in &self.failing {
-            if let Some(rule) = rule(name) {
-                settings.set_failing(rule, *failing);
-            }
-        }
-        for (name, option, value) in &self.options {
-            if let Some(rule) = rule(name) {
-                settings.set_option(rule, option, *value);
+        for (rule, adjustment) in &self.rules {
+            match *adjustment {
+                Adjustment::Level(level) => settings.set_level(rule, level),
+                Adjustment::Failing(failing) => settings.set_failing(rule, failing),
+                Adjustment::Option(name, value) => settings.set_option(rule, name, value),
             }
         }
     }
 }
 
-/// Name of a rule, whose table is not printed.
-pub type RuleName = &'static str;
-
 /// A configuration. The paths that it is asked about start at the root of the file system.
-#[derive(Default, Debug)]
+#[derive(Default)]
 pub struct Config {
     /// The folder that it stands in, which patterns count from.
     pub root: PathBuf,

@@ -1,0 +1,222 @@
+//! The shape of `shaderlint.toml`: what serde reads, and what the JSON schema is derived from.
+
+use super::mistake::{Mistake, none_of};
+use super::rules::Rules;
+use crate::engine::options::{Desktop, DialectChoice, HostNames, HostUniform};
+use crate::host::{PRESETS, Preset, preset};
+use crate::lint::Renderer;
+use crate::syntax::{Version, WordClass, classify};
+use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
+use schemars::JsonSchema;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Error, IntoDeserializer, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::marker::PhantomData;
+use std::sync::Arc;
+use toml::Spanned;
+
+// Two structs have the keys of a layer: serde forgets the places of what it flattens.
+
+/// What holds for all files, and which files these are
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+#[schemars(title = "shaderlint.toml")]
+pub struct ConfigFile {
+    /// What draws the shaders in the end
+    pub target: Option<Renderer>,
+    /// What the shaders are written for
+    pub dialect: Option<DialectChoice>,
+    /// What is said of shaders for OpenGL, Vulkan and other hosts than WebGL
+    pub desktop: Option<Desktop>,
+    /// What the host declares for the shaders
+    pub host: Option<HostEntry>,
+    /// Levels and options of rules and groups
+    #[serde(default)]
+    pub rules: Rules,
+    /// The files that folders are searched for
+    pub include: Option<Patterns>,
+    /// Folders that #include searches behind that of the file, from the folder of this file
+    pub include_roots: Option<Vec<String>>,
+    /// The files that are left out of folders
+    pub exclude: Option<Patterns>,
+    /// What holds for some files, the later over the earlier
+    #[serde(default)]
+    pub overrides: Vec<Override>,
+}
+
+/// What holds for some files
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct Override {
+    /// The files that it holds for, from the folder of this file
+    pub paths: Patterns,
+    /// What draws the shaders in the end
+    pub target: Option<Renderer>,
+    /// What the shaders are written for
+    pub dialect: Option<DialectChoice>,
+    /// What is said of shaders for OpenGL, Vulkan and other hosts than WebGL
+    pub desktop: Option<Desktop>,
+    /// What the host declares for the shaders
+    pub host: Option<HostEntry>,
+    /// Folders that #include searches behind that of the file, from the folder of this file
+    pub include_roots: Option<Vec<String>>,
+    /// Levels and options of rules and groups
+    #[serde(default)]
+    pub rules: Rules,
+}
+
+/// A word, or a table that says more.
+#[derive(JsonSchema)]
+#[schemars(untagged)]
+pub enum WordOr<W, T> {
+    /// `host = "three"`
+    Word(W),
+    /// `host = { preset = "three", uniforms = {} }`
+    Table(T),
+}
+
+/// As serde reads untagged enums, but with the place of what is wrong in the table.
+impl<'de, W: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for WordOr<W, T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Either<W, T>(PhantomData<WordOr<W, T>>);
+        impl<'de, W: Deserialize<'de>, T: Deserialize<'de>> Visitor<'de> for Either<W, T> {
+            type Value = WordOr<W, T>;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a word in quotes, or a table")
+            }
+
+            fn visit_str<E: Error>(self, word: &str) -> Result<Self::Value, E> {
+                W::deserialize(word.into_deserializer()).map(WordOr::Word)
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<Self::Value, A::Error> {
+                T::deserialize(MapAccessDeserializer::new(table)).map(WordOr::Table)
+            }
+        }
+        deserializer.deserialize_any(Either(PhantomData))
+    }
+}
+
+/// What the host declares.
+pub type HostEntry = WordOr<KnownHost, DescribedHost>;
+
+impl HostEntry {
+    /// As the engine takes it.
+    pub fn names(self) -> Result<HostNames, Mistake> {
+        let host = match self {
+            WordOr::Word(known) => DescribedHost {
+                preset: Some(known),
+                ..DescribedHost::default()
+            },
+            WordOr::Table(host) => host,
+        };
+        let uniforms = host.uniforms.iter().map(|(name, ty)| uniform(name, &ty.0));
+        Ok(HostNames {
+            uniforms: uniforms.collect::<Result<_, _>>()?,
+            preset: host.preset.map(|known| known.0),
+            prelude: host.prelude,
+        })
+    }
+}
+
+/// A host with what the user says of it
+#[derive(Deserialize, JsonSchema, Default)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct DescribedHost {
+    /// The host that it builds on
+    preset: Option<KnownHost>,
+    /// A file of GLSL that describes a host, from the folder of this file
+    prelude: Option<String>,
+    /// Uniforms that the host declares, with their types
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, UniformType>")]
+    uniforms: BTreeMap<Spanned<String>, UniformType>,
+}
+
+/// The name of a host that comes with the program
+#[derive(Deserialize, JsonSchema)]
+#[serde(try_from = "String")]
+#[schemars(with = "String", extend("enum" = PRESETS))]
+pub struct KnownHost(Arc<Preset>);
+
+impl TryFrom<String> for KnownHost {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<KnownHost, String> {
+        let known = preset(&name).ok_or_else(|| none_of(&name, PRESETS))?;
+        Ok(KnownHost(Arc::new(known.clone())))
+    }
+}
+
+/// A type like `float` or `vec3[4]`
+#[derive(Deserialize, JsonSchema)]
+#[schemars(with = "String", extend("pattern" = TYPES))]
+struct UniformType(Spanned<String>);
+
+const TYPES: &str =
+    "^[biu]?(vec|mat|sampler|float|int|uint|bool)[A-Za-z0-9]*( *\\[[0-9]+\\])?$|^[iu]?sampler";
+
+/// Reads `uTime = "float"` or `lights = "vec3[4]"`.
+fn uniform(name: &Spanned<String>, ty: &Spanned<String>) -> Result<HostUniform, Mistake> {
+    let ident = name.get_ref().as_str();
+    let is_word = ident.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && ident
+            .bytes()
+            .all(|b| b.is_ascii_alphanumeric() || b == b'_');
+    let is_free = is_word && !ident.starts_with("gl_") && !ident.starts_with("webgl_");
+    if !is_free || classify(ident, Version::Es300) != WordClass::Plain {
+        let message = format!("`{ident}` cannot be the name of a uniform");
+        return Err(Mistake::at(name, message));
+    }
+    let text = ty.get_ref().as_str();
+    let (base, size) = match text.split_once('[') {
+        Some((base, rest)) => {
+            let digits = rest.trim_end().strip_suffix(']').unwrap_or("");
+            let size = digits.trim().parse::<u32>().ok();
+            (base.trim(), size.filter(|s| *s > 0).map(Some))
+        }
+        None => (text.trim(), Some(None)),
+    };
+    let is_type = matches!(classify(base, Version::Es300), WordClass::Type(_)) && base != "void";
+    let (true, Some(size)) = (is_type, size) else {
+        let message =
+            format!("`{text}` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`");
+        return Err(Mistake::at(ty, message));
+    };
+    Ok(HostUniform {
+        name: ident.to_string(),
+        ty: base.to_string(),
+        size,
+    })
+}
+
+/// Patterns as `.gitignore` has them: `*` stays inside a folder, a pattern without a slash holds at
+/// any depth, and what names a folder holds for all in it
+#[derive(Deserialize, JsonSchema)]
+#[schemars(with = "Vec<String>")]
+pub struct Patterns(Spanned<Vec<Spanned<String>>>);
+
+impl Patterns {
+    /// All in one.
+    pub fn globs(self) -> Result<GlobSet, Mistake> {
+        let mut set = GlobSetBuilder::new();
+        for entry in self.0.get_ref() {
+            let written = entry.get_ref().as_str();
+            let plain = written.trim_end_matches('/');
+            let rooted = match plain.strip_prefix('/').or(plain.strip_prefix("./")) {
+                Some(rooted) => rooted.to_string(),
+                None if plain.contains('/') => plain.to_string(),
+                None => format!("**/{plain}"),
+            };
+            for pattern in [format!("{rooted}/**"), rooted] {
+                let glob = GlobBuilder::new(&pattern).literal_separator(true).build();
+                let wrong = |e: globset::Error| format!("`{written}` is no pattern: {}", e.kind());
+                set.add(glob.map_err(|e| Mistake::at(entry, wrong(e)))?);
+            }
+        }
+        set.build().map_err(|e| Mistake::at(&self.0, e.to_string()))
+    }
+}

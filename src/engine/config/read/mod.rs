@@ -1,0 +1,231 @@
+//! Reads a configuration; every mistake in it is an error with its place.
+
+mod file;
+mod mistake;
+mod rules;
+mod schema;
+
+pub use schema::schema;
+
+use super::{Config, Layer};
+use crate::text::LineIndex;
+use file::{ConfigFile, HostEntry, Patterns};
+use mistake::Mistake;
+
+/// What is wrong with a configuration.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ConfigError {
+    /// 1-based.
+    pub line: u32,
+    /// 1-based, in characters.
+    pub column: u32,
+    /// What is wrong.
+    pub message: String,
+}
+
+/// Reads the text of a configuration.
+pub fn parse(text: &str) -> Result<Config, ConfigError> {
+    let file = toml::from_str(text).map_err(Mistake::from);
+    file.and_then(config).map_err(|mistake| {
+        let position = LineIndex::new(text).position(text, mistake.span.start as u32);
+        ConfigError {
+            line: position.line,
+            column: position.column,
+            message: mistake.message,
+        }
+    })
+}
+
+fn config(file: ConfigFile) -> Result<Config, Mistake> {
+    let overrides = file.overrides.into_iter().map(|own| {
+        let layer = Layer {
+            target: own.target,
+            dialect: own.dialect,
+            desktop: own.desktop,
+            host: own.host.map(HostEntry::names).transpose()?,
+            include_roots: own.include_roots,
+            rules: own.rules.adjustments()?,
+        };
+        Ok((own.paths.globs()?, layer))
+    });
+    Ok(Config {
+        overrides: overrides.collect::<Result<_, Mistake>>()?,
+        base: Layer {
+            target: file.target,
+            dialect: file.dialect,
+            desktop: file.desktop,
+            host: file.host.map(HostEntry::names).transpose()?,
+            include_roots: file.include_roots,
+            rules: file.rules.adjustments()?,
+        },
+        include: file.include.map(Patterns::globs).transpose()?,
+        exclude: file.exclude.map(Patterns::globs).transpose()?,
+        ..Config::default()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Adjustment;
+    use super::*;
+    use crate::lint::Renderer;
+
+    #[track_caller]
+    fn wrong(text: &str, line: u32, column: u32, message: &str) {
+        let error = parse(text).err();
+        let error = error.map(|e| (e.line, e.column, e.message));
+        assert_eq!(error, Some((line, column, message.to_string())));
+    }
+
+    #[test]
+    fn mistakes_have_places() {
+        wrong(
+            "x = 1",
+            1,
+            1,
+            "unknown key `x`; there are `target`, `dialect`, `desktop`, `host`, `rules`, `include`, \
+             `include_roots`, `exclude`, `overrides`",
+        );
+        wrong(
+            "\ntaget = \"gpu\"",
+            2,
+            1,
+            "unknown key `taget`; did you mean `target`?",
+        );
+        wrong(
+            "target = \"gpus\"",
+            1,
+            10,
+            "`gpus` is none of `swiftshader`, `gpu`; did you mean `gpu`?",
+        );
+        wrong(
+            "[rules]\nstep-budgt = \"off\"",
+            2,
+            1,
+            "there is no rule or group `step-budgt`; did you mean `step-budget`?",
+        );
+        wrong(
+            "[rules]\nvector-size = \"off\"",
+            2,
+            1,
+            "`vector-size` is a compile error, which has no level",
+        );
+        wrong(
+            "[host.uniforms]\na = \"vec5\"",
+            2,
+            5,
+            "`vec5` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`",
+        );
+        wrong(
+            "[host.uniforms]\nlights = \"vec3[0]\"",
+            2,
+            10,
+            "`vec3[0]` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`",
+        );
+        wrong(
+            "[host.uniforms]\nsample = \"vec3\"",
+            2,
+            1,
+            "`sample` cannot be the name of a uniform",
+        );
+        wrong(
+            "rules.step-budget.loop = -1",
+            1,
+            19,
+            "unknown key `loop`; there are `main`, `shadow`, `sum`, `level`, `fail`",
+        );
+        wrong(
+            "exclude = [\"a\", \"[\"]",
+            1,
+            17,
+            "`[` is no pattern: unclosed character class; missing ']'",
+        );
+        wrong(
+            "include_roots = [1]",
+            1,
+            18,
+            "this must be a text in quotes",
+        );
+        assert!(parse("a = ").is_err());
+    }
+
+    /// They are in this program's words, whatever serde calls the types.
+    #[test]
+    fn types_have_names() {
+        wrong("target = 3", 1, 10, "this must be a text in quotes");
+        wrong(
+            "include_roots = [1]",
+            1,
+            18,
+            "this must be a text in quotes",
+        );
+        wrong("include = \"a\"", 1, 11, "this must be a list: `[...]`");
+        wrong("overrides = [1]", 1, 14, "this must be a table");
+        wrong("host.uniforms = []", 1, 17, "this must be a table");
+        wrong(
+            "rules = { tidy = 1 }",
+            1,
+            18,
+            "this must be a word in quotes, or a table",
+        );
+        wrong(
+            "rules.tidy.fail = 1",
+            1,
+            19,
+            "this must be `true` or `false`",
+        );
+        wrong(
+            "rules.step-budget.main = -1",
+            1,
+            26,
+            "this must be a whole number, 0 or more",
+        );
+        for value in ["-1.5", "inf", "\"a\""] {
+            wrong(
+                &format!("rules.bright-light.sun = {value}"),
+                1,
+                26,
+                "this must be a number, 0 or more",
+            );
+        }
+    }
+
+    #[test]
+    fn levels_and_hosts_are_read() {
+        let text = "target = \"gpu\"\n[host]\npreset = \"three\"\nuniforms = { uTime = \"float\", on = \"bool\", lights = \"vec3[4]\" }\n\
+            [rules]\nbudget = \"info\"\nstep-budget = \"off\"\n[[overrides]]\npaths = [\"a/**\"]\nrules = { numeric = \"off\" }";
+        let config = parse(text).unwrap();
+        assert_eq!(config.base.target, Some(Renderer::Gpu));
+        let (rule, adjustment) = config.base.rules.last().unwrap();
+        assert_eq!(
+            (rule.name, adjustment),
+            ("step-budget", &Adjustment::Level(None))
+        );
+        let uniforms = config.base.host.unwrap().uniforms;
+        let uniforms: Vec<_> = uniforms
+            .iter()
+            .map(|u| (&*u.name, &*u.ty, u.size))
+            .collect();
+        assert_eq!(
+            uniforms,
+            [
+                ("lights", "vec3", Some(4)),
+                ("on", "bool", None),
+                ("uTime", "float", None)
+            ]
+        );
+        assert!(config.overrides[0].0.is_match("a/b/c.glsl"));
+    }
+
+    #[test]
+    fn patterns_are_those_of_gitignore() {
+        let config = parse("exclude = [\"old\", \"a/*.glsl\", \"/top.frag\"]").unwrap();
+        let excluded = config.exclude.unwrap();
+        for path in ["old/x.glsl", "b/old/c/x.glsl", "a/x.glsl", "top.frag"] {
+            assert!(excluded.is_match(path), "{path}");
+        }
+        for path in ["older/x.glsl", "a/b/x.glsl", "b/top.frag", "c/a/x.glsl"] {
+            assert!(!excluded.is_match(path), "{path}");
+        }
+    }
+}

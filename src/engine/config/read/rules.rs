@@ -1,0 +1,128 @@
+//! The table `rules`: serde reads it as a map, and each rule says which options it has, of which
+//! type.
+
+use super::super::Adjustment;
+use super::file::WordOr;
+use super::mistake::{Mistake, none_of, unknown_key};
+use crate::diagnostic::{ERRORS, Severity};
+use crate::lint::{Failing, OptionValue, Reach, Rule, RuleOption, nearest_rule};
+use crate::rules::RULES;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
+use toml::{Spanned, Value};
+
+/// What is said of rules and groups, by their names.
+#[derive(Deserialize, Default)]
+pub struct Rules(BTreeMap<Spanned<String>, WordOr<Level, RuleTable>>);
+
+type RuleTable = BTreeMap<Spanned<String>, Spanned<Value>>;
+
+/// Words for levels.
+pub const LEVELS: [&str; 3] = ["off", "info", "warning"];
+
+/// How bad findings are; `None` is off.
+#[derive(Deserialize, Clone, Copy)]
+#[serde(try_from = "String")]
+struct Level(Option<Severity>);
+
+impl TryFrom<String> for Level {
+    type Error = String;
+
+    fn try_from(word: String) -> Result<Level, String> {
+        match word.as_str() {
+            "off" => Ok(Level(None)),
+            "info" => Ok(Level(Some(Severity::Info))),
+            "warning" => Ok(Level(Some(Severity::Warning))),
+            "error" => Err(
+                "no rule has the level `error`: an error means that the browser refuses \
+                the shader; `{ level = \"warning\", fail = true }` makes the run fail on it"
+                    .to_string(),
+            ),
+            _ => Err(none_of(&word, &LEVELS)),
+        }
+    }
+}
+
+impl Rules {
+    /// What is to be done, one after another: what names more rules comes first, so that what
+    /// names fewer holds.
+    pub fn adjustments(self) -> Result<Vec<(&'static Rule, Adjustment)>, Mistake> {
+        let mut all = Vec::new();
+        for (name, said) in self.0 {
+            let key = name.get_ref().as_str();
+            let named = RULES.iter().filter_map(|r| Some((Reach::of(key, r)?, *r)));
+            let named: Vec<(Reach, &'static Rule)> = named.collect();
+            let options = match named[..] {
+                [] => return Err(no_rule(&name)),
+                [(Reach::Rule, rule)] => rule.options,
+                _ => &[],
+            };
+            let adjustments: Vec<Adjustment> = match said {
+                WordOr::Word(level) => vec![Adjustment::Level(level.0)],
+                WordOr::Table(table) => {
+                    let said = table.iter().map(|(k, v)| adjustment(k, v, options));
+                    said.collect::<Result<_, _>>()?
+                }
+            };
+            for (reach, rule) in named {
+                all.extend(adjustments.iter().map(|a| (reach, rule, *a)));
+            }
+        }
+        all.sort_by_key(|(reach, ..)| *reach);
+        Ok(all.into_iter().map(|(_, rule, a)| (rule, a)).collect())
+    }
+}
+
+fn no_rule(name: &Spanned<String>) -> Mistake {
+    let word = name.get_ref().as_str();
+    let near =
+        nearest_rule(RULES, word).map_or(String::new(), |n| format!("; did you mean `{n}`?"));
+    let message = match ERRORS.contains(&word) {
+        true => format!("`{word}` is a compile error, which has no level"),
+        false => format!("there is no rule or group `{word}`{near}"),
+    };
+    Mistake::at(name, message)
+}
+
+/// Reads an entry of `{ level = "info", fail = true, steps = 128 }`.
+fn adjustment(
+    key: &Spanned<String>,
+    value: &Spanned<Value>,
+    options: &[RuleOption],
+) -> Result<Adjustment, Mistake> {
+    let name = key.get_ref().as_str();
+    Ok(match name {
+        "level" => Adjustment::Level(typed::<Level>(value)?.0),
+        "fail" => Adjustment::Failing(match typed(value)? {
+            true => Failing::Yes,
+            false => Failing::No,
+        }),
+        _ => {
+            let Some(option) = options.iter().find(|o| o.name() == name) else {
+                let names = options.iter().map(|o| o.name());
+                let known: Vec<&str> = names.chain(["level", "fail"]).collect();
+                return Err(Mistake::at(key, unknown_key(name, &known)));
+            };
+            let value = match option {
+                RuleOption::Count(_) => OptionValue::Count(typed(value)?),
+                RuleOption::Number(_) => OptionValue::Number(amount(value)?),
+                RuleOption::Switch(_) => OptionValue::Switch(typed(value)?),
+            };
+            Adjustment::Option(option.name(), value)
+        }
+    })
+}
+
+/// Reads a value once it is known what it is for.
+fn typed<T: DeserializeOwned>(value: &Spanned<Value>) -> Result<T, Mistake> {
+    let read = T::deserialize(value.get_ref().clone());
+    read.map_err(|e| Mistake::at(value, Mistake::from(e).message))
+}
+
+fn amount(value: &Spanned<Value>) -> Result<f64, Mistake> {
+    let number: f64 = typed(value)?;
+    let is_amount = number.is_finite() && number >= 0.0;
+    let wrong = || Mistake::at(value, "this must be a number, 0 or more".to_string());
+    is_amount.then_some(number).ok_or_else(wrong)
+}
