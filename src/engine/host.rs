@@ -94,7 +94,7 @@ impl<'a> Hosts<'a> {
                 .collect()
         };
         let named = |p: &&Preset| lacking.iter().any(|name| p.has_word(name));
-        let by_word = some(&mut presets().iter().filter(named));
+        let by_word = some(&mut presets().filter(named));
         if !by_word.is_empty() {
             return (by_word, true);
         }
@@ -111,7 +111,7 @@ impl<'a> Hosts<'a> {
             let uses = |p: &&Preset| {
                 p.is_used_in(script) || imported.iter().any(|name| p.is_package(package_of(name)))
             };
-            presets().iter().filter(uses).collect()
+            presets().filter(uses).collect()
         })
     }
 
@@ -119,7 +119,7 @@ impl<'a> Hosts<'a> {
         self.installed.get_or_init(|| {
             let used = packages(self.name, self.world);
             let uses = |p: &&Preset| used.iter().any(|name| p.is_package(name));
-            presets().iter().filter(uses).collect()
+            presets().filter(uses).collect()
         })
     }
 }

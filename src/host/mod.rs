@@ -81,8 +81,28 @@ macro_rules! presets {
     ($($name:literal),* $(,)?) => {
         /// The names of all presets, in the order of the alphabet.
         pub const PRESETS: &[&str] = &[$($name),*];
-        const TEXTS: &[&str] = &[$(include_str!(concat!("presets/", $name, ".glsl"))),*];
+        static SOURCES: [Source; PRESETS.len()] = [$(Source {
+            name: $name,
+            text: include_str!(concat!("presets/", $name, ".glsl")),
+            preset: OnceLock::new(),
+        }),*];
     };
+}
+
+/// The file of a preset, which is read when it is first asked for.
+struct Source {
+    name: &'static str,
+    text: &'static str,
+    preset: OnceLock<Preset>,
+}
+
+impl Source {
+    fn preset(&self) -> &Preset {
+        self.preset.get_or_init(|| Preset {
+            name: self.name,
+            ..read(self.text).unwrap_or_default()
+        })
+    }
 }
 
 presets!(
@@ -119,21 +139,13 @@ presets!(
 );
 
 /// All presets.
-pub fn presets() -> &'static [Preset] {
-    static ALL: OnceLock<Vec<Preset>> = OnceLock::new();
-    ALL.get_or_init(|| {
-        let all = PRESETS.iter().zip(TEXTS);
-        all.map(|(name, text)| Preset {
-            name,
-            ..read(text).unwrap_or_default()
-        })
-        .collect()
-    })
+pub fn presets() -> impl Iterator<Item = &'static Preset> {
+    SOURCES.iter().map(Source::preset)
 }
 
 /// The preset of a name.
 pub fn preset(name: &str) -> Option<&'static Preset> {
-    presets().iter().find(|p| p.name == name)
+    SOURCES.iter().find(|s| s.name == name).map(Source::preset)
 }
 
 impl Preset {
@@ -359,7 +371,7 @@ mod tests {
 
     #[test]
     fn every_preset_is_read() {
-        for (name, text) in PRESETS.iter().zip(TEXTS) {
+        for Source { name, text, .. } in &SOURCES {
             let preset = read(text).unwrap_or_else(|e| panic!("{name}: {e:?}"));
             assert!(
                 !preset.title.is_empty() && !preset.about.is_empty(),
