@@ -444,6 +444,23 @@ fn compares_a_built_in(line: &str) -> bool {
     })
 }
 
+/// What the checker finds wrong is an enum in one file, and its words are in the file of the same name.
+#[test]
+fn words_stand_where_they_are_looked_for() {
+    let mut wrong = Vec::new();
+    for (file, text) in files(&["src/semantic/explain"], ".rs") {
+        for rest in text.split("\nimpl Explain for ").skip(1) {
+            let name = rest.split_once(' ').unwrap().0;
+            let rules = root().join(file.replace("/explain/", "/checker/"));
+            let rules = fs::read_to_string(rules).unwrap_or_default();
+            if !rules.contains(&format!("enum {name} {{")) {
+                wrong.push(format!("{file}: {name}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
 /// Messages are lower case and without a full stop, as every page prints them.
 #[test]
 fn messages_keep_their_style() {

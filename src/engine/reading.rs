@@ -14,7 +14,7 @@ use crate::semantic::{
 use crate::syntax::{ES_300, Feature, Version};
 use crate::text::kind::has_main;
 use crate::text::{FileId, Role, Sources};
-use std::cell::OnceCell;
+use std::cell::{LazyCell, OnceCell};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -131,9 +131,10 @@ impl Readings {
         let mut told = guess(code);
         // Where directives were followed, what is missing is known.
         told.is_completed &= joined.is_none();
-        let kind = kind_of(&told, &text, code, options.dialect);
-        let standing = standing(kind, &told, &text, code, options.dialect);
-        let needs_300 = text.is_300 || standing != Standing::Whole && needs_300(code);
+        let needs_300 = LazyCell::new(|| needs_300(code));
+        let kind = kind_of(&told, &text, &needs_300, options.dialect);
+        let standing = standing(kind, &told, &text, code, &needs_300, options.dialect);
+        let needs_300 = text.is_300 || standing != Standing::Whole && *needs_300;
         let mut found = Readings {
             all: Vec::new(),
             standing,
@@ -390,7 +391,12 @@ fn code_of(sources: &Sources, files: &[FileId]) -> String {
 }
 
 /// What a text is written for.
-fn kind_of(told: &Guess, text: &Text, code: &str, choice: DialectChoice) -> Option<Kind> {
+fn kind_of(
+    told: &Guess,
+    text: &Text,
+    needs_300: &LazyCell<bool, impl FnOnce() -> bool>,
+    choice: DialectChoice,
+) -> Option<Kind> {
     match choice {
         DialectChoice::Shadertoy => Some(match told.kind {
             Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
@@ -401,7 +407,7 @@ fn kind_of(told: &Guess, text: &Text, code: &str, choice: DialectChoice) -> Opti
         DialectChoice::Webgl2 => Some(Kind::WebGl2),
         DialectChoice::Auto => match told.kind {
             // What a stage's file holds is compiled as it stands: without `#version` it is 1.00.
-            Some(Kind::WebGl2) if text.place == Place::StageFile && !needs_300(code) => {
+            Some(Kind::WebGl2) if text.place == Place::StageFile && !**needs_300 => {
                 Some(Kind::WebGl1)
             }
             None if text.place == Place::CommonFile => Some(Kind::ShaderToy(Pass::Common)),
@@ -416,6 +422,7 @@ fn standing(
     told: &Guess,
     text: &Text,
     code: &str,
+    needs_300: &LazyCell<bool, impl FnOnce() -> bool>,
     choice: DialectChoice,
 ) -> Standing {
     if text.has_holes {
@@ -436,7 +443,7 @@ fn standing(
                 _ => told.has_precision,
             };
             match is_supplied {
-                true if needs_300(code) => Standing::Unversioned,
+                true if **needs_300 => Standing::Unversioned,
                 true => Standing::Whole,
                 false => Standing::Complete,
             }

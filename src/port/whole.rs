@@ -4,7 +4,7 @@
 //! own, under its names or those that are usual elsewhere.
 
 use super::{Input, InputKind};
-use crate::semantic::{Program, Storage, Variable};
+use crate::semantic::{Program, Storage, Variable, channel};
 use serde::Serialize;
 
 /// A uniform that the player sets.
@@ -147,14 +147,14 @@ fn known(program: &Program, variable: &Variable) -> Option<Known> {
 /// A channel, if the uniform is one.
 fn channel_of(program: &Program, variable: &Variable) -> Option<Input> {
     let name = program.names.text(variable.name);
-    let digit = name.strip_prefix("iChannel")?.parse::<u8>().ok()?;
+    let number = channel(name)?;
     let kind = match program.type_name(variable.ty).as_str() {
         "sampler2D" => InputKind::Texture,
         "samplerCube" => InputKind::Cubemap,
         "sampler3D" => InputKind::Volume,
         _ => return None,
     };
-    (digit < 4).then(|| Input::empty(digit, kind))
+    Some(Input::empty(number, kind))
 }
 
 /// The uniforms that go by other names or types than the player's own.

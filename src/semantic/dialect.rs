@@ -3,7 +3,7 @@
 use super::builtins::{BuiltinId, Stage};
 use super::checker::LEGACY_FUNCTIONS;
 use super::types::Sampler;
-use crate::syntax::Version;
+use crate::syntax::{Feature, Version};
 
 /// Lookups that only GLSL ES 1.00 has, and that its shaders hardly do without.
 const OLD_LOOKUPS: [BuiltinId; 2] = [BuiltinId::Texture2D, BuiltinId::TextureCube];
@@ -65,16 +65,15 @@ pub fn part_declarations(version: Version, stage: Stage) -> String {
         "samplerCubeShadow",
         "sampler2DArrayShadow",
     ];
-    let is_newest = version == Version::NEWEST;
     let mut text = String::new();
     let mut samplers = SAMPLERS.to_vec();
-    if is_newest {
+    if version.has(Feature::SamplerTypes) {
         samplers.extend(NEW_SAMPLERS);
     }
     for ty in ["float", "int"].iter().chain(&samplers) {
         text.push_str(&format!("precision highp {ty};\n"));
     }
-    if !is_newest {
+    if !version.has(Feature::InOut) {
         return text;
     }
     let varying = match stage {

@@ -53,6 +53,14 @@ pub fn starts_a_shader(name: &str) -> bool {
     )
 }
 
+/// The number of the channel that ShaderToy's player gives this name.
+pub fn channel(name: &str) -> Option<u8> {
+    match name.strip_prefix("iChannel")?.as_bytes() {
+        [digit @ b'0'..=b'3'] => Some(digit - b'0'),
+        _ => None,
+    }
+}
+
 impl EntryPoint {
     /// Whether the host's text declares the function, and calls it from a `main` of its own.
     pub fn is_called_by_host(self) -> bool {

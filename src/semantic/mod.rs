@@ -38,7 +38,7 @@ pub use constant::{Constant, Pool, Value};
 pub use dialect::{
     Channels, Dialect, Guess, Kind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
 };
-pub use host::{EntryPoint, EntryResult, Host, starts_a_shader};
+pub use host::{EntryPoint, EntryResult, Host, channel, starts_a_shader};
 pub use mentions::Mentions;
 pub use part::{Extent, Open};
 pub use program::{

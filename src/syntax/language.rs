@@ -15,8 +15,6 @@ pub enum Feature {
     ArrayValues,
     /// Interface blocks.
     Blocks,
-    /// `layout(...)`.
-    Layouts,
     /// Variables that are `in` or `out`, in the place of `attribute`, `varying` and the language's
     /// own outputs.
     InOut,
@@ -34,6 +32,13 @@ pub enum Feature {
     InvariantInputs,
     /// What extensions added to GLSL ES 1.00.
     CoreExtensions,
+    /// Samplers of integers, of layers, of depth and of volumes.
+    SamplerTypes,
+    /// Lookups that are called alike for all samplers: `texture`, in the place of `texture2D` and
+    /// its kin.
+    OverloadedLookups,
+    /// Integers that do not fit into 32 bits are errors.
+    IntegerLimit,
     /// Locations for the attributes that nothing reads.
     UnreadAttributes,
 }
@@ -99,11 +104,13 @@ pub static ES_300: LanguageProfile = LanguageProfile {
         Feature::FloatSuffix,
         Feature::ArrayValues,
         Feature::Blocks,
-        Feature::Layouts,
         Feature::InOut,
         Feature::FreeControlFlow,
         Feature::RepeatedPrototypes,
         Feature::CoreExtensions,
+        Feature::SamplerTypes,
+        Feature::OverloadedLookups,
+        Feature::IntegerLimit,
         Feature::UnreadAttributes,
     ]),
 };

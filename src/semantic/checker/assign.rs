@@ -1,4 +1,4 @@
-//! Assignments, initializers, and what can be assigned to (GLSL ES 3.00 sections 5.8 and 4.3).
+//! Assignments and initializers (GLSL ES 3.00 sections 5.8 and 4.3).
 
 use super::qualifier::{Qualified, Wanted};
 use super::*;
@@ -19,15 +19,11 @@ impl Checker<'_> {
             }
             return ExprInfo::ERROR;
         }
-        let symbol = op.map_or("=".to_string(), |op| format!("{}=", op.symbol()));
-        if let Some(op) = op.filter(|op| op.is_bitwise() || *op == BinaryOp::Rem) {
-            self.require(
-                Feature::IntegerOperators,
-                id,
-                &format!("the operator `{}=`", op.symbol()),
-            );
+        if op.is_some_and(|op| op.is_bitwise() || op == BinaryOp::Rem) {
+            self.require(Feature::IntegerOperators, id);
         }
-        if !self.check_assignable(left, self.tree.expr(id).extent, &symbol) || r.ty.is_error() {
+        let (at, by) = (self.tree.expr(id).extent, Writer::Assign(op));
+        if !self.check_assignable(left, at, by) || r.ty.is_error() {
             return ExprInfo {
                 ty: l.ty,
                 ..ExprInfo::ERROR
@@ -63,26 +59,12 @@ impl Checker<'_> {
             return false;
         }
         if !self.has(Feature::ArrayValues) && ty.is_array() {
-            let d = self
-                .error(
-                    error::NEEDS_WEBGL2,
-                    declarator.extent,
-                    "GLSL ES 1.00 has no array initializers",
-                )
-                .help("assign the elements one by one in a function");
-            self.report(d);
+            self.reject(declarator.extent, ArrayError::Value);
             return true;
         }
         if !matches!(qualified.storage, Wanted::None | Wanted::Const) {
-            let word = qualified.storage.name();
-            let d = self
-                .error(
-                    error::INVALID_QUALIFIER,
-                    declarator.extent,
-                    format!("a variable that is `{word}` cannot have an initial value"),
-                )
-                .note("its value comes from outside");
-            self.report(d);
+            let problem = DeclarationError::Value(qualified.storage);
+            self.reject(declarator.extent, problem);
             return true;
         }
         if let Err(misfit) = typing::assign(self.types(), ty, info.ty) {
@@ -166,110 +148,6 @@ impl Checker<'_> {
         self.variables.get(id.0 as usize).is_some_and(|v| {
             matches!(v.storage, Storage::Global | Storage::Uniform) && v.token.is_some()
         })
-    }
-
-    /// Notes that something is written to an expression.
-    pub(super) fn mark_written(&mut self, id: ExprId) {
-        let mut at = id;
-        loop {
-            match self.tree.expr(at).kind {
-                ExprKind::Paren(inner) | ExprKind::Member(inner, _) | ExprKind::Index(inner, _) => {
-                    at = inner
-                }
-                _ => match self.kept_operand(at) {
-                    Some(kept) => at = kept,
-                    None => break,
-                },
-            }
-        }
-        if let Some(id) = self.variable_of(at)
-            && let Some(variable) = self.variables.get_mut(id.0 as usize)
-        {
-            variable.written = true;
-        }
-    }
-
-    /// Whether something can be assigned to `id`; reports at `extent` where not.
-    pub(super) fn check_assignable(&mut self, id: ExprId, extent: Extent, symbol: &str) -> bool {
-        let mut at = id;
-        // The browser does not look at the components of which an index takes one.
-        let mut is_indexed = false;
-        loop {
-            match self.tree.expr(at).kind {
-                ExprKind::Paren(inner) => at = inner,
-                ExprKind::Index(inner, _) => {
-                    is_indexed = true;
-                    at = inner;
-                }
-                ExprKind::Member(inner, name) => {
-                    let text = self.text(name);
-                    let repeats = |c| text.chars().filter(|&other| other == c).count() > 1;
-                    if !is_indexed && self.ty(inner).is_vector() && text.chars().any(repeats) {
-                        let token = self.tree.expr(at).extent.last;
-                        let rows = self.ty(inner).components() as u8;
-                        let d = self.explain_repeated_component(text, rows, token);
-                        self.report(d);
-                        return false;
-                    }
-                    at = inner;
-                }
-                _ => match self.kept_operand(at) {
-                    Some(kept) => at = kept,
-                    None => break,
-                },
-            }
-        }
-        let Some(variable) = self.variable_of(at) else {
-            let d = self.explain_no_place(id, symbol);
-            self.report(d);
-            return false;
-        };
-        self.check_writable(variable, id, extent)
-    }
-
-    fn check_writable(&mut self, id: VariableId, expr: ExprId, extent: Extent) -> bool {
-        let Some(variable) = self.variables.get_mut(id.0 as usize) else {
-            return false;
-        };
-        variable.written = true;
-        let Variable {
-            storage,
-            is_const,
-            token,
-            ty,
-            name,
-            ..
-        } = *variable;
-        let name = self.text(name);
-        let holds_sampler = self.inside(ty).sampler;
-        let why = match storage {
-            _ if is_const => "is a constant",
-            Storage::Uniform => "is a uniform, set from outside",
-            Storage::Input => "is an input of the shader",
-            Storage::Param(Direction::ConstIn) => "is a `const` parameter",
-            _ if ty.is_sampler() => "is a sampler",
-            _ if holds_sampler => {
-                "holds a sampler, and browsers let no part of such a struct change"
-            }
-            _ => {
-                self.check_webgl1_write(id, extent);
-                return true;
-            }
-        };
-        let d = self.error_expr(
-            error::NOT_ASSIGNABLE,
-            expr,
-            format!("`{name}` cannot be assigned to: it {why}"),
-        );
-        let d = self.with_declaration(d, token, "declared here");
-        let fix = match storage {
-            _ if is_const => self.take_const_away(token),
-            Storage::Input | Storage::Uniform => self.copy_first(id),
-            Storage::Param(_) => self.take_const_away(token),
-            _ => None,
-        };
-        self.report(d.fix(fix));
-        false
     }
 
     /// Mends the error about an undeclared variable by its declaration, where it is first set.

@@ -16,13 +16,8 @@ impl Checker<'_> {
         if l.ty.is_error() || r.ty.is_error() {
             return self.poisoned(op);
         }
-        let is_of_integers = op.is_bitwise() || op == BinaryOp::Rem;
-        if is_of_integers && !self.has(Feature::IntegerOperators) {
-            self.require(
-                Feature::IntegerOperators,
-                id,
-                &format!("the operator `{}`", op.symbol()),
-            );
+        if op.is_bitwise() || op == BinaryOp::Rem {
+            self.require(Feature::IntegerOperators, id);
         }
         match typing::binary(self.types(), op, l.ty, r.ty) {
             Ok(ty) => {

@@ -3,6 +3,7 @@
 use super::super::builtins::{BuiltinId, BuiltinKind, Overload};
 use super::super::constant::Value;
 use super::*;
+use crate::semantic::explain::note_written;
 
 /// Least and greatest offset of a texture lookup.
 const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
@@ -127,15 +128,13 @@ impl Checker<'_> {
         }
     }
 
-    fn check_out_argument(&mut self, arg: ExprId, direction: &str) {
+    fn check_out_argument(&mut self, arg: ExprId, direction: &'static str) {
         let before = self.diagnostics.len();
         let extent = self.tree.expr(arg).extent;
-        if !self.check_assignable(arg, extent, direction)
+        if !self.check_assignable(arg, extent, Writer::Word(direction))
             && let Some(d) = self.diagnostics.get_mut(before)
         {
-            d.notes.push(format!(
-                "the parameter is `{direction}`: the function writes to it"
-            ));
+            d.notes.push(note_written(direction));
         }
     }
 

@@ -7,24 +7,9 @@ impl Checker<'_> {
     /// `vec3(...)`, `float[2](...)`: a type of the language, or an array.
     pub(super) fn construct(&mut self, id: ExprId, ty: TypeId, args: List) -> ExprInfo {
         let tree = self.tree;
-        let spec = tree.ty(ty);
-        if let TypeBase::Struct(_) = spec.base {
-            let d = self.error(
-                error::INVALID_STRUCT,
-                spec.extent,
-                "a struct cannot be declared inside an expression",
-            );
-            self.report(d);
-            return ExprInfo::ERROR;
-        }
         let ty = self.type_spec(ty);
         if ty.is_array() && !self.has(Feature::ArrayValues) {
-            let d = self.error_expr(
-                error::NEEDS_WEBGL2,
-                id,
-                "array constructors come with GLSL ES 3.00",
-            );
-            self.report(d);
+            self.reject(tree.expr(id).extent, ArrayError::Constructor);
             return ExprInfo::ERROR;
         }
         self.construct_type(id, ty, args)

@@ -1,8 +1,6 @@
 //! Declarations whose value does not fit: the uses of the variable tell which of the two is wrong.
 
 use super::*;
-use crate::diagnostic::Fix;
-use crate::text::Edit;
 
 /// Most declarations of a shader that are judged by the uses of their variables.
 const MAX_DOUBTS: usize = 8;
@@ -86,24 +84,11 @@ impl Checker<'_> {
 
     /// Says that the type of a declaration is wrong, in the place of the error about its value.
     fn blame_type(&mut self, spec: Extent, declarator: &Declarator, ty: Type, init: ExprId) {
-        let found = self.ty(init);
-        let (wn, fname) = (self.name_of(ty), self.name_of(found));
-        let text = self.text(declarator.ident.name);
-        let message =
-            format!("`{text}` is declared `{wn}`, but its value and its uses are `{fname}`");
-        let edit = Edit::replace(self.span(spec), fname.clone());
         let rule = self
             .diagnostics
             .pop()
             .map_or(error::TYPE_MISMATCH, |d| d.rule);
-        let d = self
-            .error(
-                rule,
-                spec.to(Extent::token(declarator.ident.token)),
-                message,
-            )
-            .label(self.expr_span(init), format!("`{fname}`"))
-            .fix(Fix::safe(format!("declare it as `{fname}`"), vec![edit]));
+        let d = self.explain_declared_type(rule, spec, declarator, ty, init);
         self.report(d);
     }
 }

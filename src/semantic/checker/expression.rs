@@ -121,7 +121,7 @@ impl Checker<'_> {
             return self.refuse(id, &[operand], misfit);
         }
         if op == UnaryOp::BitNot {
-            self.require(Feature::IntegerOperators, id, "the operator `~`");
+            self.require(Feature::IntegerOperators, id);
         }
         let constant = self.pool.map(info.constant, |v| match (op, v) {
             (UnaryOp::Minus, Value::Int(v)) => Value::Int(v.wrapping_neg()),
@@ -136,7 +136,7 @@ impl Checker<'_> {
     }
 
     /// `++` and `--`.
-    fn step(&mut self, id: ExprId, symbol: &str, operand: ExprId) -> ExprInfo {
+    fn step(&mut self, id: ExprId, symbol: &'static str, operand: ExprId) -> ExprInfo {
         let info = self.info(operand);
         if info.ty.is_error() {
             return ExprInfo::ERROR;
@@ -144,7 +144,7 @@ impl Checker<'_> {
         if let Err(misfit) = typing::step(info.ty) {
             return self.refuse(id, &[operand], misfit);
         }
-        if !self.check_assignable(operand, self.tree.expr(id).extent, symbol) {
+        if !self.check_assignable(operand, self.tree.expr(id).extent, Writer::Word(symbol)) {
             return ExprInfo::ERROR;
         }
         ExprInfo {
@@ -160,10 +160,10 @@ impl Checker<'_> {
         ExprInfo::ERROR
     }
 
-    /// Reports what a later version of the language has.
-    pub(super) fn require(&mut self, feature: Feature, id: ExprId, what: &str) {
+    /// Reports an operator or method that only a later version of the language has.
+    pub(super) fn require(&mut self, feature: Feature, id: ExprId) {
         if !self.has(feature) {
-            let d = self.explain_later(id, what);
+            let d = self.explain_later(id);
             self.report(d);
         }
     }
@@ -209,7 +209,7 @@ impl Checker<'_> {
     /// `object.name(...)`: only `length()` of an array exists.
     fn method(&mut self, id: ExprId, object: ExprId, name: Name, args: List) -> ExprInfo {
         let info = self.info(object);
-        self.require(Feature::ArrayValues, id, "`.length()`");
+        self.require(Feature::ArrayValues, id);
         if info.ty.is_error() {
             return ExprInfo::ERROR;
         }

@@ -6,6 +6,41 @@ use super::*;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 
+/// What is wrong with a function's header, or with all of its declarations together.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum FunctionError {
+    /// A function that is declared in another.
+    Local,
+    /// A second prototype, in a version that takes one.
+    PrototypeTwice(Name),
+    /// A second body, and where the name of the first stands.
+    DefinedTwice(Name, Option<TokenId>),
+    /// A function without a `return` of its type.
+    NoReturn(Name, Type),
+    /// A parameter without a value.
+    VoidParameter,
+    /// A struct that is declared in a parameter.
+    StructParameter,
+    /// A parameter that is an array without a size.
+    UnsizedParameter,
+    /// A sampler that would be written to.
+    OutSampler,
+    /// A sampler that would be returned.
+    ReturnsSampler,
+    /// An array without a size that would be returned.
+    ReturnsUnsized,
+    /// An array that would be returned, in a version without values of arrays.
+    ReturnsArray,
+    /// A struct that holds one.
+    ReturnsArrayInside,
+    /// The name of a built-in function.
+    Builtin(Name),
+    /// Another type than the function has by an earlier declaration.
+    ReturnType(FunctionRef, Type),
+    /// Other qualifiers of parameters than by an earlier declaration.
+    Directions(FunctionRef),
+}
+
 impl Checker<'_> {
     /// A declaration without a body.
     pub(super) fn prototype(&mut self, id: FunctionId) {
@@ -14,14 +49,7 @@ impl Checker<'_> {
             return;
         };
         if !self.at_global_scope() {
-            let d = self
-                .error(
-                    error::LOCAL_FUNCTION,
-                    decl.header,
-                    "a function cannot be declared inside a function",
-                )
-                .note("move the declaration out (section 4.2.4)");
-            self.report(d);
+            self.reject(decl.header, FunctionError::Local);
         }
         let before = self.function_named(id);
         let returns = self.return_type(decl);
@@ -35,11 +63,8 @@ impl Checker<'_> {
             && before == Some(function)
             && !self.has(Feature::RepeatedPrototypes)
         {
-            let message = format!("`{}` is declared twice", self.text(decl.ident.name));
-            let d = self
-                .error(error::FUNCTION_MISMATCH, decl.header, message)
-                .note("GLSL ES 1.00 section 4.2.7 allows one prototype only");
-            self.report(d);
+            let name = decl.ident.name;
+            self.reject(decl.header, FunctionError::PrototypeTwice(name));
         }
     }
 
@@ -81,12 +106,7 @@ impl Checker<'_> {
             Some(params) => {
                 let count = params.len();
                 if count > 255 {
-                    let d = self.error(
-                        error::BROWSER_LIMIT,
-                        decl.header,
-                        "a function takes at most 255 parameters",
-                    );
-                    self.report(d);
+                    self.reject(decl.header, LimitError::Parameters);
                 }
                 self.declare_function(id, decl, params, returns)
             }
@@ -115,14 +135,9 @@ impl Checker<'_> {
         };
         if let Some(before) = known.definition {
             let token = self.tree.function(before).map(|f| f.ident.token);
-            let name = self.text(decl.ident.name);
-            let d = self.error_at(
-                error::REDEFINITION,
-                decl.ident.token,
-                format!("the function `{name}` is defined twice with the same parameters"),
-            );
-            let d = self.with_declaration(d, token, "first defined here");
-            return self.report(d);
+            let at = Extent::token(decl.ident.token);
+            let problem = FunctionError::DefinedTwice(decl.ident.name, token);
+            return self.reject(at, problem);
         }
         known.definition = Some(id);
     }
@@ -137,22 +152,11 @@ impl Checker<'_> {
         if let StmtKind::Block(list) = tree.stmt(body).kind {
             self.statements(list);
         }
-        if !returns.is_void() && !returns.is_error() && !self.returns_value {
-            let name = self.text(decl.ident.name);
-            let wanted = self.name_of(returns);
-            let d = self
-                .error(
-                    error::MISSING_RETURN,
-                    decl.header,
-                    format!("`{name}` returns nothing, although it is `{wanted}`"),
-                )
-                .note(format!(
-                    "somewhere in it must be a `return` with a `{wanted}`"
-                ));
-            // A statement that could not be read may have been the `return`.
-            if !self.syntax_errors {
-                self.report(d);
-            }
+        let lacks_return = !returns.is_void() && !returns.is_error() && !self.returns_value;
+        // A statement that could not be read may have been the `return`.
+        if lacks_return && !self.syntax_errors {
+            let problem = FunctionError::NoReturn(decl.ident.name, returns);
+            self.reject(decl.header, problem);
         }
     }
 
@@ -205,37 +209,24 @@ impl Checker<'_> {
         if param.ident.is_none() && count == 1 {
             return true;
         }
-        let d = self
-            .error(
-                error::VOID_VALUE,
-                param.extent,
-                "a parameter cannot be `void`",
-            )
-            .note("only `f(void)`, for no parameter at all, is allowed");
-        self.report(d);
+        self.reject(param.extent, FunctionError::VoidParameter);
         false
     }
 
     fn parameter_type(&mut self, param: &Param, base: Type, direction: Direction) -> Type {
         let tree = self.tree;
         if let TypeBase::Struct(_) = tree.ty(param.ty).base {
-            let d = self.error(
-                error::INVALID_PARAMETER,
-                param.extent,
-                "a struct cannot be declared in a parameter",
-            );
-            self.report(d);
+            self.reject(param.extent, FunctionError::StructParameter);
         }
         let ty = self.with_arrays(base, param.arrays, Wanted::None);
-        let message = if ty.array == Type::UNSIZED {
-            "an array parameter needs a size"
+        let problem = if ty.array == Type::UNSIZED {
+            FunctionError::UnsizedParameter
         } else if ty.is_sampler() && direction.writes() {
-            "a sampler cannot be an `out` parameter"
+            FunctionError::OutSampler
         } else {
             return ty;
         };
-        let d = self.error(error::INVALID_PARAMETER, param.extent, message);
-        self.report(d);
+        self.reject(param.extent, problem);
         Type::ERROR
     }
 
@@ -307,25 +298,18 @@ impl Checker<'_> {
         let ty = self.type_spec(decl.ty);
         let extent = tree.ty(decl.ty).extent;
         self.check_precision(ty, qualified, extent);
-        let holds_sampler = self.inside(ty).sampler;
-        let message = if holds_sampler {
-            "a function cannot return a sampler"
+        let problem = if self.inside(ty).sampler {
+            FunctionError::ReturnsSampler
         } else if ty.array == Type::UNSIZED {
-            "an array that is returned needs a size"
+            FunctionError::ReturnsUnsized
         } else if !self.has(Feature::ArrayValues) && ty.is_array() {
-            "GLSL ES 1.00 functions cannot return arrays"
+            FunctionError::ReturnsArray
         } else if !self.has(Feature::ArrayValues) && self.inside(ty).array {
-            "GLSL ES 1.00 functions cannot return structs that hold arrays"
+            FunctionError::ReturnsArrayInside
         } else {
             return ty;
         };
-        let rule = if holds_sampler {
-            error::SAMPLER_RESTRICTION
-        } else {
-            error::INVALID_ARRAY
-        };
-        let d = self.error(rule, extent, message);
-        self.report(d);
+        self.reject(extent, problem);
         Type::ERROR
     }
 
@@ -340,10 +324,7 @@ impl Checker<'_> {
         }
         for qualifier in all {
             if !is_precision(qualifier) {
-                let word = self.sources.text(self.span(qualifier.extent));
-                let message = format!("a function's return type cannot be `{word}`");
-                let d = self.error(error::INVALID_QUALIFIER, qualifier.extent, message);
-                self.report(d);
+                self.reject(qualifier.extent, QualifierError::Returned);
             }
         }
         !all.is_empty()
@@ -373,34 +354,9 @@ impl Checker<'_> {
         if !self.reported_names.insert(ident.name) {
             return false;
         }
-        let to = self.free_function_name(text);
-        let edits = self.rename_all(ident.name, &to);
-        let d = self
-            .error_at(error::BUILTIN_REDEFINITION, ident.token, format!("`{text}` is a built-in function"))
-            .note("GLSL ES 3.00 lets no function take such a name, whatever its parameters (section 6.1)");
-        let d = if edits.is_empty() {
-            d.help(format!("rename it, to `{to}` for example"))
-        } else {
-            d.fix(crate::diagnostic::Fix::suggestion(
-                format!("rename it to `{to}`"),
-                edits,
-            ))
-        };
-        self.report(d);
+        let at = Extent::token(ident.token);
+        self.reject(at, FunctionError::Builtin(ident.name));
         false
-    }
-
-    fn free_function_name(&self, text: &str) -> String {
-        let mut chars = text.chars();
-        let first = chars.next().map(|c| c.to_ascii_uppercase()).unwrap_or('F');
-        let base = format!("my{first}{}", chars.as_str());
-        let mut name = base.clone();
-        let mut number = 2;
-        while self.names.get(&name).is_some() {
-            name = format!("{base}{number}");
-            number += 1;
-        }
-        name
     }
 
     /// A function must not take the name of a variable or struct.
@@ -411,15 +367,8 @@ impl Checker<'_> {
         if matches!(before, Binding::Function | Binding::Error) {
             return;
         }
-        let text = self.text(ident.name);
-        let token = self.declaration_token(ident.name, before);
-        let d = self.error_at(
-            error::REDEFINITION,
-            ident.token,
-            format!("`{text}` is declared twice in one scope"),
-        );
-        let d = self.with_declaration(d, token, "first declared here");
-        self.report(d);
+        let at = Extent::token(ident.token);
+        self.reject(at, NameError::Twice(ident.name, before));
     }
 
     /// All declarations of a function must agree (section 6.1).
@@ -443,68 +392,20 @@ impl Checker<'_> {
             .iter()
             .zip(params)
             .all(|(a, b)| a.direction == b.direction);
-        let text = self.text(decl.ident.name);
-        let message = if !same_returns {
-            let other = self.name_of(before.returns);
-            format!(
-                "`{text}` returns `{}` here, but `{other}` in another declaration",
-                self.name_of(returns)
-            )
+        let problem = if !same_returns {
+            FunctionError::ReturnType(known, returns)
         } else if !same_directions {
-            format!("the parameters of `{text}` are qualified otherwise in another declaration")
+            FunctionError::Directions(known)
         } else {
             return;
         };
-        if token.is_some_and(|t| self.is_prelude(t)) && self.is_entry(text) {
+        if token.is_some_and(|t| self.is_prelude(t)) && self.is_entry(decl.ident.name) {
             return self.wrong_entry(decl);
         }
-        let d = self.error(error::FUNCTION_MISMATCH, decl.header, message);
-        let d = self.with_declaration(d, token, "the other one");
-        self.report(d);
+        self.reject(decl.header, problem);
         if let Some(before) = self.functions.get_mut(known.0 as usize) {
             before.returns = Type::ERROR;
         }
-    }
-
-    fn is_entry(&self, text: &str) -> bool {
-        self.dialect.host().entry.is_some_and(|e| e.name == text)
-    }
-
-    pub(super) fn wrong_entry(&mut self, decl: &FunctionDecl) {
-        let Some(entry) = self.dialect.host().entry else {
-            return;
-        };
-        let text = self.text(decl.ident.name);
-        let d = self
-            .error(
-                error::MAINIMAGE_SIGNATURE,
-                decl.header,
-                format!("`{text}` is not declared as the player calls it"),
-            )
-            .help(format!("write `{}`", entry.signature));
-        self.report(d);
-    }
-
-    fn check_main(&mut self, decl: &FunctionDecl, returns: Type) {
-        if self.text(decl.ident.name) != "main" {
-            return;
-        }
-        let has_params = self
-            .tree
-            .params(decl.params)
-            .iter()
-            .any(|p| self.tree.ty(p.ty).base != TypeBase::Void);
-        let message = if has_params {
-            "`main` takes no parameters"
-        } else if !returns.is_void() && !returns.is_error() {
-            "`main` returns nothing"
-        } else {
-            return;
-        };
-        let d = self
-            .error(error::FUNCTION_MISMATCH, decl.header, message)
-            .help("write `void main()`");
-        self.report(d);
     }
 }
 
@@ -514,4 +415,31 @@ fn signature(name: Name, types: impl Iterator<Item = Type>) -> u64 {
     name.hash(&mut hasher);
     types.for_each(|ty| ty.hash(&mut hasher));
     hasher.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn functions() {
+        let table = r"
+            void main() { void f(); } => Local
+            fragment 100: void f(); void f(); => PrototypeTwice
+            void f() {} void f() {} => DefinedTwice
+            float f() {} => NoReturn
+            void f(void v) {} => VoidParameter
+            void f(struct S { float f; } s) {} => StructParameter
+            void f(float a[]) {} => UnsizedParameter
+            void f(out sampler2D s) {} => OutSampler
+            sampler2D f(); => ReturnsSampler
+            float[] f(); => ReturnsUnsized
+            fragment 100: float[2] f(); => ReturnsArray
+            fragment 100: struct S { float a[2]; }; S f(); => ReturnsArrayInside
+            float sin(float x) { return x; } => Builtin
+            float f(); void f() {} => ReturnType
+            void f(out float x); void f(float x) {} => Directions
+        ";
+        finds(include_str!("function.rs"), "FunctionError", table);
+    }
 }

@@ -6,6 +6,35 @@ use super::*;
 /// What WebGL2 has at least, and what Chromium compiles against.
 const MAX_VERTEX_ATTRIBS: i32 = 16;
 
+/// What is wrong with a `layout(...)`.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum LayoutError {
+    /// A layout of blocks that WebGL has not.
+    NotInWebgl(Name),
+    /// `location` without a number.
+    NoNumber,
+    /// A word that is no layout.
+    Unknown(Name),
+    /// A word that is no layout, with a number.
+    UnknownNumber(Name),
+    /// A location below 0.
+    Negative,
+    /// A layout of blocks at a variable.
+    OfBlock,
+    /// A location where none can be given.
+    NoLocationHere,
+    /// Two locations for one output.
+    Twice,
+    /// A location that no input has.
+    OutOfRange(i32),
+    /// A location for several variables.
+    Shared,
+    /// Qualifiers without a declaration.
+    OfNothing,
+    /// A default layout for something else than uniforms.
+    NotUniform,
+}
+
 /// What a `layout(...)` says.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Layout {
@@ -41,7 +70,7 @@ impl Checker<'_> {
     }
 
     fn layout_word(&mut self, ident: Ident, layout: &mut Layout) {
-        let message = match self.text(ident.name) {
+        let problem = match self.text(ident.name) {
             "row_major" | "column_major" => {
                 layout.matrix = true;
                 return;
@@ -50,41 +79,28 @@ impl Checker<'_> {
                 layout.block = true;
                 return;
             }
-            word @ ("shared" | "packed") => {
+            "shared" | "packed" => {
                 layout.block = true;
-                format!("WebGL has no block layout `{word}`; only `std140`")
+                LayoutError::NotInWebgl(ident.name)
             }
-            "location" => "`location` needs a number: `location = 0`".to_string(),
-            word => format!("there is no layout `{word}` here"),
+            "location" => LayoutError::NoNumber,
+            _ => LayoutError::Unknown(ident.name),
         };
-        let d = self.error_at(error::INVALID_LAYOUT, ident.token, message);
-        self.report(d);
+        self.reject(Extent::token(ident.token), problem);
     }
 
     fn layout_with_value(&mut self, ident: Ident, value: LayoutValue, layout: &mut Layout) {
-        let word = self.text(ident.name);
-        if word == "location" && value.value >= 0 {
-            layout.location = Some(value.value);
-            layout.locations += 1;
-            return;
-        }
-        let d = if word == "location" {
-            let message = "a location must not be negative";
-            self.error_at(error::INVALID_LAYOUT, value.token, message)
-        } else {
-            let d = self.error_at(
-                error::INVALID_LAYOUT,
-                ident.token,
-                format!("there is no layout `{word} = ...` here"),
-            );
-            match word {
-                "binding" | "offset" => {
-                    d.note("it comes with GLSL ES 3.10, which WebGL2 does not have")
-                }
-                _ => d,
+        match self.text(ident.name) {
+            "location" if value.value >= 0 => {
+                layout.location = Some(value.value);
+                layout.locations += 1;
             }
-        };
-        self.report(d);
+            "location" => self.reject(Extent::token(value.token), LayoutError::Negative),
+            _ => self.reject(
+                Extent::token(ident.token),
+                LayoutError::UnknownNumber(ident.name),
+            ),
+        }
     }
 
     /// What the layout of a variable's declaration must not say.
@@ -92,12 +108,7 @@ impl Checker<'_> {
         let layout = &qualified.layout;
         let at = layout.extent.unwrap_or(extent);
         if layout.matrix || layout.block {
-            let d = self.error(
-                error::INVALID_LAYOUT,
-                at,
-                "this layout is for interface blocks",
-            );
-            return self.report(d);
+            return self.reject(at, LayoutError::OfBlock);
         }
         let Some(location) = layout.location else {
             return;
@@ -105,19 +116,50 @@ impl Checker<'_> {
         let vertex_in = self.stage == Stage::Vertex && qualified.storage == Wanted::In;
         let fragment_out = self.stage == Stage::Fragment && qualified.storage == Wanted::Out;
         if !vertex_in && !fragment_out {
-            let d = self
-                .error(error::INVALID_LAYOUT, at, "no location can be given here")
-                .note("only inputs of vertex shaders and outputs of fragment shaders have one (section 4.3.8)");
-            self.report(d);
+            self.reject(at, LayoutError::NoLocationHere);
         } else if layout.locations > 1 && fragment_out {
-            let d = self.error(error::INVALID_LAYOUT, at, "the location is given twice");
-            self.report(d);
+            self.reject(at, LayoutError::Twice);
         } else if vertex_in && location >= MAX_VERTEX_ATTRIBS {
-            let message = format!("location {location} is out of range");
-            let d = self
-                .error(error::INVALID_LAYOUT, at, message)
-                .note("a vertex shader has 16 inputs, at locations 0 to 15");
-            self.report(d);
+            self.reject(at, LayoutError::OutOfRange(location));
         }
+    }
+
+    /// `layout(std140) uniform;`
+    pub(super) fn default_layout(&mut self, qualifiers: List, extent: Extent) {
+        let qualified = self.qualifiers(qualifiers);
+        let problem = if qualified.layout.is_empty() {
+            LayoutError::OfNothing
+        } else if qualified.storage != Wanted::Uniform {
+            LayoutError::NotUniform
+        } else if qualified.layout.location.is_some() {
+            LayoutError::Shared
+        } else {
+            return;
+        };
+        self.reject(extent, problem);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn layouts() {
+        let table = r"
+            layout(shared) uniform; => NotInWebgl
+            layout(location) out vec4 c; => NoNumber
+            layout(a) uniform; => Unknown
+            layout(binding = 1) uniform; => UnknownNumber
+            vertex: layout(location = 4294967295u) in vec4 p; => Negative
+            vertex: layout(std140) in vec4 p; => OfBlock
+            layout(location = 0) in vec4 p; => NoLocationHere
+            layout(location = 0, location = 0) out vec4 c; => Twice
+            vertex: layout(location = 16) in vec4 p; => OutOfRange
+            vertex: layout(location = 1) in vec4 p, q; => Shared
+            uniform; => OfNothing
+            vertex: layout(std140) in; => NotUniform
+        ";
+        finds(include_str!("layout.rs"), "LayoutError", table);
     }
 }

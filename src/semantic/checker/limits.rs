@@ -11,6 +11,25 @@ const MAX_TOTAL: u64 = 16 * 1024 * 1024;
 /// A uniform or block must be smaller, in bytes.
 const MAX_SIZE: u64 = 2 * 1024 * 1024 * 1024;
 
+/// What goes over a limit of the browser's.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum LimitError {
+    /// Statements and operators inside each other.
+    Depth,
+    /// A variable of this size, in bytes, and what it must stay below.
+    Size(Option<Name>, u64, u64),
+    /// The bytes of all variables together, and what they may be.
+    Total(u64, u64),
+    /// Members of a struct or block.
+    Members,
+    /// Structs inside each other.
+    Nesting,
+    /// Parameters of a function.
+    Parameters,
+    /// Functions that call each other in a chain.
+    CallDepth,
+}
+
 impl Checker<'_> {
     /// Asks that a node at `depth` of the browser's tree is not too deep; reports once a function.
     pub(super) fn check_depth(&mut self, depth: u32, extent: Extent) {
@@ -18,11 +37,7 @@ impl Checker<'_> {
             return;
         }
         self.deep_reported = Some(self.current);
-        let d = self
-            .error(error::BROWSER_LIMIT, extent, "this is too complex for the browser")
-            .note("it takes code up to a depth of 256: nested statements and operators in a row both count")
-            .help("split the expression, or move inner code into a function");
-        self.report(d);
+        self.reject(extent, LimitError::Depth);
     }
 
     /// A declaration with a value is a node with the value below it.
@@ -61,26 +76,46 @@ impl Checker<'_> {
         }
         let limit = if is_private { MAX_PRIVATE } else { MAX_SIZE };
         if size >= limit {
-            let name = ident.map_or("this".to_string(), |i| format!("`{}`", self.text(i.name)));
-            let d = self
-                .error(
-                    error::BROWSER_LIMIT,
-                    extent,
-                    format!("{name} takes {size} bytes; the browser allows less than {limit}"),
-                )
-                .help("keep large tables in a texture");
-            self.report(d);
+            let name = ident.map(|i| i.name);
+            self.reject(extent, LimitError::Size(name, size, limit));
         }
     }
 
     pub(super) fn check_total_size(&mut self) {
         if self.private_size > MAX_TOTAL && self.diagnostics.is_empty() {
-            let message = format!(
-                "all variables together take {} bytes, and the browser allows {MAX_TOTAL}",
-                self.private_size
-            );
-            let d = self.error(error::BROWSER_LIMIT, Extent::default(), message);
-            self.report(d);
+            let problem = LimitError::Total(self.private_size, MAX_TOTAL);
+            self.reject(Extent::default(), problem);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn limits() {
+        let deep = format!("void f(float x) {{ {}x; }}", "x - ".repeat(300));
+        let large = "float a[65536];";
+        let arrays: String = (0..2000).map(|i| format!("vec4 a{i}[1024];")).collect();
+        let members: String = (0..17_000).map(|i| format!("float f{i};")).collect();
+        let structs: Vec<String> = (1..5)
+            .map(|i| format!("struct S{i} {{ S{} s; }};", i - 1))
+            .collect();
+        let nested = format!("struct S0 {{ float f; }}; {}", structs.concat());
+        let parameters = vec!["float"; 256].join(", ");
+        let calls: String = (1..300)
+            .map(|i| format!("void f{i}() {{ f{}(); }}", i - 1))
+            .collect();
+        let table = format!(
+            "{deep} => Depth
+            {large} => Size
+            {arrays} void main() {{}} => Total
+            struct S {{ {members} }}; => Members
+            {nested} => Nesting
+            void f({parameters}) {{}} => Parameters
+            void f0() {{}} {calls} void main() {{}} => CallDepth"
+        );
+        finds(include_str!("limits.rs"), "LimitError", &table);
     }
 }

@@ -2,29 +2,42 @@
 //!
 //! Expressions are checked in the order in which the tree stores them, children before parents,
 //! without recursion. A mistake gives a type that fits everywhere, so that it is reported once.
+//!
+//! A file holds the rules on one thing, below an enum of what can be wrong with it. The words for
+//! that are in the file of the same name in `explain`.
 
+mod array;
 mod assign;
 mod binary;
 mod call;
+mod calls;
 mod construct;
 mod declare;
 mod doubt;
+mod entry;
 mod expression;
 mod finish;
 mod foreign;
 mod function;
+mod interface;
 mod kept;
 mod layout;
 mod limits;
 mod names;
+mod output;
+mod place;
 mod qualifier;
 mod record;
 mod statement;
+mod switch;
+#[cfg(test)]
+mod tests;
 mod webgl1;
 
 use super::builtins::{Builtins, Stage};
 use super::constant::{Constant, Pool};
 use super::dialect::{Channels, Dialect};
+use super::explain::Explain;
 use super::program::*;
 use super::scope::{Binding, Scopes};
 use super::types::*;
@@ -34,14 +47,28 @@ use crate::semantic::BuiltinId;
 use crate::syntax::ast::*;
 use crate::syntax::{Feature, Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
 use crate::text::{Role, Sources, Span};
+pub(super) use array::ArrayError;
+pub(super) use calls::CallError;
+pub(super) use declare::DeclarationError;
 use doubt::{Doubts, settle};
+pub(super) use entry::EntryError;
 use finish::LoopCheck;
-pub(super) use names::LEGACY_FUNCTIONS;
+pub(super) use function::FunctionError;
+pub(super) use interface::InterfaceError;
+pub(super) use layout::LayoutError;
+pub(super) use limits::LimitError;
+pub(super) use names::{LEGACY_FUNCTIONS, NameError, Owner};
+pub(super) use output::OutputError;
+pub(super) use place::{PlaceError, Writer};
 use qualifier::Precisions;
-pub(super) use qualifier::Wanted;
+pub(super) use qualifier::{QualifierError, Wanted};
+pub(super) use record::{Record, RecordError};
 use rustc_hash::{FxHashMap, FxHashSet};
+pub(super) use statement::{Condition, StatementError};
 use std::cell::Cell;
 use std::sync::Arc;
+pub(super) use switch::SwitchError;
+pub(super) use webgl1::Restriction;
 
 /// Most errors that are looked for in one shader.
 const MAX_ERRORS: usize = 200;
@@ -187,6 +214,8 @@ fn look(
         returns_value: false,
         diagnostics: Vec::new(),
         doubts,
+        #[cfg(test)]
+        rejected: Vec::new(),
     };
     for &name in &tree.lost {
         checker.scopes.declare(name, Binding::Error);
@@ -261,7 +290,7 @@ pub(super) struct Checker<'a> {
     missing_precision: Vec<Base>,
     /// The function in which too deep a tree was reported.
     deep_reported: Option<Option<FunctionRef>>,
-    outputs: Vec<finish::Output>,
+    pub(super) outputs: Vec<output::Output>,
     loops: Vec<LoopCheck>,
     private_size: u64,
     frag_color: Option<TokenId>,
@@ -275,6 +304,9 @@ pub(super) struct Checker<'a> {
     returns_value: bool,
     diagnostics: Vec<Diagnostic>,
     doubts: Doubts,
+    /// What was wrong, before words were made of it.
+    #[cfg(test)]
+    rejected: Vec<String>,
 }
 
 impl<'a> Checker<'a> {
@@ -430,6 +462,14 @@ impl<'a> Checker<'a> {
         self.error(rule, self.tree.expr(expr).extent, message)
     }
 
+    /// Reports what is wrong at a place, in the words that `explain` has for it.
+    pub(super) fn reject(&mut self, at: Extent, problem: impl Explain) {
+        #[cfg(test)]
+        self.rejected.push(format!("{problem:?}"));
+        let d = problem.explain(self, at);
+        self.report(d);
+    }
+
     /// Reports an error. A fix whose edits do not stand in the user's own text just so is dropped.
     pub(super) fn report(&mut self, mut diagnostic: Diagnostic) {
         if let Some(fix) = &diagnostic.fix
@@ -472,33 +512,5 @@ impl<'a> Checker<'a> {
             Some(_) => d.note(format!("{} declares it", self.dialect.host().called)),
             None => d.note("the language declares it"),
         }
-    }
-
-    /// Asks whether a name is free for the user: no `gl_`, no `webgl_`, no two underscores.
-    pub(super) fn check_not_reserved(&mut self, ident: Ident) -> bool {
-        let text = self.text(ident.name);
-        if !text.as_bytes().contains(&b'_') {
-            return true;
-        }
-        let why = if text.starts_with("gl_") {
-            "names that start with `gl_` belong to the language (section 3.9)"
-        } else if text.starts_with("webgl_") || text.starts_with("_webgl_") {
-            "names that start with `webgl_` belong to WebGL (WebGL 1.0 section 6.22)"
-        } else if text.contains("__") {
-            "WebGL keeps names with two underscores in a row for itself"
-        } else {
-            return true;
-        };
-        if self.is_prelude(ident.token) {
-            return true;
-        }
-        if self.reported_names.insert(ident.name) {
-            let message = format!("the name `{text}` is reserved");
-            let d = self
-                .error_at(error::RESERVED_IDENTIFIER, ident.token, message)
-                .note(why);
-            self.report(d);
-        }
-        false
     }
 }

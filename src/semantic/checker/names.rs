@@ -14,7 +14,88 @@ pub(in crate::semantic) const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
     ("textureCubeGradEXT", "textureGrad"), ("shadow2D", "texture"),
 ];
 
+/// What is wrong with a name that is declared.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum NameError {
+    /// A name that is not the user's to give, and whose it is.
+    Reserved(Name, Owner),
+    /// A name that stands for something in the scope already.
+    Twice(Name, Binding),
+}
+
+/// Whose names are reserved.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(in crate::semantic) enum Owner {
+    Language,
+    Webgl,
+    /// WebGL too, by two underscores.
+    Browser,
+}
+
+/// Whose a name is, if not the user's.
+fn owner(name: &str) -> Option<Owner> {
+    if !name.as_bytes().contains(&b'_') {
+        None
+    } else if name.starts_with("gl_") {
+        Some(Owner::Language)
+    } else if name.starts_with("webgl_") || name.starts_with("_webgl_") {
+        Some(Owner::Webgl)
+    } else {
+        name.contains("__").then_some(Owner::Browser)
+    }
+}
+
 impl Checker<'_> {
+    /// Asks whether a name is free for the user: no `gl_`, no `webgl_`, no two underscores.
+    pub(super) fn check_not_reserved(&mut self, ident: Ident) -> bool {
+        let Some(owner) = owner(self.text(ident.name)) else {
+            return true;
+        };
+        if self.is_prelude(ident.token) {
+            return true;
+        }
+        if self.reported_names.insert(ident.name) {
+            let at = Extent::token(ident.token);
+            self.reject(at, NameError::Reserved(ident.name, owner));
+        }
+        false
+    }
+
+    /// Reports a name that the innermost scope has already.
+    pub(super) fn is_redefinition(&mut self, ident: Ident) -> bool {
+        let Some(before) = self.scopes.get_here(ident.name) else {
+            return false;
+        };
+        if before == Binding::Error {
+            return true;
+        }
+        let at = Extent::token(ident.token);
+        self.reject(at, NameError::Twice(ident.name, before));
+        true
+    }
+
+    /// The token that declares what a name stands for.
+    pub(in crate::semantic) fn declaration_token(
+        &self,
+        name: Name,
+        binding: Binding,
+    ) -> Option<TokenId> {
+        match binding {
+            Binding::Variable(id) => self.variables.get(id.0 as usize)?.token,
+            Binding::Struct(id) | Binding::Block(id) => {
+                self.structs.get(id as usize).map(|s| s.token)
+            }
+            Binding::Function => {
+                let first = self.by_name.get(&name)?.first()?;
+                let function = self.functions.get(first.0 as usize)?;
+                self.tree
+                    .function(function.declaration)
+                    .map(|f| f.ident.token)
+            }
+            Binding::Error => None,
+        }
+    }
+
     /// The variable that a name stands for here, the language's own included.
     pub(super) fn find_variable(&mut self, name: Name) -> Option<VariableId> {
         match self.scopes.get(name) {
@@ -172,7 +253,7 @@ impl Checker<'_> {
     pub(super) fn undeclared_function(&mut self, name: Name, token: TokenId) {
         let text = self.text(name);
         let legacy = LEGACY_FUNCTIONS.iter().find(|(old, _)| *old == text);
-        if let (Some((_, new)), true) = (legacy, self.version == Version::NEWEST) {
+        if let (Some((_, new)), true) = (legacy, self.has(Feature::OverloadedLookups)) {
             let d = self.explain_legacy_function(text, new, token);
             return self.report(d);
         }
@@ -181,5 +262,21 @@ impl Checker<'_> {
         }
         let d = self.explain_undeclared_function(name, token);
         self.report_undeclared(name, d);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn names() {
+        let table = r"
+            float gl_f; => Reserved
+            float a__b; => Reserved
+            float f; int f; => Twice
+            float f; void f() {} => Twice
+        ";
+        finds(include_str!("names.rs"), "NameError", table);
     }
 }

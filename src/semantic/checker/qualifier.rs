@@ -1,8 +1,51 @@
 //! Qualifiers: order, combinations and precision (GLSL ES 3.00 sections 4.3 to 4.7).
 
 use super::*;
-use crate::diagnostic::Fix;
-use crate::text::Edit;
+
+/// What is wrong with qualifiers, or with a precision.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum QualifierError {
+    /// What no local variable can be.
+    Local,
+    /// What can stand at global scope only.
+    NotGlobal,
+    /// `in` or `out` in a version without them.
+    Later,
+    /// `inout`, where no parameter is.
+    NoParameter,
+    /// `attribute` in a fragment shader.
+    NoAttribute,
+    /// Qualifiers of which one excludes another.
+    Together,
+    /// Two qualifiers of one kind.
+    Twice,
+    /// `invariant` and `layout`.
+    InvariantLayout,
+    /// Qualifiers in another order than the language's.
+    Order,
+    /// What no parameter can be.
+    Parameter,
+    /// What no return type can be.
+    Returned,
+    /// An interpolation without `in` or `out`.
+    Alone(Wanted),
+    /// `invariant` at something else than an output.
+    Invariant,
+    /// The same, at a variable that was declared before.
+    InvariantVariable(Name),
+    /// A qualifier that cannot be given to a variable that was declared before.
+    Afterwards,
+    /// A name that nothing declares, where one gets a qualifier.
+    Undeclared(Name),
+    /// A name where a type or another name is missing.
+    Incomplete(Name),
+    /// A precision for a type that has none.
+    NoPrecision(Type),
+    /// A type without the precision that it needs.
+    MissingPrecision(Type),
+    /// A default precision for a type that takes none.
+    DefaultPrecision,
+}
 
 /// Which types have a default precision in each open scope.
 pub(super) struct Precisions {
@@ -169,13 +212,8 @@ impl Checker<'_> {
                 kind => match self.join(result.storage, kind) {
                     Some(storage) => result.storage = storage,
                     None => {
-                        let message = "these qualifiers cannot stand together";
-                        let d = self.error(
-                            error::INVALID_QUALIFIER,
-                            result.extent.unwrap_or(qualifier.extent),
-                            message,
-                        );
-                        self.report(d);
+                        let at = result.extent.unwrap_or(qualifier.extent);
+                        self.reject(at, QualifierError::Together);
                         return result;
                     }
                 },
@@ -187,76 +225,30 @@ impl Checker<'_> {
     /// Qualifiers that only global scope, one stage or one version allows.
     fn check_place(&mut self, qualifier: &Qualifier) {
         use QualifierKind as Q;
-        let word = self
-            .sources
-            .text(self.span(Extent::token(qualifier.extent.first)));
         let local = !self.at_global_scope();
-        let message = match qualifier.kind {
+        let problem = match qualifier.kind {
             Q::In | Q::Out | Q::Inout | Q::Uniform | Q::Attribute | Q::Varying if local => {
-                format!("a local variable cannot be `{word}`")
+                QualifierError::Local
             }
-            Q::Centroid | Q::Flat | Q::Smooth if local => {
-                format!("a local variable cannot be `{word}`")
-            }
-            Q::Layout(_) | Q::Invariant if local => {
-                format!("`{word}` can only stand at global scope")
-            }
-            Q::In | Q::Out | Q::Inout if !self.has(Feature::InOut) => {
-                let d = self.error(
-                    error::NEEDS_WEBGL2,
-                    qualifier.extent,
-                    format!("`{word}` needs `#version 300 es` here"),
-                );
-                let d = d.help("in GLSL ES 1.00 write `attribute` or `varying`");
-                return self.report(d);
-            }
-            Q::Inout => "`inout` is for parameters".to_string(),
-            Q::Attribute if self.stage == Stage::Fragment => {
-                "`attribute` is for vertex shaders".to_string()
-            }
+            Q::Centroid | Q::Flat | Q::Smooth if local => QualifierError::Local,
+            Q::Layout(_) | Q::Invariant if local => QualifierError::NotGlobal,
+            Q::In | Q::Out | Q::Inout if !self.has(Feature::InOut) => QualifierError::Later,
+            Q::Inout => QualifierError::NoParameter,
+            Q::Attribute if self.stage == Stage::Fragment => QualifierError::NoAttribute,
             _ => return,
         };
-        let d = self.error(error::INVALID_QUALIFIER, qualifier.extent, message);
-        self.report(d);
+        self.reject(qualifier.extent, problem);
     }
 
     /// Each qualifier once, and in the order of section 4.7.
     pub(super) fn check_sequence(&mut self, all: &[Qualifier]) -> bool {
-        let mut highest = Rank::Invariant;
-        let mut seen_invariant = false;
-        for (i, qualifier) in all.iter().enumerate() {
-            let this = rank(qualifier.kind);
-            let before = all.get(..i).unwrap_or(&[]);
-            let repeats = before.iter().any(|b| {
-                let same =
-                    std::mem::discriminant(&b.kind) == std::mem::discriminant(&qualifier.kind);
-                same || (this != Rank::Storage && rank(b.kind) == this)
-            });
-            let clash = this == Rank::Layout && seen_invariant;
-            seen_invariant |= this == Rank::Invariant;
-            // A layout may stand before or behind the interpolation.
-            let late = match this {
-                Rank::Layout => highest > Rank::Layout,
-                Rank::Interpolation => highest > Rank::Layout,
-                _ => highest > this,
-            };
-            let message = if repeats {
-                "this kind of qualifier stands twice"
-            } else if clash {
-                "`invariant` and `layout` cannot stand in one declaration"
-            } else if late {
-                "the qualifiers stand in the wrong order"
-            } else {
-                highest = highest.max(this);
-                continue;
-            };
-            let d = self
-                .error(error::INVALID_QUALIFIER, qualifier.extent, message)
-                .note("the order is: invariant, flat or smooth, layout, storage, precision (section 4.7)");
-            self.report(d);
-            return false;
+        match sequence(all) {
+            Ok(()) => true,
+            Err((at, problem)) => {
+                self.reject(at, problem);
+                false
+            }
         }
-        true
     }
 
     /// Adds one qualifier to the storage so far, if they go together.
@@ -323,12 +315,7 @@ impl Checker<'_> {
                 _ => false,
             };
             if !ok {
-                let word = self.sources.text(self.span(qualifier.extent));
-                let message = format!("a parameter cannot be `{word}` here");
-                let d = self
-                    .error(error::INVALID_PARAMETER, qualifier.extent, message)
-                    .note("a parameter is `in`, `const in`, `out` or `inout` (section 4.6)");
-                self.report(d);
+                self.reject(qualifier.extent, QualifierError::Parameter);
                 break;
             }
         }
@@ -348,10 +335,7 @@ impl Checker<'_> {
             _ => false,
         };
         if given && !takes {
-            let name = self.name_of(ty);
-            let message = format!("`{name}` has no precision");
-            let d = self.error(error::INVALID_QUALIFIER, extent, message);
-            return self.report(d);
+            return self.reject(extent, QualifierError::NoPrecision(ty));
         }
         if given || self.precisions.has(base) {
             return;
@@ -364,60 +348,11 @@ impl Checker<'_> {
             return;
         }
         self.missing_precision.push(key);
-        let name = self.name_of(Type {
+        let key = Type {
             base: key,
             array: 0,
-        });
-        let line = match key {
-            Base::Sampler(_) => format!("precision lowp {name};"),
-            _ => format!("precision highp {name};"),
         };
-        let message = format!("`{name}` has no precision here");
-        let why = match key {
-            Base::Sampler(_) => {
-                "only `sampler2D` and `samplerCube` have a default precision (section 4.5.4)"
-            }
-            _ => "a fragment shader has no default precision for `float` (section 4.5.4)",
-        };
-        let d = self
-            .error(error::MISSING_PRECISION, extent, message)
-            .note(why);
-        let d = match self.line_behind_version(extent.first) {
-            Some(at) => d.fix(Fix::safe(
-                format!("add `{line}`"),
-                vec![Edit::insert(at, format!("{line}\n"))],
-            )),
-            None => d.help(format!("add `{line}` at the top")),
-        };
-        self.report(d);
-    }
-
-    /// Address of the line behind `#version` and the `#extension`s of the file that a token stands
-    /// in: the place for declarations that come first.
-    pub(super) fn line_behind_version(&self, token: TokenId) -> Option<u32> {
-        let code = self.sources.code_at(self.token_span(token).start)?;
-        if code.role == Role::Prelude {
-            return None;
-        }
-        let whole = Span::new(code.base, code.base + code.text.len() as u32);
-        let inside = |span: &Span| whole.contains(*span);
-        let directives = self
-            .tokens
-            .version_span
-            .iter()
-            .chain(self.tokens.extensions.iter().map(|e| &e.span));
-        let end = directives.filter(|s| inside(s)).map(|s| s.end).max();
-        let Some(end) = end else {
-            return Some(code.base);
-        };
-        let rest = code.text.get((end - code.base) as usize..)?;
-        let newline = rest.find(['\n', '\r'])?;
-        let width = if rest.get(newline..)?.starts_with("\r\n") {
-            2
-        } else {
-            1
-        };
-        Some(end + newline as u32 + width)
+        self.reject(extent, QualifierError::MissingPrecision(key));
     }
 
     /// `precision highp float;`
@@ -441,13 +376,108 @@ impl Checker<'_> {
             _ => false,
         };
         if !allowed || spec.arrays.len > 0 {
-            let name = self.sources.text(self.span(spec.extent));
-            let message = format!("a default precision cannot be set for `{name}`");
-            let d = self
-                .error(error::INVALID_QUALIFIER, spec.extent, message)
-                .note("it can be set for `float`, `int` and samplers; vectors follow `float` (section 4.5.4)");
-            return self.report(d);
+            return self.reject(spec.extent, QualifierError::DefaultPrecision);
         }
         self.precisions.set(base);
+    }
+    /// `invariant gl_Position;`
+    pub(super) fn requalify(&mut self, qualifiers: List, ident: Ident) {
+        let qualified = self.qualifiers(qualifiers);
+        // `uniform S;` for a struct declares nothing, as `S;` does.
+        if let Some(Binding::Struct(id)) = self.scopes.get(ident.name)
+            && !qualified.invariant
+        {
+            let ty = Type::structure(id);
+            let extent = Extent::token(ident.token);
+            self.check_type_of_variables(&qualified, ty, extent);
+            return self.check_variable_layout(&qualified, extent);
+        }
+        let at = Extent::token(ident.token);
+        if !qualified.invariant {
+            // `uniform Foo;`: a declaration without a type or without a name.
+            return self.reject(at, QualifierError::Incomplete(ident.name));
+        }
+        if qualified.storage != Wanted::None || qualified.precision {
+            self.reject(at, QualifierError::Afterwards);
+        }
+        let Some(id) = self.find_variable(ident.name) else {
+            return self.reject(at, QualifierError::Undeclared(ident.name));
+        };
+        let Some(variable) = self.variables.get(id.0 as usize) else {
+            return;
+        };
+        let may_input = variable.storage == Storage::Input
+            && self.stage == Stage::Fragment
+            && self.has(Feature::InvariantInputs)
+            && self.text(ident.name) != "gl_FrontFacing";
+        if variable.storage != Storage::Output && !may_input {
+            self.reject(at, QualifierError::InvariantVariable(ident.name));
+        }
+    }
+}
+
+/// Asks that each qualifier stands once, and in the order of section 4.7.
+fn sequence(all: &[Qualifier]) -> Result<(), (Extent, QualifierError)> {
+    let mut highest = Rank::Invariant;
+    let mut seen_invariant = false;
+    for (i, qualifier) in all.iter().enumerate() {
+        let this = rank(qualifier.kind);
+        let before = all.get(..i).unwrap_or(&[]);
+        let repeats = before.iter().any(|b| {
+            let same = std::mem::discriminant(&b.kind) == std::mem::discriminant(&qualifier.kind);
+            same || (this != Rank::Storage && rank(b.kind) == this)
+        });
+        let clash = this == Rank::Layout && seen_invariant;
+        seen_invariant |= this == Rank::Invariant;
+        // A layout may stand before or behind the interpolation.
+        let late = match this {
+            Rank::Layout => highest > Rank::Layout,
+            Rank::Interpolation => highest > Rank::Layout,
+            _ => highest > this,
+        };
+        let problem = if repeats {
+            QualifierError::Twice
+        } else if clash {
+            QualifierError::InvariantLayout
+        } else if late {
+            QualifierError::Order
+        } else {
+            highest = highest.max(this);
+            continue;
+        };
+        return Err((qualifier.extent, problem));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn qualifiers() {
+        let table = r"
+            void main() { uniform float f; } => Local
+            void main() { invariant float f; } => NotGlobal
+            fragment 100: in float f; => Later
+            inout float f; => NoParameter
+            fragment 100: attribute float f; => NoAttribute
+            in uniform float f; => Together
+            in in float f; => Twice
+            invariant layout(location = 0) out vec4 c; => InvariantLayout
+            in flat int i; => Order
+            void f(uniform float f) {} => Parameter
+            uniform float f() { return 1.0; } => Returned
+            flat int i; => Alone
+            invariant in float f; => Invariant
+            uniform float f; invariant f; => InvariantVariable
+            vertex: out float f; invariant highp f; => Afterwards
+            invariant f; => Undeclared
+            uniform f; => Incomplete
+            highp bool b; => NoPrecision
+            uniform sampler3D s; => MissingPrecision
+            precision highp vec2; => DefaultPrecision
+        ";
+        finds(include_str!("qualifier.rs"), "QualifierError", table);
     }
 }

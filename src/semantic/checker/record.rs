@@ -3,6 +3,42 @@
 use super::qualifier::Wanted;
 use super::*;
 
+/// What is wrong with a struct or an interface block.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum RecordError {
+    /// No members.
+    Empty(Record),
+    /// A struct that is declared inside another.
+    Inside,
+    /// A member without a value.
+    VoidMember,
+    /// A name of two members, and where the first stands.
+    MemberTwice(Name, TokenId),
+    /// What no member can be.
+    MemberQualifier(Record),
+    /// A sampler in a block.
+    SamplerInBlock,
+    /// A block in a version without them.
+    BlockLater,
+    /// A block of something else than uniforms.
+    BlockStorage,
+    /// A block that is `invariant`.
+    BlockInvariant,
+    /// A block with a location.
+    BlockLocation,
+    /// An array of blocks without a size.
+    BlocksUnsized,
+    /// A block in the place of a value.
+    BlockAlone,
+}
+
+/// What has members.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(in crate::semantic) enum Record {
+    Struct,
+    Block,
+}
+
 /// Deepest nesting of structs that WebGL allows (WebGL 1.0 section 6.20).
 const MAX_NESTING: u32 = 4;
 /// The members of desktop GLSL's `gl_PerVertex`. Browsers take these names in every struct, and in
@@ -29,7 +65,7 @@ impl Checker<'_> {
         let Some(decl) = tree.structure(id) else {
             return Type::ERROR;
         };
-        let members = self.members(decl, false);
+        let members = self.members(decl, Record::Struct);
         if let Some(ident) = decl.name {
             self.check_not_reserved(ident);
         }
@@ -51,7 +87,7 @@ impl Checker<'_> {
         Type::structure(index)
     }
 
-    fn members(&mut self, decl: &StructDecl, is_block: bool) -> Members {
+    fn members(&mut self, decl: &StructDecl, record: Record) -> Members {
         let tree = self.tree;
         let mut members = Members {
             fields: Vec::new(),
@@ -62,45 +98,23 @@ impl Checker<'_> {
         };
         let mut seen: FxHashMap<Name, TokenId> = FxHashMap::default();
         if decl.fields.len == 0 {
-            let rule = if is_block {
-                error::INTERFACE_BLOCK
-            } else {
-                error::INVALID_STRUCT
-            };
-            let d = self.error(
-                rule,
-                decl.extent,
-                "this has no members; it needs at least one",
-            );
-            self.report(d);
+            self.reject(decl.extent, RecordError::Empty(record));
         }
         for line in tree.fields(decl.fields) {
-            self.member_qualifiers(line, is_block);
+            self.member_qualifiers(line, record);
             if let TypeBase::Struct(_) = tree.ty(line.ty).base {
-                let d = self
-                    .error(
-                        error::INVALID_STRUCT,
-                        tree.ty(line.ty).extent,
-                        "a struct cannot be declared inside another",
-                    )
-                    .note("declare it before, and use its name here (section 4.1.8)");
-                self.report(d);
+                self.reject(tree.ty(line.ty).extent, RecordError::Inside);
             }
             let base = self.type_spec(line.ty);
             let precision = self.has_precision(line.qualifiers);
             self.check_precision(base, precision, tree.ty(line.ty).extent);
             for declarator in tree.declarators(line.declarators) {
-                let ty = self.member_type(declarator, base, line, is_block);
+                let ty = self.member_type(declarator, base, line, record);
                 self.add_member(&mut members, &mut seen, declarator.ident, ty);
             }
         }
         if members.fields.len() > MAX_FIELDS {
-            let d = self.error(
-                error::BROWSER_LIMIT,
-                decl.extent,
-                "this has too many members",
-            );
-            self.report(d.note("the browser takes 16383"));
+            self.reject(decl.extent, LimitError::Members);
         }
         members
     }
@@ -124,24 +138,14 @@ impl Checker<'_> {
             self.check_not_reserved(ident);
         }
         if let Some(&before) = seen.get(&ident.name) {
-            let message = format!("member `{}` is declared twice", self.text(ident.name));
-            let d = self
-                .error_at(error::INVALID_STRUCT, ident.token, message)
-                .label(self.token_span(before), "first declared here");
-            self.report(d);
+            let problem = RecordError::MemberTwice(ident.name, before);
+            self.reject(Extent::token(ident.token), problem);
         }
         seen.insert(ident.name, ident.token);
         let inside = self.inside(ty);
         // Told once, not of every struct around it.
         if inside.nesting == MAX_NESTING && members.inside.nesting <= MAX_NESTING {
-            let d = self
-                .error_at(
-                    error::BROWSER_LIMIT,
-                    ident.token,
-                    "structs are nested too deeply",
-                )
-                .note("WebGL allows a depth of 4 (WebGL 1.0 section 6.20)");
-            self.report(d);
+            self.reject(Extent::token(ident.token), LimitError::Nesting);
         }
         members.inside.add(inside);
         members.fields.push(Field {
@@ -156,39 +160,26 @@ impl Checker<'_> {
         declarator: &Declarator,
         base: Type,
         line: &FieldDecl,
-        is_block: bool,
+        record: Record,
     ) -> Type {
-        let name = Extent::token(declarator.ident.token);
         if base.is_void() {
-            let d = self.error(error::VOID_VALUE, name, "a member cannot be `void`");
-            self.report(d);
+            let at = Extent::token(declarator.ident.token);
+            self.reject(at, RecordError::VoidMember);
             return Type::ERROR;
         }
         let mut ty = self.with_arrays(base, declarator.arrays, Wanted::None);
         if ty.array == Type::UNSIZED {
-            let d = self.error(
-                error::INVALID_ARRAY,
-                declarator.extent,
-                "the array needs a size",
-            );
-            self.report(d);
+            self.reject(declarator.extent, ArrayError::NoSize);
             ty.array = 1;
         }
-        if is_block && self.inside(ty).sampler {
-            let d = self
-                .error(
-                    error::INTERFACE_BLOCK,
-                    line.extent,
-                    "a sampler cannot stand in a block",
-                )
-                .help("declare it outside, as a `uniform` of its own");
-            self.report(d);
+        if record == Record::Block && self.inside(ty).sampler {
+            self.reject(line.extent, RecordError::SamplerInBlock);
         }
         ty
     }
 
     /// Members of structs take only a precision; those of blocks `uniform` and a layout too.
-    fn member_qualifiers(&mut self, line: &FieldDecl, is_block: bool) {
+    fn member_qualifiers(&mut self, line: &FieldDecl, record: Record) {
         let tree = self.tree;
         let mut precisions = 0;
         for qualifier in tree.qualifiers(line.qualifiers) {
@@ -198,8 +189,8 @@ impl Checker<'_> {
                     precisions += 1;
                     precisions == 1
                 }
-                Q::Uniform => is_block,
-                Q::Layout(entries) if is_block => {
+                Q::Uniform => record == Record::Block,
+                Q::Layout(entries) if record == Record::Block => {
                     let mut found = layout::Layout::default();
                     self.read_layout(entries, &mut found);
                     // The browser reads a location here, and forgets it.
@@ -208,15 +199,7 @@ impl Checker<'_> {
                 _ => false,
             };
             if !ok {
-                let word = self.sources.text(self.span(qualifier.extent));
-                let message = format!("a member cannot be `{word}`");
-                let rule = if is_block {
-                    error::INTERFACE_BLOCK
-                } else {
-                    error::INVALID_STRUCT
-                };
-                let d = self.error(rule, qualifier.extent, message);
-                self.report(d);
+                self.reject(qualifier.extent, RecordError::MemberQualifier(record));
             }
         }
     }
@@ -238,12 +221,11 @@ impl Checker<'_> {
             last: decl.name.map_or(extent.first, |n| n.token),
         };
         if !self.has(Feature::Blocks) {
-            let d = self.error(error::NEEDS_WEBGL2, header, "blocks come with GLSL ES 3.00");
-            return self.report(d);
+            return self.reject(header, RecordError::BlockLater);
         }
         let qualified = self.qualifiers(qualifiers);
         self.check_block(&qualified, decl, header);
-        let Members { fields, inside } = self.members(decl, true);
+        let Members { fields, inside } = self.members(decl, Record::Block);
         let index = self.structs.len() as u32;
         let token = decl.name.map_or(decl.extent.first, |n| n.token);
         let name = decl.name.map(|n| n.name);
@@ -283,12 +265,7 @@ impl Checker<'_> {
         let base = Type::block(index);
         let mut ty = self.with_arrays(base, declarator.arrays, Wanted::Uniform);
         if ty.array == Type::UNSIZED {
-            let d = self.error(
-                error::INTERFACE_BLOCK,
-                declarator.extent,
-                "an array of blocks needs a size",
-            );
-            self.report(d);
+            self.reject(declarator.extent, RecordError::BlocksUnsized);
             ty.array = 1;
         }
         self.check_size(ty, Storage::Uniform, block, header);
@@ -305,83 +282,39 @@ impl Checker<'_> {
         if let Some(ident) = decl.name {
             self.check_not_reserved(ident);
         }
-        let message = if qualified.storage != Wanted::Uniform {
-            "a block must be `uniform` in GLSL ES 3.00"
+        let problem = if qualified.storage != Wanted::Uniform {
+            RecordError::BlockStorage
         } else if qualified.invariant {
-            "a block cannot be `invariant`"
+            RecordError::BlockInvariant
         } else if qualified.layout.location.is_some() {
-            "a block has no location"
+            RecordError::BlockLocation
         } else {
             return;
         };
-        let d = self.error(error::INTERFACE_BLOCK, header, message);
-        self.report(d);
+        self.reject(header, problem);
     }
+}
 
-    /// `layout(std140) uniform;`
-    pub(super) fn default_layout(&mut self, qualifiers: List, extent: Extent) {
-        let qualified = self.qualifiers(qualifiers);
-        let message = if qualified.layout.is_empty() {
-            "a declaration is missing behind these qualifiers"
-        } else if qualified.storage != Wanted::Uniform {
-            "a default layout can only be set for `uniform`"
-        } else if qualified.layout.location.is_some() {
-            "a location is for one variable only"
-        } else if !self.has(Feature::Layouts) {
-            "`layout` comes with GLSL ES 3.00"
-        } else {
-            return;
-        };
-        let d = self.error(error::INVALID_LAYOUT, extent, message);
-        self.report(d);
-    }
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
 
-    /// `invariant gl_Position;`
-    pub(super) fn requalify(&mut self, qualifiers: List, ident: Ident) {
-        let qualified = self.qualifiers(qualifiers);
-        let text = self.text(ident.name);
-        // `uniform S;` for a struct declares nothing, as `S;` does.
-        if let Some(Binding::Struct(id)) = self.scopes.get(ident.name)
-            && !qualified.invariant
-        {
-            let ty = Type::structure(id);
-            let extent = Extent::token(ident.token);
-            self.check_type_of_variables(&qualified, ty, extent);
-            return self.check_variable_layout(&qualified, extent);
-        }
-        if !qualified.invariant {
-            // `uniform Foo;`: a declaration without a type or without a name.
-            let message = format!("`{text}` stands where a type or a name is missing");
-            let d = self.error_at(error::SYNTAX_ERROR, ident.token, message);
-            return self.report(d);
-        }
-        let only = qualified.storage == Wanted::None && !qualified.precision;
-        if !only {
-            let d = self.error_at(
-                error::INVALID_QUALIFIER,
-                ident.token,
-                "only `invariant` can be given afterwards",
-            );
-            self.report(d);
-        }
-        let Some(id) = self.find_variable(ident.name) else {
-            let message = format!("nothing declares `{text}`");
-            let d = self.error_at(error::UNDECLARED_NAME, ident.token, message);
-            return self.report(d);
-        };
-        let Some(variable) = self.variables.get(id.0 as usize) else {
-            return;
-        };
-        let may_input = variable.storage == Storage::Input
-            && self.stage == Stage::Fragment
-            && self.has(Feature::InvariantInputs)
-            && text != "gl_FrontFacing";
-        if variable.storage != Storage::Output && !may_input {
-            let message = format!("`{text}` cannot be invariant");
-            let d = self
-                .error_at(error::INVALID_QUALIFIER, ident.token, message)
-                .note("only outputs can be (section 4.6.1)");
-            self.report(d);
-        }
+    #[test]
+    fn records() {
+        let table = r"
+            struct S {}; => Empty
+            struct S { struct T { float f; } t; }; => Inside
+            struct S { void f; }; => VoidMember
+            struct S { float f, f; }; => MemberTwice
+            struct S { uniform float f; }; => MemberQualifier
+            uniform B { sampler2D s; }; => SamplerInBlock
+            fragment 100: uniform B { float f; }; => BlockLater
+            in B { float f; }; => BlockStorage
+            invariant uniform B { float f; }; => BlockInvariant
+            layout(location = 0) uniform B { float f; }; => BlockLocation
+            uniform B { float f; } b[]; => BlocksUnsized
+            uniform B { float f; } b; void main() { b; } => BlockAlone
+        ";
+        finds(include_str!("record.rs"), "RecordError", table);
     }
 }

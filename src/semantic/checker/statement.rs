@@ -7,6 +7,31 @@ use super::*;
 /// How deep the checker follows statements; the parser stops before.
 const MAX_DEPTH: u32 = 400;
 
+/// What is wrong with a statement.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum StatementError {
+    /// `break` outside of loops and `switch`.
+    Break,
+    /// `continue` outside of loops.
+    Continue,
+    /// `discard` outside of fragment shaders.
+    Discard,
+    /// A condition that declares something else than a truth value.
+    Condition(Condition, Type),
+    /// A loop without an end, and the variable that would have to end it.
+    Endless(Option<VariableId>),
+}
+
+/// What a condition decides on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(in crate::semantic) enum Condition {
+    /// `? :`
+    Choice,
+    If,
+    For,
+    While,
+}
+
 impl Checker<'_> {
     /// The statements of a block, in the scope that is open.
     pub(super) fn statements(&mut self, list: List) {
@@ -46,17 +71,17 @@ impl Checker<'_> {
         self.level -= 1;
     }
 
-    fn open_scope(&mut self) {
+    pub(super) fn open_scope(&mut self) {
         self.scopes.push();
         self.precisions.push();
     }
 
-    fn close_scope(&mut self) {
+    pub(super) fn close_scope(&mut self) {
         self.precisions.pop();
         self.scopes.pop();
     }
 
-    fn open_flow(&mut self, kind: FlowKind) {
+    pub(super) fn open_flow(&mut self, kind: FlowKind) {
         self.flow.push(Flow {
             kind,
             has_break: false,
@@ -68,7 +93,7 @@ impl Checker<'_> {
 
     /// Ends a statement and tells the one around it what it holds. A `break` in a block or `if`
     /// leaves what is around too; one in a loop or `switch` does not.
-    fn close_flow(&mut self) -> Option<Flow> {
+    pub(super) fn close_flow(&mut self) -> Option<Flow> {
         let ended = self.flow.pop()?;
         if let Some(outer) = self.flow.last_mut() {
             outer.has_return |= ended.has_return;
@@ -131,21 +156,16 @@ impl Checker<'_> {
             StmtKind::Break => self.break_statement(stmt.extent),
             StmtKind::Continue => {
                 if !self.flow.iter().any(|f| f.kind == FlowKind::Loop) {
-                    self.misplaced(stmt.extent, "`continue` can only stand in a loop");
+                    self.reject(stmt.extent, StatementError::Continue);
                 }
             }
             StmtKind::Discard => {
                 if self.stage != Stage::Fragment {
-                    self.misplaced(stmt.extent, "`discard` can only stand in a fragment shader");
+                    self.reject(stmt.extent, StatementError::Discard);
                 }
             }
             StmtKind::Return(value) => self.return_statement(value, stmt.extent),
         }
-    }
-
-    fn misplaced(&mut self, extent: Extent, message: &str) {
-        let d = self.error(error::MISPLACED_JUMP, extent, message);
-        self.report(d);
     }
 
     /// `S;` for a struct, which parses as an expression but is a declaration without a name. What
@@ -173,14 +193,7 @@ impl Checker<'_> {
     /// The instance of a block, or an element of an array of them, is no statement.
     fn check_no_block(&mut self, expr: ExprId) {
         if matches!(self.ty(expr).base, Base::Block(_)) {
-            let d = self
-                .error_expr(
-                    error::INTERFACE_BLOCK,
-                    expr,
-                    "a block cannot stand alone as a statement",
-                )
-                .help("name one of its members: `block.member`");
-            self.report(d);
+            self.reject(self.tree.expr(expr).extent, RecordError::BlockAlone);
         }
     }
 
@@ -191,7 +204,7 @@ impl Checker<'_> {
         self.check_depth(level + height, self.tree.expr(expr).extent);
     }
 
-    fn condition(&mut self, expr: ExprId, what: &str) {
+    fn condition(&mut self, expr: ExprId, of: Condition) {
         self.root(expr, self.level + 1);
         let ty = self.ty(expr);
         if ty.is_error() {
@@ -199,7 +212,7 @@ impl Checker<'_> {
         }
         let d = match typing::condition(ty) {
             Ok(()) => return,
-            Err(Misfit::Condition(ty)) => self.explain_condition(expr, ty, what),
+            Err(Misfit::Condition(ty)) => self.explain_condition(expr, ty, of),
             Err(misfit) => self.explain(expr, &[expr], misfit),
         };
         self.report(d);
@@ -221,7 +234,7 @@ impl Checker<'_> {
             else {
                 break;
             };
-            self.condition(condition, "the condition of `if`");
+            self.condition(condition, Condition::If);
             self.scoped(then, FlowKind::If);
             match otherwise {
                 None => break,
@@ -259,7 +272,7 @@ impl Checker<'_> {
         self.statement(init);
         let index = self.check_webgl1_init(init, extent);
         if let Some(condition) = condition {
-            self.loop_condition(condition, "the condition of the loop");
+            self.loop_condition(condition, Condition::For);
         }
         self.check_webgl1_condition(condition, index, extent);
         if let Some(step) = step {
@@ -280,7 +293,7 @@ impl Checker<'_> {
         self.open_flow(FlowKind::Loop);
         self.refuse_webgl1_loop("while", extent);
         self.level += 1;
-        self.loop_condition(condition, "the condition of `while`");
+        self.loop_condition(condition, Condition::While);
         self.level -= 1;
         self.unscoped(body);
         self.end_loop(Some(condition), extent);
@@ -293,18 +306,18 @@ impl Checker<'_> {
         self.open_scope();
         self.unscoped(body);
         self.close_scope();
-        self.condition(condition, "the condition of `while`");
+        self.condition(condition, Condition::While);
         self.close_flow();
     }
 
     /// The condition of `for` or `while`, which may declare a `bool`.
-    fn loop_condition(&mut self, id: StmtId, what: &str) {
+    fn loop_condition(&mut self, id: StmtId, of: Condition) {
         let tree = self.tree;
         let stmt = tree.stmt(id);
         match stmt.kind {
             StmtKind::Expr(expr) => {
                 self.level -= 1;
-                self.condition(expr, what);
+                self.condition(expr, of);
                 self.level += 1;
             }
             StmtKind::Decl(decl) => {
@@ -322,10 +335,7 @@ impl Checker<'_> {
                     .and_then(|v| self.variables.get(v.0 as usize))
                     .map_or(Type::ERROR, |v| v.ty);
                 if !ty.is_error() && ty != Type::BOOL {
-                    let name = self.name_of(ty);
-                    let message = format!("{what} must be `bool`, not `{name}`");
-                    let d = self.error(error::CONDITION_TYPE, stmt.extent, message);
-                    self.report(d);
+                    self.reject(stmt.extent, StatementError::Condition(of, ty));
                 }
             }
             _ => {}
@@ -343,14 +353,16 @@ impl Checker<'_> {
         }
         let keyword = Extent::token(extent.first);
         let Some(condition) = condition else {
-            return self.infinite_loop(keyword, None);
+            return self.reject(keyword, StatementError::Endless(None));
         };
         let StmtKind::Expr(expr) = self.tree.stmt(condition).kind else {
             return;
         };
         let info = self.info(expr);
         match self.pool.scalar(info.constant) {
-            Some(Value::Bool(true)) if info.is_const => self.infinite_loop(keyword, None),
+            Some(Value::Bool(true)) if info.is_const => {
+                self.reject(keyword, StatementError::Endless(None))
+            }
             Some(_) if info.is_const => {}
             _ => {
                 if let Some(variable) = self.variable_behind(expr)
@@ -366,23 +378,6 @@ impl Checker<'_> {
         }
     }
 
-    pub(super) fn infinite_loop(&mut self, keyword: Extent, variable: Option<VariableId>) {
-        let d = self
-            .error(error::INFINITE_LOOP, keyword, "this loop never ends")
-            .note("browsers refuse a loop whose condition is always true and that has no `break` or `return`");
-        let d = match variable.and_then(|v| self.variables.get(v.0 as usize)) {
-            Some(v) => {
-                let name = self.text(v.name);
-                let d = self.with_declaration(d, v.token, "true from the start, and never changed");
-                d.help(format!(
-                    "set `{name}` to false somewhere, or give the loop a bound"
-                ))
-            }
-            None => d.help("give it a bound: `for (int i = 0; i < 100; i++)`"),
-        };
-        self.report(d);
-    }
-
     /// Remembers a `bool` that starts as true.
     pub(super) fn track_always_true(&mut self, id: VariableId, init: ExprInfo, ty: Type) {
         if ty == Type::BOOL && self.pool.scalar(init.constant) == Some(Value::Bool(true)) {
@@ -396,7 +391,7 @@ impl Checker<'_> {
             .iter()
             .any(|f| matches!(f.kind, FlowKind::Loop | FlowKind::Switch(_)));
         if !inside {
-            return self.misplaced(extent, "`break` can only stand in a loop or `switch`");
+            return self.reject(extent, StatementError::Break);
         }
         if let Some(flow) = self.flow.last_mut() {
             flow.has_break = true;
@@ -425,216 +420,22 @@ impl Checker<'_> {
             self.report(d);
         }
     }
+}
 
-    fn switch(&mut self, selector: ExprId, body: List) {
-        self.root(selector, self.level + 1);
-        let ty = self.ty(selector);
-        let is_integer = matches!(ty, Type::INT | Type::UINT);
-        if !is_integer && !ty.is_error() {
-            let name = self.name_of(ty);
-            let d = self
-                .error_expr(
-                    error::INVALID_SWITCH,
-                    selector,
-                    format!("`switch` wants an integer, not `{name}`"),
-                )
-                .fix(if ty == Type::FLOAT {
-                    self.convert(selector, Scalar::Int)
-                } else {
-                    None
-                });
-            self.report(d);
-        }
-        let selector_type = if is_integer { ty } else { Type::ERROR };
-        self.open_scope();
-        self.open_flow(FlowKind::Switch(selector_type));
-        self.level += 2;
-        self.statements(body);
-        self.level -= 2;
-        self.check_last_label(body);
-        self.close_flow();
-        self.close_scope();
-    }
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
 
-    /// Behind the last label of a `switch` must stand a statement that the browser keeps.
-    fn check_last_label(&mut self, body: List) {
-        let tree = self.tree;
-        let mut dropped = None;
-        for &last in tree.block(body).iter().rev() {
-            match tree.stmt(last).kind {
-                StmtKind::Case(_) | StmtKind::Default => {
-                    let extent = tree.stmt(last).extent;
-                    let message = "the last label of a `switch` has no statement";
-                    let d = self.error(error::INVALID_SWITCH, extent, message);
-                    let d = match dropped {
-                        Some(dropped) => {
-                            d.label(self.span(dropped), "the browser drops this before it looks")
-                        }
-                        None => d,
-                    };
-                    return self.report(d.help("put `break;` behind it"));
-                }
-                _ if self.is_dropped(last) => dropped = Some(tree.stmt(last).extent),
-                _ => return,
-            }
-        }
-    }
-
-    /// Whether a statement is of a kind that [`Checker::is_dropped`] may speak of.
-    fn may_be_dropped(&self, id: StmtId) -> bool {
-        match self.tree.stmt(id).kind {
-            StmtKind::If { .. } => true,
-            StmtKind::Decl(decl) => {
-                let kind = self.tree.decl(decl).map(|d| d.kind);
-                matches!(kind, Some(DeclKind::Precision { .. }))
-            }
-            _ => false,
-        }
-    }
-
-    /// Whether nothing of a statement is left in the browser's tree: `precision`, and an `if` whose
-    /// constant condition chooses a branch that is not there, or is dropped itself.
-    fn is_dropped(&self, id: StmtId) -> bool {
-        let mut at = id;
-        loop {
-            let StmtKind::If {
-                condition,
-                then,
-                otherwise,
-            } = self.tree.stmt(at).kind
-            else {
-                return self.may_be_dropped(at);
-            };
-            let info = self.info(condition);
-            let known = self.pool.scalar(info.constant).filter(|_| info.is_const);
-            match known.map(|v| v.as_bool()) {
-                Some(true) => at = then,
-                Some(false) => match otherwise {
-                    Some(otherwise) => at = otherwise,
-                    None => return true,
-                },
-                None => return false,
-            }
-        }
-    }
-
-    fn case(&mut self, value: ExprId, extent: Extent) {
-        self.root(value, self.level + 1);
-        let info = self.info(value);
-        if info.ty.is_error() {
-            return self.label_unknown();
-        }
-        if !matches!(info.ty, Type::INT | Type::UINT) {
-            let name = self.name_of(info.ty);
-            let d = self
-                .error_expr(
-                    error::INVALID_SWITCH,
-                    value,
-                    format!("a label must be an integer, not `{name}`"),
-                )
-                .fix(if info.ty == Type::FLOAT {
-                    self.convert(value, Scalar::Int)
-                } else {
-                    None
-                });
-            self.report(d);
-            return self.label_unknown();
-        }
-        if info.is_const && !info.constant.is_known() {
-            return self.label_unknown();
-        }
-        let Some(label) = self.pool.scalar(info.constant).filter(|_| info.is_const) else {
-            let d = self.error_expr(
-                error::NOT_CONSTANT,
-                value,
-                "a label must be a constant expression",
-            );
-            let d = self.explain_not_constant(d, value);
-            self.report(d);
-            return self.label_unknown();
-        };
-        let number = match label {
-            Value::Uint(v) => v as i64,
-            v => v.as_int() as i64,
-        };
-        self.label(Some((number, value, info.ty)), extent.first);
-    }
-
-    /// A label that was reported still makes the statements behind it reachable.
-    fn label_unknown(&mut self) {
-        if let Some(Flow {
-            kind: FlowKind::Switch(_),
-            labels,
-            ..
-        }) = self.flow.last_mut()
-        {
-            labels.insert(Some(i64::MIN + labels.len() as i64), 0);
-        }
-    }
-
-    /// A `case` with its value, or `default`.
-    fn label(&mut self, case: Option<(i64, ExprId, Type)>, token: TokenId) {
-        let Some(Flow {
-            kind: FlowKind::Switch(selector),
-            labels,
-            ..
-        }) = self.flow.last_mut()
-        else {
-            let word = if case.is_some() { "case" } else { "default" };
-            let d = self.error_at(
-                error::INVALID_SWITCH,
-                token,
-                format!("`{word}` can only stand directly in a `switch`"),
-            );
-            return self.report(d);
-        };
-        let selector = *selector;
-        let value = case.map(|(v, ..)| v);
-        let first = *labels.entry(value).or_insert(token);
-        if first != token {
-            let d = self
-                .error_at(
-                    error::INVALID_SWITCH,
-                    token,
-                    "this label stands twice in the `switch`",
-                )
-                .label(self.token_span(first), "the first one");
-            return self.report(d);
-        }
-        if let Some((_, expr, ty)) = case
-            && !selector.is_error()
-            && ty != selector
-        {
-            let (want, have) = (self.name_of(selector), self.name_of(ty));
-            let scalar = selector.scalar_kind().unwrap_or(Scalar::Int);
-            let d = self
-                .error_expr(
-                    error::INVALID_SWITCH,
-                    expr,
-                    format!("the label is `{have}`, but `switch` compares `{want}`"),
-                )
-                .fix(self.convert(expr, scalar));
-            self.report(d);
-        }
-    }
-
-    /// No statement of a `switch` may stand before its first label.
-    fn check_label_before(&mut self, extent: Extent) {
-        if let Some(Flow {
-            kind: FlowKind::Switch(_),
-            labels,
-            ..
-        }) = self.flow.last_mut()
-            && labels.is_empty()
-        {
-            // Reported once.
-            labels.insert(Some(i64::MIN), 0);
-            let d = self.error(
-                error::INVALID_SWITCH,
-                extent,
-                "this stands before the first label of the `switch`",
-            );
-            self.report(d);
-        }
+    #[test]
+    fn statements() {
+        let table = r"
+            void main() { break; } => Break
+            void main() { continue; } => Continue
+            vertex: void main() { discard; } => Discard
+            void main() { while (int i = 1) {} } => Condition
+            void main() { while (true) {} } => Endless
+            void main() { bool b = true; while (b) {} } => Endless
+        ";
+        finds(include_str!("statement.rs"), "StatementError", table);
     }
 }

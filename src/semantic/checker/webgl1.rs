@@ -2,18 +2,39 @@
 
 use super::*;
 
-impl Checker<'_> {
-    fn restricted(&mut self, extent: Extent, message: &str) {
-        let d = self
-            .error(error::WEBGL1_RESTRICTION, extent, message)
-            .note("GLSL ES 1.00 Appendix A; `#version 300 es` has no such rule");
-        self.report(d);
-    }
+/// What WebGL1 does not take of GLSL ES 1.00.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum Restriction {
+    /// A loop by this word.
+    Loop(&'static str),
+    /// A loop that declares no index.
+    NoIndex,
+    /// A loop that declares several.
+    Indices,
+    /// An index of another type than the two for numbers.
+    IndexType,
+    /// An index that starts at something unknown.
+    Start,
+    /// A loop without a condition.
+    NoCondition,
+    /// A condition that does not compare the index.
+    Condition,
+    /// An end that is not known.
+    End,
+    /// A step that does not change the index by something known.
+    Step,
+    /// An index that is changed in the body.
+    IndexWritten,
+    /// An index of an array, vector or matrix, which hangs on something unknown.
+    Subscript,
+    /// An element of `gl_FragData` that is not known.
+    FragData,
+}
 
-    pub(super) fn refuse_webgl1_loop(&mut self, word: &str, extent: Extent) {
+impl Checker<'_> {
+    pub(super) fn refuse_webgl1_loop(&mut self, word: &'static str, extent: Extent) {
         if !self.has(Feature::FreeControlFlow) {
-            let keyword = Extent::token(extent.first);
-            self.restricted(keyword, &format!("WebGL1 has no `{word}` loops"));
+            self.reject(Extent::token(extent.first), Restriction::Loop(word));
         }
     }
 
@@ -29,20 +50,14 @@ impl Checker<'_> {
             _ => None,
         };
         let Some(DeclKind::Variables { declarators, .. }) = decl.map(|d| d.kind) else {
-            self.restricted(
-                keyword,
-                "a WebGL1 loop must declare its index: `for (int i = 0; ...`",
-            );
+            self.reject(keyword, Restriction::NoIndex);
             return None;
         };
         let (&[declarator], Some(&Some(id))) = (
             tree.declarators(declarators),
             self.declared.get(declarators.start as usize),
         ) else {
-            self.restricted(
-                keyword,
-                "a WebGL1 loop must declare one index: `for (int i = 0; ...`",
-            );
+            self.reject(keyword, Restriction::Indices);
             return None;
         };
         let ty = self
@@ -53,18 +68,12 @@ impl Checker<'_> {
             return None;
         }
         if !matches!(ty, Type::INT | Type::FLOAT) {
-            self.restricted(
-                declarator.extent,
-                "the index of a WebGL1 loop must be `int` or `float`",
-            );
+            self.reject(declarator.extent, Restriction::IndexType);
             return None;
         }
         let is_const = declarator.init.is_some_and(|e| self.info(e).is_const);
         if !is_const {
-            self.restricted(
-                declarator.extent,
-                "the index of a WebGL1 loop must start at a constant",
-            );
+            self.reject(declarator.extent, Restriction::Start);
             return None;
         }
         Some(id)
@@ -82,26 +91,17 @@ impl Checker<'_> {
         let tree = self.tree;
         let keyword = Extent::token(extent.first);
         let Some(StmtKind::Expr(expr)) = condition.map(|c| tree.stmt(c).kind) else {
-            return self.restricted(keyword, "a WebGL1 loop must have a condition: `i < 10`");
+            return self.reject(keyword, Restriction::NoCondition);
         };
         let at = tree.expr(expr).extent;
         let ExprKind::Binary(op, left, right) = tree.expr(tree.unparen(expr)).kind else {
-            return self.restricted(
-                at,
-                "the condition of a WebGL1 loop must compare its index with a constant",
-            );
+            return self.reject(at, Restriction::Condition);
         };
         if !op.compares() || self.variable_behind(left) != Some(index) {
-            return self.restricted(
-                at,
-                "the condition of a WebGL1 loop must compare its index with a constant",
-            );
+            return self.reject(at, Restriction::Condition);
         }
         if !self.info(right).is_const && !self.ty(right).is_error() {
-            self.restricted(
-                tree.expr(right).extent,
-                "a WebGL1 loop must end at a constant",
-            );
+            self.reject(tree.expr(right).extent, Restriction::End);
         }
     }
 
@@ -116,9 +116,8 @@ impl Checker<'_> {
         };
         let tree = self.tree;
         let keyword = Extent::token(extent.first);
-        let message = "a WebGL1 loop must change its index by a constant: `i++` or `i += 2`";
         let Some(step) = step else {
-            return self.restricted(keyword, message);
+            return self.reject(keyword, Restriction::Step);
         };
         let at = tree.expr(step).extent;
         let (operand, by) = match tree.expr(tree.unparen(step)).kind {
@@ -127,11 +126,11 @@ impl Checker<'_> {
             ExprKind::Assign(Some(BinaryOp::Add | BinaryOp::Sub), left, right) => {
                 (left, Some(right))
             }
-            _ => return self.restricted(at, message),
+            _ => return self.reject(at, Restriction::Step),
         };
         let is_const = by.is_none_or(|e| self.info(e).is_const || self.ty(e).is_error());
         if self.variable_behind(operand) != Some(index) || !is_const {
-            self.restricted(at, message);
+            self.reject(at, Restriction::Step);
         }
     }
 
@@ -139,10 +138,7 @@ impl Checker<'_> {
     pub(super) fn check_webgl1_write(&mut self, id: VariableId, extent: Extent) {
         if !self.has(Feature::FreeControlFlow) && self.flow.iter().any(|f| f.loop_index == Some(id))
         {
-            self.restricted(
-                extent,
-                "the body of a WebGL1 loop must not change its index",
-            );
+            self.reject(extent, Restriction::IndexWritten);
         }
     }
 
@@ -157,16 +153,7 @@ impl Checker<'_> {
             // Constants that lie outside of it are found as those of any array are.
             if !info.is_const {
                 let extent = self.tree.expr(index).extent;
-                let d = self
-                    .error(
-                        error::INDEX_OUT_OF_RANGE,
-                        extent,
-                        "`gl_FragData` has one element here, with index 0",
-                    )
-                    .note(
-                        "more need the extension `GL_EXT_draw_buffers`, which WebGL2 does not have",
-                    );
-                self.report(d);
+                self.reject(extent, Restriction::FragData);
             }
             return;
         }
@@ -179,10 +166,7 @@ impl Checker<'_> {
         }
         if !self.is_constant_index(index) {
             let extent = self.tree.expr(index).extent;
-            self.restricted(
-                extent,
-                "WebGL1 takes only constants and loop indices as an index here",
-            );
+            self.reject(extent, Restriction::Subscript);
         }
     }
 
@@ -202,5 +186,31 @@ impl Checker<'_> {
                 Resolution::Function(_) => false,
                 _ => true,
             })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn restrictions() {
+        let table = [
+            "while (true) break; => Loop",
+            "int i = 0; for (i = 0; i < 3; i++) {} => NoIndex",
+            "for (int i = 0, j = 0; i < 3; i++) {} => Indices",
+            "for (bool b = true; b == true; b = b) {} => IndexType",
+            "for (int i = n; i < 3; i++) {} => Start",
+            "for (int i = 0; ; i++) break; => NoCondition",
+            "for (int i = 0; n < 3; i++) {} => Condition",
+            "for (int i = 0; i < n; i++) {} => End",
+            "for (int i = 0; i < 3; i += n) {} => Step",
+            "for (int i = 0; i < 3; i++) i = 2; => IndexWritten",
+            "float f = a[n]; => Subscript",
+            "gl_FragData[n] = vec4(1.0); => FragData",
+        ];
+        let head = "fragment 100: uniform int n; uniform float a[4]; void main() {";
+        let table = table.map(|row| format!("{head} {}", row.replace(" =>", " } =>")));
+        finds(include_str!("webgl1.rs"), "Restriction", &table.join("\n"));
     }
 }

@@ -1,26 +1,43 @@
 //! Words: what is said of what does not fit, and the edit that mends it.
 //!
-//! `typing` decides; what stands here turns a [`Misfit`] into a message. It reads what the checker
-//! found out so far, and changes nothing of it.
+//! `typing` and `checker` decide; what stands here turns a [`Misfit`] or one of the checker's enums
+//! into a message, each enum in the file that is called as the one it stands in. It reads what the
+//! checker found out so far, and changes nothing of it.
 
 mod arguments;
+mod array;
 mod call;
+mod calls;
 mod constant;
 mod construct;
+mod declare;
+mod entry;
 mod foreign;
+mod function;
+mod interface;
+mod layout;
+mod limits;
 mod member;
 mod names;
 mod operator;
+mod output;
 mod place;
+mod qualifier;
+mod record;
 mod resize;
 mod statement;
+mod switch;
 #[cfg(test)]
 mod tests;
 mod value;
 mod version;
+mod webgl1;
+
+pub(in crate::semantic) use names::note_uses;
+pub(in crate::semantic) use place::note_written;
 
 use super::builtins::{Builtins, MAX_PARAMS, Stage};
-use super::checker::Checker;
+use super::checker::*;
 use super::host::EntryPoint;
 use super::program::*;
 use super::scope::Binding;
@@ -33,6 +50,12 @@ use crate::text::{Edit, Span};
 
 /// What holds for every value.
 const NO_CONVERSION: &str = "GLSL ES converts nothing by itself (section 4.1.10)";
+
+/// Something that is wrong, as data, of which words can be made.
+pub(in crate::semantic) trait Explain: std::fmt::Debug {
+    /// What to say of it.
+    fn explain(self, checker: &Checker, at: Extent) -> Diagnostic;
+}
 
 impl Checker<'_> {
     /// What to say of an expression that does not fit. `parts` are its operands or arguments, as
@@ -50,7 +73,7 @@ impl Checker<'_> {
             M::Operand(ty) => self.explain_operand(id, part(0), ty),
             M::Operands(clash) => self.explain_operands(id, part(0), part(1), clash),
             M::Value(clash) => self.explain_assignment(id, part(0), part(1), clash),
-            M::Condition(ty) => self.explain_condition(part(0), ty, "the condition of `? :`"),
+            M::Condition(ty) => self.explain_condition(part(0), ty, Condition::Choice),
             M::Arms => self.explain_arms(id, part(0), part(1)),
             M::Unchosen(kind) => self.explain_unchosen(id, kind),
             M::Sequence => self.explain_sequence(id),

@@ -1,4 +1,4 @@
-//! Names that nothing declares: what was probably meant.
+//! Names that are taken, and names that nothing declares: what was probably meant.
 
 use super::*;
 use crate::syntax::{TypeWord, WordClass, classify, keyword_near, type_in_another_case};
@@ -23,6 +23,39 @@ const OUTPUT_NAMES: &[&str] = &[
     "myOutputColor",
     "finalColor",
 ];
+
+impl Explain for NameError {
+    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+        match self {
+            NameError::Reserved(name, owner) => {
+                let message = format!("the name `{}` is reserved", c.text(name));
+                let why = match owner {
+                    Owner::Language => {
+                        "names that start with `gl_` belong to the language (section 3.9)"
+                    }
+                    Owner::Webgl => {
+                        "names that start with `webgl_` belong to WebGL (WebGL 1.0 section 6.22)"
+                    }
+                    Owner::Browser => "WebGL keeps names with two underscores in a row for itself",
+                };
+                c.error(error::RESERVED_IDENTIFIER, at, message).note(why)
+            }
+            NameError::Twice(name, before) => {
+                let message = format!("`{}` is declared twice in one scope", c.text(name));
+                let d = c.error(error::REDEFINITION, at, message);
+                c.with_declaration(d, c.declaration_token(name, before), "first declared here")
+            }
+        }
+    }
+}
+
+/// How often a name that nothing declares is used besides.
+pub(in crate::semantic) fn note_uses(uses: u32) -> String {
+    match uses {
+        1 => "it is used once more".to_string(),
+        _ => format!("it is used {uses} times more"),
+    }
+}
 
 impl Checker<'_> {
     /// A function, block or type where a variable is wanted.

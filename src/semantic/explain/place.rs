@@ -7,25 +7,59 @@ const MAX_STATEMENT: TokenId = 1000;
 /// Most uses of a name that a fix renames.
 const MAX_RENAMED: usize = 500;
 
-impl Checker<'_> {
-    /// A swizzle that names a component twice, where it is written to.
-    pub(in crate::semantic) fn explain_repeated_component(
-        &self,
-        text: &str,
-        rows: u8,
-        token: TokenId,
-    ) -> Diagnostic {
-        let message = format!("`{text}` names a component twice and cannot be assigned to");
-        self.error_at(error::NOT_ASSIGNABLE, token, message)
-            .fix(self.mend_swizzle(text, rows, token))
-    }
+/// What the parameter has to do with it that an argument cannot be written to.
+pub(in crate::semantic) fn note_written(direction: &str) -> String {
+    format!("the parameter is `{direction}`: the function writes to it")
+}
 
-    /// What is no variable, where one is written to.
-    pub(in crate::semantic) fn explain_no_place(&self, id: ExprId, symbol: &str) -> Diagnostic {
+impl Explain for PlaceError {
+    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+        use PlaceError as E;
+        let (id, why) = match self {
+            E::NoPlace(id, by) => return c.no_place(id, by, at),
+            E::Repeats(letters, rows) => {
+                let letters = c.text(letters);
+                let message =
+                    format!("`{letters}` names a component twice and cannot be assigned to");
+                return c
+                    .error(error::NOT_ASSIGNABLE, at, message)
+                    .fix(c.mend_swizzle(letters, rows, at.first));
+            }
+            E::Constant(id) => (id, "is a constant"),
+            E::Uniform(id) => (id, "is a uniform, set from outside"),
+            E::Input(id) => (id, "is an input of the shader"),
+            E::ConstParameter(id) => (id, "is a `const` parameter"),
+            E::Sampler(id) => (id, "is a sampler"),
+            E::SamplerInside(id) => (
+                id,
+                "holds a sampler, and browsers let no part of such a struct change",
+            ),
+        };
+        let variable = c.variables.get(id.0 as usize);
+        let name = variable.map_or("", |v| c.text(v.name));
+        let token = variable.and_then(|v| v.token);
+        let message = format!("`{name}` cannot be assigned to: it {why}");
+        let d = c.error(error::NOT_ASSIGNABLE, at, message);
+        let d = c.with_declaration(d, token, "declared here");
+        d.fix(match variable.map(|v| v.storage) {
+            _ if matches!(self, E::Constant(_)) => c.take_const_away(token),
+            Some(Storage::Input | Storage::Uniform) => c.copy_first(id),
+            Some(Storage::Param(_)) => c.take_const_away(token),
+            _ => None,
+        })
+    }
+}
+
+impl Checker<'_> {
+    fn no_place(&self, id: ExprId, by: Writer, at: Extent) -> Diagnostic {
+        let symbol = match by {
+            Writer::Assign(op) => &format!("{}=", op.map_or("", BinaryOp::symbol)),
+            Writer::Word(word) => word,
+        };
         let fix = self
             .swap_sides(id)
             .or_else(|| self.compare_instead(self.whole));
-        self.error_expr(error::NOT_ASSIGNABLE, id, "this cannot be assigned to")
+        self.error(error::NOT_ASSIGNABLE, at, "this cannot be assigned to")
             .note(format!(
                 "`{symbol}` wants a variable, or a part of one, on its left (section 5.8)"
             ))

@@ -1,8 +1,53 @@
-//! What `return` gives, and what conditions are.
+//! Jumps and loops that go nowhere, what `return` gives, and what conditions are.
 
 use super::*;
 
+impl Condition {
+    fn words(self) -> &'static str {
+        match self {
+            Condition::Choice => "the condition of `? :`",
+            Condition::If => "the condition of `if`",
+            Condition::For => "the condition of the loop",
+            Condition::While => "the condition of `while`",
+        }
+    }
+}
+
+impl Explain for StatementError {
+    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+        use StatementError as E;
+        let misplaced = |message| c.error(error::MISPLACED_JUMP, at, message);
+        match self {
+            E::Break => misplaced("`break` can only stand in a loop or `switch`"),
+            E::Continue => misplaced("`continue` can only stand in a loop"),
+            E::Discard => misplaced("`discard` can only stand in a fragment shader"),
+            E::Condition(of, ty) => {
+                let what = of.words();
+                let message = format!("{what} must be `bool`, not `{}`", c.name_of(ty));
+                c.error(error::CONDITION_TYPE, at, message)
+            }
+            E::Endless(variable) => c.endless_loop(variable, at),
+        }
+    }
+}
+
 impl Checker<'_> {
+    fn endless_loop(&self, variable: Option<VariableId>, at: Extent) -> Diagnostic {
+        let d = self
+            .error(error::INFINITE_LOOP, at, "this loop never ends")
+            .note("browsers refuse a loop whose condition is always true and that has no `break` or `return`");
+        match variable.and_then(|v| self.variables.get(v.0 as usize)) {
+            Some(v) => {
+                let name = self.text(v.name);
+                let d = self.with_declaration(d, v.token, "true from the start, and never changed");
+                d.help(format!(
+                    "set `{name}` to false somewhere, or give the loop a bound"
+                ))
+            }
+            None => d.help("give it a bound: `for (int i = 0; i < 100; i++)`"),
+        }
+    }
+
     /// A `return` that does not give what the function does.
     pub(in crate::semantic) fn explain_return(
         &self,
@@ -96,9 +141,9 @@ impl Checker<'_> {
         &self,
         id: ExprId,
         ty: Type,
-        what: &str,
+        of: Condition,
     ) -> Diagnostic {
-        let name = self.name_of(ty);
+        let (what, name) = (of.words(), self.name_of(ty));
         let d = self
             .error_expr(
                 error::CONDITION_TYPE,

@@ -50,6 +50,26 @@ impl Checker<'_> {
         }
     }
 
+    /// A declaration whose type is not that of its value and its uses.
+    pub(in crate::semantic) fn explain_declared_type(
+        &self,
+        rule: &'static str,
+        spec: Extent,
+        declarator: &Declarator,
+        ty: Type,
+        init: ExprId,
+    ) -> Diagnostic {
+        let (wanted, found) = (self.name_of(ty), self.name_of(self.ty(init)));
+        let ident = declarator.ident;
+        let text = self.text(ident.name);
+        let message =
+            format!("`{text}` is declared `{wanted}`, but its value and its uses are `{found}`");
+        let edit = Edit::replace(self.span(spec), found.clone());
+        self.error(rule, spec.to(Extent::token(ident.token)), message)
+            .label(self.expr_span(init), format!("`{found}`"))
+            .fix(Fix::safe(format!("declare it as `{found}`"), vec![edit]))
+    }
+
     fn rule_for(&self, wanted: Type, found: Type, clash: Clash) -> &'static str {
         let has_bool = |t: Type| t.element().scalar_kind() == Some(Scalar::Bool);
         match clash {

@@ -3,8 +3,14 @@
 use super::*;
 
 impl Checker<'_> {
-    /// What comes with a later version.
-    pub(in crate::semantic) fn explain_later(&self, id: ExprId, what: &str) -> Diagnostic {
+    /// An operator or method that comes with a later version.
+    pub(in crate::semantic) fn explain_later(&self, id: ExprId) -> Diagnostic {
+        let what = match self.tree.expr(id).kind {
+            ExprKind::Unary(op, _) => format!("the operator `{}`", op.symbol()),
+            ExprKind::Binary(op, ..) => format!("the operator `{}`", op.symbol()),
+            ExprKind::Assign(Some(op), ..) => format!("the operator `{}=`", op.symbol()),
+            _ => "`.length()`".to_string(),
+        };
         let message = format!("{what} comes with {}", Version::NEWEST.profile().name);
         self.explain_lack(id, message)
     }

@@ -6,7 +6,7 @@ use super::macros::{Macro, MacroId, Piece};
 use super::{ExtensionUse, Preprocessor, bad, error_at};
 use crate::diagnostic::{Fix, error};
 use crate::syntax::language::Feature;
-use crate::syntax::names::{Name, Version};
+use crate::syntax::names::Name;
 use crate::syntax::token::{RawKind, Token, TokenKind};
 use crate::text::{Edit, Role, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -378,7 +378,7 @@ impl Preprocessor<'_> {
         let message = match words {
             ["invariant", "(", "all", ")"] if is_standard => {
                 self.out.invariant_all = true;
-                if !(self.is_fragment && self.version == Version::Es300) {
+                if !self.is_fragment || self.version.has(Feature::InvariantInputs) {
                     return;
                 }
                 "`#pragma STDGL invariant(all)` cannot stand in a fragment shader"

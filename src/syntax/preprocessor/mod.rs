@@ -17,6 +17,7 @@ mod version;
 pub use amend::DIRECTIVES;
 pub use macros::{Expansion, Macro, MacroId, Piece};
 
+use super::language::Feature;
 use super::lexer::{Lexer, unsplice};
 use super::names::{Name, Names, Version, WordClass};
 use super::token::{RawKind, RawToken, Token, TokenKind};
@@ -492,7 +493,7 @@ impl<'a> Preprocessor<'a> {
             .unwrap_or("");
         match token.value {
             bad::OVERFLOW => {
-                if self.version == Version::Es300 {
+                if self.version.has(Feature::IntegerLimit) {
                     let d = error_at(
                         error::INVALID_NUMBER,
                         token.span,

@@ -1,0 +1,131 @@
+//! Arrays: their sizes, and where none can be (GLSL ES 3.00 section 4.1.9).
+
+use super::super::constant::Value;
+use super::qualifier::Wanted;
+use super::*;
+
+/// What is wrong with an array.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum ArrayError {
+    /// An array without a size.
+    NoSize,
+    /// An array without a size, whose value could give it one.
+    NoSizeNorValue,
+    /// An array without a size, in a version that takes none from values.
+    NoSizeYet,
+    /// A size behind the type, in a version that wants it behind the name.
+    BehindType,
+    /// An array of arrays.
+    OfArrays,
+    /// An array of structs that would be passed between stages.
+    OfPassedStructs,
+    /// An attribute.
+    Attribute,
+    /// An input of a vertex shader.
+    Input,
+    /// A constant, in a version without values of arrays.
+    Constant,
+    /// A value for an array, in a version without them.
+    Value,
+    /// A constructor of an array, in a version without them.
+    Constructor,
+    /// A size that is no integer.
+    SizeType(Type),
+    /// A size that is not constant.
+    SizeNotConstant(ExprId),
+    /// A size below 0.
+    NegativeSize,
+    /// A size of 0.
+    ZeroSize,
+}
+
+impl Checker<'_> {
+    /// The type with array sizes behind it. `storage` is that of the declaration, where one is.
+    pub(super) fn with_arrays(&mut self, base: Type, arrays: List, storage: Wanted) -> Type {
+        let tree = self.tree;
+        let sizes = tree.arrays(arrays);
+        let Some(first) = sizes.first() else {
+            return base;
+        };
+        let mut ty = base;
+        for size in sizes {
+            let Some(len) = self.array_size(size) else {
+                return Type::ERROR;
+            };
+            if ty.is_array() {
+                self.reject(size.extent, ArrayError::OfArrays);
+                return Type::ERROR;
+            }
+            if !ty.is_error() {
+                ty.array = len;
+            }
+        }
+        self.check_array_qualifier(base, storage, first.extent);
+        ty
+    }
+
+    fn check_array_qualifier(&mut self, base: Type, storage: Wanted, extent: Extent) {
+        let vertex_in = self.stage == Stage::Vertex && storage == Wanted::In;
+        let varying = !vertex_in && (storage.is_input() || storage.is_output());
+        let problem = match storage {
+            Wanted::Attribute => ArrayError::Attribute,
+            Wanted::Const if !self.has(Feature::ArrayValues) => ArrayError::Constant,
+            _ if vertex_in => ArrayError::Input,
+            _ if varying && matches!(base.base, Base::Struct(_)) => ArrayError::OfPassedStructs,
+            _ => return,
+        };
+        self.reject(extent, problem);
+    }
+
+    /// The size that one pair of brackets gives; `None` where it hangs on something unknown.
+    fn array_size(&mut self, size: &ArraySize) -> Option<u32> {
+        let Some(expr) = size.size else {
+            if !self.has(Feature::ArrayValues) {
+                self.reject(size.extent, ArrayError::NoSizeYet);
+            }
+            return Some(Type::UNSIZED);
+        };
+        self.eval(expr);
+        let info = self.info(expr);
+        if info.ty.is_error() {
+            return None;
+        }
+        let problem = match self.pool.scalar(info.constant) {
+            _ if !matches!(info.ty, Type::INT | Type::UINT) => ArrayError::SizeType(info.ty),
+            _ if !info.is_const => ArrayError::SizeNotConstant(expr),
+            Some(Value::Int(v)) if v < 0 => ArrayError::NegativeSize,
+            Some(v) if v.as_uint() == 0 => ArrayError::ZeroSize,
+            Some(v) => return Some(v.as_uint().min(Type::UNSIZED - 1)),
+            None => return Some(1),
+        };
+        self.reject(self.tree.expr(expr).extent, problem);
+        Some(1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn arrays() {
+        let table = r"
+            struct S { float f[]; }; => NoSize
+            float f[]; => NoSizeNorValue
+            fragment 100: float f[]; => NoSizeYet
+            fragment 100: uniform float[2] f; => BehindType
+            float f[2][2]; => OfArrays
+            struct S { float f; }; in S s[2]; => OfPassedStructs
+            vertex 100: attribute float f[2]; => Attribute
+            vertex: in float f[2]; => Input
+            fragment 100: const float f[2]; => Constant
+            fragment 100: void main() { float g[2]; float f[2] = g; } => Value
+            fragment 100: void main() { float[2](1.0, 2.0); } => Constructor
+            float f[1.0]; => SizeType
+            uniform int n; float f[n]; => SizeNotConstant
+            float f[-1]; => NegativeSize
+            float f[0]; => ZeroSize
+        ";
+        finds(include_str!("array.rs"), "ArrayError", table);
+    }
+}

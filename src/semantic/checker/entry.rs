@@ -1,0 +1,142 @@
+//! The function at which a shader starts: `main`, or the one that its host calls.
+
+use super::super::dialect::Pass;
+use super::super::host::EntryPoint;
+use super::*;
+
+/// What is wrong with the function at which a shader starts.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum EntryError {
+    /// A shader without `main`.
+    Missing,
+    /// A shader without the function that its host calls.
+    MissingCalled(EntryPoint),
+    /// A shader without `main`, but with the entry of ShaderToy.
+    Unwrapped,
+    /// A function that is not declared as its host calls it.
+    Signature(EntryPoint),
+    /// A `main` with parameters.
+    MainParameters,
+    /// A `main` that returns something.
+    MainReturns,
+}
+
+impl Checker<'_> {
+    /// Asks that the function is defined at which the shader starts.
+    pub(super) fn check_entry(&mut self) {
+        match self.dialect.host().entry {
+            Some(entry) if entry.is_called_by_host() => self.check_called_entry(entry),
+            Some(entry) if !self.defines(entry.name) && !self.main_was_unreadable() => {
+                self.missing_main();
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether `main` may be there after all, in text that could not be read.
+    fn main_was_unreadable(&self) -> bool {
+        self.syntax_errors && self.names.get("main").is_some()
+    }
+
+    fn missing_main(&mut self) {
+        let found = self.functions.iter().find(|f| {
+            Pass::Image
+                .host()
+                .entry
+                .is_some_and(|e| e.name == self.text(f.name))
+        });
+        let decl = found.and_then(|f| self.tree.function(f.definition?));
+        match decl {
+            Some(decl) => self.reject(decl.header, EntryError::Unwrapped),
+            None => self.reject(Extent::default(), EntryError::Missing),
+        }
+    }
+
+    /// The entry that a host declares and calls must be defined as it is declared.
+    fn check_called_entry(&mut self, entry: EntryPoint) {
+        let name = entry.name;
+        let is_entry = |f: &&Function| self.text(f.name) == name;
+        let wanted = self.functions.iter().find(is_entry);
+        if wanted.is_none_or(|f| f.definition.is_some()) {
+            return;
+        }
+        let other = self
+            .functions
+            .iter()
+            .filter(is_entry)
+            .find_map(|f| self.tree.function(f.definition?));
+        if let Some(other) = other {
+            return self.wrong_entry(other);
+        }
+        let unreadable = self.syntax_errors
+            && self.names.get(name).is_some_and(|n| {
+                self.tokens.tokens.iter().any(|t| {
+                    t.kind == TokenKind::Identifier && t.value == n.0 && !self.in_prelude(t.span)
+                })
+            });
+        if unreadable || self.unknown_functions.iter().any(|&n| self.text(n) == name) {
+            return;
+        }
+        self.reject(Extent::default(), EntryError::MissingCalled(entry));
+    }
+
+    fn in_prelude(&self, span: Span) -> bool {
+        self.sources
+            .file_at(span.start)
+            .is_some_and(|f| f.role == Role::Prelude)
+    }
+
+    fn defines(&self, name: &str) -> bool {
+        let functions = self.functions.iter().filter(|f| f.definition.is_some());
+        functions.into_iter().any(|f| self.text(f.name) == name)
+    }
+
+    /// Whether a function is the one at which the host starts.
+    pub(super) fn is_entry(&self, name: Name) -> bool {
+        let entry = self.dialect.host().entry;
+        entry.is_some_and(|e| e.name == self.text(name))
+    }
+
+    pub(super) fn wrong_entry(&mut self, decl: &FunctionDecl) {
+        if let Some(entry) = self.dialect.host().entry {
+            self.reject(decl.header, EntryError::Signature(entry));
+        }
+    }
+
+    pub(super) fn check_main(&mut self, decl: &FunctionDecl, returns: Type) {
+        if self.text(decl.ident.name) != "main" {
+            return;
+        }
+        let has_params = self
+            .tree
+            .params(decl.params)
+            .iter()
+            .any(|p| self.tree.ty(p.ty).base != TypeBase::Void);
+        let problem = if has_params {
+            EntryError::MainParameters
+        } else if !returns.is_void() && !returns.is_error() {
+            EntryError::MainReturns
+        } else {
+            return;
+        };
+        self.reject(decl.header, problem);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn entries() {
+        let table = r"
+            void f() {} => Missing
+            image: void f() {} => MissingCalled
+            void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0); } => Unwrapped
+            image: void mainImage(vec2 p, out vec4 c) {} => Signature
+            void main(int i) {} => MainParameters
+            int main() { return 1; } => MainReturns
+        ";
+        finds(include_str!("entry.rs"), "EntryError", table);
+    }
+}

@@ -1,0 +1,129 @@
+//! What can be passed between stages, and to and from the shader (GLSL ES 3.00 sections 4.3.4 and
+//! 4.3.6).
+
+use super::qualifier::Wanted;
+use super::*;
+
+/// What is wrong with the type of an input or output.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum InterfaceError {
+    /// A type of which none of this storage can be.
+    Type(Wanted, Type),
+    /// A truth value.
+    Bool(Wanted),
+    /// A struct, where none of this storage can be one.
+    Struct(Wanted),
+    /// An array as an input of a vertex shader.
+    InputArray,
+    /// A matrix as an output of a fragment shader.
+    OutputMatrix,
+    /// An integer that would be interpolated.
+    NotFlat(Wanted),
+    /// An array of structs.
+    ArrayOfStructs,
+    /// A struct that holds an array.
+    ArrayInside,
+    /// A struct that holds a struct.
+    StructInside,
+    /// A struct that holds a truth value.
+    BoolInside,
+}
+
+impl Checker<'_> {
+    /// Asks that values of a type can be passed as the qualifiers say.
+    pub(super) fn passed(&self, storage: Wanted, ty: Type) -> Result<(), InterfaceError> {
+        use InterfaceError as E;
+        let scalar = match ty.base {
+            Base::Numeric { scalar, .. } => Some(scalar),
+            _ => None,
+        };
+        let is_legacy = matches!(storage, Wanted::Attribute | Wanted::Varying);
+        if !self.has(Feature::InOut) {
+            return match scalar {
+                Some(Scalar::Bool | Scalar::Int) if is_legacy => Err(E::Type(storage, ty)),
+                _ => Ok(()),
+            };
+        }
+        if !storage.is_input() && !storage.is_output() {
+            return Ok(());
+        }
+        if scalar == Some(Scalar::Bool) {
+            return Err(E::Bool(storage));
+        }
+        match self.end_of(storage) {
+            Some(Stage::Vertex) if ty.is_array() => Err(E::InputArray),
+            Some(Stage::Fragment) if ty.element().is_matrix() => Err(E::OutputMatrix),
+            Some(_) => Ok(()),
+            None if self.inside(ty).integer
+                && !matches!(storage, Wanted::FlatIn | Wanted::FlatOut) =>
+            {
+                Err(E::NotFlat(storage))
+            }
+            None => self.passed_struct(ty),
+        }
+    }
+
+    /// The stage, where variables of this storage lie at its outer end: inputs of vertex shaders and
+    /// outputs of fragment shaders.
+    fn end_of(&self, storage: Wanted) -> Option<Stage> {
+        match (self.stage, storage) {
+            (Stage::Vertex, Wanted::In) | (Stage::Fragment, Wanted::Out) => Some(self.stage),
+            _ => None,
+        }
+    }
+
+    fn passed_struct(&self, ty: Type) -> Result<(), InterfaceError> {
+        use InterfaceError as E;
+        let record = match ty.base {
+            Base::Struct(id) => self.structs.get(id as usize),
+            _ => None,
+        };
+        let Some(Struct { fields, .. }) = record else {
+            return Ok(());
+        };
+        let is_bool = |f: &Field| f.ty.element().scalar_kind() == Some(Scalar::Bool);
+        if ty.is_array() {
+            Err(E::ArrayOfStructs)
+        } else if fields.iter().any(|f| f.ty.is_array()) {
+            Err(E::ArrayInside)
+        } else if fields.iter().any(|f| matches!(f.ty.base, Base::Struct(_))) {
+            Err(E::StructInside)
+        } else if fields.iter().any(is_bool) {
+            Err(E::BoolInside)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Asks that variables of a type can be declared so: the ends of a pipeline take no structs.
+    pub(super) fn passed_as(&self, storage: Wanted, ty: Type) -> Result<(), InterfaceError> {
+        let is_legacy = matches!(storage, Wanted::Attribute | Wanted::Varying);
+        let takes_none = is_legacy || self.end_of(storage).is_some();
+        match ty.base {
+            Base::Struct(_) if takes_none => Err(InterfaceError::Struct(storage)),
+            _ => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn interfaces() {
+        let table = r"
+            vertex 100: attribute int i; => Type
+            in bool b; => Bool
+            vertex: struct S { float f; }; in S s; => Struct
+            vertex: in float[2] f; => InputArray
+            out mat2 m; => OutputMatrix
+            in int i; => NotFlat
+            struct S { float f; }; in S[2] s; => ArrayOfStructs
+            struct S { float f[2]; }; in S s; => ArrayInside
+            struct S { float f; }; struct T { S s; }; in T t; => StructInside
+            struct S { bool b; }; in S s; => BoolInside
+        ";
+        finds(include_str!("interface.rs"), "InterfaceError", table);
+    }
+}

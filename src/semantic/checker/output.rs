@@ -1,0 +1,117 @@
+//! The outputs of a fragment shader, and their locations (GLSL ES 3.00 section 4.3.8.2).
+
+use super::qualifier::{Qualified, Wanted};
+use super::*;
+
+/// Most outputs of a fragment shader.
+const MAX_DRAW_BUFFERS: u64 = 8;
+
+/// What is wrong with the outputs of a fragment shader.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum OutputError {
+    /// A location that is not among so many.
+    Outside(Name, u64),
+    /// The location of another output.
+    Shared(Name, Ident, u64),
+    /// An output of the user's beside that of the host.
+    BesideHosts(Name),
+    /// One of several outputs, without a location.
+    NoLocation(Name),
+    /// Both of the language's own outputs; where the first is used.
+    ColorAndData(TokenId),
+}
+
+/// An output of a fragment shader.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) struct Output {
+    pub ident: Ident,
+    location: Option<i32>,
+    size: u32,
+}
+
+impl Checker<'_> {
+    /// Remembers an output for the check of locations.
+    pub(super) fn note_output(&mut self, declarator: &Declarator, qualified: &Qualified, ty: Type) {
+        if self.stage == Stage::Fragment
+            && qualified.storage == Wanted::Out
+            && self.has(Feature::InOut)
+            && !ty.is_error()
+        {
+            self.outputs.push(Output {
+                ident: declarator.ident,
+                location: qualified.layout.location,
+                size: ty.array.max(1),
+            });
+        }
+    }
+
+    /// Outputs must not share a location, and several must all have one (section 4.3.8.2).
+    pub(super) fn check_outputs(&mut self) {
+        let outputs = std::mem::take(&mut self.outputs);
+        let mut taken: [Option<Ident>; MAX_DRAW_BUFFERS as usize] = Default::default();
+        for output in &outputs {
+            let (name, at) = (output.ident.name, Extent::token(output.ident.token));
+            let first = output.location.unwrap_or(0) as u64;
+            if first + output.size as u64 > MAX_DRAW_BUFFERS {
+                self.reject(at, OutputError::Outside(name, MAX_DRAW_BUFFERS));
+                continue;
+            }
+            if output.location.is_none() {
+                continue;
+            }
+            for location in first..first + output.size as u64 {
+                match taken.get_mut(location as usize) {
+                    Some(slot @ None) => *slot = Some(output.ident),
+                    Some(Some(other)) => {
+                        let other = *other;
+                        self.reject(at, OutputError::Shared(name, other, location));
+                        break;
+                    }
+                    None => {}
+                }
+            }
+        }
+        if outputs.len() > 1 {
+            self.check_locations_given(&outputs);
+        }
+    }
+
+    fn check_locations_given(&mut self, outputs: &[Output]) {
+        let Some(without) = outputs.iter().find(|o| o.location.is_none()) else {
+            return;
+        };
+        // The output of ShaderToy's own header has none: the user's is one too many.
+        let users = outputs.iter().find(|o| !self.is_prelude(o.ident.token));
+        if let (true, Some(output)) = (self.is_prelude(without.ident.token), users) {
+            let at = Extent::token(output.ident.token);
+            return self.reject(at, OutputError::BesideHosts(output.ident.name));
+        }
+        let at = Extent::token(without.ident.token);
+        self.reject(at, OutputError::NoLocation(without.ident.name));
+    }
+
+    /// `gl_FragColor` and `gl_FragData` exclude each other.
+    pub(super) fn check_fragment_variables(&mut self) {
+        if let (Some(color), Some(data)) = (self.frag_color, self.frag_data) {
+            let at = Extent::token(color.max(data));
+            self.reject(at, OutputError::ColorAndData(color.min(data)));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn outputs() {
+        let table = r"
+            layout(location = 8) out vec4 c; void main() {} => Outside
+            layout(location = 0) out vec4 c; layout(location = 0) out vec4 d; void main() {} => Shared
+            image: out vec4 c; void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0); } => BesideHosts
+            out vec4 c; layout(location = 1) out vec4 d; void main() {} => NoLocation
+            fragment 100: void main() { gl_FragColor = vec4(0.0); gl_FragData[0] = vec4(0.0); } => ColorAndData
+        ";
+        finds(include_str!("output.rs"), "OutputError", table);
+    }
+}

@@ -1,0 +1,198 @@
+//! `switch` and its labels (GLSL ES 3.00 section 6.2).
+
+use super::super::constant::Value;
+use super::*;
+
+/// What is wrong with a `switch`.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::semantic) enum SwitchError {
+    /// A selector that is no integer.
+    Selector(ExprId),
+    /// A label that is no integer.
+    Label(ExprId),
+    /// A label that is not constant.
+    NotConstant(ExprId),
+    /// A label of another type than the selector, and that type.
+    LabelType(ExprId, Type),
+    /// `case` or `default` outside of it.
+    Outside(&'static str),
+    /// A label that stands there already, at this token.
+    Twice(TokenId),
+    /// A last label with nothing behind it but what the browser drops.
+    NothingBehind(Option<Extent>),
+    /// A statement before the first label.
+    BeforeLabels,
+}
+
+impl Checker<'_> {
+    pub(super) fn switch(&mut self, selector: ExprId, body: List) {
+        self.root(selector, self.level + 1);
+        let ty = self.ty(selector);
+        let is_integer = matches!(ty, Type::INT | Type::UINT);
+        if !is_integer && !ty.is_error() {
+            let at = self.tree.expr(selector).extent;
+            self.reject(at, SwitchError::Selector(selector));
+        }
+        let selector_type = if is_integer { ty } else { Type::ERROR };
+        self.open_scope();
+        self.open_flow(FlowKind::Switch(selector_type));
+        self.level += 2;
+        self.statements(body);
+        self.level -= 2;
+        self.check_last_label(body);
+        self.close_flow();
+        self.close_scope();
+    }
+
+    /// Behind the last label of a `switch` must stand a statement that the browser keeps.
+    fn check_last_label(&mut self, body: List) {
+        let tree = self.tree;
+        let mut dropped = None;
+        for &last in tree.block(body).iter().rev() {
+            match tree.stmt(last).kind {
+                StmtKind::Case(_) | StmtKind::Default => {
+                    let extent = tree.stmt(last).extent;
+                    return self.reject(extent, SwitchError::NothingBehind(dropped));
+                }
+                _ if self.is_dropped(last) => dropped = Some(tree.stmt(last).extent),
+                _ => return,
+            }
+        }
+    }
+
+    /// Whether a statement is of a kind that [`Checker::is_dropped`] may speak of.
+    pub(super) fn may_be_dropped(&self, id: StmtId) -> bool {
+        match self.tree.stmt(id).kind {
+            StmtKind::If { .. } => true,
+            StmtKind::Decl(decl) => {
+                let kind = self.tree.decl(decl).map(|d| d.kind);
+                matches!(kind, Some(DeclKind::Precision { .. }))
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether nothing of a statement is left in the browser's tree: `precision`, and an `if` whose
+    /// constant condition chooses a branch that is not there, or is dropped itself.
+    pub(super) fn is_dropped(&self, id: StmtId) -> bool {
+        let mut at = id;
+        loop {
+            let StmtKind::If {
+                condition,
+                then,
+                otherwise,
+            } = self.tree.stmt(at).kind
+            else {
+                return self.may_be_dropped(at);
+            };
+            let info = self.info(condition);
+            let known = self.pool.scalar(info.constant).filter(|_| info.is_const);
+            match known.map(|v| v.as_bool()) {
+                Some(true) => at = then,
+                Some(false) => match otherwise {
+                    Some(otherwise) => at = otherwise,
+                    None => return true,
+                },
+                None => return false,
+            }
+        }
+    }
+
+    pub(super) fn case(&mut self, value: ExprId, extent: Extent) {
+        self.root(value, self.level + 1);
+        let (info, at) = (self.info(value), self.tree.expr(value).extent);
+        if info.ty.is_error() {
+            return self.label_unknown();
+        }
+        if !matches!(info.ty, Type::INT | Type::UINT) {
+            self.reject(at, SwitchError::Label(value));
+            return self.label_unknown();
+        }
+        if info.is_const && !info.constant.is_known() {
+            return self.label_unknown();
+        }
+        let Some(label) = self.pool.scalar(info.constant).filter(|_| info.is_const) else {
+            self.reject(at, SwitchError::NotConstant(value));
+            return self.label_unknown();
+        };
+        let number = match label {
+            Value::Uint(v) => v as i64,
+            v => v.as_int() as i64,
+        };
+        self.label(Some((number, value, info.ty)), extent.first);
+    }
+
+    /// A label that was reported still makes the statements behind it reachable.
+    fn label_unknown(&mut self) {
+        if let Some(Flow {
+            kind: FlowKind::Switch(_),
+            labels,
+            ..
+        }) = self.flow.last_mut()
+        {
+            labels.insert(Some(i64::MIN + labels.len() as i64), 0);
+        }
+    }
+
+    /// A `case` with its value, or `default`.
+    pub(super) fn label(&mut self, case: Option<(i64, ExprId, Type)>, token: TokenId) {
+        let Some(Flow {
+            kind: FlowKind::Switch(selector),
+            labels,
+            ..
+        }) = self.flow.last_mut()
+        else {
+            let word = if case.is_some() { "case" } else { "default" };
+            return self.reject(Extent::token(token), SwitchError::Outside(word));
+        };
+        let selector = *selector;
+        let value = case.map(|(v, ..)| v);
+        let first = *labels.entry(value).or_insert(token);
+        if first != token {
+            return self.reject(Extent::token(token), SwitchError::Twice(first));
+        }
+        if let Some((_, expr, ty)) = case
+            && !selector.is_error()
+            && ty != selector
+        {
+            let at = self.tree.expr(expr).extent;
+            self.reject(at, SwitchError::LabelType(expr, selector));
+        }
+    }
+
+    /// No statement of a `switch` may stand before its first label.
+    pub(super) fn check_label_before(&mut self, extent: Extent) {
+        if let Some(Flow {
+            kind: FlowKind::Switch(_),
+            labels,
+            ..
+        }) = self.flow.last_mut()
+            && labels.is_empty()
+        {
+            // Reported once.
+            labels.insert(Some(i64::MIN), 0);
+            self.reject(extent, SwitchError::BeforeLabels);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn switches() {
+        let table = [
+            "switch (1.0) {} => Selector",
+            "switch (1) { case 1.0: break; } => Label",
+            "int i; switch (1) { case i: break; } => NotConstant",
+            "switch (1) { case 1u: break; } => LabelType",
+            "default: break; => Outside",
+            "switch (1) { case 1: case 1: break; } => Twice",
+            "switch (1) { case 1: } => NothingBehind",
+            "switch (1) { discard; case 1: break; } => BeforeLabels",
+        ];
+        let table = table.map(|row| format!("void main() {{ {}", row.replace(" =>", " } =>")));
+        finds(include_str!("switch.rs"), "SwitchError", &table.join("\n"));
+    }
+}

@@ -1,0 +1,93 @@
+//! Code in, what is wrong with it out, before words are made of it: a table for each area.
+
+use super::*;
+use crate::semantic::Pass;
+use crate::syntax::{Language, parse, preprocess};
+
+/// Checks a table of lines `code => what is found first`, and that each variant of the enum `name`
+/// in `source` is found and explained with a message of one line.
+///
+/// The code is a fragment shader of GLSL ES 3.00, unless it starts with another stage: `vertex:`,
+/// `fragment 100:`, `vertex 100:`, or `image:` for a pass of ShaderToy.
+#[track_caller]
+pub(super) fn finds(source: &str, name: &str, table: &str) {
+    let mut all = Vec::new();
+    for row in table.lines().map(str::trim).filter(|row| !row.is_empty()) {
+        let (code, wanted) = row.rsplit_once(" => ").expect(row);
+        let (stage, code) = match code.split_once(": ") {
+            Some((stage, code)) if STAGES.contains(&stage) => (stage, code),
+            _ => ("fragment", code),
+        };
+        let (found, diagnostics) = check(stage, code);
+        let first = found.first().map(|f| variant(f));
+        assert_eq!(first, Some(wanted), "{code}: {found:?}");
+        for d in diagnostics {
+            let ends_well = !d.message.is_empty() && !d.message.ends_with('.');
+            assert!(ends_well && !d.message.contains('\n'), "{d:?}");
+        }
+        all.push(wanted);
+    }
+    for one in variants(source, name) {
+        assert!(all.contains(&one), "no code for `{name}::{one}`");
+    }
+}
+
+const STAGES: [&str; 5] = ["vertex", "vertex 100", "fragment", "fragment 100", "image"];
+
+fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
+    let (stage, dialect, head) = match stage {
+        "vertex" => (Stage::Vertex, Dialect::WebGl, "#version 300 es\n"),
+        "vertex 100" => (Stage::Vertex, Dialect::WebGl, ""),
+        "fragment" => (
+            Stage::Fragment,
+            Dialect::WebGl,
+            "#version 300 es\nprecision highp float;\n",
+        ),
+        "fragment 100" => (Stage::Fragment, Dialect::WebGl, "precision highp float;\n"),
+        "image" => (Stage::Fragment, Dialect::ShaderToy(Pass::Image), ""),
+        _ => panic!("{stage} is no stage"),
+    };
+    let mut sources = Sources::new();
+    let prelude = dialect.host().prelude([None; 4]);
+    let files = [
+        sources.add("prelude", None, Role::Prelude, prelude),
+        sources.add("test", None, Role::User, format!("{head}{code}")),
+    ];
+    let files: Vec<_> = files.into_iter().flatten().collect();
+    let is_fragment = stage == Stage::Fragment;
+    let mut read = preprocess(&sources, &files, is_fragment);
+    let language = Language {
+        version: read.version,
+        is_fragment,
+    };
+    let parse = parse(&sources, &mut read.tokens, &read.names, language);
+    let parsed = Parsed {
+        has_errors: !parse.diagnostics.is_empty(),
+        sources: Arc::new(sources),
+        tokens: read.tokens,
+        names: read.names,
+        tree: parse.tree,
+        version: read.version,
+    };
+    let checker = look(&parsed, stage, dialect, [None; 4], Doubts::default());
+    (checker.rejected, checker.diagnostics)
+}
+
+/// The name of a variant, without what it holds.
+fn variant(debug: &str) -> &str {
+    let end = debug.find(|c: char| !c.is_alphanumeric());
+    &debug[..end.unwrap_or(debug.len())]
+}
+
+/// The variants of an enum, as its source lists them.
+fn variants<'a>(source: &'a str, name: &str) -> Vec<&'a str> {
+    let start = source.find(&format!("enum {name} {{")).expect(name);
+    let lines = source[start..]
+        .lines()
+        .skip(1)
+        .map_while(|line| (line != "}").then_some(line.strip_prefix("    ")?));
+    lines
+        .filter(|line| line.starts_with(char::is_uppercase))
+        .map(variant)
+        .collect()
+}

@@ -1,0 +1,65 @@
+//! What is wrong with the function at which a shader starts.
+
+use super::*;
+
+impl Explain for EntryError {
+    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+        use EntryError as E;
+        let missing =
+            |message: &str| Diagnostic::error(error::MISSING_MAIN, c.start_of_shader(), message);
+        let main = |message| {
+            c.error(error::FUNCTION_MISMATCH, at, message)
+                .help("write `void main()`")
+        };
+        match self {
+            E::Missing => missing("the shader has no `main`")
+                .note("every shader starts at `void main()` (section 6.1)"),
+            E::MissingCalled(entry) => missing(&format!("the pass has no `{}`", entry.name))
+                .note("the player calls it for every pixel or sample")
+                .help(format!("define `{}`", entry.signature)),
+            E::Unwrapped => {
+                let message = "`mainImage` is ShaderToy's; WebGL2 calls `main`";
+                c.wrap_main(c.error(error::UNWRAPPED_MAINIMAGE, at, message))
+            }
+            E::Signature(entry) => {
+                let name = entry.name;
+                let message = format!("`{name}` is not declared as the player calls it");
+                c.error(error::MAINIMAGE_SIGNATURE, at, message)
+                    .help(format!("write `{}`", entry.signature))
+            }
+            E::MainParameters => main("`main` takes no parameters"),
+            E::MainReturns => main("`main` returns nothing"),
+        }
+    }
+}
+
+impl Checker<'_> {
+    /// The place for what is missing from the shader as a whole: the start of its last text.
+    fn start_of_shader(&self) -> Span {
+        let end = self.tokens.tokens.last().map_or(0, |t| t.span.end);
+        self.sources
+            .code_at(end)
+            .map_or(Span::default(), |f| Span::at(f.base))
+    }
+
+    /// Adds the `main` that calls `mainImage`.
+    fn wrap_main(&self, d: Diagnostic) -> Diagnostic {
+        let end = self.tokens.tokens.last().map_or(0, |t| t.span.end);
+        let output = self
+            .outputs
+            .first()
+            .map(|o| self.text(o.ident.name).to_string());
+        let mut text = String::from("\n");
+        let name = output.unwrap_or_else(|| {
+            text.push_str("out vec4 fragColor;\n");
+            "fragColor".to_string()
+        });
+        text.push_str(&format!(
+            "void main() {{\n    mainImage({name}, gl_FragCoord.xy);\n}}\n"
+        ));
+        d.help("`shaderport` makes the whole page").fix(Fix::safe(
+            "add a `main` that calls it",
+            vec![Edit::insert(end, text)],
+        ))
+    }
+}

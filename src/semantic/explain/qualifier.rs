@@ -1,0 +1,112 @@
+//! What is wrong with qualifiers, or with a precision.
+
+use super::*;
+use crate::text::Role;
+
+impl Explain for QualifierError {
+    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+        use QualifierError as E;
+        let say = |message: &str| c.error(error::INVALID_QUALIFIER, at, message);
+        let written = c.sources.text(c.span(at));
+        let word = c.sources.text(c.token_span(at.first));
+        match self {
+            E::Local => say(&format!("a local variable cannot be `{word}`")),
+            E::NotGlobal => say(&format!("`{word}` can only stand at global scope")),
+            E::Later => {
+                let message = format!("`{word}` needs `#version 300 es` here");
+                c.error(error::NEEDS_WEBGL2, at, message)
+                    .help("in GLSL ES 1.00 write `attribute` or `varying`")
+            }
+            E::NoParameter => say("`inout` is for parameters"),
+            E::NoAttribute => say("`attribute` is for vertex shaders"),
+            E::Together => say("these qualifiers cannot stand together"),
+            E::Twice => say("this kind of qualifier stands twice").note(ORDER),
+            E::InvariantLayout => {
+                say("`invariant` and `layout` cannot stand in one declaration").note(ORDER)
+            }
+            E::Order => say("the qualifiers stand in the wrong order").note(ORDER),
+            E::Parameter => {
+                let message = format!("a parameter cannot be `{written}` here");
+                c.error(error::INVALID_PARAMETER, at, message)
+                    .note("a parameter is `in`, `const in`, `out` or `inout` (section 4.6)")
+            }
+            E::Returned => say(&format!("a function's return type cannot be `{written}`")),
+            E::Alone(storage) => say(&format!("`{}` needs `in` or `out` behind it", storage.name()))
+                .note("only what passes between stages is interpolated (section 4.3.9)"),
+            E::Invariant => say("this cannot be `invariant`")
+                .note("only outputs can be invariant (section 4.6.1)"),
+            E::InvariantVariable(name) => say(&format!("`{}` cannot be invariant", c.text(name)))
+                .note("only outputs can be (section 4.6.1)"),
+            E::Afterwards => say("only `invariant` can be given afterwards"),
+            E::Undeclared(name) => {
+                let message = format!("nothing declares `{}`", c.text(name));
+                c.error(error::UNDECLARED_NAME, at, message)
+            }
+            E::Incomplete(name) => {
+                let name = c.text(name);
+                let message = format!("`{name}` stands where a type or a name is missing");
+                c.error(error::SYNTAX_ERROR, at, message)
+            }
+            E::NoPrecision(ty) => say(&format!("`{}` has no precision", c.name_of(ty))),
+            E::MissingPrecision(ty) => c.missing_precision(ty, at),
+            E::DefaultPrecision => say(&format!("a default precision cannot be set for `{written}`"))
+                .note("it can be set for `float`, `int` and samplers; vectors follow `float` (section 4.5.4)"),
+        }
+    }
+}
+
+const ORDER: &str =
+    "the order is: invariant, flat or smooth, layout, storage, precision (section 4.7)";
+
+impl Checker<'_> {
+    fn missing_precision(&self, ty: Type, at: Extent) -> Diagnostic {
+        let name = self.name_of(ty);
+        let (line, why) = match ty.base {
+            Base::Sampler(_) => (
+                format!("precision lowp {name};"),
+                "only `sampler2D` and `samplerCube` have a default precision (section 4.5.4)",
+            ),
+            _ => (
+                format!("precision highp {name};"),
+                "a fragment shader has no default precision for `float` (section 4.5.4)",
+            ),
+        };
+        let message = format!("`{name}` has no precision here");
+        let d = self.error(error::MISSING_PRECISION, at, message).note(why);
+        match self.line_behind_version(at.first) {
+            Some(place) => d.fix(Fix::safe(
+                format!("add `{line}`"),
+                vec![Edit::insert(place, format!("{line}\n"))],
+            )),
+            None => d.help(format!("add `{line}` at the top")),
+        }
+    }
+
+    /// Address of the line behind `#version` and the `#extension`s of the file that a token stands
+    /// in: the place for declarations that come first.
+    pub(in crate::semantic) fn line_behind_version(&self, token: TokenId) -> Option<u32> {
+        let code = self.sources.code_at(self.token_span(token).start)?;
+        if code.role == Role::Prelude {
+            return None;
+        }
+        let whole = Span::new(code.base, code.base + code.text.len() as u32);
+        let inside = |span: &Span| whole.contains(*span);
+        let directives = self
+            .tokens
+            .version_span
+            .iter()
+            .chain(self.tokens.extensions.iter().map(|e| &e.span));
+        let end = directives.filter(|s| inside(s)).map(|s| s.end).max();
+        let Some(end) = end else {
+            return Some(code.base);
+        };
+        let rest = code.text.get((end - code.base) as usize..)?;
+        let newline = rest.find(['\n', '\r'])?;
+        let width = if rest.get(newline..)?.starts_with("\r\n") {
+            2
+        } else {
+            1
+        };
+        Some(end + newline as u32 + width)
+    }
+}
