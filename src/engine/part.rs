@@ -304,8 +304,7 @@ pub(super) fn shader_part(
 /// Whether a program may fill holes in a shader file. In a text that shows itself to be whole only
 /// what has no meaning in GLSL and two ends is one.
 fn may_be_template(text: &str, options: &Options) -> bool {
-    let kind = guess(text).kind;
-    let is_whole = matches!(kind, Some(Kind::Versioned | Kind::ShaderToy(_)));
+    let is_whole = guess(text).kind.is_some_and(Kind::is_whole);
     let has_ends = ["${", "{{", "<%", "{%"].iter().any(|s| text.contains(s));
     options.dialect == DialectChoice::Auto && (has_ends || !is_whole)
 }

@@ -159,7 +159,7 @@ impl Readings {
             return Some(found);
         }
         if !matches!(standing, Standing::Part | Standing::Excerpt)
-            || matches!(kind, Some(Kind::ShaderToy(_) | Kind::Versioned))
+            || kind.is_some_and(Kind::is_whole)
         {
             found.all.push(found.as_it_stands(sources, kind, options)?);
         }
@@ -435,7 +435,7 @@ fn standing(
         // A literal with nothing but the head of a shader is put together with others.
         Some(Kind::Versioned) if is_literal && !has_main(code) => Standing::Part,
         Some(Kind::Versioned) if text.place == Place::Shown => Standing::Complete,
-        Some(Kind::ShaderToy(_) | Kind::Versioned) => Standing::Whole,
+        Some(kind) if kind.is_whole() => Standing::Whole,
         Some(Kind::WebGl1) if is_literal => Standing::Part,
         Some(Kind::WebGl1) if told.has_main => {
             let is_supplied = match text.stage.or(told.stage) {

@@ -139,6 +139,13 @@ pub enum Kind {
     WebGl2,
 }
 
+impl Kind {
+    /// Whether texts of this kind are compiled as they stand, or by a host that is known.
+    pub fn is_whole(self) -> bool {
+        matches!(self, Kind::ShaderToy(_) | Kind::Versioned)
+    }
+}
+
 /// Guesses by the words of a text what it is written for. A `#version` says most, then ShaderToy's
 /// entry functions, then the words that only one version of the language has.
 pub fn guess(text: &str) -> Guess {

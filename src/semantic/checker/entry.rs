@@ -39,12 +39,9 @@ impl Checker<'_> {
     }
 
     fn missing_main(&mut self) {
-        let found = self.functions.iter().find(|f| {
-            Pass::Image
-                .host()
-                .entry
-                .is_some_and(|e| e.name == self.text(f.name))
-        });
+        let image = Pass::Image.host().entry.map(|e| e.name);
+        let is_image = |f: &&Function| image == Some(self.text(f.name));
+        let found = self.functions.iter().find(is_image);
         let decl = found.and_then(|f| self.tree.function(f.definition?));
         match decl {
             Some(decl) => self.reject(decl.header, EntryError::Unwrapped),
