@@ -54,10 +54,9 @@ pub fn above(value: f64) -> f64 {
 }
 
 fn bound(value: f64, reach: Reach) -> End {
-    let reach = if value.is_finite() {
-        reach
-    } else {
-        Reach::Loose
+    let reach = match value.is_finite() {
+        true => reach,
+        false => Reach::Loose,
     };
     // A product of zero and infinity: whatever it is, nothing is known.
     let value = if value.is_nan() { 0.0 } else { value };
@@ -66,16 +65,14 @@ fn bound(value: f64, reach: Reach) -> End {
 
 /// The lesser of two ends of different values that may both be.
 fn least(a: End, b: End) -> End {
-    match a.value.total_cmp(&b.value) {
-        std::cmp::Ordering::Less => a,
-        std::cmp::Ordering::Greater => b,
-        std::cmp::Ordering::Equal if a.reach >= b.reach => a,
-        std::cmp::Ordering::Equal => b,
-    }
+    let is_first = a.value < b.value || (a.value == b.value && a.reach >= b.reach);
+    if is_first { a } else { b }
 }
 
+/// The greater of two ends.
 fn greatest(a: End, b: End) -> End {
-    least(a.negated(), b.negated()).negated()
+    let is_first = a.value > b.value || (a.value == b.value && a.reach >= b.reach);
+    if is_first { a } else { b }
 }
 
 impl End {

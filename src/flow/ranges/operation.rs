@@ -131,15 +131,18 @@ impl Query<'_> {
                 return of(a, part + at);
             }
             OpKind::Call(function, list) => return self.call(function, list, at, get),
-            OpKind::Binary(Binary::Multiply, a, b) => match (scale(a), scale(b)) {
-                (Some(scalar), _) => Some(of(b, at)? * of(scalar, 0)?.abs()),
-                (_, Some(scalar)) => Some(of(a, at)? * of(scalar, 0)?.abs()),
-                _ => None,
-            },
-            OpKind::Binary(Binary::Divide, a, b) => match scale(b) {
-                Some(scalar) => Some(of(a, at)? / of(scalar, 0)?.abs()),
-                None => None,
-            },
+            OpKind::Binary(Binary::Multiply, a, b) => {
+                let scaled = match (scale(a), scale(b)) {
+                    (Some(scalar), _) => Some((b, scalar)),
+                    (_, scalar) => scalar.map(|scalar| (a, scalar)),
+                };
+                let both = scaled.and_then(|(v, scalar)| of(v, at).zip(of(scalar, 0)));
+                both.map(|(length, scalar)| length * scalar.abs())
+            }
+            OpKind::Binary(Binary::Divide, a, b) => {
+                let both = scale(b).and_then(|scalar| of(a, at).zip(of(scalar, 0)));
+                both.map(|(length, scalar)| length / scalar.abs())
+            }
             OpKind::Swizzle(a, lanes) => {
                 let picked = lanes.numbers().iter().fold(0u8, |mask, n| mask | 1 << n);
                 let all = module.ty(a).components();
@@ -163,8 +166,8 @@ impl Query<'_> {
                 match (transfer, args) {
                     (Transfer::Direction, [_]) => Some(Range::new(1.0, 1.0, Reach::Touched)),
                     (Transfer::Reflection, [v, normal]) => {
-                        let length = of(*v, at)?;
-                        is_unit(of(*normal, at)?).then_some(length)
+                        let (length, normal) = (of(*v, at), of(*normal, at));
+                        length.filter(|_| normal.is_some_and(is_unit))
                     }
                     _ => None,
                 }

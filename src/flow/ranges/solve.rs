@@ -22,7 +22,8 @@ pub(super) struct Known {
     slots: Vec<u32>,
     /// `None` for what never has a value.
     ranges: Vec<Option<Range>>,
-    /// By node: when the search came to it; 0 where it did not.
+    /// By node: when the search came to it; 0 where it did not. While nodes are solved together:
+    /// when the range changed last.
     numbers: Vec<u32>,
     count: u32,
     /// By node: the number of the node whose value it has, plus one; 0 where it was not asked for.
@@ -36,10 +37,22 @@ pub(super) struct Known {
 #[derive(Default, Debug)]
 struct Search {
     frames: Vec<Frame>,
-    /// The operands of the frames' nodes that are not known.
+    /// The operands that are not known, of the nodes of the frames and of those left.
     operands: Vec<Node>,
     /// Nodes whose operands have been looked at, but that hang on one whose have not.
-    left: Vec<Node>,
+    left: Vec<Left>,
+}
+
+/// A node that hangs on itself.
+#[derive(Clone, Copy, Debug)]
+struct Left {
+    node: Node,
+    /// Where its operands that were not known lie in the common list.
+    start: usize,
+    end: usize,
+    /// When it was computed last.
+    computed: u32,
+    is_turn: bool,
 }
 
 /// A node whose operands are being looked at (Tarjan, *Depth-First Search and Linear Graph
@@ -114,18 +127,24 @@ impl Known {
                 continue;
             }
             let Some(frame) = frames.pop() else { break };
-            operands.truncate(frame.start);
-            left.push(frame.node);
+            left.push(Left {
+                node: frame.node,
+                start: frame.start,
+                end: frame.end,
+                computed: 0,
+                is_turn: false,
+            });
             let number = self.numbers.get(frame.node.0 as usize).copied();
             if number == Some(frame.low) {
-                match left.get(frame.left..) {
-                    Some(&[one]) if !frame.is_own => {
-                        let range = self.compute(query, one);
-                        self.put(one, range);
+                match left.get_mut(frame.left..) {
+                    Some([one]) if !frame.is_own => {
+                        let range = self.compute(query, one.node);
+                        self.put(one.node, range);
                     }
-                    together => self.together(query, together.unwrap_or(&[])),
+                    together => self.together(query, together.unwrap_or(&mut []), operands),
                 }
                 left.truncate(frame.left);
+                operands.truncate(frame.start);
             } else if let Some(outer) = frames.last_mut() {
                 outer.low = outer.low.min(frame.low);
             }
@@ -179,7 +198,7 @@ impl Known {
             let operand = self.resolved(query, operand);
             self.get(operand).unwrap_or_else(|| {
                 operands.push(operand);
-                Some(Range::ANY)
+                None
             })
         });
         if operands.len() == start {
@@ -210,20 +229,25 @@ impl Known {
 
     /// Solves for nodes that hang on each other, given with operands mostly before what they are
     /// operands of.
-    fn together(&mut self, query: &Query, nodes: &[Node]) {
+    fn together(&mut self, query: &Query, nodes: &mut [Left], operands: &[Node]) {
         if nodes.len() > MAX_TOGETHER {
-            nodes.iter().for_each(|n| self.put(*n, Some(Range::ANY)));
+            nodes
+                .iter()
+                .for_each(|n| self.put(n.node, Some(Range::ANY)));
             return;
         }
-        let nodes: Vec<(Node, bool)> = nodes.iter().map(|n| (*n, is_turn(query, *n))).collect();
-        nodes.iter().for_each(|(n, _)| self.put(*n, None));
+        for left in &mut *nodes {
+            left.is_turn = is_turn(query, left.node);
+            self.put(left.node, None);
+        }
         for round in 0..MAX_ROUNDS {
             let mut is_changed = false;
-            for &(node, is_turn) in &nodes {
-                let range = self.compute(query, node);
-                match is_turn {
-                    true => is_changed |= self.climb(node, range, round),
-                    false => self.put(node, range),
+            for left in &mut *nodes {
+                if left.is_turn {
+                    let range = self.compute(query, left.node);
+                    is_changed |= self.climb(left.node, range, round);
+                } else {
+                    self.follow(query, left, operands);
                 }
             }
             if !is_changed {
@@ -233,19 +257,44 @@ impl Known {
         // From above the equations only narrow.
         for _ in 0..2 {
             let mut is_changed = false;
-            for &(node, _) in nodes.iter().filter(|(_, is_turn)| *is_turn) {
-                let range = self.compute(query, node);
-                is_changed |= self.get(node) != Some(range);
-                self.put(node, range);
+            for left in nodes.iter().filter(|left| left.is_turn) {
+                let range = self.compute(query, left.node);
+                is_changed |= self.change(left.node, range);
             }
             if !is_changed {
                 break;
             }
-            for &(node, _) in nodes.iter().filter(|(_, is_turn)| !is_turn) {
-                let range = self.compute(query, node);
-                self.put(node, range);
+            for left in nodes.iter_mut().filter(|left| !left.is_turn) {
+                self.follow(query, left, operands);
             }
         }
+    }
+
+    /// Computes a node again if one of its operands has changed since.
+    fn follow(&mut self, query: &Query, left: &mut Left, operands: &[Node]) {
+        let operands = operands.get(left.start..left.end).unwrap_or(&[]);
+        let is_old = |operand: &Node| {
+            let changed = self.numbers.get(operand.0 as usize);
+            changed.is_some_and(|changed| *changed > left.computed)
+        };
+        if operands.iter().any(is_old) {
+            let range = self.compute(query, left.node);
+            left.computed = self.count;
+            self.change(left.node, range);
+        }
+    }
+
+    /// Gives a node another range. Says whether it is another.
+    fn change(&mut self, node: Node, range: Option<Range>) -> bool {
+        if self.get(node) == Some(range) {
+            return false;
+        }
+        self.count += 1;
+        if let Some(number) = self.numbers.get_mut(node.0 as usize) {
+            *number = self.count;
+        }
+        self.put(node, range);
+        true
     }
 
     /// Adds a range to what is known where values come round. Says whether that is more.
@@ -262,8 +311,7 @@ impl Known {
                 widen(&before, after);
             }
         }
-        self.put(node, joined);
-        before != joined
+        self.change(node, joined)
     }
 }
 
