@@ -27,19 +27,32 @@ pub enum Parted {
 }
 
 /// The calls that take derivatives where the pixels may have parted, in the order of evaluation.
-pub fn gradients(module: &Module, calls: &Calls, uniformity: &Uniformity) -> Vec<Gradient> {
+pub fn gradients<'a>(
+    module: &Module,
+    calls: &Calls,
+    uniformity: impl Fn() -> &'a Uniformity,
+) -> Vec<Gradient> {
+    let ops = (0..).map(OpId).zip(&module.ops);
+    let mut taken = ops
+        .filter_map(|(call, made)| match made.kind {
+            OpKind::Builtin(function, operands) if function.kind().takes_derivatives() => {
+                Some((call, function, operands))
+            }
+            _ => None,
+        })
+        .peekable();
+    // What differs is found only for those that ask.
+    if taken.peek().is_none() {
+        return Vec::new();
+    }
+    let uniformity = uniformity();
     let mut found = Vec::new();
     let mut looped: Option<Vec<Option<LoopId>>> = None;
-    for call in (0..module.ops.len() as u32).map(OpId) {
-        let OpKind::Builtin(function, operands) = module.op(call).kind else {
-            continue;
-        };
+    for (call, function, operands) in taken {
         // What is the same everywhere has no slope; a sampler always is.
-        let is_compared = || {
-            let mut operands = module.operands(operands).iter();
-            operands.any(|o| uniformity.varies(Varying::Value(*o)))
-        };
-        if !function.kind().takes_derivatives() || !uniformity.is_divergent(call) || !is_compared()
+        let mut operands = module.operands(operands).iter();
+        if !uniformity.is_divergent(call)
+            || !operands.any(|o| uniformity.varies(Varying::Value(*o)))
         {
             continue;
         }

@@ -532,7 +532,11 @@ impl<'m> Walk<'m> {
                     let variable = Varying::Variable(module.place(place).variable);
                     self.edge(variable, value);
                 }
-                module.each_operand(id, |operand| self.edge(Varying::Value(operand), value));
+                module.each_operand(id, |operand| {
+                    if !matches!(module.op(operand).kind, OpKind::Const(_)) {
+                        self.edge(Varying::Value(operand), value);
+                    }
+                });
             }
         }
     }

@@ -123,8 +123,9 @@ impl<'a> Facts<'a> {
 
     /// The calls that take derivatives where neighbouring pixels may have parted.
     pub fn gradients(&self) -> &[Gradient] {
-        self.gradients
-            .get_or_init(|| gradients(self.module(), self.calls(), self.uniformity()))
+        self.gradients.get_or_init(|| {
+            gradients(self.module(), self.calls(), || self.uniformity())
+        })
     }
 
     /// The loops that march along a ray.

@@ -50,62 +50,90 @@ pub fn each_comparison(
     truth: bool,
     mut each: impl FnMut(OpId, bool),
 ) {
-    let mut todo = vec![(condition, truth)];
-    for _ in 0..MAX_PARTS {
-        let Some((at, truth)) = todo.pop() else {
+    let mut parts = Parts {
+        module,
+        defs,
+        left: MAX_PARTS,
+        each: &mut each,
+    };
+    parts.condition(condition, truth);
+}
+
+/// A walk over the parts of a condition, the left ones first, as long as there are not too many.
+struct Parts<'a, F> {
+    module: &'a Module,
+    defs: &'a Defs,
+    left: usize,
+    each: &'a mut F,
+}
+
+impl<F: FnMut(OpId, bool)> Parts<'_, F> {
+    fn condition(&mut self, at: OpId, truth: bool) {
+        if self.left == 0 {
             return;
-        };
-        match module.op(at).kind {
-            OpKind::Unary(Unary::Not, inner) => todo.push((inner, !truth)),
-            OpKind::Binary(Binary::And, a, b) if truth => todo.extend([(b, true), (a, true)]),
-            OpKind::Binary(Binary::Or, a, b) if !truth => todo.extend([(b, false), (a, false)]),
-            OpKind::Binary(op, ..) if op.compares() => each(at, truth),
+        }
+        self.left -= 1;
+        match self.module.op(at).kind {
+            OpKind::Unary(Unary::Not, inner) => self.condition(inner, !truth),
+            OpKind::Binary(Binary::And, a, b) if truth => {
+                self.condition(a, true);
+                self.condition(b, true);
+            }
+            OpKind::Binary(Binary::Or, a, b) if !truth => {
+                self.condition(a, false);
+                self.condition(b, false);
+            }
+            OpKind::Binary(op, ..) if op.compares() => (self.each)(at, truth),
             OpKind::Same { left, negated, .. } => {
                 // Of vectors that differ it is not known where.
-                let ty = module.ty(left);
+                let ty = self.module.ty(left);
                 if ty.is_scalar() || ty.is_vector() && truth != negated {
-                    each(at, truth);
+                    (self.each)(at, truth);
                 }
             }
-            OpKind::Load(_) => held(module, defs, defs.seen(at, 0), truth, &mut todo),
+            OpKind::Load(_) => self.held(self.defs.seen(at, 0), truth),
             _ => {}
         }
     }
-}
 
-/// What was put into a variable of type `bool` that is true or false now.
-fn held(module: &Module, defs: &Defs, def: DefId, truth: bool, todo: &mut Vec<(OpId, bool)>) {
-    match defs.get(defs.unrefined(def)) {
-        Def::Stored { value, .. } => todo.push((value, truth)),
-        Def::Merge {
+    /// What was put into a variable of type `bool` that is true or false now.
+    fn held(&mut self, def: DefId, truth: bool) {
+        let (module, defs) = (self.module, self.defs);
+        let value = |def| match defs.get(defs.unrefined(def)) {
+            Def::Stored { value, .. } => Some(value),
+            _ => None,
+        };
+        if let Some(value) = value(def) {
+            return self.condition(value, truth);
+        }
+        let Def::Merge {
             sides,
             condition: Some(condition),
             ..
-        } => {
-            let &[then, otherwise] = defs.list(sides) else {
-                return;
-            };
-            let value = |side| match defs.get(defs.unrefined(side)) {
-                Def::Stored { value, .. } => Some(value),
-                _ => None,
-            };
-            let (then, otherwise) = (value(then), value(otherwise));
-            let is_out = |side: Option<OpId>, met: bool| {
-                side.is_some_and(|value| match module.constant(value) {
-                    [known] => known.as_bool() != truth,
-                    _ => value == condition && met != truth,
-                })
-            };
-            // The side that gives the other answer was not taken.
-            if is_out(otherwise, false) {
-                todo.extend(then.filter(|v| *v != condition).map(|v| (v, truth)));
-                todo.push((condition, true));
-            } else if is_out(then, true) {
-                todo.extend(otherwise.filter(|v| *v != condition).map(|v| (v, truth)));
-                todo.push((condition, false));
-            }
+        } = defs.get(defs.unrefined(def))
+        else {
+            return;
+        };
+        let &[then, otherwise] = defs.list(sides) else {
+            return;
+        };
+        let (then, otherwise) = (value(then), value(otherwise));
+        let is_out = |side: Option<OpId>, met: bool| {
+            side.is_some_and(|value| match module.constant(value) {
+                [known] => known.as_bool() != truth,
+                _ => value == condition && met != truth,
+            })
+        };
+        // The side that gives the other answer was not taken.
+        let (met, taken) = match (is_out(otherwise, false), is_out(then, true)) {
+            (true, _) => (true, then),
+            (_, true) => (false, otherwise),
+            _ => return,
+        };
+        self.condition(condition, met);
+        if let Some(value) = taken.filter(|v| *v != condition) {
+            self.condition(value, truth);
         }
-        _ => {}
     }
 }
 
@@ -128,36 +156,54 @@ pub fn each_load(
     let Some((left, right)) = sides(module, comparison) else {
         return;
     };
-    let start = |is_right, lane| Refinement {
-        comparison,
-        truth,
-        is_right,
-        lane,
-        path: 0,
-        hops: 0,
+    let mut loads = Loads {
+        module,
+        defs,
+        left: MAX_PARTS,
+        each: &mut each,
     };
-    let mut todo = Vec::new();
-    for lane in (0..module.ty(left).components() as u8).rev() {
-        todo.push((right, lane as u32, start(true, lane)));
-        todo.push((left, lane as u32, start(false, lane)));
+    for lane in 0..module.ty(left).components() as u8 {
+        for (is_right, side) in [(false, left), (true, right)] {
+            let way = Refinement {
+                comparison,
+                truth,
+                is_right,
+                lane,
+                path: 0,
+                hops: 0,
+            };
+            loads.part(side, lane as u32, way);
+        }
     }
-    for _ in 0..MAX_PARTS {
-        let Some((op, lane, way)) = todo.pop() else {
+}
+
+/// A walk over what a comparison is made of.
+struct Loads<'a, F> {
+    module: &'a Module,
+    defs: &'a Defs,
+    left: usize,
+    each: &'a mut F,
+}
+
+impl<F: FnMut(OpId, u32, Refinement)> Loads<'_, F> {
+    fn part(&mut self, op: OpId, lane: u32, way: Refinement) {
+        if self.left == 0 {
             return;
-        };
-        if let OpKind::Load(_) = module.op(op).kind {
-            each(op, lane, way);
+        }
+        self.left -= 1;
+        if let OpKind::Load(_) = self.module.op(op).kind {
+            (self.each)(op, lane, way);
         }
         if way.hops >= MAX_HOPS {
-            continue;
+            return;
         }
-        let hops = [2, 1, 0].into_iter().filter_map(|choice| {
-            let (op, lane) = hop(module, defs, op, lane, choice)?;
-            let path = way.path | (choice as u32) << (2 * way.hops);
-            let hops = way.hops + 1;
-            Some((op, lane, Refinement { path, hops, ..way }))
-        });
-        todo.extend(hops);
+        for choice in 0..3 {
+            if let Some((op, lane)) = hop(self.module, self.defs, op, lane, choice) {
+                let path = way.path | (choice as u32) << (2 * way.hops);
+                let hops = way.hops + 1;
+                self.part(op, lane, Refinement { path, hops, ..way });
+            }
+        }
     }
 }
 

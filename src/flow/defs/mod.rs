@@ -121,10 +121,12 @@ pub struct Defs {
     pub layout: Layout,
     /// By variable: its first slot; at the end, how many slots there are.
     slots: Vec<u32>,
+    /// By slot: the number of the variable that it belongs to.
+    variables: Vec<u32>,
     /// By operation: its first lane; at the end, how many lanes there are.
     lanes: Vec<u32>,
-    /// By lane: the operation that it belongs to.
-    owners: Vec<OpId>,
+    /// By lane: the number of the operation that it belongs to.
+    owners: Vec<u32>,
     /// By lane of an operation that loads: what it sees.
     seen: Vec<DefId>,
     defs: Vec<Def>,
@@ -198,7 +200,7 @@ impl Defs {
 
     /// The operation that a lane belongs to, and which of its lanes it is.
     pub fn op_at(&self, lane: u32) -> (OpId, u32) {
-        let op = self.owners.get(lane as usize).copied().unwrap_or(OpId(0));
+        let op = OpId(self.owners.get(lane as usize).copied().unwrap_or(0));
         (op, lane - self.first_lane(op))
     }
 
@@ -211,10 +213,9 @@ impl Defs {
 
     /// The variable that a slot belongs to, and which of its lanes it is.
     pub fn variable_at(&self, slot: Slot) -> (VariableId, u32) {
-        let at = self.slots.partition_point(|first| *first <= slot.0);
-        let variable = at.saturating_sub(1);
-        let first = self.slots.get(variable).copied().unwrap_or(0);
-        (VariableId(variable as u32), slot.0.saturating_sub(first))
+        let number = self.variables.get(slot.0 as usize).copied().unwrap_or(0);
+        let first = self.slots.get(number as usize).copied().unwrap_or(0);
+        (VariableId(number), slot.0.saturating_sub(first))
     }
 
     /// The slot of a lane of a variable.

@@ -93,17 +93,21 @@ impl Spot {
         self.picks.iter().any(|(count, _)| *count > 1)
     }
 
+    /// The slot of a lane, where no computed number picks among columns or components.
+    pub(super) fn slot(&self, lane: u32) -> Option<Slot> {
+        let at = match self.lanes {
+            Some(lanes) => *lanes.numbers().get(lane as usize)? as u32,
+            None => lane,
+        };
+        Some(Slot(self.first.0 + at))
+    }
+
     /// The slots that a lane may stand for; the length of picked components has none.
     pub(super) fn slots(&self, lane: u32) -> impl Iterator<Item = Slot> {
-        let at = match self.lanes {
-            Some(lanes) => lanes.numbers().get(lane as usize).map(|n| *n as u32),
-            None => Some(lane),
-        };
         let [(outer, far), (inner, near)] = self.picks;
-        let first = self.first.0;
         let offsets = (0..outer).flat_map(move |o| (0..inner).map(move |i| o * far + i * near));
-        let all = at.map(|at| offsets.map(move |offset| Slot(first + at + offset)));
-        all.into_iter().flatten()
+        let first = self.slot(lane).into_iter();
+        first.flat_map(move |first| offsets.clone().map(move |offset| Slot(first.0 + offset)))
     }
 
     /// The vectors whose length changes when components of them are written.

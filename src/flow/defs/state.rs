@@ -70,8 +70,9 @@ impl Walker<'_> {
     /// What changed since a point in the trail, each slot once.
     pub(super) fn changes(&mut self, mark: usize) -> Changes {
         self.stamp += 1;
-        let mut changes = Vec::new();
-        for (slot, _) in self.trail.get(mark..).unwrap_or(&[]) {
+        let trail = self.trail.get(mark..).unwrap_or(&[]);
+        let mut changes = Vec::with_capacity(trail.len().min(16));
+        for (slot, _) in trail {
             let Some(stamp) = self.stamps.get_mut(slot.0 as usize) else {
                 continue;
             };
@@ -94,7 +95,8 @@ impl Walker<'_> {
     /// Brings several ways together, each given by what changed on it since now. `since` is the
     /// first definition made on them.
     pub(super) fn merge(&mut self, ways: &[Changes], since: DefId, condition: Option<OpId>) {
-        let mut all: Vec<(Slot, u32, DefId)> = Vec::new();
+        let count = ways.iter().map(Vec::len).sum();
+        let mut all: Vec<(Slot, u32, DefId)> = Vec::with_capacity(count);
         for (way, changes) in (0..).zip(ways) {
             all.extend(changes.iter().map(|(slot, def)| (*slot, way, *def)));
         }

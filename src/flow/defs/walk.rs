@@ -2,7 +2,7 @@
 
 use super::condition::{each_comparison, each_load};
 use super::place::Spot;
-use super::{Def, DefId, Defs, Guard, Slot};
+use super::{Def, DefId, Defs, Guard, Refinement, Slot};
 use crate::flow::layout::{Layout, length_lane};
 use crate::ir::{
     self, Binary, LoopId, Module, OpId, OpKind, PlaceId, Region, Root, Run, Step, SwitchId,
@@ -64,39 +64,36 @@ pub(super) struct Walker<'m> {
     pub(super) stamps: Vec<u32>,
     pub(super) stamp: u32,
     pub(super) limit: usize,
+    /// What the condition at hand tells of which lanes of which loads.
+    told: Vec<(OpId, u32, Refinement)>,
+}
+
+/// The first lane of each of several values with so many lanes, with how many there are at the end;
+/// and by lane the number of the value that it belongs to.
+fn numbered(sizes: impl Iterator<Item = u32>) -> (Vec<u32>, Vec<u32>) {
+    let mut firsts = Vec::with_capacity(sizes.size_hint().0 + 1);
+    let mut owners = Vec::with_capacity(sizes.size_hint().0 * 2);
+    for (number, size) in (0..).zip(sizes) {
+        firsts.push(owners.len() as u32);
+        owners.resize(owners.len() + size as usize, number);
+    }
+    firsts.push(owners.len() as u32);
+    (firsts, owners)
 }
 
 impl<'m> Walker<'m> {
     fn of(program: &Program, module: &'m Module) -> Walker<'m> {
         let layout = Layout::of(program);
-        let sums = |sizes: &mut dyn Iterator<Item = u32>| {
-            let mut sum = 0u32;
-            let mut all: Vec<u32> = sizes
-                .map(|size| {
-                    let first = sum;
-                    sum = sum.saturating_add(size);
-                    first
-                })
-                .collect();
-            all.push(sum);
-            all
-        };
-        let slots = sums(&mut module.variables.iter().map(|v| layout.lanes(v.ty)));
-        let lanes = sums(&mut module.ops.iter().map(|o| layout.lanes(o.ty)));
-        let lane_count = lanes.last().copied().unwrap_or(0) as usize;
-        let mut owners = Vec::with_capacity(lane_count);
-        for (number, pair) in (0..).zip(lanes.windows(2)) {
-            if let [first, end] = pair {
-                owners.extend((*first..*end).map(|_| OpId(number)));
-            }
-        }
-        let slot_count = slots.last().copied().unwrap_or(0) as usize;
+        let (slots, variables) = numbered(module.variables.iter().map(|v| layout.lanes(v.ty)));
+        let (lanes, owners) = numbered(module.ops.iter().map(|o| layout.lanes(o.ty)));
+        let (slot_count, lane_count) = (variables.len(), owners.len());
         let functions = module.functions.len();
         let mut walker = Walker {
             module,
             defs: Defs {
                 layout,
                 slots,
+                variables,
                 lanes,
                 owners,
                 seen: vec![Defs::UNKNOWN; lane_count],
@@ -123,6 +120,7 @@ impl<'m> Walker<'m> {
             stamps: vec![0; slot_count],
             stamp: 0,
             limit: AT_LEAST.max(PER_LANE * (lane_count + slot_count)),
+            told: Vec::new(),
         };
         walker.writes = walker.global_writes();
         walker
@@ -292,18 +290,14 @@ impl<'m> Walker<'m> {
     /// What a condition that is true or false tells of the lanes that it speaks of.
     fn refine(&mut self, condition: OpId, truth: bool) {
         self.push_guard(condition, truth);
-        let mut comparisons = Vec::new();
-        each_comparison(self.module, &self.defs, condition, truth, |op, truth| {
-            comparisons.push((op, truth));
-        });
-        let mut found = Vec::new();
-        for (comparison, truth) in comparisons {
-            let (module, defs) = (self.module, &self.defs);
+        let mut told = std::mem::take(&mut self.told);
+        let (module, defs) = (self.module, &self.defs);
+        each_comparison(module, defs, condition, truth, |comparison, truth| {
             each_load(module, defs, comparison, truth, |load, lane, by| {
-                found.push((load, lane, by));
+                told.push((load, lane, by));
             });
-        }
-        for (load, lane, by) in found {
+        });
+        for &(load, lane, by) in &told {
             let OpKind::Load(place) = self.module.op(load).kind else {
                 continue;
             };
@@ -319,6 +313,8 @@ impl<'m> Walker<'m> {
                 self.set(slot, refined);
             }
         }
+        told.clear();
+        self.told = told;
     }
 
     /// The one slot that a lane of a place is.
@@ -330,7 +326,7 @@ impl<'m> Walker<'m> {
         if lane >= spot.width(&self.defs.layout) {
             return spot.length();
         }
-        spot.slots(lane).next()
+        spot.slot(lane)
     }
 
     fn spot(&self, place: PlaceId) -> Option<Spot> {
@@ -435,10 +431,11 @@ impl<'m> Walker<'m> {
                     }
                 }
                 OpKind::Call(function, _) => {
-                    let all = self.writes.get(function.0 as usize);
-                    for slot in all.cloned().unwrap_or_default() {
+                    let writes = std::mem::take(&mut self.writes);
+                    for &slot in writes.get(function.0 as usize).into_iter().flatten() {
                         self.note(slot, &mut written);
                     }
+                    self.writes = writes;
                 }
                 _ => {}
             }
@@ -597,11 +594,12 @@ impl<'m> Walker<'m> {
                 if let Some(list) = self.defs.calls.get_mut(function.0 as usize) {
                     list.push(op);
                 }
-                let all = self.writes.get(function.0 as usize);
-                for slot in all.cloned().unwrap_or_default() {
+                let writes = std::mem::take(&mut self.writes);
+                for &slot in writes.get(function.0 as usize).into_iter().flatten() {
                     let entry = self.define(Def::Entry(slot));
                     self.set(slot, entry);
                 }
+                self.writes = writes;
             }
             _ => {}
         }
@@ -639,7 +637,7 @@ impl<'m> Walker<'m> {
 
     fn lane_of(&mut self, spot: Spot, lane: u32) -> DefId {
         if !spot.is_picked() {
-            let slot = spot.slots(lane).next();
+            let slot = spot.slot(lane);
             return slot.map_or(Defs::UNKNOWN, |slot| self.get(slot));
         }
         let sides: Vec<DefId> = spot.slots(lane).map(|slot| self.get(slot)).collect();
@@ -665,25 +663,32 @@ impl<'m> Walker<'m> {
         let root = self.module.variable(self.module.place(place).variable);
         let is_global = root.is_some_and(|v| matches!(v.root, Root::Global | Root::Output));
         for lane in 0..width {
-            for slot in spot.slots(lane) {
-                let mut def = self.define(Def::Stored { value, lane });
-                if is_weak {
-                    let before = self.get(slot);
-                    let sides = self.list(&[before, def]);
-                    def = self.define(Def::Merge {
-                        sides,
-                        condition: None,
-                        is_choice: false,
-                    });
+            if !is_weak {
+                if let Some(slot) = spot.slot(lane) {
+                    let def = self.define(Def::Stored { value, lane });
+                    self.put(slot, def, is_global);
                 }
+                continue;
+            }
+            for slot in spot.slots(lane) {
+                let def = self.define(Def::Stored { value, lane });
+                let before = self.get(slot);
+                let sides = self.list(&[before, def]);
+                let def = self.define(Def::Merge {
+                    sides,
+                    condition: None,
+                    is_choice: false,
+                });
                 self.put(slot, def, is_global);
             }
         }
         for (first, rows) in spot.vectors() {
-            let parts: Vec<DefId> = (0..rows as u32)
-                .map(|row| self.get(Slot(first.0 + row)))
-                .collect();
-            let length = self.measured(&parts);
+            let mut parts = [Defs::UNKNOWN; 4];
+            let parts = parts.get_mut(..rows as usize).unwrap_or(&mut []);
+            for (part, row) in parts.iter_mut().zip(0..) {
+                *part = self.get(Slot(first.0 + row));
+            }
+            let length = self.measured(parts);
             self.put(Slot(first.0 + rows as u32), length, is_global);
         }
     }

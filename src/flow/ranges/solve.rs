@@ -90,18 +90,22 @@ impl Known {
     }
 
     /// The node whose value a node has.
+    #[inline]
     fn resolved(&self, query: &Query, node: Node) -> Node {
-        let Some(known) = self.resolved.get(node.0 as usize) else {
-            return node;
-        };
-        match known.get().checked_sub(1) {
+        let known = self.resolved.get(node.0 as usize).map_or(0, Cell::get);
+        match known.checked_sub(1) {
             Some(number) => Node(number),
-            None => {
-                let found = query.resolved(node);
-                known.set(found.0 + 1);
-                found
-            }
+            None => self.resolve(query, node),
         }
+    }
+
+    #[inline(never)]
+    fn resolve(&self, query: &Query, node: Node) -> Node {
+        let found = query.resolved(node);
+        if let Some(known) = self.resolved.get(node.0 as usize) {
+            known.set(found.0 + 1);
+        }
+        found
     }
 
     fn search(&mut self, query: &Query, root: Node, search: &mut Search) {
