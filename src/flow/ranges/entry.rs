@@ -4,7 +4,7 @@ use super::back::Wanted;
 use super::builtin::of_host;
 use super::interval::Range;
 use super::node::{Node, Subject};
-use super::{Query, fit, number};
+use super::{Query, fitting, number};
 use crate::flow::defs::{Def, DefId, Refinement, Slot, each_comparison, each_load};
 use crate::ir::{Binary, LoopId, OpKind, Root};
 use crate::semantic::{Scalar, Type};
@@ -55,8 +55,11 @@ impl Query<'_> {
     ) -> Option<Range> {
         match node.subject(self.defs) {
             Subject::Lane(op, lane) => {
-                let range = self.operation(op, lane, get)?;
-                Some(self.fit(op, lane, range))
+                let mut range = self.operation(op, lane, get);
+                if let Some(range) = &mut range {
+                    self.fit(op, lane, range);
+                }
+                range
             }
             Subject::Def(def) => self.definition(def, get),
         }
@@ -207,7 +210,7 @@ impl Query<'_> {
                 sources: source,
                 ..Range::ANY
             };
-            fit(ty.element().scalar_kind(), any)
+            fitting(ty.element().scalar_kind(), any)
         };
         let variable = self.module.variable(id)?;
         let mut range = match variable.root {
@@ -277,7 +280,7 @@ impl Query<'_> {
         let scalar = variable.ty.element().scalar_kind().filter(|_| lane < rows);
         Range {
             sources: source,
-            ..fit(scalar, range)
+            ..fitting(scalar, range)
         }
     }
 }

@@ -225,17 +225,17 @@ impl<'x> Query<'x> {
     }
 
     /// Integers are whole, and wrap round where they are too large.
-    fn fit(&self, op: OpId, lane: u32, range: Range) -> Range {
+    fn fit(&self, op: OpId, lane: u32, range: &mut Range) {
         let ty = self.module.ty(op);
-        if length_lane(ty) == Some(lane) {
-            return range;
+        let scalar = ty.element().scalar_kind();
+        if scalar != Some(Scalar::Float) && length_lane(ty) != Some(lane) {
+            *range = fitting(scalar, *range);
         }
-        fit(ty.element().scalar_kind(), range)
     }
 }
 
 /// See [`Query::fit`].
-fn fit(scalar: Option<Scalar>, range: Range) -> Range {
+fn fitting(scalar: Option<Scalar>, range: Range) -> Range {
     let (lo, hi) = match scalar {
         Some(Scalar::Int) => (i32::MIN as f64, i32::MAX as f64),
         Some(Scalar::Uint) => (0.0, u32::MAX as f64),

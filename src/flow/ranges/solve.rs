@@ -81,12 +81,12 @@ impl Known {
         }
         let root = self.resolved(query, root);
         if let Some(known) = self.get(root) {
-            return known;
+            return *known;
         }
         let mut search = std::mem::take(&mut self.search);
         self.search(query, root, &mut search);
         self.search = search;
-        self.get(root).flatten()
+        self.get(root).copied().flatten()
     }
 
     /// The node whose value a node has.
@@ -168,9 +168,10 @@ impl Known {
         }
     }
 
-    fn get(&self, node: Node) -> Option<Option<Range>> {
+    #[inline]
+    fn get(&self, node: Node) -> Option<&Option<Range>> {
         let slot = self.slots.get(node.0 as usize)?.checked_sub(1)?;
-        self.ranges.get(slot as usize).copied()
+        self.ranges.get(slot as usize)
     }
 
     fn put(&mut self, node: Node, range: Option<Range>) {
@@ -200,10 +201,11 @@ impl Known {
         let start = operands.len();
         let range = query.compute(node, &mut |operand| {
             let operand = self.resolved(query, operand);
-            self.get(operand).unwrap_or_else(|| {
+            let known = self.get(operand);
+            if known.is_none() {
                 operands.push(operand);
-                None
-            })
+            }
+            *known.unwrap_or(&None)
         });
         if operands.len() == start {
             self.put(node, range);
@@ -227,7 +229,7 @@ impl Known {
     fn compute(&self, query: &Query, node: Node) -> Option<Range> {
         query.compute(node, &mut |operand| {
             let operand = self.resolved(query, operand);
-            self.get(operand).unwrap_or(Some(Range::ANY))
+            *self.get(operand).unwrap_or(&Some(Range::ANY))
         })
     }
 
@@ -247,11 +249,14 @@ impl Known {
         for round in 0..MAX_ROUNDS {
             let mut is_changed = false;
             for left in &mut *nodes {
-                if left.is_turn {
-                    let range = self.compute(query, left.node);
-                    is_changed |= self.climb(left.node, range, round);
-                } else {
-                    self.follow(query, left, operands);
+                if !self.has_moved(left, operands) {
+                    continue;
+                }
+                let range = self.compute(query, left.node);
+                left.computed = self.count;
+                match left.is_turn {
+                    true => is_changed |= self.climb(left.node, range, round),
+                    false => _ = self.change(left.node, range),
                 }
             }
             if !is_changed {
@@ -269,28 +274,29 @@ impl Known {
                 break;
             }
             for left in nodes.iter_mut().filter(|left| !left.is_turn) {
-                self.follow(query, left, operands);
+                if self.has_moved(left, operands) {
+                    let range = self.compute(query, left.node);
+                    left.computed = self.count;
+                    self.change(left.node, range);
+                }
             }
         }
     }
 
-    /// Computes a node again if one of its operands has changed since.
-    fn follow(&mut self, query: &Query, left: &mut Left, operands: &[Node]) {
-        let operands = operands.get(left.start..left.end).unwrap_or(&[]);
-        let is_old = |operand: &Node| {
-            let changed = self.numbers.get(operand.0 as usize);
+    /// Whether what a node is computed from has changed since: its operands, and where values come
+    /// round, itself.
+    fn has_moved(&self, left: &Left, operands: &[Node]) -> bool {
+        let has_changed = |node: &Node| {
+            let changed = self.numbers.get(node.0 as usize);
             changed.is_some_and(|changed| *changed > left.computed)
         };
-        if operands.iter().any(is_old) {
-            let range = self.compute(query, left.node);
-            left.computed = self.count;
-            self.change(left.node, range);
-        }
+        let operands = operands.get(left.start..left.end).unwrap_or(&[]);
+        left.is_turn && has_changed(&left.node) || operands.iter().any(has_changed)
     }
 
     /// Gives a node another range. Says whether it is another.
     fn change(&mut self, node: Node, range: Option<Range>) -> bool {
-        if self.get(node) == Some(range) {
+        if self.get(node) == Some(&range) {
             return false;
         }
         self.count += 1;
@@ -303,7 +309,7 @@ impl Known {
 
     /// Adds a range to what is known where values come round. Says whether that is more.
     fn climb(&mut self, node: Node, range: Option<Range>, round: usize) -> bool {
-        let before = self.get(node).flatten();
+        let before = self.get(node).copied().flatten();
         let mut joined = match (before, range) {
             (Some(a), Some(b)) => Some(a.join(b)),
             (a, b) => a.or(b),

@@ -267,17 +267,17 @@ impl Lowerer<'_> {
     }
 
     fn add_place(&mut self, variable: VariableId, path: &[Access], ty: Type) -> PlaceId {
-        let id = PlaceId(self.module.places.len() as u32);
         let start = self.module.access_lists.len() as u32;
         self.module.access_lists.extend_from_slice(path);
-        self.module.places.push(Place {
-            variable,
-            path: List {
-                start,
-                len: path.len() as u32,
-            },
-            ty,
-        });
+        self.add_place_along(variable, start, ty)
+    }
+
+    /// A place whose way is the last of the list, from `start` on.
+    fn add_place_along(&mut self, variable: VariableId, start: u32, ty: Type) -> PlaceId {
+        let id = PlaceId(self.module.places.len() as u32);
+        let len = self.module.access_lists.len() as u32 - start;
+        let path = List { start, len };
+        self.module.places.push(Place { variable, path, ty });
         id
     }
 

@@ -10,6 +10,8 @@ use crate::syntax::ast::*;
 pub(super) struct Way {
     variable: VariableId,
     path: Vec<Access>,
+    /// The components that are picked at its end.
+    lanes: Option<Lanes>,
     pub ty: Type,
 }
 
@@ -70,6 +72,7 @@ impl Lowerer<'_> {
                 Some(Way {
                     variable,
                     path: Vec::new(),
+                    lanes: None,
                     ty: program.variable(variable)?.ty,
                 })
             }
@@ -128,7 +131,11 @@ impl Lowerer<'_> {
 
     /// Keeps a way as a place.
     pub(super) fn keep(&mut self, way: &Way) -> PlaceId {
-        self.add_place(way.variable, &way.path, way.ty)
+        let start = self.module.access_lists.len() as u32;
+        self.module.access_lists.extend_from_slice(&way.path);
+        let lanes = way.lanes.map(Access::Lanes);
+        self.module.access_lists.extend(lanes);
+        self.add_place_along(way.variable, start, way.ty)
     }
 
     /// Where an assignment to an expression writes to.
@@ -183,14 +190,8 @@ impl Lowerer<'_> {
 impl Way {
     /// Some components further on the way.
     fn take_lanes(&mut self, inner: Lanes) {
-        let lanes = match self.path.last().copied() {
-            Some(Access::Lanes(lanes)) => {
-                self.path.pop();
-                lanes.pick(inner)
-            }
-            _ => inner,
-        };
-        self.path.push(Access::Lanes(lanes));
+        let lanes = self.lanes.map_or(inner, |lanes| lanes.pick(inner));
+        self.lanes = Some(lanes);
         let scalar = self.ty.scalar_kind().unwrap_or(Scalar::Float);
         self.ty = Type::vector(scalar, lanes.count());
     }
