@@ -2,7 +2,7 @@
 
 use super::{Calls, Writes};
 use crate::ir::{Module, OpId, OpKind, Origin, PlaceId, Region, Root, Step};
-use crate::semantic::{FunctionRef, Program, VariableId};
+use crate::semantic::{FunctionRef, Program, Structure, VariableId};
 use crate::syntax::ast::ExprId;
 
 /// What a call of a function does besides giving a value.
@@ -26,7 +26,13 @@ pub struct Effects {
 
 impl Effects {
     /// Finds the effects in a shader.
-    pub fn of(program: &Program, module: &Module, calls: &Calls, writes: &Writes) -> Effects {
+    pub fn of(
+        program: &Program,
+        module: &Module,
+        structure: &Structure,
+        calls: &Calls,
+        writes: &Writes,
+    ) -> Effects {
         let mut effects = Effects {
             exprs: vec![false; program.tree.exprs.len()],
             functions: Vec::with_capacity(module.functions.len()),
@@ -54,27 +60,21 @@ impl Effects {
                 OpKind::Unknown => true,
                 _ => false,
             };
-            if let (true, Origin::Expr(e)) = (acts, module.origin(op))
-                && let Some(slot) = effects.exprs.get_mut(e.0 as usize)
-            {
-                *slot = true;
+            if let (true, Origin::Expr(expr)) = (acts, module.origin(op)) {
+                effects.add(structure, expr);
             }
         }
-        effects.hand_up(program);
         effects
     }
 
-    /// An expression does what its operands do.
-    fn hand_up(&mut self, program: &Program) {
-        let tree = &program.tree;
-        for (i, expr) in tree.exprs.iter().enumerate() {
-            let mut found = false;
-            crate::semantic::each_operand(tree, expr, |child| {
-                found |= self.has(child);
-            });
-            if let Some(slot) = self.exprs.get_mut(i) {
-                *slot |= found;
-            }
+    /// An expression does something, and so does each that it is an operand of.
+    fn add(&mut self, structure: &Structure, expr: ExprId) {
+        let mut at = Some(expr);
+        while let Some(expr) = at
+            && let Some(slot @ false) = self.exprs.get_mut(expr.0 as usize)
+        {
+            *slot = true;
+            at = structure.parent(expr);
         }
     }
 

@@ -182,8 +182,14 @@ impl<'a> Facts<'a> {
     /// Which expressions and functions do more than give a value.
     pub fn effects(&self) -> &Effects {
         self.effects.get_or_init(|| {
-            let (module, calls) = (self.module(), self.calls());
-            Effects::of(self.program, module, calls, self.writes())
+            let (module, structure) = (self.module(), self.structure());
+            Effects::of(
+                self.program,
+                module,
+                structure,
+                self.calls(),
+                self.writes(),
+            )
         })
     }
 

@@ -7,7 +7,7 @@ use rustc_hash::FxHashSet;
 
 impl Walker<'_> {
     /// By function: the slots of globals that a call of it may write to.
-    pub(super) fn global_writes(&self) -> Vec<Vec<Slot>> {
+    pub(super) fn written_globals(&self) -> Vec<Vec<Slot>> {
         let module = self.module;
         let count = module.functions.len();
         let mut own: Vec<FxHashSet<Slot>> = vec![FxHashSet::default(); count];

@@ -17,6 +17,7 @@ pub use condition::{Hop, Refinement, each_comparison, each_load};
 
 use super::layout::Layout;
 use crate::ir::{LoopId, Module, OpId, OpKind, Root};
+use crate::semantic::lists::Lists;
 use crate::semantic::{FunctionRef, Program, VariableId};
 use crate::syntax::ast::List;
 use rustc_hash::FxHashMap;
@@ -132,13 +133,13 @@ pub struct Defs {
     defs: Vec<Def>,
     lists: Vec<DefId>,
     /// By function: the calls of it.
-    calls: Vec<Vec<OpId>>,
+    calls: Lists<OpId>,
     /// By function: the values that it returns.
-    returns: Vec<Vec<OpId>>,
+    returns: Lists<OpId>,
     /// By slot of a parameter that goes back to the caller: what it holds in the end.
     exits: FxHashMap<Slot, DefId>,
-    /// By slot of a global: what is ever put there.
-    global_writes: FxHashMap<Slot, Vec<DefId>>,
+    /// By slot: what is ever put there, if it is one of a global.
+    global_writes: Lists<DefId>,
     /// By loop: the definitions made in it; the heads come first.
     loop_defs: Vec<(DefId, DefId)>,
     guards: Vec<Guard>,
@@ -225,15 +226,12 @@ impl Defs {
 
     /// The calls of a function.
     pub fn calls_of(&self, function: FunctionRef) -> &[OpId] {
-        self.calls
-            .get(function.0 as usize)
-            .map_or(&[], Vec::as_slice)
+        self.calls.get(function.0)
     }
 
     /// The values that a function returns.
     pub fn returns_of(&self, function: FunctionRef) -> &[OpId] {
-        let list = self.returns.get(function.0 as usize);
-        list.map_or(&[], Vec::as_slice)
+        self.returns.get(function.0)
     }
 
     /// What a parameter that goes back to the caller holds in the end.
@@ -243,7 +241,7 @@ impl Defs {
 
     /// What is ever put into a global.
     pub fn global_writes(&self, slot: Slot) -> &[DefId] {
-        self.global_writes.get(&slot).map_or(&[], Vec::as_slice)
+        self.global_writes.get(slot.0)
     }
 
     /// What calls pass to a lane of a parameter; `None` where nobody calls its function, or it is no

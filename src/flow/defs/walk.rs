@@ -7,6 +7,7 @@ use crate::flow::layout::{Layout, length_lane};
 use crate::ir::{
     self, Binary, LoopId, Module, OpId, OpKind, PlaceId, Region, Root, Run, Step, SwitchId,
 };
+use crate::semantic::lists::Lists;
 use crate::semantic::{FunctionRef, Program};
 use rustc_hash::FxHashMap;
 
@@ -29,8 +30,15 @@ pub(super) fn walk(program: &Program, module: &Module) -> Defs {
             walker.function(FunctionRef(number), body);
         }
     }
-    walker.defs.is_complete = !walker.is_full();
-    walker.defs
+    let is_complete = !walker.is_full();
+    let (functions, slots) = (module.functions.len(), walker.current.len());
+    Defs {
+        calls: Lists::of(functions, walker.calls.into_iter()),
+        returns: Lists::of(functions, walker.returns.into_iter()),
+        global_writes: Lists::of(slots, walker.global_writes.into_iter()),
+        is_complete,
+        ..walker.defs
+    }
 }
 
 /// A loop or `switch` that can be left from inside.
@@ -58,8 +66,14 @@ pub(super) struct Walker<'m> {
     function: Option<FunctionRef>,
     /// By function: the slots of globals that a call may write to.
     writes: Vec<Vec<Slot>>,
-    /// By parameter slot that goes back to the caller: what it holds where the function ends.
-    open_exits: FxHashMap<Slot, Vec<DefId>>,
+    /// Calls, with the function that is called.
+    calls: Vec<(u32, OpId)>,
+    /// Values that are returned, with the function.
+    returns: Vec<(u32, OpId)>,
+    /// What is put into slots of globals.
+    global_writes: Vec<(u32, DefId)>,
+    /// What parameter slots that go back to the caller hold where the function ends.
+    open_exits: Vec<(Slot, DefId)>,
     /// By slot: whether it was seen in the question at hand, by the number of the question.
     pub(super) stamps: Vec<u32>,
     pub(super) stamp: u32,
@@ -87,7 +101,6 @@ impl<'m> Walker<'m> {
         let (slots, variables) = numbered(module.variables.iter().map(|v| layout.lanes(v.ty)));
         let (lanes, owners) = numbered(module.ops.iter().map(|o| layout.lanes(o.ty)));
         let (slot_count, lane_count) = (variables.len(), owners.len());
-        let functions = module.functions.len();
         let mut walker = Walker {
             module,
             defs: Defs {
@@ -99,10 +112,10 @@ impl<'m> Walker<'m> {
                 seen: vec![Defs::UNKNOWN; lane_count],
                 defs: vec![Def::Unknown],
                 lists: Vec::new(),
-                calls: vec![Vec::new(); functions],
-                returns: vec![Vec::new(); functions],
+                calls: Lists::default(),
+                returns: Lists::default(),
                 exits: FxHashMap::default(),
-                global_writes: FxHashMap::default(),
+                global_writes: Lists::default(),
                 loop_defs: vec![(DefId(0), DefId(0)); module.loops.len()],
                 guards: Vec::new(),
                 guarded: Vec::new(),
@@ -116,13 +129,16 @@ impl<'m> Walker<'m> {
             is_alive: true,
             function: None,
             writes: Vec::new(),
-            open_exits: FxHashMap::default(),
+            calls: Vec::new(),
+            returns: Vec::new(),
+            global_writes: Vec::new(),
+            open_exits: Vec::new(),
             stamps: vec![0; slot_count],
             stamp: 0,
             limit: AT_LEAST.max(PER_LANE * (lane_count + slot_count)),
             told: Vec::new(),
         };
-        walker.writes = walker.global_writes();
+        walker.writes = walker.written_globals();
         walker
     }
 
@@ -139,18 +155,22 @@ impl<'m> Walker<'m> {
         }
         self.roll_back(0);
         self.function = None;
-        let exits = std::mem::take(&mut self.open_exits);
-        for (slot, sides) in exits {
-            let exit = match sides[..] {
+        let mut exits = std::mem::take(&mut self.open_exits);
+        exits.sort_by_key(|(slot, _)| *slot);
+        for ways in exits.chunk_by(|a, b| a.0 == b.0) {
+            let (slot, exit) = match *ways {
                 [one] => one,
-                _ => {
+                [(slot, _), ..] => {
+                    let sides: Vec<DefId> = ways.iter().map(|(_, def)| *def).collect();
                     let sides = self.list(&sides);
-                    self.define(Def::Merge {
+                    let merge = self.define(Def::Merge {
                         sides,
                         condition: None,
                         is_choice: false,
-                    })
+                    });
+                    (slot, merge)
                 }
+                [] => continue,
             };
             self.defs.exits.insert(slot, exit);
         }
@@ -161,9 +181,7 @@ impl<'m> Walker<'m> {
         let Some(function) = self.function else {
             return;
         };
-        if let Some(list) = self.defs.returns.get_mut(function.0 as usize) {
-            list.extend(value);
-        }
+        self.returns.extend(value.map(|value| (function.0, value)));
         let module = self.module;
         let Some(found) = module.function(function) else {
             return;
@@ -176,7 +194,7 @@ impl<'m> Walker<'m> {
                 for lane in 0..self.defs.layout.lanes(variable.ty) {
                     let slot = self.defs.slot(id, lane);
                     let def = self.get(slot);
-                    self.open_exits.entry(slot).or_default().push(def);
+                    self.open_exits.push((slot, def));
                 }
             }
         }
@@ -586,25 +604,27 @@ impl<'m> Walker<'m> {
         }
     }
 
+    #[inline]
     fn op(&mut self, op: OpId) {
         match self.module.op(op).kind {
             OpKind::Load(place) => self.load(op, place),
             OpKind::Store(place, value) => self.store(place, value),
-            OpKind::Call(function, _) => {
-                if let Some(list) = self.defs.calls.get_mut(function.0 as usize) {
-                    list.push(op);
-                }
-                let writes = std::mem::take(&mut self.writes);
-                for &slot in writes.get(function.0 as usize).into_iter().flatten() {
-                    let entry = self.define(Def::Entry(slot));
-                    self.set(slot, entry);
-                }
-                self.writes = writes;
-            }
+            OpKind::Call(function, _) => self.call(op, function),
             _ => {}
         }
     }
 
+    fn call(&mut self, op: OpId, function: FunctionRef) {
+        self.calls.push((function.0, op));
+        let writes = std::mem::take(&mut self.writes);
+        for &slot in writes.get(function.0 as usize).into_iter().flatten() {
+            let entry = self.define(Def::Entry(slot));
+            self.set(slot, entry);
+        }
+        self.writes = writes;
+    }
+
+    #[inline(never)]
     fn load(&mut self, op: OpId, place: PlaceId) {
         let Some(spot) = self.spot(place) else {
             return;
@@ -654,6 +674,7 @@ impl<'m> Walker<'m> {
         self.define(Def::Measured(parts))
     }
 
+    #[inline(never)]
     fn store(&mut self, place: PlaceId, value: OpId) {
         let Some(spot) = self.spot(place) else {
             return;
@@ -697,7 +718,7 @@ impl<'m> Walker<'m> {
     fn put(&mut self, slot: Slot, def: DefId, is_global: bool) {
         self.set(slot, def);
         if is_global {
-            self.defs.global_writes.entry(slot).or_default().push(def);
+            self.global_writes.push((slot.0, def));
         }
     }
 }

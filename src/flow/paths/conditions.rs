@@ -1,7 +1,7 @@
 //! Conditions that are asked more than once, and what follows from the answers.
 
-use crate::ir::{Binary, Module, OpId, OpKind, Root, Unary};
-use crate::semantic::VariableId;
+use crate::ir::{Access, Binary, Module, OpId, OpKind, Root, Unary};
+use crate::semantic::{Scalar, Value, VariableId};
 use rustc_hash::{FxHashMap, FxHasher};
 use std::hash::{Hash, Hasher};
 
@@ -145,34 +145,23 @@ impl Conditions {
             return None;
         }
         let found = module.op(op);
-        let mut operands = Vec::new();
         match found.kind {
-            OpKind::Const(_) => {
-                for value in module.constant(op) {
-                    format!("{value:?}").hash(to);
-                }
-            }
+            OpKind::Const(_) => module.constant(op).iter().for_each(|v| bits(*v).hash(to)),
             OpKind::Load(place) => {
                 let place = module.place(place);
                 place.variable.hash(to);
                 self.versions.get(&op)?.hash(to);
                 for access in module.path(place) {
                     std::mem::discriminant(access).hash(to);
-                    match access {
-                        crate::ir::Access::Computed(index) => operands.push(*index),
-                        other => other.hash(to),
+                    if !matches!(access, Access::Computed(_)) {
+                        access.hash(to);
                     }
                 }
             }
             OpKind::Unary(unary, _) => unary.hash(to),
             // One way to say it, whichever way it was written.
-            OpKind::Binary(Binary::Greater | Binary::LessEqual, a, b) => {
+            OpKind::Binary(Binary::Greater | Binary::LessEqual | Binary::GreaterEqual, ..) => {
                 Binary::Less.hash(to);
-                operands.extend([b, a]);
-            }
-            OpKind::Binary(Binary::GreaterEqual, a, b) => {
-                Binary::Less.hash(to);
-                operands.extend([a, b]);
             }
             OpKind::Binary(binary, ..) => binary.hash(to),
             OpKind::Same { .. } => 1u8.hash(to),
@@ -183,14 +172,20 @@ impl Conditions {
             _ => return None,
         }
         std::mem::discriminant(&found.kind).hash(to);
-        if operands.is_empty() {
-            module.each_operand(op, |o| operands.push(o));
-        }
-        operands.into_iter().try_for_each(|o| {
+        let mut all = Some(());
+        let mut operand = |o: OpId| {
             let (o, truth) = straight(module, o, true);
             truth.hash(to);
-            self.hash(module, o, depth + 1, to)
-        })
+            all = all.and_then(|()| self.hash(module, o, depth + 1, to));
+        };
+        match found.kind {
+            OpKind::Binary(Binary::Greater | Binary::LessEqual, a, b) => {
+                operand(b);
+                operand(a);
+            }
+            _ => module.each_operand(op, operand),
+        }
+        all
     }
 
     /// From here on some facts hold.
@@ -218,6 +213,16 @@ impl Conditions {
         let own = self.consequences.iter();
         let own = own.filter(|c| c.variable == variable && self.facts.contains(&c.fact));
         own.fold(0, |all, c| all | c.mask)
+    }
+}
+
+/// A value in two numbers: its kind, and its bits.
+fn bits(value: Value) -> (Scalar, u32) {
+    match value {
+        Value::Bool(v) => (Scalar::Bool, v as u32),
+        Value::Int(v) => (Scalar::Int, v as u32),
+        Value::Uint(v) => (Scalar::Uint, v),
+        Value::Float(v) => (Scalar::Float, v.to_bits()),
     }
 }
 

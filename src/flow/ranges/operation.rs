@@ -3,7 +3,7 @@
 use super::builtin::of_function;
 use super::entry::{join, measure};
 use super::interval::{Range, Reach, below};
-use super::node::Node;
+use super::node::{Node, Subject};
 use super::{Query, number};
 use crate::flow::defs::Def;
 use crate::flow::layout::{column_lanes, length_lane};
@@ -35,7 +35,7 @@ impl Query<'_> {
             None => Some(Range::ANY),
         };
         match found.kind {
-            OpKind::Const(_) => Some(self.constant(op, lane)),
+            OpKind::Const(_) => Some(self.number(op, lane)),
             OpKind::Undef => None,
             OpKind::Unknown | OpKind::Store(..) => Some(unknown(source)),
             OpKind::Load(_) => get(Node::def(defs, defs.seen(op, lane))),
@@ -95,7 +95,21 @@ impl Query<'_> {
         }
     }
 
-    fn constant(&self, op: OpId, lane: u32) -> Range {
+    /// The range of a lane of a constant; `None` for any other node.
+    pub(super) fn constant(&self, node: Node) -> Option<Range> {
+        let Subject::Lane(op, lane) = node.subject(self.defs) else {
+            return None;
+        };
+        let found = self.module.op(op);
+        if !matches!(found.kind, OpKind::Const(_)) || measured(found.ty, lane).is_some() {
+            return None;
+        }
+        let mut range = self.number(op, lane);
+        self.fit(op, lane, &mut range);
+        Some(range)
+    }
+
+    fn number(&self, op: OpId, lane: u32) -> Range {
         let ty = self.module.ty(op);
         let rows = ty.numeric().map_or(1, |(_, _, rows)| rows);
         let (column, row) = (lane / column_lanes(rows), lane % column_lanes(rows));

@@ -201,11 +201,15 @@ impl Known {
         let start = operands.len();
         let range = query.compute(node, &mut |operand| {
             let operand = self.resolved(query, operand);
-            let known = self.get(operand);
-            if known.is_none() {
-                operands.push(operand);
+            if let Some(known) = self.get(operand) {
+                return *known;
             }
-            *known.unwrap_or(&None)
+            let known = query.constant(operand);
+            match known {
+                Some(_) => self.put(operand, known),
+                None => operands.push(operand),
+            }
+            known
         });
         if operands.len() == start {
             self.put(node, range);
