@@ -46,7 +46,7 @@ impl Writes {
         for write in &all {
             mark(&mut writes.changes, write.variable);
             let value = module.op_of(write.expr);
-            let used = value.and_then(|v| last.get(v.0 as usize).copied().flatten());
+            let used = value.and_then(|v| last.get(v.0 as usize).copied());
             if write.is_returned || used.is_some_and(|used| used > write.store) {
                 mark(&mut writes.read, write.variable);
             } else {
@@ -60,6 +60,9 @@ impl Writes {
         for (op, made) in (0..).map(OpId).zip(&module.ops) {
             if let OpKind::Load(place) = made.kind {
                 let variable = module.place(place).variable;
+                if writes.is_read(variable) {
+                    continue;
+                }
                 // What an assignment reads to write it back is no use of it.
                 let is_own = matches!(module.origin(op), Origin::Expr(e)
                     if writes.by(e).contains(&variable));
@@ -141,13 +144,14 @@ fn all(module: &Module) -> Vec<Write> {
     writes.collect()
 }
 
-/// By operation: the last one that uses its value; behind all, where control flow does.
-fn last_uses(module: &Module) -> Vec<Option<OpId>> {
+/// By operation: the last one that uses its value; behind all, where control flow does; the first of
+/// all, where nothing does.
+fn last_uses(module: &Module) -> Vec<OpId> {
     const BEHIND: OpId = OpId(u32::MAX);
-    let mut last = vec![None; module.ops.len()];
+    let mut last = vec![OpId(0); module.ops.len()];
     let mut set = |value: OpId, user: OpId| {
         if let Some(slot) = last.get_mut(value.0 as usize) {
-            *slot = (*slot).max(Some(user));
+            *slot = user;
         }
     };
     for user in (0..module.ops.len() as u32).map(OpId) {

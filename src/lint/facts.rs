@@ -2,7 +2,7 @@
 
 use super::broken::Broken;
 use super::march::{March, marches};
-use super::words::{Counts, Unseen};
+use super::words::{Counts, Unseen, each_text};
 use crate::flow::defs::Defs;
 use crate::flow::ranges::{Query, Range, Ranges};
 use crate::flow::{
@@ -204,9 +204,13 @@ impl<'a> Facts<'a> {
             .get_or_init(|| Unseen::of(self.program, &self.broken))
     }
 
-    /// How often each word stands in the user's files.
-    pub fn counts(&self) -> &Counts<'a> {
-        self.counts.get_or_init(|| Counts::of(self.program))
+    /// Whether a name that the user declares stands nowhere else in the user's files, comments aside.
+    pub fn stands_once(&self, name: &str) -> bool {
+        let mut plain = 0;
+        each_text(self.program, |text| plain += text.matches(name).count());
+        // What stands once even where comments and longer words count needs no closer look.
+        let counts = || self.counts.get_or_init(|| Counts::of(self.program));
+        plain == 1 || counts().of_word(name) == 1
     }
 
     /// Addresses of the last file, which is nobody's else: what it declares is used in it or not at

@@ -109,9 +109,7 @@ fn walk<'p>(
         settings,
         diagnostics,
     };
-    for (rule, check) in &checks.program {
-        check(&mut run.context(*rule));
-    }
+    run.each(&checks.program, |check, cx| check(cx));
     run.names(&checks);
     run.macros(&checks);
     let first = first_user_token(program);
@@ -124,18 +122,14 @@ fn walk<'p>(
     }
     for (stmt, i) in tree.stmts.iter().zip(0..) {
         if stmt.extent.first >= first {
-            for (rule, check) in &checks.stmt {
-                check(&mut run.context(*rule), StmtId(i));
-            }
+            run.each(&checks.stmt, |check, cx| check(cx, StmtId(i)));
         }
     }
     for (function, i) in program.functions.iter().zip(0..) {
         let decl = function.definition.and_then(|d| tree.function(d));
         let is_whole = !facts.broken.function(FunctionRef(i));
         if is_whole && decl.is_some_and(|d| d.extent.first >= first) {
-            for (rule, check) in &checks.function {
-                check(&mut run.context(*rule), FunctionRef(i));
-            }
+            run.each(&checks.function, |check, cx| check(cx, FunctionRef(i)));
         }
     }
 }
@@ -229,14 +223,23 @@ struct Run<'a, 'p> {
 }
 
 impl<'p> Run<'_, 'p> {
-    fn context(&mut self, active: Active) -> Context<'_, 'p> {
-        Context {
+    /// Runs some checks, each as its rule.
+    fn each<C: Copy>(&mut self, checks: &[(Active, C)], run: impl Fn(C, &mut Context<'_, 'p>)) {
+        let Some((first, _)) = checks.first() else {
+            return;
+        };
+        let mut cx = Context {
             program: self.program,
             facts: self.facts,
             settings: self.settings,
-            rule: active.rule,
-            severity: active.level,
+            rule: first.rule,
+            severity: first.level,
             diagnostics: self.diagnostics,
+        };
+        for (active, check) in checks {
+            cx.rule = active.rule;
+            cx.severity = active.level;
+            run(*check, &mut cx);
         }
     }
 
@@ -244,9 +247,10 @@ impl<'p> Run<'_, 'p> {
         let Some(shape) = Shape::of(&expr.kind) else {
             return;
         };
-        for (rule, check) in checks.by_shape.get(shape as usize).into_iter().flatten() {
-            check(&mut self.context(*rule), id);
-        }
+        let of_shape = checks.by_shape.get(shape as usize);
+        self.each(of_shape.map_or(&[], Vec::as_slice), |check, cx| {
+            check(cx, id);
+        });
         match expr.kind {
             ExprKind::Binary(op, left, right) => {
                 let binary = Binary {
@@ -255,9 +259,7 @@ impl<'p> Run<'_, 'p> {
                     left,
                     right,
                 };
-                for (rule, check) in &checks.binary {
-                    check(&mut self.context(*rule), &binary);
-                }
+                self.each(&checks.binary, |check, cx| check(cx, &binary));
             }
             ExprKind::Call(_, args) => {
                 let program = self.program;
@@ -269,9 +271,7 @@ impl<'p> Run<'_, 'p> {
                     function,
                     args: program.tree.args(args),
                 };
-                for (rule, check) in &checks.builtin {
-                    check(&mut self.context(*rule), &builtin);
-                }
+                self.each(&checks.builtin, |check, cx| check(cx, &builtin));
             }
             _ => {}
         }
@@ -321,9 +321,7 @@ impl<'p> Run<'_, 'p> {
                 extent: decl.extent,
                 stmt,
             };
-            for (rule, check) in &checks.declaration {
-                check(&mut self.context(*rule), &declaration);
-            }
+            self.each(&checks.declaration, |check, cx| check(cx, &declaration));
         }
     }
 
@@ -332,9 +330,7 @@ impl<'p> Run<'_, 'p> {
             return;
         }
         for name in declared_names(self.program) {
-            for (rule, check) in &checks.name {
-                check(&mut self.context(*rule), &name);
-            }
+            self.each(&checks.name, |check, cx| check(cx, &name));
         }
     }
 
@@ -342,9 +338,7 @@ impl<'p> Run<'_, 'p> {
         let program = self.program;
         for definition in &program.tokens.macros {
             if program.is_user(definition.name_span) {
-                for (rule, check) in &checks.macros {
-                    check(&mut self.context(*rule), definition);
-                }
+                self.each(&checks.macros, |check, cx| check(cx, definition));
             }
         }
     }

@@ -49,26 +49,33 @@ impl<'a> Counts<'a> {
     /// Reads the files of a shader.
     pub fn of(program: &'a Program) -> Counts<'a> {
         let mut counts = FxHashMap::default();
-        let mut done = Span::default();
-        for token in &program.tokens.tokens {
-            // Tokens come file by file.
-            if !done.is_empty() && done.contains(token.span) {
-                continue;
-            }
-            let Some(file) = program.sources.file_at(token.span.start) else {
-                continue;
-            };
-            done = file.span();
-            if file.role == Role::User {
-                each_word(&file.text, |word| *counts.entry(word).or_insert(0) += 1);
-            }
-        }
+        each_text(program, |text| {
+            each_word(text, |word| *counts.entry(word).or_insert(0) += 1);
+        });
         Counts(counts)
     }
 
     /// How often a word stands in the user's files.
     pub fn of_word(&self, word: &str) -> u32 {
         self.0.get(word).copied().unwrap_or(0)
+    }
+}
+
+/// Calls `visit` with the text of each of the user's files.
+pub fn each_text<'a>(program: &'a Program, mut visit: impl FnMut(&'a str)) {
+    let mut done = Span::default();
+    for token in &program.tokens.tokens {
+        // Tokens come file by file.
+        if !done.is_empty() && done.contains(token.span) {
+            continue;
+        }
+        let Some(file) = program.sources.file_at(token.span.start) else {
+            continue;
+        };
+        done = file.span();
+        if file.role == Role::User {
+            visit(&file.text);
+        }
     }
 }
 

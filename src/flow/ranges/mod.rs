@@ -140,7 +140,7 @@ impl<'x> Query<'x> {
             known.unwrap_or_else(|| {
                 let is_met = self.is_met(guard);
                 let mut known = self.ranges.known.borrow_mut();
-                known.meet(number, is_met, self.defs);
+                known.keep_met(number, is_met, self.defs);
                 is_met
             })
         });

@@ -161,7 +161,7 @@ impl Known {
     }
 
     /// Notes whether a condition may hold.
-    pub(super) fn meet(&mut self, guard: u32, is_met: bool, defs: &Defs) {
+    pub(super) fn keep_met(&mut self, guard: u32, is_met: bool, defs: &Defs) {
         self.met.resize(defs.guard_count(), None);
         if let Some(slot) = self.met.get_mut(guard as usize) {
             *slot = Some(is_met);
@@ -201,15 +201,10 @@ impl Known {
         let start = operands.len();
         let range = query.compute(node, &mut |operand| {
             let operand = self.resolved(query, operand);
-            if let Some(known) = self.get(operand) {
-                return *known;
+            match self.get(operand) {
+                Some(known) => *known,
+                None => self.meet(query, operand, operands),
             }
-            let known = query.constant(operand);
-            match known {
-                Some(_) => self.put(operand, known),
-                None => operands.push(operand),
-            }
-            known
         });
         if operands.len() == start {
             self.put(node, range);
@@ -228,6 +223,17 @@ impl Known {
             left,
             is_own: false,
         })
+    }
+
+    /// The range of a constant that is met for the first time; what else is not known is noted.
+    #[inline(never)]
+    fn meet(&mut self, query: &Query, node: Node, unknown: &mut Vec<Node>) -> Option<Range> {
+        let range = query.constant(node);
+        match range {
+            Some(_) => self.put(node, range),
+            None => unknown.push(node),
+        }
+        range
     }
 
     fn compute(&self, query: &Query, node: Node) -> Option<Range> {

@@ -45,6 +45,8 @@ impl Lowerer<'_> {
             [one] if self.module.ty(one).is_matrix() && columns > 1 => {
                 self.resized(one, columns, rows)
             }
+            // Mostly each component is given by itself.
+            _ if columns == 1 && self.are_scalars(&values, rows) => self.compose(&values, ty),
             _ if columns == 1 => {
                 let components = self.components(&values, rows as usize);
                 self.gather(&components, ty)
@@ -57,6 +59,11 @@ impl Lowerer<'_> {
                 self.compose(&made, ty)
             }
         }
+    }
+
+    fn are_scalars(&self, values: &[OpId], count: u8) -> bool {
+        let is_scalar = |v: &OpId| self.module.ty(*v).is_scalar();
+        values.len() == count as usize && values.iter().all(is_scalar)
     }
 
     fn compose(&mut self, parts: &[OpId], ty: Type) -> OpId {

@@ -5,6 +5,7 @@ use super::Lowerer;
 use crate::semantic::{Base, Program, Sampler, Scalar, Stage, Type, Variable as Declared};
 use crate::syntax::ast::{List, QualifierKind};
 use rustc_hash::FxHashMap;
+use std::rc::Rc;
 
 /// The default precisions in the scope at hand.
 #[derive(Clone)]
@@ -12,7 +13,7 @@ pub(super) struct Precisions {
     float: Precision,
     int: Precision,
     /// Of samplers, where they are not what the language says.
-    samplers: Vec<(Sampler, Precision)>,
+    samplers: Rc<Vec<(Sampler, Precision)>>,
 }
 
 impl Precisions {
@@ -25,7 +26,7 @@ impl Precisions {
         Precisions {
             float,
             int,
-            samplers: Vec::new(),
+            samplers: Rc::default(),
         }
     }
 
@@ -48,7 +49,7 @@ impl Precisions {
     /// Takes a `precision` statement.
     pub fn set(&mut self, ty: Type, precision: Precision) {
         match ty.base {
-            Base::Sampler(sampler) => self.samplers.push((sampler, precision)),
+            Base::Sampler(sampler) => Rc::make_mut(&mut self.samplers).push((sampler, precision)),
             _ => match ty.scalar_kind() {
                 Some(Scalar::Float) => self.float = precision,
                 Some(Scalar::Int) => self.int = precision,
