@@ -84,12 +84,9 @@ struct Places(Vec<(VariableId, TokenId)>);
 impl Places {
     fn of(cx: &Context) -> Places {
         let program = cx.program;
-        let mut all = Vec::new();
-        for (i, expr) in program.tree.exprs.iter().enumerate() {
-            let token = expr.extent.first;
-            let written = cx.facts.writes().by(ExprId(i as u32)).iter();
-            all.extend(written.map(|v| (*v, token)));
-        }
+        let written = cx.facts.writes().all().iter();
+        let written = written.map(|(expr, v)| (*v, program.tree.expr(*expr).extent.first));
+        let mut all: Vec<(VariableId, TokenId)> = written.collect();
         let variables = program.variables.iter().zip(0..);
         all.extend(variables.filter_map(|(v, i)| Some((VariableId(i), v.token?))));
         all.sort_unstable();

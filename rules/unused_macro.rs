@@ -24,7 +24,7 @@ fn check(cx: &mut Context, definition: &Macro) {
     }
     let name = program.names.text(definition.name);
     // Any other mention may be a test, or code that is left out at the moment.
-    if name.starts_with('_') || !cx.facts.stands_once(name) {
+    if name.starts_with('_') || cx.facts.count(name) != 1 {
         return;
     }
     let edit = removal(cx, span);

@@ -9,6 +9,8 @@ use crate::syntax::ast::ExprId;
 /// The writes of a shader.
 #[derive(Default, Debug)]
 pub struct Writes {
+    /// All of them, in the order of evaluation.
+    all: Vec<(ExprId, VariableId)>,
     /// By expression: the variables that it writes to by itself.
     by_expr: Lists<VariableId>,
     /// By variable: the expressions that do nothing but write to it, in order.
@@ -36,6 +38,7 @@ impl Writes {
         let all = all(module);
         let pairs = || all.iter().map(|w| (w.expr.0, w.variable));
         let mut writes = Writes {
+            all: all.iter().map(|w| (w.expr, w.variable)).collect(),
             by_expr: Lists::of(program.tree.exprs.len(), pairs()),
             idle: Lists::default(),
             read: vec![false; count],
@@ -78,6 +81,11 @@ impl Writes {
             *slot |= mentions.all(id).len() > running;
         }
         writes
+    }
+
+    /// All writes, in the order of evaluation.
+    pub fn all(&self) -> &[(ExprId, VariableId)] {
+        &self.all
     }
 
     /// The variables that an expression itself writes to, its operands' writes left out.

@@ -2,7 +2,7 @@
 
 use super::broken::Broken;
 use super::march::{March, marches};
-use super::words::{Counts, Unseen, each_text};
+use super::words::{Unseen, count};
 use crate::flow::defs::Defs;
 use crate::flow::ranges::{Query, Range, Ranges};
 use crate::flow::{
@@ -31,7 +31,6 @@ pub struct Facts<'a> {
     writes: OnceCell<Writes>,
     reach: OnceCell<Reach>,
     unseen: OnceCell<Unseen<'a>>,
-    counts: OnceCell<Counts<'a>>,
     work: OnceCell<Work>,
     uniformity: OnceCell<Uniformity>,
     gradients: OnceCell<Vec<Gradient>>,
@@ -60,7 +59,6 @@ impl<'a> Facts<'a> {
             writes: OnceCell::new(),
             reach: OnceCell::new(),
             unseen: OnceCell::new(),
-            counts: OnceCell::new(),
             work: OnceCell::new(),
             uniformity: OnceCell::new(),
             gradients: OnceCell::new(),
@@ -123,9 +121,8 @@ impl<'a> Facts<'a> {
 
     /// The calls that take derivatives where neighbouring pixels may have parted.
     pub fn gradients(&self) -> &[Gradient] {
-        self.gradients.get_or_init(|| {
-            gradients(self.module(), self.calls(), || self.uniformity())
-        })
+        self.gradients
+            .get_or_init(|| gradients(self.module(), self.calls(), || self.uniformity()))
     }
 
     /// The loops that march along a ray.
@@ -183,13 +180,7 @@ impl<'a> Facts<'a> {
     pub fn effects(&self) -> &Effects {
         self.effects.get_or_init(|| {
             let (module, structure) = (self.module(), self.structure());
-            Effects::of(
-                self.program,
-                module,
-                structure,
-                self.calls(),
-                self.writes(),
-            )
+            Effects::of(self.program, module, structure, self.calls(), self.writes())
         })
     }
 
@@ -204,13 +195,9 @@ impl<'a> Facts<'a> {
             .get_or_init(|| Unseen::of(self.program, &self.broken))
     }
 
-    /// Whether a name that the user declares stands nowhere else in the user's files, comments aside.
-    pub fn stands_once(&self, name: &str) -> bool {
-        let mut plain = 0;
-        each_text(self.program, |text| plain += text.matches(name).count());
-        // What stands once even where comments and longer words count needs no closer look.
-        let counts = || self.counts.get_or_init(|| Counts::of(self.program));
-        plain == 1 || counts().of_word(name) == 1
+    /// How often a word stands in the user's files, comments aside.
+    pub fn count(&self, word: &str) -> usize {
+        count(self.program, word)
     }
 
     /// Addresses of the last file, which is nobody's else: what it declares is used in it or not at

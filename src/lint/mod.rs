@@ -32,4 +32,4 @@ pub use run::{Unrun, lint, lint_within};
 pub use same::{code_hash, same_code};
 pub use settings::{Failing, Reach, Renderer, Settings, UnknownRule, nearest_name, nearest_rule};
 pub use suppress::Allows;
-pub use words::{Counts, Unseen};
+pub use words::Unseen;

@@ -4,16 +4,12 @@
 use super::broken::Broken;
 use crate::semantic::Program;
 use crate::syntax::{Lexer, RawKind, TokenKind};
-use crate::text::{Role, Span};
-use rustc_hash::{FxHashMap, FxHashSet};
+use crate::text::{Role, SourceFile, Span};
+use rustc_hash::FxHashSet;
 
 /// The words that the compiler does not see.
 #[derive(Default, Debug)]
 pub struct Unseen<'a>(FxHashSet<&'a str>);
-
-/// How often each word stands in the user's files, comments aside.
-#[derive(Default, Debug)]
-pub struct Counts<'a>(FxHashMap<&'a str, u32>);
 
 impl<'a> Unseen<'a> {
     /// Reads what `#if` left out, the macros that are never expanded, and what has errors.
@@ -45,26 +41,28 @@ impl<'a> Unseen<'a> {
     }
 }
 
-impl<'a> Counts<'a> {
-    /// Reads the files of a shader.
-    pub fn of(program: &'a Program) -> Counts<'a> {
-        let mut counts = FxHashMap::default();
-        each_text(program, |text| {
-            each_word(text, |word| *counts.entry(word).or_insert(0) += 1);
+/// How often a word stands in the user's files, comments aside.
+pub fn count(program: &Program, word: &str) -> usize {
+    let tokens = &program.tokens;
+    let is_comment = |address: u32| {
+        let next = tokens.comments.partition_point(|c| c.start <= address);
+        let before = next.checked_sub(1).and_then(|i| tokens.comments.get(i));
+        before.is_some_and(|c| address < c.end)
+    };
+    let in_file = |file: &SourceFile| {
+        let is_part = |c: u8| c.is_ascii_alphanumeric() || c == b'_' || c >= 0x80;
+        let at = |i: usize| file.text.as_bytes().get(i).copied();
+        let found = file.text.match_indices(word).filter(|(start, _)| {
+            let before = start.checked_sub(1).and_then(at);
+            let behind = at(start + word.len());
+            let is_whole = !before.is_some_and(is_part) && !behind.is_some_and(is_part);
+            is_whole && !is_comment(file.base + *start as u32)
         });
-        Counts(counts)
-    }
-
-    /// How often a word stands in the user's files.
-    pub fn of_word(&self, word: &str) -> u32 {
-        self.0.get(word).copied().unwrap_or(0)
-    }
-}
-
-/// Calls `visit` with the text of each of the user's files.
-pub fn each_text<'a>(program: &'a Program, mut visit: impl FnMut(&'a str)) {
+        found.count()
+    };
+    let mut total = 0;
     let mut done = Span::default();
-    for token in &program.tokens.tokens {
+    for token in &tokens.tokens {
         // Tokens come file by file.
         if !done.is_empty() && done.contains(token.span) {
             continue;
@@ -74,9 +72,10 @@ pub fn each_text<'a>(program: &'a Program, mut visit: impl FnMut(&'a str)) {
         };
         done = file.span();
         if file.role == Role::User {
-            visit(&file.text);
+            total += in_file(file);
         }
     }
+    total
 }
 
 /// Calls `visit` with each word of a text, comments aside.

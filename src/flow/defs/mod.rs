@@ -131,6 +131,8 @@ pub struct Defs {
     /// By lane of an operation that loads: what it sees.
     seen: Vec<DefId>,
     defs: Vec<Def>,
+    /// By definition: the same without what conditions tell of it.
+    unrefined: Vec<DefId>,
     lists: Vec<DefId>,
     /// By function: the calls of it.
     calls: Lists<OpId>,
@@ -279,11 +281,8 @@ impl Defs {
     }
 
     /// A definition without what conditions tell of it.
-    pub fn unrefined(&self, mut id: DefId) -> DefId {
-        while let Def::Refined { of, .. } = self.get(id) {
-            id = of;
-        }
-        id
+    pub fn unrefined(&self, id: DefId) -> DefId {
+        self.unrefined.get(id.0 as usize).copied().unwrap_or(id)
     }
 
     /// Where a value was first made, copies taken back; a definition, for want of a value.

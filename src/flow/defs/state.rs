@@ -14,8 +14,14 @@ impl Walker<'_> {
         if self.is_full() {
             return Defs::UNKNOWN;
         }
+        let id = DefId(self.defs.defs.len() as u32);
+        let unrefined = match def {
+            Def::Refined { of, .. } => self.defs.unrefined(of),
+            _ => id,
+        };
         self.defs.defs.push(def);
-        DefId(self.defs.defs.len() as u32 - 1)
+        self.defs.unrefined.push(unrefined);
+        id
     }
 
     pub(super) fn list(&mut self, all: &[DefId]) -> List {

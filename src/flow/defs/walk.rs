@@ -110,7 +110,8 @@ impl<'m> Walker<'m> {
                 lanes,
                 owners,
                 seen: vec![Defs::UNKNOWN; lane_count],
-                defs: vec![Def::Unknown],
+                defs: Vec::with_capacity(lane_count),
+                unrefined: Vec::with_capacity(lane_count),
                 lists: Vec::new(),
                 calls: Lists::default(),
                 returns: Lists::default(),
@@ -138,6 +139,7 @@ impl<'m> Walker<'m> {
             limit: AT_LEAST.max(PER_LANE * (lane_count + slot_count)),
             told: Vec::new(),
         };
+        walker.define(Def::Unknown);
         walker.writes = walker.written_globals();
         walker
     }

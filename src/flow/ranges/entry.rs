@@ -32,10 +32,14 @@ impl Query<'_> {
                 },
                 Subject::Lane(op, lane) => match module.op(op).kind {
                     OpKind::Load(_) => Some(Node::def(defs, defs.seen(op, lane))),
-                    _ => {
+                    OpKind::Splat(_)
+                    | OpKind::Swizzle(..)
+                    | OpKind::Extract(..)
+                    | OpKind::Compose(_) => {
                         let part = defs.part_of(module, op, lane);
                         part.and_then(|(op, lane)| Node::lane(defs, op, lane))
                     }
+                    _ => None,
                 },
             };
             match next {

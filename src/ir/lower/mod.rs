@@ -23,13 +23,17 @@ const MAX_DEPTH: u32 = 600;
 
 /// Lowers a shader, in time linear in its size.
 pub fn lower(program: &Program) -> Module {
+    let exprs = program.tree.exprs.len();
     let mut lowerer = Lowerer {
         program,
         module: Module {
             stage: Some(program.stage),
-            by_expr: vec![None; program.tree.exprs.len()],
-            ops: Vec::with_capacity(program.tree.exprs.len()),
-            origins: Vec::with_capacity(program.tree.exprs.len()),
+            by_expr: vec![None; exprs],
+            ops: Vec::with_capacity(exprs),
+            origins: Vec::with_capacity(exprs),
+            places: Vec::with_capacity(exprs / 2),
+            access_lists: Vec::with_capacity(exprs / 4),
+            operand_lists: Vec::with_capacity(exprs / 4),
             ..Module::default()
         },
         precisions: Precisions::new(program.stage),
