@@ -99,7 +99,12 @@ fn part(
         is_300: around.is_300,
         has_holes: is_excerpt || embedded.has_holes,
     };
-    let readings = Readings::of(Arc::make_mut(&mut read.sources), code, text, options)?;
+    let readings = Readings::of(
+        Arc::make_mut(&mut read.sources),
+        (code, guess(code)),
+        text,
+        options,
+    )?;
     let first = readings.all.first()?;
     Some(Part {
         infer_channels: first.dialect.is_shadertoy(),

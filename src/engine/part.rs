@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
-use crate::semantic::{Checked, Dialect, Extent, Kind, Stage, guess};
+use crate::semantic::{Checked, Dialect, Extent, Guess, Kind, Stage, guess};
 use crate::syntax::{Lexer, RawKind, Version, WordClass, classify};
 use crate::text::embed::{Embedder, mask};
 use crate::text::kind::ending;
@@ -264,7 +264,11 @@ pub(super) fn shader_part(
         "frag" | "fs" | "fsh" => Some(Stage::Fragment),
         _ => None,
     };
-    let masked = mask(text).filter(|_| may_be_template(text, options));
+    let told = guess(text);
+    let masked = match may_be_template(text, &told, options) {
+        true => mask(text),
+        false => None,
+    };
     let has_holes = masked.is_some();
     let (files, is_open, missing) = match masked {
         Some(code) => (
@@ -289,7 +293,12 @@ pub(super) fn shader_part(
         is_300: false,
         has_holes,
     };
-    let readings = Readings::of(Arc::make_mut(&mut read.sources), text, about, options)?;
+    let readings = Readings::of(
+        Arc::make_mut(&mut read.sources),
+        (text, told),
+        about,
+        options,
+    )?;
     let first = readings.all.first()?;
     read.parts.push(Part {
         infer_channels: first.dialect.is_shadertoy(),
@@ -303,8 +312,8 @@ pub(super) fn shader_part(
 
 /// Whether a program may fill holes in a shader file. In a text that shows itself to be whole only
 /// what has no meaning in GLSL and two ends is one.
-fn may_be_template(text: &str, options: &Options) -> bool {
-    let is_whole = guess(text).kind.is_some_and(Kind::is_whole);
+fn may_be_template(text: &str, told: &Guess, options: &Options) -> bool {
+    let is_whole = told.kind.is_some_and(Kind::is_whole);
     let has_ends = ["${", "{{", "<%", "{%"].iter().any(|s| text.contains(s));
     options.dialect == DialectChoice::Auto && (has_ends || !is_whole)
 }

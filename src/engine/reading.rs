@@ -118,19 +118,22 @@ impl Readings {
         }
     }
 
-    /// Finds out how a text is to be read. `None` where the address space is full.
+    /// Finds out how a text is to be read, of which this is known by its words. `None` where the
+    /// address space is full.
     pub fn of(
         sources: &mut Sources,
-        code: &str,
+        (code, mut told): (&str, Guess),
         text: Text,
         options: &Options,
     ) -> Option<Readings> {
         // What the text includes is a part of it, and found includes are no directives any more.
         let joined = (text.files.len() > 1).then(|| code_of(sources, &text.files));
+        if let Some(all) = &joined {
+            told = guess(all);
+            // Directives were followed, so that what is missing is known.
+            told.is_completed = false;
+        }
         let code = joined.as_deref().unwrap_or(code);
-        let mut told = guess(code);
-        // Where directives were followed, what is missing is known.
-        told.is_completed &= joined.is_none();
         let needs_300 = LazyCell::new(|| needs_300(code));
         let kind = kind_of(&told, &text, &needs_300, options.dialect);
         let standing = standing(kind, &told, &text, code, &needs_300, options.dialect);

@@ -8,20 +8,37 @@ use crate::syntax::ast::*;
 /// The tree stores children before parents, so one pass in reverse order hands everything down.
 #[derive(Default, Debug)]
 pub struct Structure {
-    expr_parent: Vec<Option<ExprId>>,
-    expr_stmt: Vec<Option<StmtId>>,
-    stmt_parent: Vec<Option<StmtId>>,
-    stmt_function: Vec<Option<FunctionRef>>,
+    expr_parent: Ups,
+    expr_stmt: Ups,
+    stmt_parent: Ups,
+    stmt_function: Ups,
 }
 
-fn set<T: Copy>(all: &mut [Option<T>], index: u32, value: T) {
-    if let Some(slot) = all.get_mut(index as usize) {
-        *slot = Some(value);
+/// By number: the number of the node above. As many as a shader has nodes, so that each takes no
+/// more room than its number.
+#[derive(Default, Debug)]
+struct Ups(Vec<u32>);
+
+impl Ups {
+    /// The number of what is not there.
+    const NONE: u32 = u32::MAX;
+
+    fn new(count: usize) -> Ups {
+        Ups(vec![Ups::NONE; count])
     }
-}
 
-fn at<T: Copy>(all: &[Option<T>], index: u32) -> Option<T> {
-    all.get(index as usize).copied().flatten()
+    fn set(&mut self, index: u32, above: u32) {
+        if let Some(slot) = self.0.get_mut(index as usize) {
+            *slot = above;
+        }
+    }
+
+    fn at(&self, index: u32) -> Option<u32> {
+        self.0
+            .get(index as usize)
+            .copied()
+            .filter(|a| *a != Ups::NONE)
+    }
 }
 
 impl Structure {
@@ -29,61 +46,56 @@ impl Structure {
     pub fn of(program: &Program) -> Structure {
         let tree = &program.tree;
         let mut structure = Structure {
-            expr_parent: vec![None; tree.exprs.len()],
-            expr_stmt: vec![None; tree.exprs.len()],
-            stmt_parent: vec![None; tree.stmts.len()],
-            stmt_function: vec![None; tree.stmts.len()],
+            expr_parent: Ups::new(tree.exprs.len()),
+            expr_stmt: Ups::new(tree.exprs.len()),
+            stmt_parent: Ups::new(tree.stmts.len()),
+            stmt_function: Ups::new(tree.stmts.len()),
         };
-        for (i, expr) in tree.exprs.iter().enumerate() {
-            each_operand(tree, expr, |child| {
-                set(&mut structure.expr_parent, child.0, ExprId(i as u32));
-            });
+        for (i, expr) in (0..).zip(&tree.exprs) {
+            each_operand(tree, expr, |child| structure.expr_parent.set(child.0, i));
         }
-        for (i, stmt) in tree.stmts.iter().enumerate() {
-            let id = StmtId(i as u32);
-            each_inner(tree, stmt, |child| {
-                set(&mut structure.stmt_parent, child.0, id);
-            });
-            each_expr(tree, stmt, |root| set(&mut structure.expr_stmt, root.0, id));
+        for (i, stmt) in (0..).zip(&tree.stmts) {
+            each_inner(tree, stmt, |child| structure.stmt_parent.set(child.0, i));
+            each_expr(tree, stmt, |root| structure.expr_stmt.set(root.0, i));
         }
         structure.hand_down(program);
         structure
     }
 
     fn hand_down(&mut self, program: &Program) {
-        for (i, function) in program.functions.iter().enumerate() {
+        for (i, function) in (0..).zip(&program.functions) {
             let decl = function.definition.and_then(|d| program.tree.function(d));
             if let Some(body) = decl.and_then(|d| d.body) {
-                set(&mut self.stmt_function, body.0, FunctionRef(i as u32));
+                self.stmt_function.set(body.0, i);
             }
         }
-        for i in (0..self.stmt_parent.len() as u32).rev() {
-            if let Some(function) =
-                at(&self.stmt_parent, i).and_then(|p| at(&self.stmt_function, p.0))
-            {
-                set(&mut self.stmt_function, i, function);
+        for i in (0..self.stmt_parent.0.len() as u32).rev() {
+            let above = self.stmt_parent.at(i);
+            if let Some(function) = above.and_then(|p| self.stmt_function.at(p)) {
+                self.stmt_function.set(i, function);
             }
         }
-        for i in (0..self.expr_parent.len() as u32).rev() {
-            if let Some(stmt) = at(&self.expr_parent, i).and_then(|p| at(&self.expr_stmt, p.0)) {
-                set(&mut self.expr_stmt, i, stmt);
+        for i in (0..self.expr_parent.0.len() as u32).rev() {
+            let above = self.expr_parent.at(i);
+            if let Some(stmt) = above.and_then(|p| self.expr_stmt.at(p)) {
+                self.expr_stmt.set(i, stmt);
             }
         }
     }
 
     /// The expression that an expression is an operand of.
     pub fn parent(&self, expr: ExprId) -> Option<ExprId> {
-        at(&self.expr_parent, expr.0)
+        self.expr_parent.at(expr.0).map(ExprId)
     }
 
     /// The innermost statement around an expression; `None` at global scope.
     pub fn stmt_of(&self, expr: ExprId) -> Option<StmtId> {
-        at(&self.expr_stmt, expr.0)
+        self.expr_stmt.at(expr.0).map(StmtId)
     }
 
     /// The statement around a statement; `None` for a function's body.
     pub fn outer(&self, stmt: StmtId) -> Option<StmtId> {
-        at(&self.stmt_parent, stmt.0)
+        self.stmt_parent.at(stmt.0).map(StmtId)
     }
 
     /// A statement and those around it, innermost first.
@@ -93,7 +105,7 @@ impl Structure {
 
     /// The function that a statement belongs to.
     pub fn function_of(&self, stmt: StmtId) -> Option<FunctionRef> {
-        at(&self.stmt_function, stmt.0)
+        self.stmt_function.at(stmt.0).map(FunctionRef)
     }
 
     /// The function that an expression belongs to.

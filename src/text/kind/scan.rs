@@ -39,7 +39,8 @@ pub fn tokens(text: &str) -> Vec<Token<'_>> {
 
 /// Reads the first tokens of a text, as many as are asked for.
 pub fn first_tokens(text: &str, count: usize) -> Vec<Token<'_>> {
-    let mut found = Vec::new();
+    // Few texts have more than one for three characters.
+    let mut found = Vec::with_capacity(count.min(text.len() / 3));
     let bytes = text.as_bytes();
     let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
     let mut is_first = true;
