@@ -34,6 +34,9 @@ pub fn operands(
     expr: ExprId,
     fits: impl Fn(&[ExprId]) -> bool,
 ) -> Option<Vec<ExprId>> {
+    if !may_be(cx, formula, expr) {
+        return None;
+    }
     let mut found = None;
     unify(cx, formula, expr, [None; MAX_OPERANDS], &mut |operands| {
         let operands: Vec<ExprId> = operands.iter().flatten().copied().collect();
@@ -44,6 +47,17 @@ pub fn operands(
         is_it
     });
     found
+}
+
+/// Whether an expression is at its top what a formula is: most differ there already.
+fn may_be(cx: &Context, formula: &Formula, expr: ExprId) -> bool {
+    let tree = &cx.program.tree;
+    match (*formula, tree.expr(tree.unparen(expr)).kind) {
+        (Formula::Operand(_) | Formula::Number(_), _) => true,
+        (Formula::Binary(op, ..), ExprKind::Binary(found, ..)) => op == found,
+        (Formula::Unary(..) | Formula::Call(..), ExprKind::Call(..)) => true,
+        _ => false,
+    }
 }
 
 /// Tries every way in which `expr` has the shape of a formula, given what operands stand for
@@ -104,6 +118,10 @@ fn unify_pair(
     given: Operands,
     then: &mut dyn FnMut(Operands) -> bool,
 ) -> bool {
-    let mut both = |a, b| unify(cx, p, a, given, &mut |given| unify(cx, q, b, given, then));
+    let mut both = |a, b| {
+        may_be(cx, p, a)
+            && may_be(cx, q, b)
+            && unify(cx, p, a, given, &mut |given| unify(cx, q, b, given, then))
+    };
     both(a, b) || (commutes && both(b, a))
 }
