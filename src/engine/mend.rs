@@ -4,8 +4,8 @@ use super::World;
 use super::document::{Report, judge};
 use super::files::Files;
 use super::options::Options;
-use crate::diagnostic::Diagnostic;
-use crate::lint::{Allow, Fixed, Judged, Look, count_fixes, fix};
+use crate::diagnostic::{Applicability, Diagnostic};
+use crate::lint::{Allow, Fixed, Judged, Look, fix, fix_seen};
 use crate::text::{Encoding, Span};
 
 /// Mends what can be mended in a text, judging it anew after each round.
@@ -59,31 +59,31 @@ impl Report {
 /// How many findings can be fixed.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Offer {
-    /// By the fixes that keep the picture.
+    /// Mended by the fixes that keep the picture.
     pub safe: usize,
-    /// By all fixes.
-    pub all: usize,
+    /// Found with a fix that has to be asked for; mending them may bring others to light.
+    pub others: usize,
 }
 
 impl Offer {
     /// Those that findings hold as they stand.
     pub fn of(report: &Report) -> Offer {
-        let of = |allow: Allow| {
+        let of = |applicability: Applicability| {
             let mendable = report.diagnostics.iter().filter(|d| {
                 let fix = d.fix.as_ref();
-                fix.is_some_and(|f| allow.permits(f)) && report.can_apply(d)
+                fix.is_some_and(|f| f.applicability == applicability) && report.can_apply(d)
             });
             mendable.count()
         };
         Offer {
-            safe: of(Allow::Safe),
-            all: of(Allow::Unsafe),
+            safe: of(Applicability::Safe),
+            others: of(Applicability::Unsafe),
         }
     }
 }
 
-/// Counts the findings in the text of an input that `--fix` and `--unsafe-fixes` mend, those
-/// included that come to light on the way: by mending it.
+/// Counts the findings in the text of an input that fixes mend: those that `--fix` mends by mending
+/// it, so that the ones are counted that come to light on the way.
 pub fn offer(
     name: &str,
     text: &str,
@@ -93,11 +93,11 @@ pub fn offer(
 ) -> Offer {
     let world = World::new(options, files);
     let apparent = Offer::of(report);
-    match report.look(text).filter(|_| apparent.all > 0) {
-        Some(seen) => {
-            let (safe, all) = count_fixes(text, seen, |text| look(name, text, world));
-            Offer { safe, all }
-        }
-        None => Offer::default(),
+    let seen = report.look(text).filter(|_| apparent.safe > 0);
+    let look = |text: &str| look(name, text, world);
+    let fixed = seen.map(|seen| fix_seen(text, seen, Allow::Safe, look));
+    Offer {
+        safe: fixed.map_or(0, |f| f.applied.len()),
+        ..apparent
     }
 }

@@ -130,32 +130,18 @@ impl Moves {
 /// said of their places before. Fixes that would make one are found and left out.
 pub fn fix(text: &str, allow: Allow, mut look: impl FnMut(&str) -> Option<Look>) -> Fixed {
     match look(text) {
-        Some(seen) => fix_in_steps(text, seen, look, allow, |_| {}),
+        Some(seen) => fix_seen(text, seen, allow, look),
         None => Fixed::unchanged(text),
     }
 }
 
-/// How many findings are fixed in a text that has been looked at: by the safe fixes, and by all.
-pub fn count_fixes(
-    text: &str,
-    seen: Look,
-    look: impl FnMut(&str) -> Option<Look>,
-) -> (usize, usize) {
-    let mut safe = 0;
-    let all = fix_in_steps(text, seen, look, Allow::Unsafe, |fixed| {
-        safe = fixed.applied.len();
-    });
-    (safe, all.applied.len())
-}
-
-/// First applies the safe fixes, and then, where they may be applied, the others too; so what the
-/// safe ones mend does not depend on the others.
-fn fix_in_steps(
+/// Applies fixes to a text that has been looked at: first the safe ones, and then, where they may be
+/// applied, the others too; so what the safe ones mend does not depend on the others.
+pub fn fix_seen(
     text: &str,
     mut seen: Look,
-    look: impl FnMut(&str) -> Option<Look>,
     allow: Allow,
-    mut behind_safe: impl FnMut(&Fixed),
+    look: impl FnMut(&str) -> Option<Look>,
 ) -> Fixed {
     let mut engine = Engine {
         look,
@@ -163,11 +149,8 @@ fn fix_in_steps(
     };
     let mut fixed = Fixed::unchanged(text);
     for step in [Allow::Safe, Allow::Unsafe] {
-        if step == Allow::Unsafe {
-            behind_safe(&fixed);
-            if allow == Allow::Safe {
-                break;
-            }
+        if step == Allow::Unsafe && allow == Allow::Safe {
+            break;
         }
         for _ in 0..MAX_ROUNDS {
             let next = engine.round(&fixed, &seen, Allow::Safe);

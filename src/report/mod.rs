@@ -142,10 +142,10 @@ impl<W: Write> Reporter<W> {
         self.summary.fixed += count;
     }
 
-    /// Counts findings that `--fix` and that all fixes would mend.
-    pub fn add_offer(&mut self, safe: usize, all: usize) {
+    /// Counts findings that `--fix` would mend, and others with a fix.
+    pub fn add_offer(&mut self, safe: usize, others: usize) {
         self.summary.fixable += safe;
-        self.summary.suggested += all.saturating_sub(safe);
+        self.summary.suggested += others;
     }
 
     /// Sends on what was written so far.

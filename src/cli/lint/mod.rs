@@ -271,7 +271,7 @@ impl Printer<'_> {
             offer = Offer::of(&report);
         }
         let found = &report.diagnostics;
-        self.reporter.add_offer(offer.safe, offer.all);
+        self.reporter.add_offer(offer.safe, offer.others);
         if let Some(settings) = settings {
             let failing = found.iter().filter(|d| settings.fails(d.rule));
             scope.failing = failing.map(|d| d.rule).collect();
