@@ -1,7 +1,7 @@
 //! Conditions whose answer stands in the text.
 
 use crate::diagnostic::Severity;
-use crate::lint::{Binary, Check, Context, Group, Rule};
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
 use crate::semantic::each_operand;
 use crate::semantic::{Scalar, Value};
 use crate::syntax::ast::*;
@@ -16,7 +16,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Binary(check)],
 };
 
-fn check(cx: &mut Context, e: &Binary) {
+fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;
     if !(e.op.compares() || e.op.is_logical()) {
         return;
@@ -38,7 +38,7 @@ fn check(cx: &mut Context, e: &Binary) {
 
 /// The answer where both sides are literals, or one side of `&&` and `||` decides alone. A name may
 /// be a switch that the author sets.
-fn literal_answer(cx: &Context, e: &Binary) -> Option<bool> {
+fn literal_answer(cx: &Context, e: &BinaryExpr) -> Option<bool> {
     let program = cx.program;
     let tree = &program.tree;
     let literal = |id| match tree.expr(tree.unparen(id)).kind {
@@ -76,7 +76,7 @@ fn has_name(cx: &Context, id: ExprId) -> bool {
 }
 
 /// The answer where something that is never negative is compared with zero.
-fn sign_answer(cx: &Context, e: &Binary) -> Option<bool> {
+fn sign_answer(cx: &Context, e: &BinaryExpr) -> Option<bool> {
     let program = cx.program;
     let is_zero = |id| program.scalar(id).is_some_and(|v| v.as_float() == 0.0);
     let is_uint = |id| program.ty(id).scalar_kind() == Some(Scalar::Uint);

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::flow::{ControlId, Parted, Varying};
-use crate::ir::{OpId, Origin};
+use crate::ir::{OpId, Provenance};
 use crate::lint::{Check, Context, Group, Rule};
 use crate::semantic::{BuiltinId, Storage};
 use crate::syntax::ast::StmtKind;
@@ -52,7 +52,7 @@ fn check(cx: &mut Context) {
 
 /// What to write instead of a texture call.
 fn help(cx: &Context, call: OpId, function: BuiltinId) -> Option<String> {
-    let Origin::Expr(call) = cx.facts.module().origin(call) else {
+    let Provenance::Expr(call) = cx.facts.module().provenance(call) else {
         return None;
     };
     let text = cx.program.expr_text(call);
@@ -77,7 +77,7 @@ fn labels(cx: &Context, control: ControlId) -> Vec<(Span, String)> {
             // The first value on the way is what the code hangs on.
             Varying::Value(op) if !has_condition => {
                 has_condition = true;
-                if let Origin::Expr(e) = facts.module().origin(op) {
+                if let Provenance::Expr(e) = facts.module().provenance(op) {
                     labels.push((program.expr_span(e), "not the same for all pixels".into()));
                 }
             }

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::ir::{OpKind, Root};
-use crate::lint::{Binary, Check, Context, Group, Rule};
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
 use crate::semantic::Scalar;
 use crate::syntax::ast::{BinaryOp, ExprId};
 
@@ -16,7 +16,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Binary(check)],
 };
 
-fn check(cx: &mut Context, e: &Binary) {
+fn check(cx: &mut Context, e: &BinaryExpr) {
     if !matches!(e.op, BinaryOp::Equal | BinaryOp::NotEqual) {
         return;
     }
@@ -49,7 +49,7 @@ fn check(cx: &mut Context, e: &Binary) {
 }
 
 /// Whether no rounding can come between the two.
-fn is_exact(cx: &Context, e: &Binary, component: u8) -> bool {
+fn is_exact(cx: &Context, e: &BinaryExpr, component: u8) -> bool {
     let (Some(left), Some(right)) = (
         cx.facts.range(e.left).nth(component as usize),
         cx.facts.range(e.right).nth(component as usize),
@@ -57,7 +57,7 @@ fn is_exact(cx: &Context, e: &Binary, component: u8) -> bool {
         return false;
     };
     // A division or root is to be kept from exactly zero, and what a value is bounded by is held.
-    let is_edge = |value: Option<f64>, other: &crate::flow::ranges::Range| {
+    let is_edge = |value: Option<f64>, other: &crate::flow::ranges::Interval| {
         value.is_some_and(|v| v == 0.0 || other.holds(v))
     };
     (left.exact && right.exact)
@@ -68,7 +68,7 @@ fn is_exact(cx: &Context, e: &Binary, component: u8) -> bool {
         || may_be_copies(cx, e, component)
 }
 
-fn may_be_copies(cx: &Context, e: &Binary, component: u8) -> bool {
+fn may_be_copies(cx: &Context, e: &BinaryExpr, component: u8) -> bool {
     let module = cx.facts.module();
     let sides = module.op_of(e.left).zip(module.op_of(e.right));
     sides.is_some_and(|(left, right)| {

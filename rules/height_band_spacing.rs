@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::lint::light::{factors, has_word, name_of, words};
-use crate::lint::{Binary, Check, Context, Group, Rule, RuleOption, Setting};
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::{BuiltinId, FunctionRef};
 use crate::syntax::ast::*;
 use std::collections::BTreeMap;
@@ -77,7 +77,7 @@ fn bands(cx: &mut Context) {
 }
 
 /// `y / maxH` beside a height function that reaches another height.
-fn heights(cx: &mut Context, ratio: &Binary) {
+fn heights(cx: &mut Context, ratio: &BinaryExpr) {
     let program = cx.program;
     let calls = cx.facts.calls();
     let by = ratio.right;

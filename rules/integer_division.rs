@@ -1,7 +1,7 @@
 //! Divisions of integers that lose what was meant.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Binary, Check, Context, Group, Rule};
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
 use crate::semantic::{Scalar, Value};
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
 use crate::text::Edit;
@@ -16,7 +16,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Binary(check)],
 };
 
-fn check(cx: &mut Context, e: &Binary) {
+fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;
     let kind = program.ty(e.id).scalar_kind();
     if e.op != BinaryOp::Div

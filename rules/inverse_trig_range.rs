@@ -1,7 +1,7 @@
 //! `asin` and `acos` of numbers that are no sine or cosine.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::flow::ranges::Range;
+use crate::flow::ranges::Interval;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
 use crate::text::Edit;
@@ -24,7 +24,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let (least, most) = (-1.0 - ROUNDING, 1.0 + ROUNDING);
-    let is_beyond = |r: &Range| r.reaches_below(least) || r.reaches_above(most);
+    let is_beyond = |r: &Interval| r.reaches_below(least) || r.reaches_above(most);
     let Some(range) = cx.facts.range(of).find(is_beyond) else {
         return;
     };

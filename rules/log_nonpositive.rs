@@ -1,7 +1,7 @@
 //! Logarithms of zero and of negative numbers.
 
 use crate::diagnostic::Severity;
-use crate::flow::ranges::Range;
+use crate::flow::ranges::Interval;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
 
@@ -19,7 +19,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Log | BuiltinId::Log2, &[of]) = (call.function, call.args) else {
         return;
     };
-    let ranges: Vec<Range> = cx.facts.range(of).collect();
+    let ranges: Vec<Interval> = cx.facts.range(of).collect();
     let negative = ranges.iter().find(|r| r.reaches_below(0.0));
     let Some(range) = negative.or(ranges.iter().find(|r| r.holds(0.0))) else {
         return;

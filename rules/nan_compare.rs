@@ -1,7 +1,7 @@
 //! `x != x` as a test for NaN.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Binary, Check, Context, Group, Rule};
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
 use crate::semantic::Scalar;
 use crate::syntax::Version;
 use crate::syntax::ast::BinaryOp;
@@ -17,7 +17,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Binary(check)],
 };
 
-fn check(cx: &mut Context, e: &Binary) {
+fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;
     let is_float = program.ty(e.left).scalar_kind() == Some(Scalar::Float);
     let compares = matches!(e.op, BinaryOp::Equal | BinaryOp::NotEqual);

@@ -1,7 +1,7 @@
 //! Shadow loops that go on behind the first thing that they meet.
 
 use crate::diagnostic::Severity;
-use crate::lint::march::Role;
+use crate::lint::march::MarchGoal;
 use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::syntax::ast::Extent;
 
@@ -27,8 +27,8 @@ fn check(cx: &mut Context) {
     let facts = cx.facts;
     for march in facts.marches() {
         let looped = march.looped;
-        let (Some(turns), Role::Shadow, false) =
-            (looped.bound.turns(), march.role, looped.ends_early)
+        let (Some(turns), MarchGoal::Shadow, false) =
+            (looped.bound.turns(), march.goal, looped.ends_early)
         else {
             continue;
         };

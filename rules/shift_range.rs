@@ -22,7 +22,7 @@ fn check(cx: &mut Context, id: ExprId) {
     if !matches!(op, BinaryOp::ShiftLeft | BinaryOp::ShiftRight) {
         return;
     }
-    let is_bad = |r: &crate::flow::ranges::Range| r.reaches_below(0.0) || r.reaches_above(31.0);
+    let is_bad = |r: &crate::flow::ranges::Interval| r.reaches_below(0.0) || r.reaches_above(31.0);
     let Some(range) = cx.facts.range(by).find(is_bad) else {
         return;
     };

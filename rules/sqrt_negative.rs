@@ -1,7 +1,7 @@
 //! Roots of negative numbers.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::flow::ranges::Range;
+use crate::flow::ranges::Interval;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
 use crate::text::Edit;
@@ -22,7 +22,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     };
     let is_inverse = call.function == BuiltinId::InverseSqrt;
     let name = call.function.name();
-    let ranges: Vec<Range> = cx.facts.range(of).collect();
+    let ranges: Vec<Interval> = cx.facts.range(of).collect();
     if let Some(range) = ranges.iter().find(|r| r.reaches_below(0.0)) {
         let least = if is_inverse { "1e-6" } else { "0.0" };
         let span = cx.program.expr_span(of);

@@ -1,10 +1,10 @@
 //! Ray marching loops that take more steps than a software renderer can.
 
 use crate::diagnostic::Severity;
-use crate::lint::march::{March, Role, way};
+use crate::lint::march::{March, MarchGoal, way};
 use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::each_operand;
-use crate::semantic::tunable::{Range, range_behind};
+use crate::semantic::tunable::{TunableRange, range_behind};
 use crate::semantic::{FunctionRef, Resolution};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
@@ -45,7 +45,7 @@ struct Marched {
     given: ExprId,
     steps: u64,
     allowed: u64,
-    documented: Option<Range>,
+    documented: Option<TunableRange>,
 }
 
 fn check(cx: &mut Context) {
@@ -80,9 +80,9 @@ fn marched(cx: &Context, march: &March) -> Option<Marched> {
         return None;
     }
     let documented = documented(cx, given);
-    let usual = match march.role {
-        Role::Picture => cx.option(&MAIN),
-        Role::Shadow => cx.option(&SHADOW),
+    let usual = match march.goal {
+        MarchGoal::Picture => cx.option(&MAIN),
+        MarchGoal::Shadow => cx.option(&SHADOW),
     };
     Some(Marched {
         march: *march,
@@ -94,7 +94,7 @@ fn marched(cx: &Context, march: &March) -> Option<Marched> {
 }
 
 /// The range that the author wrote behind the number that the loop runs to.
-fn documented(cx: &Context, given: ExprId) -> Option<Range> {
+fn documented(cx: &Context, given: ExprId) -> Option<TunableRange> {
     let (definition, _) = definition(cx, given)?;
     range_behind(cx.program, definition).map(|(range, _)| range)
 }
@@ -136,7 +136,7 @@ fn report(cx: &mut Context, marched: &Marched, entry: FunctionRef) {
     let program = cx.program;
     let way = way(program, cx.facts.calls(), entry, looped.function);
     let definition = definition(cx, given);
-    let role = march.role.name();
+    let role = march.goal.name();
     let mut finding = cx.report_expr(
         given,
         format!("the {role} takes up to {steps} steps; {allowed} are allowed"),

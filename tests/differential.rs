@@ -7,7 +7,7 @@ use glsl_lang::ast::TranslationUnit;
 use glsl_lang::parse::DefaultParse;
 use shaderlint::diagnostic::Severity;
 use shaderlint::semantic::Pass;
-use shaderlint::syntax::{Language, RawKind, TokenKind, parse, preprocess, tokenize, unsplice};
+use shaderlint::syntax::{ParseOptions, RawKind, TokenKind, parse, preprocess, tokenize, unsplice};
 use shaderlint::text::{Role, Sources, Span};
 use std::collections::HashMap;
 use std::fs;
@@ -108,7 +108,7 @@ fn preprocessed(text: &str) -> (String, bool) {
     let file = sources.add("a.glsl", None, Role::User, text);
     let files = [header.unwrap(), file.unwrap()];
     let mut read = preprocess(&sources, &files, true);
-    let language = Language {
+    let language = ParseOptions {
         version: read.version,
         is_fragment: true,
     };

@@ -4,14 +4,14 @@
 //! `INSTA_UPDATE=always cargo test --features naga --test naga` accepts what is written now.
 #![cfg(feature = "naga")]
 
-use shaderlint::port::naga::{Language, Refused, translate};
+use shaderlint::port::naga::{Refused, TargetLanguage, translate};
 use shaderlint::port::{Project, compose};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
 /// What the only pass of a shader becomes.
-fn written(code: &str, language: Language) -> Result<Vec<u8>, Refused> {
+fn written(code: &str, language: TargetLanguage) -> Result<Vec<u8>, Refused> {
     let project = Project::from_shader("shader", code).unwrap();
     let composed = compose(&project, "shader").unwrap();
     let [unit] = &composed.units[..] else {
@@ -23,18 +23,18 @@ fn written(code: &str, language: Language) -> Result<Vec<u8>, Refused> {
 }
 
 fn wgsl(code: &str) -> String {
-    let written = written(code, Language::Wgsl).unwrap_or_else(|e| panic!("{e:?}\n{code}"));
+    let written = written(code, TargetLanguage::Wgsl).unwrap_or_else(|e| panic!("{e:?}\n{code}"));
     String::from_utf8(written).unwrap()
 }
 
 /// Asks that all four languages can say it.
 #[track_caller]
 fn reaches_all(code: &str) {
-    for language in Language::ALL {
+    for language in TargetLanguage::ALL {
         let bytes =
             written(code, language).unwrap_or_else(|e| panic!("{language:?} {e:?}\n{code}"));
         match language {
-            Language::Spirv => assert_eq!(bytes[..4], 0x0723_0203_u32.to_le_bytes()),
+            TargetLanguage::Spirv => assert_eq!(bytes[..4], 0x0723_0203_u32.to_le_bytes()),
             _ => assert!(String::from_utf8(bytes).unwrap().contains("fragment_main")),
         }
     }
@@ -192,8 +192,8 @@ fn what_has_no_counterpart_is_refused_where_it_stands() {
 /// What is said of a shader, and the text that it is said of. Not every such shader is one that a
 /// page can feed, so it is lowered as it is.
 fn refusal(code: &str) -> (Refused, String) {
-    use shaderlint::port::naga::{Origin, lower};
-    use shaderlint::semantic::{Dialect, Extent, Stage, Unit, analyze};
+    use shaderlint::port::naga::{FirstRow, lower};
+    use shaderlint::semantic::{Dialect, Stage, Unit, Wholeness, analyze};
     use shaderlint::text::{Role, Sources};
     let mut sources = Sources::new();
     let files = [sources.add("", None, Role::User, code).unwrap()];
@@ -204,14 +204,14 @@ fn refusal(code: &str) -> (Refused, String) {
         stage: Stage::Fragment,
         dialect: Dialect::WebGl,
         infer_channels: false,
-        extent: Extent::Whole,
+        wholeness: Wholeness::Whole,
     });
     assert!(
         analysis.diagnostics.is_empty(),
         "{:?}",
         analysis.diagnostics
     );
-    let refused = lower(&analysis.program, Origin::Picture).err().unwrap();
+    let refused = lower(&analysis.program, FirstRow::Picture).err().unwrap();
     let text = sources.text(refused.span).to_string();
     (refused, text)
 }
@@ -246,7 +246,7 @@ fn deep_code_is_answered() {
         deep(200, "1.0 + ", ""),
         deep(60, "mod(", ", 2.0)"),
     ] {
-        for language in Language::ALL {
+        for language in TargetLanguage::ALL {
             // Deep code may be refused, but not without an answer.
             let _ = written(&code, language);
         }

@@ -10,7 +10,7 @@ use shaderlint::host::presets;
 use shaderlint::lint::{Allow, Fence, FenceKind, Page, Renderer, Rule, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::RULES;
-use shaderlint::semantic::{Kind, guess};
+use shaderlint::semantic::{GuessedKind, guess};
 use shaderlint::text::Sources;
 use std::fs;
 use std::path::Path;
@@ -21,7 +21,7 @@ fn choice(name: &str, code: &str) -> DialectChoice {
     let is_glsl = name.ends_with(".glsl");
     match guess(code).kind {
         None if is_glsl => DialectChoice::Shadertoy,
-        Some(Kind::WebGl1 | Kind::WebGl2) if is_glsl && !guess(code).has_main => {
+        Some(GuessedKind::WebGl1 | GuessedKind::WebGl2) if is_glsl && !guess(code).has_main => {
             DialectChoice::Webgl2
         }
         _ => DialectChoice::Auto,

@@ -5,7 +5,7 @@
 use crate::mutate::Random;
 use shaderlint::diagnostic::Severity;
 use shaderlint::semantic::link::link;
-use shaderlint::semantic::{Dialect, Extent, Stage, Unit, analyze};
+use shaderlint::semantic::{Dialect, Stage, Unit, Wholeness, analyze};
 use shaderlint::text::{Role, Sources};
 use std::sync::Arc;
 
@@ -40,7 +40,7 @@ pub fn judge(vertex: &str, fragment: &str) -> (bool, Vec<String>) {
             stage,
             dialect: Dialect::WebGl,
             infer_channels: false,
-            extent: Extent::Whole,
+            wholeness: Wholeness::Whole,
         });
         let mut all = analysis.diagnostics.iter();
         let is_well = !all.any(|d| d.severity == Severity::Error);

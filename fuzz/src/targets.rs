@@ -4,7 +4,7 @@ use crate::mutate::split;
 use crate::pairs;
 use shaderlint::diagnostic::{Diagnostic, Severity};
 use shaderlint::engine::{
-    Analysis, DialectChoice, Extent, NoFiles, Options, Report, analyze, check, mend,
+    Analysis, DialectChoice, NoFiles, Options, Report, Wholeness, analyze, check, mend,
 };
 use shaderlint::ir::{print, verify};
 use shaderlint::lint::{Allow, Settings};
@@ -12,7 +12,7 @@ use shaderlint::port::{Project, compose, glsl, html};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
 use shaderlint::semantic::Stage;
-use shaderlint::syntax::{Language, parse, preprocess, tokenize};
+use shaderlint::syntax::{ParseOptions, parse, preprocess, tokenize};
 use shaderlint::text::{FileId, Role, Sources};
 
 /// Something to throw shaders at.
@@ -103,7 +103,7 @@ fn lex(text: &str) {
 fn parse_only(text: &str) {
     let (sources, files) = sources(text);
     let mut read = preprocess(&sources, &files, true);
-    let language = Language {
+    let language = ParseOptions {
         version: read.version,
         is_fragment: true,
     };
@@ -178,7 +178,7 @@ fn check_all(text: &str) {
 /// be the host's.
 fn is_well_formed(text: &str) {
     let report = analyze("a.glsl", text, &Options::default(), &NoFiles);
-    let whole = |a: &&Analysis| a.extent == Extent::Whole && !a.has_errors;
+    let whole = |a: &&Analysis| a.wholeness == Wholeness::Whole && !a.has_errors;
     for analysis in report.analyses.iter().filter(whole) {
         let (program, module) = (&analysis.program, analysis.module());
         assert_eq!(verify(program, module), []);

@@ -28,12 +28,12 @@ pub const STACK: usize = 16 << 20;
 
 /// Runs `shaderlint` with the arguments of the process.
 pub fn shaderlint() -> ExitCode {
-    with_stack(|| lint::run(&lint::Args::parse()))
+    with_stack(|| lint::run(&lint::LintArgs::parse()))
 }
 
 /// Runs `shaderport` with the arguments of the process.
 pub fn shaderport() -> ExitCode {
-    with_stack(|| port::run(&port::Args::parse()))
+    with_stack(|| port::run(&port::PortArgs::parse()))
 }
 
 /// Runs a program on a thread with [`STACK`].

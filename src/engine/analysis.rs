@@ -1,7 +1,7 @@
 //! A checked shader that outlives the call that checked it: what editors and runs keep.
 
 use crate::ir::{Module, lower};
-use crate::semantic::{Checked, Extent, Program};
+use crate::semantic::{Checked, Program, Wholeness};
 use crate::text::Sources;
 use std::sync::{Arc, OnceLock};
 
@@ -11,7 +11,7 @@ pub struct Analysis {
     /// What the shader means.
     pub program: Arc<Program>,
     /// How much of a shader it is.
-    pub extent: Extent,
+    pub wholeness: Wholeness,
     /// Whether the browser would refuse it as it stands.
     pub has_errors: bool,
     module: OnceLock<Arc<Module>>,
@@ -21,7 +21,7 @@ impl Analysis {
     pub(super) fn new(checked: Checked, has_errors: bool) -> Analysis {
         Analysis {
             program: Arc::new(checked.program),
-            extent: checked.extent,
+            wholeness: checked.wholeness,
             has_errors,
             module: OnceLock::new(),
         }

@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::lint::{Allows, Judged};
 use crate::port::{Project, ProjectError, compose};
 use crate::rules::RULES;
-use crate::text::embed::{Embedded, Language, extract_named};
+use crate::text::embed::{DocumentLanguage, Embedded, extract_named};
 use crate::text::kind::{Decision, FileKind, Tongue, decide};
 use crate::text::{Encoding, FileId, Role, Sources, Span};
 use std::fmt;
@@ -121,7 +121,7 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
     let partner = partner::load(&mut read, name, world);
     let may_link = partner.is_some() || read.embedded.len() > 1;
     let keep = match kind {
-        FileKind::Holds(Language::Markdown) => world.keep,
+        FileKind::Holds(DocumentLanguage::Markdown) => world.keep,
         // Shaders that may be linked are not checked again for it.
         _ if may_link => Keep::Programs,
         _ => world.keep,

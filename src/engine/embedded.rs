@@ -4,13 +4,13 @@ use super::document::Read;
 use super::foreign;
 use super::options::Options;
 use super::part::Part;
-use super::reading::{Place, Readings, Text};
+use super::reading::{InputText, Readings, Surroundings};
 use crate::diagnostic::{Applicability, Diagnostic, error};
 use crate::host::preset;
-use crate::semantic::snippet::{Item, items};
-use crate::semantic::{Kind, Stage, guess, needs_300};
+use crate::semantic::snippet::{SnippetItem, items};
+use crate::semantic::{GuessedKind, Stage, guess, needs_300};
 use crate::syntax::{Version, WordClass, classify};
-use crate::text::embed::{Embedded, Embedder, Language, Wrapping};
+use crate::text::embed::{DocumentLanguage, Embedded, Embedder, Wrapping};
 use crate::text::kind::own_directive;
 use crate::text::{FileId, Role};
 use std::collections::BTreeMap;
@@ -22,18 +22,20 @@ const MAX_SCOPES: usize = 100;
 /// Makes the shaders of a file. `None` where they are too large.
 pub(super) fn parts(
     read: &mut Read,
-    language: Language,
+    language: DocumentLanguage,
     file: FileId,
     text: &str,
     options: &Options,
 ) -> Option<()> {
     // A text speaks of many programs.
     let embedder = match language {
-        Language::Markdown => Embedder::default(),
-        Language::Html | Language::Script | Language::Component => Embedder::of(text),
+        DocumentLanguage::Markdown => Embedder::default(),
+        DocumentLanguage::Html | DocumentLanguage::Script | DocumentLanguage::Component => {
+            Embedder::of(text)
+        }
     };
     let all = std::mem::take(&mut read.embedded);
-    let is_300 = language == Language::Markdown && speaks_of_300(&all);
+    let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
     let mut known = Known::default();
     for embedded in &all {
         known.enter(embedded.chapter);
@@ -66,7 +68,7 @@ fn speaks_of_300(all: &[Embedded]) -> bool {
         let uses_player = words.iter().any(|w| e.code.contains(w.as_str()));
         uses_player || guess(&e.code).is_shadertoy() || needs_300(&e.code)
     };
-    let is_old = |e: &Embedded| guess(&e.code).kind == Some(Kind::WebGl1);
+    let is_old = |e: &Embedded| guess(&e.code).kind == Some(GuessedKind::WebGl1);
     all.iter().any(is_new) && !all.iter().any(is_old)
 }
 
@@ -87,13 +89,13 @@ fn part(
     } else {
         vec![Arc::make_mut(&mut read.sources).embed(file, embedded.start, code)?]
     };
-    let text = Text {
+    let text = InputText {
         files,
         stage: embedded.is_vertex.then_some(Stage::Vertex),
-        place: match embedded.wrapping {
-            Wrapping::Element => Place::Element,
-            Wrapping::Template | Wrapping::Quotes => Place::Literal,
-            Wrapping::Fence | Wrapping::Listing => Place::Shown,
+        surroundings: match embedded.wrapping {
+            Wrapping::Element => Surroundings::Element,
+            Wrapping::Template | Wrapping::Quotes => Surroundings::Literal,
+            Wrapping::Fence | Wrapping::Listing => Surroundings::Shown,
         },
         is_open: false,
         is_300: around.is_300,
@@ -125,7 +127,7 @@ fn excerpt(
 ) -> Option<Vec<FileId>> {
     let sources = Arc::make_mut(&mut read.sources);
     let items = items(&embedded.code);
-    if items.iter().all(|i| matches!(i, Item::Global(_))) {
+    if items.iter().all(|i| matches!(i, SnippetItem::Global(_))) {
         return Some(vec![sources.embed(
             file,
             embedded.start,
@@ -139,15 +141,17 @@ fn excerpt(
     let mut declared = Vec::new();
     for item in items {
         let (range, into) = match &item {
-            Item::Global(range) => (range, &mut globals),
-            Item::Declaration(range) | Item::Statement(range) => (range, &mut statements),
+            SnippetItem::Global(range) => (range, &mut globals),
+            SnippetItem::Declaration(range) | SnippetItem::Statement(range) => {
+                (range, &mut statements)
+            }
         };
-        if matches!(item, Item::Declaration(_)) && scopes < MAX_SCOPES {
+        if matches!(item, SnippetItem::Declaration(_)) && scopes < MAX_SCOPES {
             into.push(open);
             scopes += 1;
         }
         let code = embedded.code.get(range.clone())?;
-        if matches!(item, Item::Declaration(_)) {
+        if matches!(item, SnippetItem::Declaration(_)) {
             declared.push(code);
         }
         into.push(sources.embed(file, embedded.start + range.start, code)?);

@@ -1,7 +1,7 @@
 //! What is kept of the files around a text, so that each is read once in a run.
 
 use super::files::Files;
-use super::include::{Passes, Text};
+use super::include::{IncludedFile, Passes};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 #[derive(Default, Debug)]
 pub struct Memo {
     /// By path without links: the version of the file that was read.
-    texts: Mutex<HashMap<PathBuf, (u64, Arc<Text>)>>,
+    texts: Mutex<HashMap<PathBuf, (u64, Arc<IncludedFile>)>>,
     /// By folder, the passes of ShaderToy in it.
     passes: Mutex<HashMap<PathBuf, Arc<Passes>>>,
     /// By folder, the packages of its project.
@@ -19,14 +19,14 @@ pub struct Memo {
 
 impl Memo {
     /// What stands in a file, read anew where it has changed.
-    pub(super) fn text(&self, files: &dyn Files, real: &Path) -> Option<Arc<Text>> {
+    pub(super) fn text(&self, files: &dyn Files, real: &Path) -> Option<Arc<IncludedFile>> {
         let version = files.version(real);
         if let (Some(now), Some((then, kept))) = (version, lock(&self.texts).get(real))
             && now == *then
         {
             return Some(kept.clone());
         }
-        let text = Arc::new(Text::new(files.load(real).ok()?));
+        let text = Arc::new(IncludedFile::new(files.load(real).ok()?));
         if let Some(version) = version {
             let kept = (version, text.clone());
             lock(&self.texts).insert(real.to_path_buf(), kept);

@@ -22,11 +22,11 @@ pub mod path;
 mod reading;
 mod repair;
 
-pub use crate::semantic::Extent;
+pub use crate::semantic::Wholeness;
 pub use analysis::Analysis;
 pub use document::{Report, Unread};
 pub use files::{FileType, Files, LoadError, MAX_LOADED, NoFiles};
-pub use include::{Absence, Includes, Missing};
+pub use include::{Absence, Includes, MissingInclude};
 pub use memo::Memo;
 pub use mend::{Offer, mend, offer};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Options};
@@ -115,7 +115,7 @@ mod tests {
         let [analysis] = &report.analyses[..] else {
             panic!("one shader")
         };
-        assert!(!analysis.has_errors && analysis.extent == Extent::Whole);
+        assert!(!analysis.has_errors && analysis.wholeness == Wholeness::Whole);
         assert!(!analysis.module().functions.is_empty());
         let alone = check("a.frag", shader, &Options::default(), &NoFiles);
         assert_eq!(alone.shaders[0].missing[0].path, "lib/noise.glsl");

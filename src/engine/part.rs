@@ -5,14 +5,14 @@ use super::analysis::Analysis;
 use super::document::Read;
 use super::foreign;
 use super::host::Hosts;
-use super::include::{Missing, is_common, spread};
+use super::include::{MissingInclude, is_common, spread};
 use super::options::{DialectChoice, HostUniform, Options};
-use super::reading::{Place, Reading, Readings, Standing, Text, lacking};
+use super::reading::{InputText, Reading, Readings, Standing, Surroundings, lacking};
 use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
-use crate::semantic::{Checked, Dialect, Extent, Guess, Kind, Stage, guess};
+use crate::semantic::{Checked, Dialect, Guess, GuessedKind, Stage, Wholeness, guess};
 use crate::syntax::{Lexer, RawKind, Version, WordClass, classify};
 use crate::text::embed::{Embedder, mask};
 use crate::text::kind::ending;
@@ -29,7 +29,7 @@ pub struct Part {
     /// The page or script around it.
     pub embedder: Embedder,
     /// What it includes and is not found.
-    pub missing: Vec<Missing>,
+    pub missing: Vec<MissingInclude>,
     /// What came of checking it, where that is kept.
     pub analysis: Option<Analysis>,
 }
@@ -132,14 +132,14 @@ fn tell_part(
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(Shader, Option<Judged>)> {
-    let extent = checked.extent;
+    let wholeness = checked.wholeness;
     let known = diagnostics.len();
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
     let errors = checked.diagnostics.iter().filter(is_error).count();
     allows.expect(&checked.program, RULES, &mut checked.diagnostics);
     let mut left_out = 0;
     // Where something is open, no rule knows enough.
-    let unrun = if !checked.open.is_any && extent != Extent::Excerpt {
+    let unrun = if !checked.open.is_any && wholeness != Wholeness::Excerpt {
         let mut found = Vec::new();
         let (program, errors) = (&checked.program, &checked.diagnostics);
         let unrun = lint_within(program, part.embedder, errors, RULES, settings, &mut found);
@@ -150,7 +150,7 @@ fn tell_part(
             allows.excuse(broken);
         }
         found.retain(|d| sources.is_user(d.span.start));
-        if extent != Extent::Whole {
+        if wholeness != Wholeness::Whole {
             // What a host makes of it is not known well enough to write anything unasked.
             foreign::ask_first(&mut found);
         }
@@ -163,7 +163,7 @@ fn tell_part(
         Unrun::Everywhere
     };
     keep_under_hosts(sources, &part.readings, &mut checked.diagnostics);
-    if extent != Extent::Whole {
+    if wholeness != Wholeness::Whole {
         // The program around a part knows its names.
         let names = checked.diagnostics.iter_mut();
         let renamed = names.filter(|d| d.rule == error::RESERVED_WORD);
@@ -171,7 +171,7 @@ fn tell_part(
     }
     diagnostics.append(&mut checked.diagnostics);
     let own = diagnostics.get_mut(known..).unwrap_or(&mut []);
-    if extent != Extent::Whole {
+    if wholeness != Wholeness::Whole {
         let hosts: Arc<[String]> = part.readings.hosts.as_slice().into();
         own.iter_mut().for_each(|d| d.part = Some(hosts.clone()));
     }
@@ -191,7 +191,7 @@ fn tell_part(
         stage: program.stage,
         dialect: program.dialect,
         version: program.version,
-        extent,
+        wholeness,
         unrun,
         has_errors: errors > 0,
         left_out,
@@ -231,7 +231,7 @@ pub struct Shader {
     /// The version of the language.
     pub version: Version,
     /// How much of it is at hand.
-    pub extent: Extent,
+    pub wholeness: Wholeness,
     /// Where no rule looked.
     pub unrun: Unrun,
     /// Whether the browser would refuse it as it stands.
@@ -243,7 +243,7 @@ pub struct Shader {
     /// The hosts that are thought to complete it.
     pub hosts: Vec<String>,
     /// What it includes and is not found.
-    pub missing: Vec<Missing>,
+    pub missing: Vec<MissingInclude>,
 }
 
 /// Most findings of the rules in one shader; whoever mends these sees the next.
@@ -281,13 +281,13 @@ pub(super) fn shader_part(
             (own.files, own.is_open, own.missing)
         }
     };
-    let about = Text {
+    let about = InputText {
         files,
         stage,
-        place: match stage {
-            _ if is_common(name, text, world) => Place::CommonFile,
-            Some(_) => Place::StageFile,
-            None => Place::File,
+        surroundings: match stage {
+            _ if is_common(name, text, world) => Surroundings::CommonFile,
+            Some(_) => Surroundings::StageFile,
+            None => Surroundings::File,
         },
         is_open,
         is_300: false,
@@ -313,7 +313,7 @@ pub(super) fn shader_part(
 /// Whether a program may fill holes in a shader file. In a text that shows itself to be whole only
 /// what has no meaning in GLSL and two ends is one.
 fn may_be_template(text: &str, told: &Guess, options: &Options) -> bool {
-    let is_whole = told.kind.is_some_and(Kind::is_whole);
+    let is_whole = told.kind.is_some_and(GuessedKind::is_whole);
     let has_ends = ["${", "{{", "<%", "{%"].iter().any(|s| text.contains(s));
     options.dialect == DialectChoice::Auto && (has_ends || !is_whole)
 }

@@ -9,8 +9,8 @@ use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::lint::Settings;
 use crate::rules::RULES;
 use crate::semantic::link::link;
-use crate::semantic::{Extent, Function, Program, Stage, Storage, Unit, analyze};
-use crate::text::embed::{Asked, Embedded, Language, asked, together};
+use crate::semantic::{Function, Program, Stage, Storage, Unit, Wholeness, analyze};
+use crate::text::embed::{Asked, DocumentLanguage, Embedded, asked, together};
 use crate::text::kind::ending;
 use crate::text::{Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
@@ -125,13 +125,13 @@ pub(super) fn check(
     let Some(file) = file.filter(|_| read.embedded.len() > 1) else {
         return;
     };
-    let Some(language) = Language::of_extension(&ending(&file.path)) else {
+    let Some(language) = DocumentLanguage::of_extension(&ending(&file.path)) else {
         return;
     };
     let parts = programs(read, file.base);
     // Texts show pieces of many programs.
     let only = match language {
-        Language::Markdown => return,
+        DocumentLanguage::Markdown => return,
         _ if parts.iter().all(Option::is_some) => pair(&parts, &mut (0..parts.len())),
         _ => None,
     };
@@ -246,7 +246,7 @@ fn programs_of<'p>(
         let checked = part
             .analysis
             .as_ref()
-            .filter(|a| index == 0 && a.extent == Extent::Whole);
+            .filter(|a| index == 0 && a.wholeness == Wholeness::Whole);
         let (program, has_errors) = match checked {
             Some(analysis) => (analysis.program.clone(), analysis.has_errors),
             None => {
@@ -256,7 +256,7 @@ fn programs_of<'p>(
                     stage: reading.stage,
                     dialect: reading.dialect,
                     infer_channels: false,
-                    extent: Extent::Whole,
+                    wholeness: Wholeness::Whole,
                 });
                 let mut found = checked.diagnostics.iter();
                 let has_errors = found.any(|d| d.severity == Severity::Error);

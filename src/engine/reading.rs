@@ -8,8 +8,8 @@ use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::host::{HostVersion, Preset};
 use crate::semantic::snippet::is_body;
 use crate::semantic::{
-    Checked, Dialect, Extent, Guess, Kind, PART_OUTPUT, Pass, Stage, Unit, analyze, analyze_part,
-    guess, needs_300, part_declarations,
+    Checked, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, Stage, Unit, Wholeness, analyze,
+    analyze_part, guess, needs_300, part_declarations,
 };
 use crate::syntax::{ES_300, Feature, Version};
 use crate::text::kind::has_main;
@@ -46,13 +46,13 @@ pub enum Standing {
 
 /// A text that is to be read, and what is known of it.
 #[derive(Clone, Debug)]
-pub struct Text {
+pub struct InputText {
     /// What is compiled of it, with what it includes.
     pub files: Vec<FileId>,
     /// The stage, where something around the text tells it.
     pub stage: Option<Stage>,
     /// Where it stands.
-    pub place: Place,
+    pub surroundings: Surroundings,
     /// Whether a host is seen that puts something in.
     pub is_open: bool,
     /// Whether what stands around the text says that it is GLSL ES 3.00.
@@ -63,7 +63,7 @@ pub struct Text {
 
 /// Where a text stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Place {
+pub enum Surroundings {
     /// In a file of a stage, which is mostly compiled as it stands.
     StageFile,
     /// In a file of any GLSL.
@@ -91,7 +91,7 @@ pub struct Readings {
     pub renames: bool,
     /// Whether the hosts are only those that the script or the project uses.
     pub is_guessed: bool,
-    text: Text,
+    text: InputText,
     told: Guess,
     needs_300: bool,
 }
@@ -100,10 +100,10 @@ impl Readings {
     /// One reading of a shader that is all at hand.
     pub fn whole(reading: Reading) -> Readings {
         Readings {
-            text: Text {
+            text: InputText {
                 files: reading.files.clone(),
                 stage: Some(reading.stage),
-                place: Place::File,
+                surroundings: Surroundings::File,
                 is_open: false,
                 is_300: false,
                 has_holes: false,
@@ -123,7 +123,7 @@ impl Readings {
     pub fn of(
         sources: &mut Sources,
         (code, mut told): (&str, Guess),
-        text: Text,
+        text: InputText,
         options: &Options,
     ) -> Option<Readings> {
         // What the text includes is a part of it, and found includes are no directives any more.
@@ -162,7 +162,7 @@ impl Readings {
             return Some(found);
         }
         if !matches!(standing, Standing::Part | Standing::Excerpt)
-            || kind.is_some_and(Kind::is_whole)
+            || kind.is_some_and(GuessedKind::is_whole)
         {
             found.all.push(found.as_it_stands(sources, kind, options)?);
         }
@@ -175,12 +175,12 @@ impl Readings {
 
     /// Whether the text has a `#version`.
     pub fn has_version(&self) -> bool {
-        self.told.kind == Some(Kind::Versioned)
+        self.told.kind == Some(GuessedKind::Versioned)
     }
 
     /// Whether the text may be cut anywhere: scripts put shaders together of such pieces.
     fn is_piece(&self) -> bool {
-        self.text.place == Place::Literal && !self.has_version()
+        self.text.surroundings == Surroundings::Literal && !self.has_version()
     }
 
     /// Whether the text itself needs GLSL ES 3.00.
@@ -255,15 +255,17 @@ impl Readings {
     /// The versions and stages that a part may be compiled as, the likeliest first.
     fn ways(&self, preset: Option<&Preset>) -> Vec<(Version, Stage)> {
         let versions: &[Version] = match (preset.map(|p| p.version), self.told.kind) {
-            (_, Some(Kind::Versioned)) if self.told.is_300 => &[Version::Es300],
-            (_, Some(Kind::Versioned)) => &[Version::Es100],
+            (_, Some(GuessedKind::Versioned)) if self.told.is_300 => &[Version::Es300],
+            (_, Some(GuessedKind::Versioned)) => &[Version::Es100],
             (Some(HostVersion::Es100), _) => &[Version::Es100],
             (Some(HostVersion::Es300), _) => &[Version::Es300],
             // Such a host turns one into the other.
-            (Some(HostVersion::Any), Some(Kind::WebGl1)) => &[Version::Es100, Version::Es300],
+            (Some(HostVersion::Any), Some(GuessedKind::WebGl1)) => {
+                &[Version::Es100, Version::Es300]
+            }
             (Some(HostVersion::Any), _) => &[Version::Es300, Version::Es100],
             _ if self.needs_300 => &[Version::Es300],
-            (_, Some(Kind::WebGl1)) => &[Version::Es100, Version::Es300],
+            (_, Some(GuessedKind::WebGl1)) => &[Version::Es100, Version::Es300],
             _ => &[Version::Es300, Version::Es100],
         };
         let stages: &[Stage] = match self.text.stage.or(self.told.stage) {
@@ -279,15 +281,15 @@ impl Readings {
     fn as_it_stands(
         &self,
         sources: &mut Sources,
-        kind: Option<Kind>,
+        kind: Option<GuessedKind>,
         options: &Options,
     ) -> Option<Reading> {
         let (header, dialect) = match kind {
-            Some(Kind::ShaderToy(pass)) => (
+            Some(GuessedKind::ShaderToy(pass)) => (
                 Some(pass.host().prelude([None; 4])),
                 Dialect::ShaderToy(pass),
             ),
-            Some(Kind::WebGl2) => (Some(ES_300.directive.to_string()), Dialect::WebGl),
+            Some(GuessedKind::WebGl2) => (Some(ES_300.directive.to_string()), Dialect::WebGl),
             _ => (None, Dialect::WebGl),
         };
         let stage = dialect.host().stage;
@@ -310,24 +312,24 @@ impl Readings {
 
     /// Checks the text in the ways in which it may be read.
     pub fn check<'u>(&'u self, sources: &'u Arc<Sources>, infer_channels: bool) -> Option<Checked> {
-        let extent = match self.standing {
-            Standing::Whole | Standing::Complete | Standing::Unversioned => Extent::Whole,
-            Standing::Part if self.is_piece() => Extent::Piece,
-            Standing::Part => Extent::Part,
-            Standing::Excerpt => Extent::Excerpt,
+        let wholeness = match self.standing {
+            Standing::Whole | Standing::Complete | Standing::Unversioned => Wholeness::Whole,
+            Standing::Part if self.is_piece() => Wholeness::Piece,
+            Standing::Part => Wholeness::Part,
+            Standing::Excerpt => Wholeness::Excerpt,
         };
-        let unit = |reading: &'u Reading, extent: Extent| Unit {
+        let unit = |reading: &'u Reading, wholeness: Wholeness| Unit {
             sources,
             files: &reading.files,
             stage: reading.stage,
             dialect: reading.dialect,
             infer_channels,
-            extent,
+            wholeness,
         };
         let mut all = self.all.as_slice();
-        if extent == Extent::Whole {
+        if wholeness == Wholeness::Whole {
             let (first, others) = all.split_first()?;
-            let checked = analyze(&unit(first, extent));
+            let checked = analyze(&unit(first, wholeness));
             // What the text itself defines, however badly, no host has to.
             let code = OnceCell::new();
             let is_macro = |name: &str| {
@@ -341,7 +343,7 @@ impl Readings {
             let is_whole = match self.standing {
                 Standing::Unversioned => {
                     let is_wrong = checked.diagnostics.iter().any(is_error);
-                    let with_version = |r| analyze(&unit(r, Extent::Whole)).diagnostics;
+                    let with_version = |r| analyze(&unit(r, Wholeness::Whole)).diagnostics;
                     let would_be = || others.first().map_or(Vec::new(), with_version);
                     let is_open = |d: &Diagnostic| {
                         let rules = [error::MISSING_OUTPUT, error::OUTPUT_LOCATION];
@@ -358,12 +360,12 @@ impl Readings {
             }
             all = others;
         }
-        let extent = match extent {
-            Extent::Whole if self.is_piece() => Extent::Piece,
-            Extent::Whole => Extent::Part,
-            extent => extent,
+        let wholeness = match wholeness {
+            Wholeness::Whole if self.is_piece() => Wholeness::Piece,
+            Wholeness::Whole => Wholeness::Part,
+            wholeness => wholeness,
         };
-        let units: Vec<Unit> = all.iter().map(|r| unit(r, extent)).collect();
+        let units: Vec<Unit> = all.iter().map(|r| unit(r, wholeness)).collect();
         analyze_part(&units)
     }
 }
@@ -396,24 +398,30 @@ fn code_of(sources: &Sources, files: &[FileId]) -> String {
 /// What a text is written for.
 fn kind_of(
     told: &Guess,
-    text: &Text,
+    text: &InputText,
     needs_300: &LazyCell<bool, impl FnOnce() -> bool>,
     choice: DialectChoice,
-) -> Option<Kind> {
+) -> Option<GuessedKind> {
     match choice {
         DialectChoice::Shadertoy => Some(match told.kind {
-            Some(Kind::ShaderToy(pass)) => Kind::ShaderToy(pass),
-            _ => Kind::ShaderToy(Pass::Common),
+            Some(GuessedKind::ShaderToy(pass)) => GuessedKind::ShaderToy(pass),
+            _ => GuessedKind::ShaderToy(Pass::Common),
         }),
-        DialectChoice::Webgl1 => Some(Kind::WebGl1),
-        DialectChoice::Webgl2 if told.kind == Some(Kind::Versioned) => Some(Kind::Versioned),
-        DialectChoice::Webgl2 => Some(Kind::WebGl2),
+        DialectChoice::Webgl1 => Some(GuessedKind::WebGl1),
+        DialectChoice::Webgl2 if told.kind == Some(GuessedKind::Versioned) => {
+            Some(GuessedKind::Versioned)
+        }
+        DialectChoice::Webgl2 => Some(GuessedKind::WebGl2),
         DialectChoice::Auto => match told.kind {
             // What a stage's file holds is compiled as it stands: without `#version` it is 1.00.
-            Some(Kind::WebGl2) if text.place == Place::StageFile && !**needs_300 => {
-                Some(Kind::WebGl1)
+            Some(GuessedKind::WebGl2)
+                if text.surroundings == Surroundings::StageFile && !**needs_300 =>
+            {
+                Some(GuessedKind::WebGl1)
             }
-            None if text.place == Place::CommonFile => Some(Kind::ShaderToy(Pass::Common)),
+            None if text.surroundings == Surroundings::CommonFile => {
+                Some(GuessedKind::ShaderToy(Pass::Common))
+            }
             kind => kind,
         },
     }
@@ -421,9 +429,9 @@ fn kind_of(
 
 /// How much of a shader a text holds, by what it shows.
 fn standing(
-    kind: Option<Kind>,
+    kind: Option<GuessedKind>,
     told: &Guess,
-    text: &Text,
+    text: &InputText,
     code: &str,
     needs_300: &LazyCell<bool, impl FnOnce() -> bool>,
     choice: DialectChoice,
@@ -431,16 +439,18 @@ fn standing(
     if text.has_holes {
         return Standing::Excerpt;
     }
-    let is_literal = text.place == Place::Literal;
+    let is_literal = text.surroundings == Surroundings::Literal;
     match kind {
         _ if choice != DialectChoice::Auto => Standing::Whole,
         _ if text.is_open || told.is_completed => Standing::Part,
         // A literal with nothing but the head of a shader is put together with others.
-        Some(Kind::Versioned) if is_literal && !has_main(code) => Standing::Part,
-        Some(Kind::Versioned) if text.place == Place::Shown => Standing::Complete,
+        Some(GuessedKind::Versioned) if is_literal && !has_main(code) => Standing::Part,
+        Some(GuessedKind::Versioned) if text.surroundings == Surroundings::Shown => {
+            Standing::Complete
+        }
         Some(kind) if kind.is_whole() => Standing::Whole,
-        Some(Kind::WebGl1) if is_literal => Standing::Part,
-        Some(Kind::WebGl1) if told.has_main => {
+        Some(GuessedKind::WebGl1) if is_literal => Standing::Part,
+        Some(GuessedKind::WebGl1) if told.has_main => {
             let is_supplied = match text.stage.or(told.stage) {
                 Some(Stage::Vertex) => told.has_attribute,
                 _ => told.has_precision,

@@ -1,6 +1,6 @@
 //! Who calls whom.
 
-use crate::ir::{Module, OpId, OpKind, Origin};
+use crate::ir::{Module, OpId, OpKind, Provenance};
 use crate::semantic::{CallGraph, FunctionRef};
 use crate::syntax::ast::ExprId;
 
@@ -43,7 +43,7 @@ impl Calls {
         let mut all = Vec::new();
         for (op, made) in (0..).map(OpId).zip(&module.ops) {
             if let OpKind::Call(callee, _) = made.kind
-                && let Origin::Expr(expr) = module.origin(op)
+                && let Provenance::Expr(expr) = module.provenance(op)
             {
                 all.push(CallSite {
                     caller: caller(op),

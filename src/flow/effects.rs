@@ -1,7 +1,7 @@
 //! What expressions and functions do besides giving a value.
 
 use super::{Calls, Writes};
-use crate::ir::{Module, OpId, OpKind, Origin, PlaceId, Region, Root, Step};
+use crate::ir::{Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step};
 use crate::semantic::{FunctionRef, Program, Structure, VariableId};
 use crate::syntax::ast::ExprId;
 
@@ -60,7 +60,7 @@ impl Effects {
                 OpKind::Unknown => true,
                 _ => false,
             };
-            if let (true, Origin::Expr(expr)) = (acts, module.origin(op)) {
+            if let (true, Provenance::Expr(expr)) = (acts, module.provenance(op)) {
                 effects.add(structure, expr);
             }
         }

@@ -19,7 +19,7 @@ mod writes;
 pub use calls::{CallSite, Calls};
 pub use effects::Effects;
 pub use gradients::{Gradient, Parted, gradients};
-pub use loops::{Bound, Loop, Loops};
+pub use loops::{Bound, LoopFacts, Loops};
 pub use paths::{Findings, Paths, Unset};
 pub use same::is_same;
 pub use uniformity::{Control, ControlId, Parting, PartingId, Turns, Uniformity, Varying};

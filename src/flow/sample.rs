@@ -1,6 +1,6 @@
 //! Shaders for the tests of the analyses.
 
-use crate::semantic::{Checked, Dialect, Extent, Pass, Stage, Unit, analyze};
+use crate::semantic::{Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
 use crate::text::{Role, Sources};
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ pub(super) fn checked(code: &str) -> Checked {
         stage: Stage::Fragment,
         dialect: Dialect::ShaderToy(Pass::Image),
         infer_channels: true,
-        extent: Extent::Whole,
+        wholeness: Wholeness::Whole,
     };
     let analysis = analyze(&unit);
     assert!(

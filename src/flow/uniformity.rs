@@ -6,7 +6,7 @@
 //! module; the order of assignments does not count, so that it may call too much different, never
 //! too little.
 
-use crate::ir::{LoopId, Module, OpId, OpKind, Origin, PlaceId, Region, Root, Run, Step};
+use crate::ir::{LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Run, Step};
 use crate::semantic::lists::Lists;
 use crate::semantic::{FunctionRef, VariableId};
 use crate::syntax::ast::StmtId;
@@ -546,7 +546,7 @@ impl<'m> Walk<'m> {
         let module = self.module;
         let variable = module.place(place).variable;
         let is_temporary = module.variable(variable).map(|v| v.root) == Some(Root::Temporary);
-        if let Origin::Declaration(_) = module.origin(id) {
+        if let Provenance::Declaration(_) = module.provenance(id) {
             self.declared_in.insert(variable, control);
         } else if is_temporary {
             self.declared_in.entry(variable).or_insert(control);

@@ -1,7 +1,7 @@
 //! How much the functions of a shader do: operations, and turns of loops.
 
 use super::Calls;
-use crate::ir::{Loop, LoopId, Module, OpId, OpKind, Origin, Region, Step};
+use crate::ir::{Loop, LoopId, Module, OpId, OpKind, Provenance, Region, Step};
 use crate::semantic::FunctionRef;
 use crate::syntax::ast::StmtId;
 
@@ -106,13 +106,13 @@ impl Work {
                     ..
                 } => {
                     // A choice between values is an operation; what it passes over runs too.
-                    if matches!(origin, Origin::Expr(_)) {
+                    if matches!(origin, Provenance::Expr(_)) {
                         cost.add(1.0, 1.0, times);
                     }
                     let then = self.region(module, then, times, cost);
                     let otherwise = self.region(module, otherwise, times, cost);
                     match origin {
-                        Origin::Expr(_) => then + otherwise,
+                        Provenance::Expr(_) => then + otherwise,
                         _ => then.max(otherwise),
                     }
                 }

@@ -1,7 +1,7 @@
 //! What becomes of each variable: where it is written to, and whether its value is ever used.
 
 use super::effects::declared;
-use crate::ir::{Module, OpId, OpKind, Origin, Step};
+use crate::ir::{Module, OpId, OpKind, Provenance, Step};
 use crate::semantic::lists::Lists;
 use crate::semantic::{Mentions, Program, VariableId};
 use crate::syntax::ast::ExprId;
@@ -67,7 +67,7 @@ impl Writes {
                     continue;
                 }
                 // What an assignment reads to write it back is no use of it.
-                let is_own = matches!(module.origin(op), Origin::Expr(e)
+                let is_own = matches!(module.provenance(op), Provenance::Expr(e)
                     if writes.by(e).contains(&variable));
                 if !is_own {
                     mark(&mut writes.read, variable);
@@ -125,7 +125,8 @@ fn running(module: &Module) -> Vec<usize> {
         }
     }
     for (op, made) in (0..).map(OpId).zip(&module.ops) {
-        if let (OpKind::Store(place, _), Origin::Declaration(_)) = (made.kind, module.origin(op))
+        if let (OpKind::Store(place, _), Provenance::Declaration(_)) =
+            (made.kind, module.provenance(op))
             && let Some(slot) = count.get_mut(module.place(place).variable.0 as usize)
         {
             *slot = slot.saturating_sub(1);
@@ -138,7 +139,8 @@ fn running(module: &Module) -> Vec<usize> {
 fn all(module: &Module) -> Vec<Write> {
     let ops = (0..).map(OpId).zip(&module.ops);
     let writes = ops.filter_map(|(store, made)| {
-        let (OpKind::Store(place, value), Origin::Expr(expr)) = (made.kind, module.origin(store))
+        let (OpKind::Store(place, value), Provenance::Expr(expr)) =
+            (made.kind, module.provenance(store))
         else {
             return None;
         };

@@ -31,7 +31,7 @@ pub struct Module {
     /// All operations.
     pub ops: Vec<Op>,
     /// By operation: where it comes from.
-    pub origins: Vec<Origin>,
+    pub provenances: Vec<Provenance>,
     /// All places that are read or written.
     pub places: Vec<Place>,
     /// The ways into places.
@@ -47,7 +47,7 @@ pub struct Module {
     /// The cases of `switch` statements.
     pub case_lists: Vec<Case>,
     /// What the cases stand for.
-    pub label_lists: Vec<Label>,
+    pub label_lists: Vec<CaseLabel>,
     /// The shader's variables under their own numbers, then those that lowering made.
     pub variables: Vec<Variable>,
     /// By [`FunctionRef`]; a function that is only declared has no body.
@@ -296,7 +296,7 @@ pub enum Step {
         /// Runs where it is false.
         otherwise: Region,
         /// The statement or expression.
-        origin: Origin,
+        origin: Provenance,
     },
     /// Again and again.
     Loop(LoopId),
@@ -354,7 +354,7 @@ pub struct Case {
 
 /// What a case stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Label {
+pub enum CaseLabel {
     /// A value, as the bits of an `int` or `uint`.
     Value(u32),
     /// `default`
@@ -363,7 +363,7 @@ pub enum Label {
 
 /// Where something comes from.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Origin {
+pub enum Provenance {
     /// An expression, or what had to be done for it.
     Expr(ExprId),
     /// The declaration of a variable: the token of its name.
@@ -397,14 +397,14 @@ impl Precision {
     }
 }
 
-impl Origin {
+impl Provenance {
     /// Where that stands in the text; `None` for nothing in it.
     pub fn extent(self, tree: &Tree) -> Option<Extent> {
         match self {
-            Origin::Expr(id) => Some(tree.expr(id).extent),
-            Origin::Declaration(token) => Some(Extent::token(token)),
-            Origin::Stmt(id) => Some(tree.stmt(id).extent),
-            Origin::Language => None,
+            Provenance::Expr(id) => Some(tree.expr(id).extent),
+            Provenance::Declaration(token) => Some(Extent::token(token)),
+            Provenance::Stmt(id) => Some(tree.stmt(id).extent),
+            Provenance::Language => None,
         }
     }
 }
@@ -509,9 +509,9 @@ impl Module {
     }
 
     /// Where an operation comes from.
-    pub fn origin(&self, id: OpId) -> Origin {
-        let origin = self.origins.get(id.0 as usize);
-        origin.copied().unwrap_or(Origin::Language)
+    pub fn provenance(&self, id: OpId) -> Provenance {
+        let origin = self.provenances.get(id.0 as usize);
+        origin.copied().unwrap_or(Provenance::Language)
     }
 
     /// The operation that gives the value of an expression. `None` where none is needed: inside a
@@ -571,7 +571,7 @@ impl Module {
     }
 
     /// What a case stands for.
-    pub fn labels(&self, case: &Case) -> &[Label] {
+    pub fn labels(&self, case: &Case) -> &[CaseLabel] {
         list(&self.label_lists, case.labels)
     }
 

@@ -9,8 +9,9 @@ mod tests;
 mod verify;
 
 pub use form::{
-    Access, Binary, Case, Function, Label, Lanes, Loop, LoopId, Module, Op, OpId, OpKind, Origin,
-    Place, PlaceId, Precision, Region, Root, Run, Step, Switch, SwitchId, Unary, Variable,
+    Access, Binary, Case, CaseLabel, Function, Lanes, Loop, LoopId, Module, Op, OpId, OpKind,
+    Place, PlaceId, Precision, Provenance, Region, Root, Run, Step, Switch, SwitchId, Unary,
+    Variable,
 };
 pub use lower::lower;
 pub use print::print;

@@ -2,8 +2,8 @@
 //! and what is used once in the line of its use.
 
 use super::{
-    Access, Case, Function, Label, Lanes, Loop, Module, Op, OpId, OpKind, Origin, PlaceId, Region,
-    Root, Run, Step, Switch, Unary,
+    Access, Case, CaseLabel, Function, Lanes, Loop, Module, Op, OpId, OpKind, PlaceId, Provenance,
+    Region, Root, Run, Step, Switch, Unary,
 };
 use crate::semantic::{FunctionRef, Program, Type, Value, VariableId};
 use crate::syntax::ast::{List, TokenId};
@@ -121,7 +121,7 @@ impl Printer<'_> {
         self.out.push('\n');
     }
 
-    fn token(&self, origin: Origin) -> Option<TokenId> {
+    fn token(&self, origin: Provenance) -> Option<TokenId> {
         origin.extent(&self.program.tree).map(|e| e.first)
     }
 
@@ -337,9 +337,9 @@ impl Printer<'_> {
 
     fn labels(&self, case: &Case, ty: Type) -> String {
         let labels = self.module.labels(case).iter().map(|label| match *label {
-            Label::Value(bits) if ty == Type::UINT => format!("case {bits}u"),
-            Label::Value(bits) => format!("case {}", bits as i32),
-            Label::Default => "default".to_string(),
+            CaseLabel::Value(bits) if ty == Type::UINT => format!("case {bits}u"),
+            CaseLabel::Value(bits) => format!("case {}", bits as i32),
+            CaseLabel::Default => "default".to_string(),
         });
         labels.collect::<Vec<_>>().join(", ")
     }
@@ -396,13 +396,13 @@ impl Printer<'_> {
         if is_nested || is_literal(&op) {
             return;
         }
-        let origin = self.module.origin(id);
+        let origin = self.module.provenance(id);
         let text = match op.kind {
             OpKind::Store(place, value) => {
                 let value = self.value(value).0;
                 let to = self.place(place);
                 match origin {
-                    Origin::Declaration(_) if self.is_local(place) => {
+                    Provenance::Declaration(_) if self.is_local(place) => {
                         let ty = self.program.type_name(self.module.place(place).ty);
                         format!("local {to}: {ty} = {value}")
                     }

@@ -1,7 +1,7 @@
 //! What becomes of GLSL, as the printer writes it; and that the verifier sees what is broken.
 
 use super::{
-    Access, Lanes, Module, OpId, OpKind, Origin, PlaceId, Precision, Step, lower, print, verify,
+    Access, Lanes, Module, OpId, OpKind, PlaceId, Precision, Provenance, Step, lower, print, verify,
 };
 use crate::semantic::{Constant, Program, Type, analyze_fragment};
 
@@ -196,10 +196,10 @@ fn broken(expected: &str, break_it: impl FnOnce(&mut Module)) {
 #[test]
 fn what_is_broken_is_seen() {
     broken("every operation has an origin", |m| {
-        m.origins.pop();
+        m.provenances.pop();
     });
     broken("is not in the program", |m| {
-        m.origins[0] = Origin::Declaration(9999);
+        m.provenances[0] = Provenance::Declaration(9999);
     });
     broken("it gives", |m| {
         let op = find(m, |k| matches!(k, OpKind::Unary(..)));
@@ -235,7 +235,7 @@ fn what_is_broken_is_seen() {
     broken("stand in runs", |m| {
         let op = m.ops[0];
         m.ops.push(op);
-        m.origins.push(Origin::Language);
+        m.provenances.push(Provenance::Language);
     });
     broken("a `continue` is in no loop", |m| {
         let stmt = crate::syntax::ast::StmtId(0);

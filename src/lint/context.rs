@@ -70,7 +70,7 @@ impl<'p> Context<'_, 'p> {
 
     /// Reports a finding at what an operation comes from.
     pub fn report_op(&mut self, op: OpId, message: impl Into<String>) -> Finding<'_> {
-        let origin = self.facts.module().origin(op);
+        let origin = self.facts.module().provenance(op);
         let extent = origin.extent(&self.program.tree);
         self.report(extent.unwrap_or_default(), message)
     }

@@ -4,12 +4,12 @@ use super::broken::Broken;
 use super::march::{March, marches};
 use super::words::{Unseen, count};
 use crate::flow::defs::Defs;
-use crate::flow::ranges::{Query, Range, Ranges};
+use crate::flow::ranges::{Interval, Query, Ranges};
 use crate::flow::{
     Calls, Effects, Gradient, Loops, Paths, Uniformity, Work, Writes, gradients, is_same,
 };
 use crate::ir::{Module, lower};
-use crate::semantic::{FunctionRef, Mentions, Program, Reach, Stage, Structure};
+use crate::semantic::{FunctionRef, Mentions, Program, Reachability, Stage, Structure};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
 use crate::text::embed::Embedder;
@@ -29,7 +29,7 @@ pub struct Facts<'a> {
     entry: OnceCell<Option<FunctionRef>>,
     effects: OnceCell<Effects>,
     writes: OnceCell<Writes>,
-    reach: OnceCell<Reach>,
+    reach: OnceCell<Reachability>,
     unseen: OnceCell<Unseen<'a>>,
     work: OnceCell<Work>,
     uniformity: OnceCell<Uniformity>,
@@ -160,7 +160,7 @@ impl<'a> Facts<'a> {
     }
 
     /// What numbers the components of a number or vector may be.
-    pub fn range(&self, expr: ExprId) -> impl Iterator<Item = Range> {
+    pub fn range(&self, expr: ExprId) -> impl Iterator<Item = Interval> {
         self.ranges().expr(expr)
     }
 
@@ -185,8 +185,8 @@ impl<'a> Facts<'a> {
     }
 
     /// Behind which statements nothing runs.
-    pub fn reach(&self) -> &Reach {
-        self.reach.get_or_init(|| Reach::of(self.program))
+    pub fn reach(&self) -> &Reachability {
+        self.reach.get_or_init(|| Reachability::of(self.program))
     }
 
     /// The words that the compiler does not see.

@@ -1,34 +1,34 @@
 //! Loops that march along a ray, and the functions that they ask for the scene.
 
-use crate::flow::{Calls, Loop, Loops};
+use crate::flow::{Calls, LoopFacts, Loops};
 use crate::semantic::{FunctionRef, Program};
 
 /// A loop that asks the scene at each step along a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct March {
     /// The loop.
-    pub looped: Loop,
+    pub looped: LoopFacts,
     /// What it looks for.
-    pub role: Role,
+    pub goal: MarchGoal,
     /// The call of the scene in it that does most, by its place in the text the first.
     pub scene: FunctionRef,
 }
 
 /// What a marching loop looks for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Role {
+pub enum MarchGoal {
     /// What a pixel shows.
     Picture,
     /// What stands before a light.
     Shadow,
 }
 
-impl Role {
+impl MarchGoal {
     /// In a message: the ... takes too long.
     pub const fn name(self) -> &'static str {
         match self {
-            Role::Picture => "marching loop",
-            Role::Shadow => "shadow loop",
+            MarchGoal::Picture => "marching loop",
+            MarchGoal::Shadow => "shadow loop",
         }
     }
 }
@@ -50,25 +50,25 @@ pub fn marches(
     all.filter_map(|l| {
         Some(March {
             looped: *l,
-            role: role(program, l)?,
+            goal: role(program, l)?,
             scene: scene(program, calls, l)?,
         })
     })
     .collect()
 }
 
-fn role(program: &Program, looped: &Loop) -> Option<Role> {
+fn role(program: &Program, looped: &LoopFacts) -> Option<MarchGoal> {
     let name = program.names.text(program.function(looped.function)?.name);
     let is_shadow = name.to_lowercase().contains("shadow");
     Some(if is_shadow {
-        Role::Shadow
+        MarchGoal::Shadow
     } else {
-        Role::Picture
+        MarchGoal::Picture
     })
 }
 
 /// The function of the shader that a loop's body calls with a place.
-fn scene(program: &Program, calls: &Calls, looped: &Loop) -> Option<FunctionRef> {
+fn scene(program: &Program, calls: &Calls, looped: &LoopFacts) -> Option<FunctionRef> {
     let extent = program.tree.stmt(looped.stmt).extent;
     let called = calls.calls_by(looped.function).find(|call| {
         let expr = program.tree.expr(call.expr);

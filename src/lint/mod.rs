@@ -27,7 +27,9 @@ pub use judged::Judged;
 pub use option::{OptionType, OptionValue, RuleOption, Setting};
 pub use page::{Fence, FenceKind, Page};
 pub use removal::{remove_declaration, remove_lines, remove_statement};
-pub use rule::{Binary, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule, Shape};
+pub use rule::{
+    BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule, Shape,
+};
 pub use run::{Unrun, lint, lint_within};
 pub use same::{code_hash, same_code};
 pub use settings::{Failing, Reach, Renderer, Settings, UnknownRule, nearest_name, nearest_rule};

@@ -51,7 +51,7 @@ impl Group {
 
 /// A binary expression, as rules get it.
 #[derive(Clone, Copy, Debug)]
-pub struct Binary {
+pub struct BinaryExpr {
     /// The expression.
     pub id: ExprId,
     /// Its operator.
@@ -166,7 +166,7 @@ pub enum Check {
     /// The whole shader, once; what is asked of the facts is the place to start from.
     Program(fn(&mut Context)),
     /// Every `l op r`.
-    Binary(fn(&mut Context, &Binary)),
+    Binary(fn(&mut Context, &BinaryExpr)),
     /// Every call of a built-in function.
     Builtin(fn(&mut Context, &Builtin)),
     /// Every expression of these shapes.

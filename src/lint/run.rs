@@ -2,8 +2,8 @@
 
 use super::broken::Broken;
 use super::{
-    Binary, Builtin, Check, Context, DeclaredName, DeclaredVariable, Facts, Named, Rule, Settings,
-    Shape,
+    BinaryExpr, Builtin, Check, Context, DeclaredName, DeclaredVariable, Facts, Named, Rule,
+    Settings, Shape,
 };
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::semantic::{FunctionRef, Program, VariableId};
@@ -154,7 +154,7 @@ struct Active {
 }
 
 type OnProgram = fn(&mut Context);
-type OnBinary = fn(&mut Context, &Binary);
+type OnBinary = fn(&mut Context, &BinaryExpr);
 type OnBuiltin = fn(&mut Context, &Builtin);
 type OnExpr = fn(&mut Context, ExprId);
 type OnStmt = fn(&mut Context, StmtId);
@@ -253,7 +253,7 @@ impl<'p> Run<'_, 'p> {
         });
         match expr.kind {
             ExprKind::Binary(op, left, right) => {
-                let binary = Binary {
+                let binary = BinaryExpr {
                     id,
                     op,
                     left,

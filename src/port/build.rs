@@ -1,9 +1,10 @@
 //! The files of each target, as they are to be written.
 
 #[cfg(feature = "naga")]
-use super::naga::{Language, Refused, translate};
+use super::naga::{Refused, TargetLanguage, translate};
 use super::{
-    Composed, Module, NotSafe, Project, VERTEX, glsl, html, json, module, react, rewrite, three,
+    Composed, NotSafe, Project, ScriptModule, VERTEX, glsl, html, json, module, react, rewrite,
+    three,
 };
 use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::semantic::Pass;
@@ -162,13 +163,13 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
         }
         Target::Glsl => shaders(order, project, composed),
         #[cfg(feature = "naga")]
-        Target::Wgsl => translated(order, project, composed, Language::Wgsl),
+        Target::Wgsl => translated(order, project, composed, TargetLanguage::Wgsl),
         #[cfg(feature = "naga")]
-        Target::Spirv => translated(order, project, composed, Language::Spirv),
+        Target::Spirv => translated(order, project, composed, TargetLanguage::Spirv),
         #[cfg(feature = "naga")]
-        Target::Hlsl => translated(order, project, composed, Language::Hlsl),
+        Target::Hlsl => translated(order, project, composed, TargetLanguage::Hlsl),
         #[cfg(feature = "naga")]
-        Target::Msl => translated(order, project, composed, Language::Msl),
+        Target::Msl => translated(order, project, composed, TargetLanguage::Msl),
     }
 }
 
@@ -194,7 +195,7 @@ fn translated(
     order: Order,
     project: &Project,
     composed: &Composed,
-    language: Language,
+    language: TargetLanguage,
 ) -> Result<Build, BuildError> {
     let mut remarks = Vec::new();
     let mut passes = Vec::new();
@@ -217,7 +218,7 @@ fn translated(
 }
 
 /// A module and its types beside it.
-fn typed(path: &Path, module: Module) -> Vec<File> {
+fn typed(path: &Path, module: ScriptModule) -> Vec<File> {
     let types = file(&path.with_extension("d.ts"), module.types);
     vec![file(path, module.code), types]
 }

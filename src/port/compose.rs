@@ -1,7 +1,7 @@
 //! Each pass as the player compiles it: its header, every Common in order, its own code.
 
 use super::{Project, ProjectPass, Wrapper};
-use crate::semantic::{Channels, Checked, Dialect, Extent, Pass, Stage, Unit, analyze};
+use crate::semantic::{Channels, Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
 use crate::text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
 
@@ -54,7 +54,7 @@ impl Composed {
                     Wrapper::Own => Dialect::WebGl,
                 },
                 infer_channels: false,
-                extent: Extent::Whole,
+                wholeness: Wholeness::Whole,
             })
         })
     }

@@ -33,13 +33,13 @@ pub use export::{MAX_EXPORT, ProjectError};
 pub use glsl::{GlslPass, VERTEX, glsl};
 pub use html::html;
 pub use json::json;
-pub use parts::{Part, PartsError, PassRole};
+pub use parts::{PartsError, PassFile, PassRole};
 pub use project::{
     Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, Wrapper,
 };
 pub use repair::add_repairs;
 pub use rewrite::{NotSafe, rewrite};
-pub use script::{Module, module, react, three};
+pub use script::{ScriptModule, module, react, three};
 pub use single::ShaderError;
 pub use supply::{Missing, missing};
 pub use whole::Unsupported;

@@ -107,7 +107,7 @@ fn words(name: &str) -> Vec<String> {
 
 /// A file and what it is for.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct PassFile {
     /// What it is for.
     pub role: PassRole,
     /// Its path, as the user gave it.
@@ -146,7 +146,7 @@ impl Project {
     ///
     /// # Errors
     /// Where they do not make one project.
-    pub fn from_parts(title: &str, mut parts: Vec<Part>) -> Result<Project, PartsError> {
+    pub fn from_parts(title: &str, mut parts: Vec<PassFile>) -> Result<Project, PartsError> {
         parts.sort_by_key(|p| p.role);
         for pair in parts.windows(2) {
             if let [a, b] = pair
@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn files_make_a_project() {
-        let part = |role, file: &str, code: &str| Part {
+        let part = |role, file: &str, code: &str| PassFile {
             role,
             file: file.to_string(),
             code: code.into(),

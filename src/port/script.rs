@@ -28,7 +28,7 @@ const REACT_TYPES: &str = include_str!("player/react.d.ts");
 
 /// A JavaScript module and its TypeScript types.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Module {
+pub struct ScriptModule {
     /// The code.
     pub code: String,
     /// The types, as a `.d.ts` file.
@@ -36,7 +36,7 @@ pub struct Module {
 }
 
 /// An ES module without dependencies, which exports `mount(canvas, options)`.
-pub fn module(project: &Project, composed: &Composed) -> Module {
+pub fn module(project: &Project, composed: &Composed) -> ScriptModule {
     let code = format!(
         "{}{}{}{}",
         comment(project),
@@ -44,30 +44,30 @@ pub fn module(project: &Project, composed: &Composed) -> Module {
         PLAYER.concat(),
         MOUNT
     );
-    Module {
+    ScriptModule {
         code,
         types: MOUNT_TYPES.to_string(),
     }
 }
 
 /// A module for three.js, which exports a `RawShaderMaterial` and its update function.
-pub fn three(project: &Project, composed: &Composed) -> Module {
+pub fn three(project: &Project, composed: &Composed) -> ScriptModule {
     let code = format!(
         "{}{}{}",
         comment(project),
         project_constant(project, composed),
         THREE
     );
-    Module {
+    ScriptModule {
         code,
         types: THREE_TYPES.to_string(),
     }
 }
 
 /// A React component over [`module`], which it imports under this name.
-pub fn react(project: &Project, module_name: &str) -> Module {
+pub fn react(project: &Project, module_name: &str) -> ScriptModule {
     let import = serde_json::to_string(&format!("./{module_name}")).unwrap_or_default();
-    Module {
+    ScriptModule {
         code: format!(
             "{}import {{ mount }} from {import};\n\n{REACT}",
             comment(project)

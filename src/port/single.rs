@@ -2,7 +2,9 @@
 
 use super::whole::{Unsupported, inputs};
 use super::{Composed, Info, Input, InputKind, Project, ProjectPass, Wrapper, compose};
-use crate::semantic::{Kind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels};
+use crate::semantic::{
+    GuessedKind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels,
+};
 use std::sync::Arc;
 
 /// Why a shader file cannot be ported.
@@ -52,13 +54,13 @@ impl Project {
     pub fn draft(title: &str, code: &str) -> Result<Project, ShaderError> {
         let told = guess(code);
         let pass = match told.kind {
-            Some(Kind::ShaderToy(kind)) => ProjectPass::new(kind, code),
-            Some(Kind::Versioned) if told.stage == Some(Stage::Vertex) => {
+            Some(GuessedKind::ShaderToy(kind)) => ProjectPass::new(kind, code),
+            Some(GuessedKind::Versioned) if told.stage == Some(Stage::Vertex) => {
                 let message = "this is a vertex shader; give the fragment shader".to_string();
                 return Err(ShaderError::Unsupported(Unsupported { line: 0, message }));
             }
-            Some(Kind::Versioned) => own(code),
-            Some(Kind::WebGl1) => return Err(ShaderError::WebGl1),
+            Some(GuessedKind::Versioned) => own(code),
+            Some(GuessedKind::WebGl1) => return Err(ShaderError::WebGl1),
             _ => return Err(ShaderError::NoEntry),
         };
         Ok(Project::of_pass(title, pass))

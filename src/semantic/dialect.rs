@@ -103,7 +103,7 @@ impl Dialect {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub struct Guess {
     /// What the text itself tells; `None` where it tells nothing.
-    pub kind: Option<Kind>,
+    pub kind: Option<GuessedKind>,
     /// The stage, where the text tells it.
     pub stage: Option<Stage>,
     /// Whether it defines `main`.
@@ -122,13 +122,13 @@ pub struct Guess {
 impl Guess {
     /// Whether ShaderToy's player runs the text.
     pub fn is_shadertoy(&self) -> bool {
-        matches!(self.kind, Some(Kind::ShaderToy(_)))
+        matches!(self.kind, Some(GuessedKind::ShaderToy(_)))
     }
 }
 
 /// What a text is written for, as far as its words tell.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Kind {
+pub enum GuessedKind {
     /// A ShaderToy pass.
     ShaderToy(Pass),
     /// It has a `#version`.
@@ -139,10 +139,10 @@ pub enum Kind {
     WebGl2,
 }
 
-impl Kind {
+impl GuessedKind {
     /// Whether texts of this kind are compiled as they stand, or by a host that is known.
     pub fn is_whole(self) -> bool {
-        matches!(self, Kind::ShaderToy(_) | Kind::Versioned)
+        matches!(self, GuessedKind::ShaderToy(_) | GuessedKind::Versioned)
     }
 }
 
@@ -167,19 +167,23 @@ pub fn guess(text: &str) -> Guess {
         seen.read(text);
     }
     let kind = if seen.version {
-        Some(Kind::Versioned)
+        Some(GuessedKind::Versioned)
     } else if let Some(pass) = seen.pass {
-        Some(Kind::ShaderToy(pass))
+        Some(GuessedKind::ShaderToy(pass))
     } else if seen.old {
-        Some(Kind::WebGl1)
+        Some(GuessedKind::WebGl1)
     } else if seen.main {
-        Some(if seen.new { Kind::WebGl2 } else { Kind::WebGl1 })
+        Some(if seen.new {
+            GuessedKind::WebGl2
+        } else {
+            GuessedKind::WebGl1
+        })
     } else {
         None
     };
     // Every pass of ShaderToy is a fragment shader, whatever it mentions.
     let stage = match kind {
-        Some(Kind::ShaderToy(_)) => Some(Stage::Fragment),
+        Some(GuessedKind::ShaderToy(_)) => Some(Stage::Fragment),
         _ if seen.vertex => Some(Stage::Vertex),
         _ => None,
     };
@@ -380,7 +384,7 @@ mod tests {
     use super::*;
 
     #[track_caller]
-    fn check(text: &str, kind: Option<Kind>) {
+    fn check(text: &str, kind: Option<GuessedKind>) {
         assert_eq!(guess(text).kind, kind, "{text}");
     }
 
@@ -388,24 +392,27 @@ mod tests {
     fn the_words_of_a_text_tell_what_it_is_for() {
         check(
             "#version 300 es\nvoid mainImage(){} void main(){}",
-            Some(Kind::Versioned),
+            Some(GuessedKind::Versioned),
         );
-        check("\n  # version 100\n", Some(Kind::Versioned));
+        check("\n  # version 100\n", Some(GuessedKind::Versioned));
         check(
             "void mainImage(out vec4 c, vec2 f){}",
-            Some(Kind::ShaderToy(Pass::Image)),
+            Some(GuessedKind::ShaderToy(Pass::Image)),
         );
         check("// mainImage\nfloat f(){return 1.;}", None);
         check(
             "vec4 mainImage(out vec4 c, vec2 f){}",
-            Some(Kind::ShaderToy(Pass::Image)),
+            Some(GuessedKind::ShaderToy(Pass::Image)),
         );
         check("vec4 mainImage(vec2 uv){}", None);
         check("void mainImage(in vec4 a, in vec2 b, out vec4 c){}", None);
-        check("void main(){ gl_FragColor = vec4(1); }", Some(Kind::WebGl1));
+        check(
+            "void main(){ gl_FragColor = vec4(1); }",
+            Some(GuessedKind::WebGl1),
+        );
         check(
             "out vec4 c; void main(){ c = vec4(1); }",
-            Some(Kind::WebGl2),
+            Some(GuessedKind::WebGl2),
         );
         check("float f(float x) { return x; }", None);
         assert_eq!(

@@ -36,16 +36,16 @@ pub use channels::needed_channels;
 pub use checker::check;
 pub use constant::{Constant, Pool, Value};
 pub use dialect::{
-    Channels, Dialect, Guess, Kind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
+    Channels, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
 };
 pub use host::{EntryPoint, EntryResult, Host, channel, starts_a_shader};
 pub use mentions::Mentions;
-pub use part::{Extent, Open};
+pub use part::{Open, Wholeness};
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
     Variable, VariableId,
 };
-pub use reach::Reach;
+pub use reach::Reachability;
 pub use structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
 pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type};

@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 
 /// How much of a shader its text holds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Extent {
+pub enum Wholeness {
     /// All of it.
     Whole,
     /// A part: something may stand before and behind it.
@@ -105,14 +105,14 @@ pub struct Open {
 /// Keeps what is wrong whatever the host of a part is, and says what is left open.
 pub(super) fn keep_certain(
     program: &Program,
-    extent: Extent,
+    wholeness: Wholeness,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Open {
     let mut names = BTreeSet::new();
     let count = diagnostics.len();
-    let part = Part::of(program, extent);
+    let part = Part::of(program, wholeness);
     let slips = part.slips(diagnostics);
-    let is_torn = extent == Extent::Excerpt
+    let is_torn = wholeness == Wholeness::Excerpt
         || diagnostics
             .iter()
             .any(|d| certainty(d.rule) == Certainty::Syntax && part.is_excused(d));
@@ -139,7 +139,7 @@ pub(super) fn keep_certain(
 /// What is known of a part.
 struct Part<'p> {
     program: &'p Program,
-    extent: Extent,
+    wholeness: Wholeness,
     /// Places of the tokens that the user sees, in the order of the text.
     places: Vec<(Span, u32)>,
     /// Names that the part or the language declares.
@@ -155,7 +155,7 @@ struct Part<'p> {
 }
 
 impl<'p> Part<'p> {
-    fn of(program: &'p Program, extent: Extent) -> Part<'p> {
+    fn of(program: &'p Program, wholeness: Wholeness) -> Part<'p> {
         let tokens = program.tokens.tokens.iter().zip(0..);
         let mut places: Vec<(Span, u32)> = tokens.map(|(t, i)| (t.span, i)).collect();
         places.sort_by_key(|(span, _)| span.start);
@@ -166,7 +166,7 @@ impl<'p> Part<'p> {
         };
         Part {
             program,
-            extent,
+            wholeness,
             places,
             known: known_names(program),
             own_functions: program.functions.iter().filter_map(place).collect(),
@@ -213,7 +213,7 @@ impl<'p> Part<'p> {
     fn is_torn_apart(&self, d: &Diagnostic, is_torn: bool) -> bool {
         let is_brace = is_unclosed_brace(d);
         let is_outside = d.subject == Subject::OuterStatement;
-        let is_piece = matches!(self.extent, Extent::Piece | Extent::Excerpt);
+        let is_piece = matches!(self.wholeness, Wholeness::Piece | Wholeness::Excerpt);
         let is_cut = is_piece && (self.is_at_end(d.span) || is_brace && !self.is_inside(d));
         is_outside
             || is_cut
@@ -282,10 +282,10 @@ impl<'p> Part<'p> {
                 let is_own = d.labels.iter().any(|l| self.is_user(l.span));
                 is_own && !is_torn && !d.labels.iter().any(|l| self.is_undecided(l.span))
             }
-            error::UNBALANCED_CONDITIONAL => self.extent == Extent::Part && !is_torn,
+            error::UNBALANCED_CONDITIONAL => self.wholeness == Wholeness::Part && !is_torn,
             error::MACRO_REDEFINITION => {
                 let is_sure = |span| self.is_user(span) && !self.is_undecided(span);
-                self.extent != Extent::Excerpt
+                self.wholeness != Wholeness::Excerpt
                     && is_sure(d.span)
                     && d.labels.iter().all(|l| is_sure(l.span))
             }
@@ -402,7 +402,7 @@ impl<'p> Part<'p> {
             let word = callee.unwrap_or(before);
             let starts = word.checked_sub(1).map_or(T::End, kind);
             let is_alone = matches!(starts, T::Semicolon | T::LeftBrace | T::RightBrace | T::End);
-            let may_end = is_alone || self.extent == Extent::Excerpt;
+            let may_end = is_alone || self.wholeness == Wholeness::Excerpt;
             return self.is_unknown(at) || self.is_unknown(word) && may_end;
         }
         let is_near = (at.saturating_sub(2)..end.min(at + MAX_LOOK)).any(|i| self.is_unknown(i));

@@ -5,15 +5,15 @@ use crate::syntax::ast::*;
 
 /// By statement: whether what stands behind it never runs.
 #[derive(Default, Debug)]
-pub struct Reach {
+pub struct Reachability {
     ends: Vec<bool>,
 }
 
-impl Reach {
+impl Reachability {
     /// Looks at every statement of a shader.
-    pub fn of(program: &Program) -> Reach {
+    pub fn of(program: &Program) -> Reachability {
         let tree = &program.tree;
-        let mut reach = Reach {
+        let mut reach = Reachability {
             ends: Vec::with_capacity(tree.stmts.len()),
         };
         // Inner statements come before outer ones.

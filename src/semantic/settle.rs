@@ -5,7 +5,7 @@ use super::checker::Parsed;
 use super::program::Program;
 use super::unit::{Unit, judge};
 use crate::diagnostic::Diagnostic;
-use crate::syntax::{Choice, Correction, Language, Name, Token, parse_corrected};
+use crate::syntax::{Choice, Correction, Name, ParseOptions, Token, parse_corrected};
 
 /// Most times that one shader is checked for it.
 const MAX_LOOKS: usize = 8;
@@ -15,7 +15,7 @@ const MAX_TOKENS: usize = 100_000;
 /// How a shader that cannot be read as it stands was corrected.
 pub(super) struct Corrected {
     /// How it is written.
-    pub language: Language,
+    pub options: ParseOptions,
     /// The corrections to choose from.
     pub choices: Vec<Choice>,
     /// Its tokens before any of them.
@@ -82,7 +82,7 @@ impl Corrected {
             &parsed.sources,
             &mut parsed.tokens,
             &parsed.names,
-            self.language,
+            self.options,
             &corrections,
         );
         parsed.tree = parse.tree;

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// What a part of a shader is made of.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Item {
+pub enum SnippetItem {
     /// A directive, a function, a struct or a declaration that stands at global scope.
     Global(Range<usize>),
     /// A declaration that stands in a function, or may.
@@ -16,7 +16,7 @@ pub enum Item {
 }
 
 /// Splits a part of a shader. What belongs to no item is blank or a comment.
-pub fn items(text: &str) -> Vec<Item> {
+pub fn items(text: &str) -> Vec<SnippetItem> {
     let mut splitter = Splitter {
         text,
         tokens: significant(text),
@@ -32,14 +32,14 @@ pub fn items(text: &str) -> Vec<Item> {
 /// Whether a part of a shader belongs into a function: it has statements outside of any.
 pub fn is_body(text: &str) -> bool {
     let all = items(text);
-    let defines = |item: &Item| match item {
-        Item::Global(range) => {
+    let defines = |item: &SnippetItem| match item {
+        SnippetItem::Global(range) => {
             let code = text.get(range.clone()).unwrap_or("");
             !code.starts_with('#')
         }
         _ => false,
     };
-    all.iter().any(|i| matches!(i, Item::Statement(_))) && !all.iter().any(defines)
+    all.iter().any(|i| matches!(i, SnippetItem::Statement(_))) && !all.iter().any(defines)
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -127,7 +127,7 @@ impl Splitter<'_> {
         at
     }
 
-    fn item(&mut self) -> Option<Item> {
+    fn item(&mut self) -> Option<SnippetItem> {
         let first = self.solid(self.at);
         let start = self.tokens.get(first)?.1.start;
         if self.kind(first) == Some(Kind::Hash) {
@@ -135,7 +135,7 @@ impl Splitter<'_> {
             while self.kind(self.at).is_some_and(|k| k != Kind::Newline) {
                 self.at += 1;
             }
-            return Some(Item::Global(start..self.end()));
+            return Some(SnippetItem::Global(start..self.end()));
         }
         let second = self.solid(first + 1);
         let third = self.solid(second + 1);
@@ -150,10 +150,10 @@ impl Splitter<'_> {
         let range = start..self.end();
         Some(match () {
             () if is_global || calls && (ends_with_brace || self.ends_with_semicolon()) => {
-                Item::Global(range)
+                SnippetItem::Global(range)
             }
-            () if names => Item::Declaration(range),
-            () => Item::Statement(range),
+            () if names => SnippetItem::Declaration(range),
+            () => SnippetItem::Statement(range),
         })
     }
 
@@ -214,9 +214,9 @@ mod tests {
         let kinds: Vec<(char, &str)> = items(text)
             .into_iter()
             .map(|item| match item {
-                Item::Global(r) => ('g', &text[r]),
-                Item::Declaration(r) => ('d', &text[r]),
-                Item::Statement(r) => ('s', &text[r]),
+                SnippetItem::Global(r) => ('g', &text[r]),
+                SnippetItem::Declaration(r) => ('d', &text[r]),
+                SnippetItem::Statement(r) => ('s', &text[r]),
             })
             .collect();
         let expected = [

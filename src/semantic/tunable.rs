@@ -79,7 +79,7 @@ fn number(program: &Program, definition: usize) -> Option<(Span, f64)> {
 
 /// A range in a comment.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Range {
+pub struct TunableRange {
     /// Smallest value.
     pub min: f64,
     /// Largest value.
@@ -91,7 +91,7 @@ pub struct Range {
 }
 
 /// The range in the comment behind a place, on the same line, and that comment's text.
-pub fn range_behind(program: &Program, place: Span) -> Option<(Range, &str)> {
+pub fn range_behind(program: &Program, place: Span) -> Option<(TunableRange, &str)> {
     let comments = &program.tokens.comments;
     let next = comments.partition_point(|c| c.start < place.end);
     let comment = *comments.get(next)?;
@@ -104,7 +104,7 @@ pub fn range_behind(program: &Program, place: Span) -> Option<(Range, &str)> {
     let text = program.sources.text(comment);
     let (start, end, min, max) = find_range(text)?;
     let start_of = |offset: usize| comment.start + offset as u32;
-    let range = Range {
+    let range = TunableRange {
         min,
         max,
         span: Span::new(start_of(start), start_of(end)),

@@ -5,12 +5,12 @@ use super::builtins::Stage;
 use super::channels::needed_channels;
 use super::checker::{Parsed, check};
 use super::dialect::Dialect;
-use super::part::{Extent, Open, keep_certain};
+use super::part::{Open, Wholeness, keep_certain};
 use super::program::Program;
 use super::settle::Corrected;
 use super::types::Sampler;
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::syntax::{Language, Preprocessed, parse, preprocess};
+use crate::syntax::{ParseOptions, Preprocessed, parse, preprocess};
 use crate::text::{FileId, Role, Sources, Span};
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ pub struct Unit<'a> {
     /// Whether the types of its channels are not known, and are to be what its uses need.
     pub infer_channels: bool,
     /// How much of the shader that is.
-    pub extent: Extent,
+    pub wholeness: Wholeness,
 }
 
 /// A shader, checked.
@@ -42,7 +42,7 @@ pub struct Checked {
     /// What a part leaves open.
     pub open: Open,
     /// How much of a shader that is.
-    pub extent: Extent,
+    pub wholeness: Wholeness,
 }
 
 /// Reads and checks a part of a shader in each way in which a host may take it, the likeliest first:
@@ -85,7 +85,7 @@ pub fn analyze(unit: &Unit) -> Checked {
         program,
         diagnostics,
         open,
-        extent,
+        wholeness,
     } = analyze_once(unit);
     let mut diagnostics = attribute(unit, &program, diagnostics);
     // An entry that stands behind an `#if` without its end is there, only not read.
@@ -95,7 +95,7 @@ pub fn analyze(unit: &Unit) -> Checked {
     {
         diagnostics.retain(|d| d.rule != error::MISSING_MAIN);
     }
-    if unit.extent != Extent::Whole {
+    if unit.wholeness != Wholeness::Whole {
         keep_own(unit.sources, &mut diagnostics);
     }
     limit(&mut diagnostics);
@@ -103,7 +103,7 @@ pub fn analyze(unit: &Unit) -> Checked {
         program,
         diagnostics,
         open,
-        extent,
+        wholeness,
     }
 }
 
@@ -121,7 +121,7 @@ pub(crate) fn analyze_fragment(code: &str) -> Checked {
         stage: Stage::Fragment,
         dialect: Dialect::WebGl,
         infer_channels: false,
-        extent: Extent::Whole,
+        wholeness: Wholeness::Whole,
     })
 }
 
@@ -150,7 +150,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
     if gave_up {
         tokens.tokens.drain(..tokens.tokens.len().saturating_sub(1));
     }
-    let language = Language {
+    let language = ParseOptions {
         version,
         is_fragment,
     };
@@ -168,7 +168,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
         has_errors,
     };
     let corrected = Corrected {
-        language,
+        options: language,
         choices: parse.choices,
         original: parse.original,
         lost: translated.lost,
@@ -192,9 +192,9 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
     if let Some(cut) = program.tokens.cut {
         judge_cut(unit.sources, cut, &mut diagnostics);
     }
-    let open = match unit.extent {
-        Extent::Whole => Open::default(),
-        extent => keep_certain(&program, extent, &mut diagnostics),
+    let open = match unit.wholeness {
+        Wholeness::Whole => Open::default(),
+        wholeness => keep_certain(&program, wholeness, &mut diagnostics),
     };
     let mut diagnostics = gather(&program, diagnostics);
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
@@ -203,7 +203,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
         program,
         diagnostics,
         open,
-        extent: unit.extent,
+        wholeness: unit.wholeness,
     }
 }
 

@@ -2,7 +2,7 @@
 //! first, over the tokens last.
 
 use super::ast::*;
-use super::{Language, RawKind, Tokens, parse_corrected, preprocess, tokenize};
+use super::{ParseOptions, RawKind, Tokens, parse_corrected, preprocess, tokenize};
 use crate::text::{Role, Sources};
 use std::ops::Range;
 
@@ -219,7 +219,7 @@ impl Structure<'_> {
         files.extend(sources.add("", None, Role::Prelude, header));
         files.extend(sources.add("", None, Role::User, text));
         let mut read = preprocess(&sources, &files, true);
-        let language = Language {
+        let language = ParseOptions {
             version: read.version,
             is_fragment: true,
         };

@@ -245,7 +245,7 @@ impl Writer {
             let other = self.numeric_type();
             let fields = vec![("m0".to_string(), ty), ("m1".to_string(), other)];
             let record = self.declare_record(fields);
-            let id = self.structs.len() as u32 - 1;
+            let id = self.structs.len() as u16 - 1;
             let ty = Type {
                 base: Base::Struct(id),
                 array: 0,

@@ -92,7 +92,7 @@ impl Writer {
             });
             match seen {
                 Some(id) => Type {
-                    base: Base::Struct(id as u32),
+                    base: Base::Struct(id as u16),
                     array: 0,
                 },
                 None => self.numeric_type(),

@@ -8,7 +8,7 @@ use crate::engine::{HostNames, Memo, Options};
 use crate::host::read as read_host;
 use crate::lint::{Settings, UnknownRule};
 use crate::rules::RULES;
-use project::Project;
+use project::ProjectFolders;
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -65,12 +65,12 @@ struct Cache {
     /// By folder.
     configs: HashMap<PathBuf, Found>,
     /// By folder of files.
-    projects: HashMap<PathBuf, Project>,
+    projects: HashMap<PathBuf, ProjectFolders>,
     options: HashMap<Key, Arc<Options>>,
 }
 
 /// What makes files be judged alike: the folder of the configuration, the project and the overrides.
-type Key = (Option<PathBuf>, Project, Vec<usize>);
+type Key = (Option<PathBuf>, ProjectFolders, Vec<usize>);
 
 impl Configs {
     /// Nothing is read yet.
@@ -170,13 +170,13 @@ impl Configs {
     }
 
     /// The project that a file belongs to.
-    fn project(&self, path: &Path) -> Project {
+    fn project(&self, path: &Path) -> ProjectFolders {
         let path = absolute(path);
         let folder = path.parent().unwrap_or(Path::new("/"));
         if let Some(known) = self.lock().projects.get(folder) {
             return known.clone();
         }
-        let project = Project::around(folder, &self.asked.paths);
+        let project = ProjectFolders::around(folder, &self.asked.paths);
         let mut cache = self.lock();
         cache.projects.insert(folder.to_path_buf(), project.clone());
         project

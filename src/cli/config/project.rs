@@ -5,19 +5,19 @@ use std::path::{Path, PathBuf};
 
 /// A project.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub struct Project {
+pub struct ProjectFolders {
     /// The folder that no include may leave.
     pub root: PathBuf,
     /// What a leading `/` in a path may mean, the nearest first; the last is the root.
     pub tops: Vec<PathBuf>,
 }
 
-impl Project {
+impl ProjectFolders {
     /// The project around a folder of files. `named` are the paths that the user gave.
     ///
     /// A repository, a configuration, a package, the folder that the user named and the one that the
     /// program runs in each hold a project; the outermost is what may be read.
-    pub fn around(folder: &Path, named: &[PathBuf]) -> Project {
+    pub fn around(folder: &Path, named: &[PathBuf]) -> ProjectFolders {
         let nearest = |name: &str| {
             let mut above = folder.ancestors();
             above.find(|f| f.join(name).exists()).map(Path::to_path_buf)
@@ -38,7 +38,7 @@ impl Project {
         if tops.is_empty() {
             tops.push(folder.to_path_buf());
         }
-        Project {
+        ProjectFolders {
             root: tops.last().cloned().unwrap_or_default(),
             tops,
         }

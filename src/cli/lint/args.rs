@@ -17,7 +17,7 @@ use std::path::PathBuf;
 #[command(subcommand_help_heading = "Instead of PATH")]
 #[command(override_usage = "shaderlint [OPTIONS] [PATH]...\n       shaderlint <COMMAND>")]
 #[command(after_help = EXIT_CODES)]
-pub struct Args {
+pub struct LintArgs {
     /// Something else than checking
     #[command(subcommand)]
     pub command: Option<Command>,
@@ -164,7 +164,7 @@ pub enum Command {
         format: ListFormat,
     },
     /// Make a shader small while what is reported of it stays
-    Reduce(super::reduce::Args),
+    Reduce(super::reduce::ReduceArgs),
     /// Print what a shader becomes before it is looked at
     #[command(hide = true)]
     Ir {
@@ -261,7 +261,7 @@ impl ColorChoice {
     }
 }
 
-impl Args {
+impl LintArgs {
     /// The output format.
     pub fn format(&self) -> Format {
         match self.format {

@@ -6,9 +6,9 @@ use super::super::config::{Configs, absolute};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::super::{CLEAN, FAILED};
-use super::args::{Args, Talk};
+use super::args::{LintArgs, Talk};
 use super::complain;
-use super::examine::{Outcome, Work, examine_all};
+use super::examine::{ExtraWork, Outcome, examine_all};
 use crate::diagnostic::Diagnostic;
 use crate::report::fingerprints;
 use crate::text::Sources;
@@ -133,7 +133,7 @@ fn named(folder: &Path, file: &str) -> String {
 
 /// Writes the findings of all inputs into the file that the arguments name. Of a baseline that is
 /// there already, what is known of other files stays, as long as those exist.
-pub fn write(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<u8> {
+pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result<u8> {
     let Some(path) = &args.write_baseline else {
         return Ok(FAILED);
     };
@@ -150,37 +150,42 @@ pub fn write(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result
     let folder = folder_of(path);
     let mut all_well = true;
     let mut count = 0;
-    examine_all(inputs, configs, Work::default(), &mut |input, outcome| {
-        match outcome {
-            Outcome::Checked(mut report, ..) => {
-                let found = &mut report.diagnostics;
-                if let Ok(options) = configs.options(Path::new(&input.name)) {
-                    found.retain(|d| options.settings.reports(d.rule));
+    examine_all(
+        inputs,
+        configs,
+        ExtraWork::default(),
+        &mut |input, outcome| {
+            match outcome {
+                Outcome::Checked(mut report, ..) => {
+                    let found = &mut report.diagnostics;
+                    if let Ok(options) = configs.options(Path::new(&input.name)) {
+                        found.retain(|d| options.settings.reports(d.rule));
+                    }
+                    let prints = fingerprints(&report.sources, found);
+                    let entries = found.iter().zip(prints);
+                    let entries = entries.map(|(d, p)| entry(d.rule, &p));
+                    let entries: Vec<Value> = entries.collect();
+                    count += entries.len();
+                    if !entries.is_empty() {
+                        files.insert(named(&folder, &input.name), entries);
+                    }
+                    if let Some(old) = &mut old {
+                        old.filter(&input.name, &report.sources, found);
+                    }
                 }
-                let prints = fingerprints(&report.sources, found);
-                let entries = found.iter().zip(prints);
-                let entries = entries.map(|(d, p)| entry(d.rule, &p));
-                let entries: Vec<Value> = entries.collect();
-                count += entries.len();
-                if !entries.is_empty() {
-                    files.insert(named(&folder, &input.name), entries);
+                Outcome::Skipped(..) => {}
+                Outcome::Failed(message) => {
+                    tell(&format!("{}: {message}", input.name));
+                    all_well = false;
                 }
-                if let Some(old) = &mut old {
-                    old.filter(&input.name, &report.sources, found);
+                Outcome::Misconfigured(message) => {
+                    tell(&message);
+                    all_well = false;
                 }
             }
-            Outcome::Skipped(..) => {}
-            Outcome::Failed(message) => {
-                tell(&format!("{}: {message}", input.name));
-                all_well = false;
-            }
-            Outcome::Misconfigured(message) => {
-                tell(&message);
-                all_well = false;
-            }
-        }
-        Ok(())
-    })?;
+            Ok(())
+        },
+    )?;
     let old = old.as_ref();
     for (file, known) in old.iter().flat_map(|o| &o.known) {
         let kept = known.iter().map(|k| entry(&k.rule, &k.fingerprint));

@@ -28,7 +28,7 @@ pub enum Outcome {
 
 /// What is done with each input besides checking it.
 #[derive(Clone, Copy, Default)]
-pub struct Work {
+pub struct ExtraWork {
     /// How it is mended.
     pub mend: Option<Mend>,
     /// Whether it is found out how many findings can be fixed.
@@ -39,7 +39,7 @@ pub struct Work {
 pub fn examine_all(
     inputs: &[InputFile],
     configs: &Configs,
-    work: Work,
+    work: ExtraWork,
     print: &mut impl FnMut(&InputFile, Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
     let run = &Run {
@@ -102,7 +102,7 @@ struct Run<'a> {
     /// Their names.
     checked: Arc<BTreeSet<String>>,
     disk: Disk,
-    work: Work,
+    work: ExtraWork,
 }
 
 fn examine(input: &InputFile, run: &Run) -> Outcome {

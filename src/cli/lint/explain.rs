@@ -1,7 +1,7 @@
 //! `explain`, `rules`, `completions`, `man`, `schema`; `reduce` and `ir` have files of their own.
 
 use super::super::{CLEAN, FAILED};
-use super::args::{Args, Command, ListFormat};
+use super::args::{Command, LintArgs, ListFormat};
 use super::complain;
 use crate::diagnostic::{ERRORS, Severity, error_page};
 use crate::engine::config::schema;
@@ -28,9 +28,9 @@ pub fn run(command: &Command) -> io::Result<u8> {
             }
         },
         Command::Completions { shell } => {
-            clap_complete::generate(*shell, &mut Args::command(), "shaderlint", &mut text);
+            clap_complete::generate(*shell, &mut LintArgs::command(), "shaderlint", &mut text);
         }
-        Command::Man => clap_mangen::Man::new(Args::command()).render(&mut text)?,
+        Command::Man => clap_mangen::Man::new(LintArgs::command()).render(&mut text)?,
         Command::Schema => text.extend_from_slice(schema().as_bytes()),
     }
     io::stdout().lock().write_all(&text)?;

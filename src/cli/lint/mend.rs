@@ -2,7 +2,7 @@
 
 use super::super::input::InputFile;
 use super::super::output::{diff, replace};
-use super::args::Args;
+use super::args::LintArgs;
 use crate::engine::{Files, Options, mend};
 use crate::lint::Allow;
 use crate::text::{Content, Encoding};
@@ -32,7 +32,7 @@ pub enum Mended {
 
 impl Mend {
     /// What the arguments ask for.
-    pub fn of(args: &Args) -> Option<Mend> {
+    pub fn of(args: &LintArgs) -> Option<Mend> {
         let is_asked = args.fix || args.unsafe_fixes || args.diff;
         is_asked.then_some(Mend {
             allow: if args.unsafe_fixes {

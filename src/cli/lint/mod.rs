@@ -10,18 +10,18 @@ mod reduce;
 mod verbose;
 mod watch;
 
-pub use args::Args;
+pub use args::LintArgs;
 
 use super::config::Configs;
 use super::input::{InputFile, collect};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::engine::{Extent, Offer, Report, Shader};
+use crate::engine::{Offer, Report, Shader, Wholeness};
 use crate::lint::Unrun;
 use crate::report::{Format, Reporter, Scope, Summary};
 use args::Talk;
 use baseline::Baseline;
-use examine::{Outcome, Work, examine_all};
+use examine::{ExtraWork, Outcome, examine_all};
 use mend::{Mend, Mended};
 use std::collections::HashSet;
 use std::io::{self, BufWriter, Write};
@@ -29,7 +29,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Runs the linter and gives the exit code.
-pub fn run(args: &Args) -> u8 {
+pub fn run(args: &LintArgs) -> u8 {
     let code = match (&args.command, &args.explain) {
         (Some(command), _) => explain::run(command),
         (None, Some(name)) => explain::explain(name),
@@ -48,7 +48,7 @@ pub fn run(args: &Args) -> u8 {
 }
 
 /// Checks the paths once.
-fn check(args: &Args) -> io::Result<u8> {
+fn check(args: &LintArgs) -> io::Result<u8> {
     let talk = args.talk();
     let tell = |message: &str| {
         if talk > Talk::Nothing {
@@ -93,7 +93,7 @@ fn complain(message: &str) {
 
 /// Checks all inputs, several at a time, and prints their findings in order. Says whether all could
 /// be read and written.
-fn judge(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<(Summary, bool)> {
+fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result<(Summary, bool)> {
     let mend = Mend::of(args);
     let baseline = args.baseline.as_deref().map(Baseline::load).transpose()?;
     // What is printed of fixes goes first to where the findings would go.
@@ -112,7 +112,7 @@ fn judge(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<(Su
         said: HashSet::new(),
         all_well: true,
     };
-    let mut work = Work {
+    let mut work = ExtraWork {
         mend,
         counts_fixes: format.sums_up() && printer.talk >= Talk::Normal,
     };
@@ -139,7 +139,11 @@ fn judge(args: &Args, inputs: &[InputFile], configs: &Configs) -> io::Result<(Su
 }
 
 /// What the findings go to. Where text of fixes takes standard output, they go beside it.
-fn reporter(args: &Args, format: Format, prints_text: bool) -> Reporter<BufWriter<Box<dyn Write>>> {
+fn reporter(
+    args: &LintArgs,
+    format: Format,
+    prints_text: bool,
+) -> Reporter<BufWriter<Box<dyn Write>>> {
     let out: Box<dyn Write> = match args.talk() {
         Talk::Nothing => Box::new(io::sink()),
         _ if prints_text => Box::new(io::stderr()),
@@ -291,7 +295,7 @@ fn scope_of(shaders: &[Shader]) -> Scope {
         scope.open_names.extend(shader.holes.iter().cloned());
         match &shader.unrun {
             Unrun::Functions { names, .. } => scope.unrun_functions.extend(names.iter().cloned()),
-            Unrun::Everywhere if shader.has_errors && shader.extent == Extent::Whole => {
+            Unrun::Everywhere if shader.has_errors && shader.wholeness == Wholeness::Whole => {
                 scope.unrun_shaders += 1;
             }
             Unrun::Everywhere | Unrun::Nowhere => {}
@@ -312,9 +316,9 @@ fn mend_all(
     let mut refused = Vec::new();
     for round in 0..ROUNDS {
         let before = fixed;
-        let work = Work {
+        let work = ExtraWork {
             mend: Some(mend),
-            ..Work::default()
+            ..ExtraWork::default()
         };
         let mut includes = false;
         examine_all(inputs, configs, work, &mut |input, outcome| {

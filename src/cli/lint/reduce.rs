@@ -16,7 +16,7 @@ use std::process::{Command, Stdio};
 
 /// The arguments of `reduce`.
 #[derive(clap::Args, Debug)]
-pub struct Args {
+pub struct ReduceArgs {
     /// The shader
     #[arg(value_name = "FILE")]
     file: PathBuf,
@@ -39,7 +39,7 @@ pub struct Args {
 type Keeps = Box<dyn FnMut(&str) -> bool>;
 
 /// Reduces a file and gives the exit code.
-pub fn run(args: &Args) -> io::Result<u8> {
+pub fn run(args: &ReduceArgs) -> io::Result<u8> {
     match reduced(args) {
         Ok(text) => {
             match &args.output {
@@ -56,7 +56,7 @@ pub fn run(args: &Args) -> io::Result<u8> {
     }
 }
 
-fn reduced(args: &Args) -> Result<String, String> {
+fn reduced(args: &ReduceArgs) -> Result<String, String> {
     let name = args.file.display().to_string();
     let text = fs::read_to_string(&args.file).map_err(|e| format!("{name}: {e}"))?;
     let mut keeps: Keeps = match &args.keep {
@@ -125,7 +125,7 @@ fn quoted(path: &Path) -> String {
 }
 
 /// Keeps a finding of each rule that is named, or just the errors that there are.
-fn by_findings(args: &Args, name: String, text: &str) -> Result<Keeps, String> {
+fn by_findings(args: &ReduceArgs, name: String, text: &str) -> Result<Keeps, String> {
     let known = |n: &str| ERRORS.contains(&n) || RULES.iter().any(|r| r.name == n);
     if let Some(unknown) = args.rule.iter().find(|n| !known(n)) {
         return Err(format!("there is no rule or compile error `{unknown}`"));

@@ -3,7 +3,7 @@
 use super::super::config::Configs;
 use super::super::input::{InputFile, PassedOver};
 use super::complain;
-use crate::engine::{Extent, Report, Shader};
+use crate::engine::{Report, Shader, Wholeness};
 use crate::lint::Unrun;
 use crate::semantic::Stage;
 use std::path::Path;
@@ -53,17 +53,17 @@ fn told(shader: &Shader, report: &Report) -> String {
     };
     let part = file.and_then(|f| f.part.as_deref());
     let part = part.map_or(String::new(), |p| format!(" ({p})"));
-    let unrun = match (shader.extent, &shader.unrun) {
+    let unrun = match (shader.wholeness, &shader.unrun) {
         (_, Unrun::Nowhere) => String::new(),
         (_, Unrun::Functions { names, .. }) => format!(
             ", rules not run in `{}` for their errors",
             names.join("`, `")
         ),
-        (Extent::Excerpt, Unrun::Everywhere) => ", an excerpt: rules not run".to_string(),
-        (Extent::Part | Extent::Piece, Unrun::Everywhere) => {
+        (Wholeness::Excerpt, Unrun::Everywhere) => ", an excerpt: rules not run".to_string(),
+        (Wholeness::Part | Wholeness::Piece, Unrun::Everywhere) => {
             ", parts of which are elsewhere: rules not run".to_string()
         }
-        (Extent::Whole, Unrun::Everywhere) => ", rules not run for its errors".to_string(),
+        (Wholeness::Whole, Unrun::Everywhere) => ", rules not run for its errors".to_string(),
     };
     format!("{kind}{part}{unrun}{}", completed(shader))
 }

@@ -3,7 +3,7 @@
 use super::super::FAILED;
 use super::super::config::{Configs, FILE};
 use super::super::input::{InputFile, collect};
-use super::args::Args;
+use super::args::LintArgs;
 use super::{check, complain};
 use std::collections::BTreeMap;
 use std::fs;
@@ -17,7 +17,7 @@ const PAUSE: Duration = Duration::from_millis(300);
 
 /// Runs until the process is ended. The two lines on standard error that frame each check are for
 /// editors, which clear their list of problems at the first.
-pub fn run(args: &Args) -> io::Result<u8> {
+pub fn run(args: &LintArgs) -> io::Result<u8> {
     if args.paths.iter().any(|p| p.as_os_str() == "-") {
         complain("standard input cannot be watched");
         return Ok(FAILED);
@@ -51,7 +51,7 @@ pub fn run(args: &Args) -> io::Result<u8> {
 /// Sizes and times of all files.
 type Stamp = BTreeMap<PathBuf, (u64, Option<SystemTime>)>;
 
-fn take_stamp(args: &Args) -> Stamp {
+fn take_stamp(args: &LintArgs) -> Stamp {
     let configs = Configs::new(args.asked());
     let inputs = collect(&args.paths(), args.stdin_filename.as_deref(), &configs).inputs;
     let files = inputs.iter().filter_map(|i| i.path.clone());

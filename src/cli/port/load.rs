@@ -1,10 +1,10 @@
 //! From paths to a project: shader files, folders, exports, and what goes onto channels.
 
-use super::Args;
+use super::PortArgs;
 use crate::cli::input::{InputFile, read};
 use crate::engine::{Repairs, repair, repair_webgl1};
 use crate::port::{
-    ChannelOrder, ChannelSource, Composed, InputKind, Media, OutputId, Part, PassRole, Project,
+    ChannelOrder, ChannelSource, Composed, InputKind, Media, OutputId, PassFile, PassRole, Project,
     ShaderError, kind_of_file,
 };
 use crate::semantic::Pass;
@@ -31,7 +31,7 @@ pub(super) struct Loaded {
 }
 
 /// Reads what the arguments name.
-pub(super) fn load(args: &Args) -> Result<Loaded, String> {
+pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     let orders = args
         .channel
         .iter()
@@ -98,7 +98,7 @@ enum Mode {
 }
 
 /// How the input is called in messages.
-pub(super) fn name_of(args: &Args) -> String {
+pub(super) fn name_of(args: &PortArgs) -> String {
     args.input
         .first()
         .map_or("passes".to_string(), |path| shown(path))
@@ -185,7 +185,7 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     let parts = files
         .into_iter()
         .map(|(role, path)| {
-            Ok(Part {
+            Ok(PassFile {
                 role,
                 file: shown(&path),
                 code: read_text(&path)?.into(),

@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 /// plays it, a module or plain shaders out.
 #[derive(Parser, Debug)]
 #[command(name = "shaderport", version, about, max_term_width = 100)]
-pub struct Args {
+pub struct PortArgs {
     /// A shader file, a ShaderToy export (.json), a folder or several files whose names tell their
     /// passes (image.glsl, buffer_a.glsl, common.glsl, cubemap.glsl, sound.glsl); `-` is standard
     /// input
@@ -59,7 +59,7 @@ pub struct Args {
 }
 
 /// Runs the converter and gives the exit code.
-pub fn run(args: &Args) -> u8 {
+pub fn run(args: &PortArgs) -> u8 {
     match port(args) {
         Ok(code) => code,
         Err(message) => {
@@ -69,7 +69,7 @@ pub fn run(args: &Args) -> u8 {
     }
 }
 
-fn port(args: &Args) -> Result<u8, String> {
+fn port(args: &PortArgs) -> Result<u8, String> {
     let Loaded {
         project,
         composed,

@@ -4,7 +4,7 @@ use super::super::World;
 use super::super::files::Files;
 use super::super::options::{DialectChoice, Options};
 use crate::port::PassRole;
-use crate::semantic::{Kind, Pass, guess};
+use crate::semantic::{GuessedKind, Pass, guess};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -109,7 +109,7 @@ fn may_be_pass(options: &Options) -> bool {
 
 fn is_pass(text: &str) -> bool {
     let kind = guess(text).kind;
-    matches!(kind, Some(Kind::ShaderToy(pass)) if pass != Pass::Common)
+    matches!(kind, Some(GuessedKind::ShaderToy(pass)) if pass != Pass::Common)
 }
 
 fn file_name(path: &str) -> &str {

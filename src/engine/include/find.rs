@@ -29,18 +29,18 @@ pub struct Includes {
 
 /// A file that is put in, and what stands in it.
 #[derive(Debug)]
-pub struct Text {
+pub struct IncludedFile {
     /// Its text.
     pub text: Arc<str>,
     /// Its directives.
     pub scan: Scan,
 }
 
-impl Text {
+impl IncludedFile {
     /// Reads a text.
-    pub fn new(text: Arc<str>) -> Text {
+    pub fn new(text: Arc<str>) -> IncludedFile {
         let scan = scan(&text);
-        Text { text, scan }
+        IncludedFile { text, scan }
     }
 }
 
@@ -52,7 +52,7 @@ pub struct Found {
     /// Its path without links.
     pub real: PathBuf,
     /// What it holds.
-    pub file: Arc<Text>,
+    pub file: Arc<IncludedFile>,
 }
 
 /// Why a file is not put in.

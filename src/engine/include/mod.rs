@@ -7,7 +7,7 @@ mod module;
 mod scan;
 
 pub use common::{Passes, is_common};
-pub use find::{Absence, Includes, Text};
+pub use find::{Absence, IncludedFile, Includes};
 
 use super::World;
 use super::document::Read;
@@ -35,12 +35,12 @@ pub struct Spread {
     /// Whether something that is put in is not at hand.
     pub is_open: bool,
     /// What is not found.
-    pub missing: Vec<Missing>,
+    pub missing: Vec<MissingInclude>,
 }
 
 /// A file that is named and not put in.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Missing {
+pub struct MissingInclude {
     /// The directive.
     pub span: Span,
     /// The path, as it is written.
@@ -92,7 +92,7 @@ pub(super) fn spread(
     let common = common.and_then(|path| world.load(&path).ok());
     let words = ["include", "import", "glslify"];
     let own = words.iter().any(|w| text.contains(w));
-    let own = own.then(|| Arc::new(Text::new(text.into())));
+    let own = own.then(|| Arc::new(IncludedFile::new(text.into())));
     let own = own.filter(|own| !own.scan.directives.is_empty());
     let mut spreader = Spreader {
         read,
@@ -154,7 +154,7 @@ struct Open {
     name: String,
     real: PathBuf,
     file: FileId,
-    text: Arc<Text>,
+    text: Arc<IncludedFile>,
     /// What of it has been put in.
     done: usize,
     /// The number of its next directive.
@@ -202,7 +202,7 @@ impl Spreader<'_, '_> {
         Arc::make_mut(&mut self.read.sources).add(path, None, Role::User, text)
     }
 
-    fn open(&mut self, name: String, real: PathBuf, file: FileId, text: Arc<Text>) {
+    fn open(&mut self, name: String, real: PathBuf, file: FileId, text: Arc<IncludedFile>) {
         let room = MAX_ARGUMENTS.saturating_sub(self.undefined.len());
         let more = text.scan.undefined.iter().take(room);
         self.undefined.extend(more.cloned());
@@ -286,7 +286,7 @@ impl Spreader<'_, '_> {
 
     fn miss(&mut self, span: Span, path: &str, absent: Absent) {
         self.found.is_open = true;
-        self.found.missing.push(Missing {
+        self.found.missing.push(MissingInclude {
             span,
             path: path.to_string(),
             looked_in: absent.looked_in,

@@ -526,7 +526,7 @@ impl<'m> Walker<'m> {
         self.is_alive = false;
         for case in module.cases(found) {
             let labels = module.labels(case);
-            has_default |= labels.contains(&crate::ir::Label::Default);
+            has_default |= labels.contains(&crate::ir::CaseLabel::Default);
             let fallen = match self.is_alive {
                 true => Some(self.changes(mark)),
                 false => None,

@@ -1,10 +1,10 @@
 //! What ends a loop for certain, and after how many turns.
 
 use super::pace::{Pace, Tracer, is_still};
-use super::{Bound, Found, Loop};
+use super::{Bound, Found, LoopFacts};
 use crate::flow::defs::{Def, DefId, each_comparison};
 use crate::flow::ranges::Query;
-use crate::ir::{Binary, OpId, OpKind, Origin, Root};
+use crate::ir::{Binary, OpId, OpKind, Provenance, Root};
 use crate::semantic::builtins::Transfer;
 use crate::syntax::ast::ExprId;
 
@@ -31,7 +31,7 @@ impl Relation {
 
 impl Found {
     /// Looks for what ends the loop.
-    pub(super) fn looped(self, query: Query) -> Option<Loop> {
+    pub(super) fn looped(self, query: Query) -> Option<LoopFacts> {
         let (module, defs) = (query.module, query.defs);
         let looped = module.looped(self.id)?;
         let is_one = |op: OpId| match module.op(op).kind {
@@ -39,7 +39,7 @@ impl Found {
             OpKind::Same { .. } => true,
             _ => false,
         };
-        let mut made = Loop {
+        let mut made = LoopFacts {
             stmt: looped.stmt,
             function: self.function,
             bound: Bound::Open,
@@ -71,7 +71,7 @@ impl Found {
     fn compare(
         &self,
         query: Query,
-        made: &mut Loop,
+        made: &mut LoopFacts,
         relation: Relation,
         side: OpId,
         limit: OpId,
@@ -236,8 +236,8 @@ fn turns(start: f64, relation: Relation, end: f64, pace: Pace) -> Option<u64> {
 }
 
 fn expr_of(query: Query, op: OpId) -> Option<ExprId> {
-    match query.module.origin(op) {
-        Origin::Expr(expr) => Some(expr),
+    match query.module.provenance(op) {
+        Provenance::Expr(expr) => Some(expr),
         _ => None,
     }
 }

@@ -13,7 +13,7 @@ use rustc_hash::FxHashMap;
 
 /// A loop.
 #[derive(Clone, Copy, Debug)]
-pub struct Loop {
+pub struct LoopFacts {
     /// The statement.
     pub stmt: StmtId,
     /// The function around it.
@@ -58,7 +58,7 @@ impl Bound {
 #[derive(Default, Debug)]
 pub struct Loops {
     /// The loops.
-    pub all: Vec<Loop>,
+    pub all: Vec<LoopFacts>,
 }
 
 impl Loops {
@@ -76,7 +76,7 @@ impl Loops {
             }
         }
         let found = finder.found.into_iter();
-        let mut all: Vec<Loop> = found.filter_map(|found| found.looped(query)).collect();
+        let mut all: Vec<LoopFacts> = found.filter_map(|found| found.looped(query)).collect();
         all.sort_unstable_by_key(|l| l.stmt);
         Loops { all }
     }
@@ -88,7 +88,7 @@ impl Loops {
     }
 
     /// The loop that a statement is.
-    pub fn get(&self, stmt: StmtId) -> Option<&Loop> {
+    pub fn get(&self, stmt: StmtId) -> Option<&LoopFacts> {
         let at = self.all.binary_search_by_key(&stmt, |l| l.stmt).ok()?;
         self.all.get(at)
     }

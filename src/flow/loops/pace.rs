@@ -1,7 +1,7 @@
 //! How a counter moves: what a turn of a loop makes of the value that it began with.
 
 use crate::flow::defs::{Def, DefId};
-use crate::flow::ranges::{Query, Range};
+use crate::flow::ranges::{Interval, Query};
 use crate::ir::{Binary, LoopId, OpId, OpKind, Root};
 
 /// How many steps back are looked at.
@@ -209,7 +209,7 @@ impl Moved {
 }
 
 /// The factor that moves a value least: of those above one, or of those between zero and one.
-fn slowest(range: Range) -> Option<f64> {
+fn slowest(range: Interval) -> Option<f64> {
     let (lo, hi) = (range.lo.value, range.hi.value);
     match range.single() {
         Some(one) => Some(one).filter(|v| *v > 0.0),

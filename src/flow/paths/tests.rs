@@ -2,7 +2,7 @@
 
 use super::{Paths, Unset};
 use crate::ir::lower;
-use crate::semantic::{Dialect, Extent, Mentions, Pass, Stage, Unit, analyze};
+use crate::semantic::{Dialect, Mentions, Pass, Stage, Unit, Wholeness, analyze};
 use crate::text::{Role, Sources};
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ fn check(code: &str, expected: &str) {
         stage: Stage::Fragment,
         dialect: Dialect::ShaderToy(Pass::Image),
         infer_channels: true,
-        extent: Extent::Part,
+        wholeness: Wholeness::Part,
     });
     assert_eq!(analysis.diagnostics, [], "{code}");
     let program = &analysis.program;

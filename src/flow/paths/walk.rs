@@ -400,7 +400,7 @@ impl<'x> Walk<'x> {
         let cases = module.cases(found);
         let mut has_default = false;
         for case in cases {
-            has_default |= module.labels(case).contains(&crate::ir::Label::Default);
+            has_default |= module.labels(case).contains(&crate::ir::CaseLabel::Default);
             // A label is reached from the top too, where less has a value.
             self.state.undo(mark);
             self.state.dead = was_dead;
@@ -538,7 +538,7 @@ impl<'x> Walk<'x> {
     /// Where the variable that is read is named.
     fn named(&self, variable: VariableId, op: OpId) -> Extent {
         let tree = &self.program.tree;
-        let extent = self.module.origin(op).extent(tree).unwrap_or_default();
+        let extent = self.module.provenance(op).extent(tree).unwrap_or_default();
         let name = self.mentions.first_in(self.program, variable, extent);
         name.map_or(extent, |e| tree.expr(e).extent)
     }

@@ -1,6 +1,6 @@
 //! From a comparison back to what it is made of.
 
-use super::interval::{Range, above, below};
+use super::interval::{Interval, above, below};
 use super::node::Node;
 use super::{Query, negated, turned};
 use crate::flow::defs::Refinement;
@@ -41,7 +41,7 @@ impl Wanted {
         comparison: OpId,
         truth: bool,
         (is_right, lane): (bool, u32),
-        mut get: impl FnMut(Node) -> Option<Range>,
+        mut get: impl FnMut(Node) -> Option<Interval>,
     ) -> Wanted {
         let (op, left, right) = match query.module.op(comparison).kind {
             OpKind::Binary(op, left, right) => (Some(op), left, right),
@@ -85,7 +85,7 @@ impl Wanted {
     pub(super) fn at_end(
         query: &Query,
         by: Refinement,
-        get: &mut impl FnMut(Node) -> Option<Range>,
+        get: &mut impl FnMut(Node) -> Option<Interval>,
     ) -> Wanted {
         let side = (by.is_right, by.lane as u32);
         let mut wanted = Wanted::of(query, by.comparison, by.truth, side, &mut *get);
@@ -104,7 +104,7 @@ impl Wanted {
         op: OpId,
         lane: u32,
         choice: u8,
-        get: &mut impl FnMut(Node) -> Option<Range>,
+        get: &mut impl FnMut(Node) -> Option<Interval>,
     ) -> Wanted {
         let module = query.module;
         match module.op(op).kind {
@@ -116,7 +116,7 @@ impl Wanted {
             OpKind::Binary(kind, a, b) => {
                 let other = if choice == 0 { b } else { a };
                 let other = Node::lane(query.defs, other, lane).and_then(&mut *get);
-                let other = other.unwrap_or(Range::ANY);
+                let other = other.unwrap_or(Interval::ANY);
                 if kind == Binary::Multiply && is_same(module, query.defs, a, b) {
                     let root = self.hi.max(0.0).sqrt();
                     return Wanted::between(-root, root);
@@ -133,7 +133,7 @@ impl Wanted {
                     let scalar = module.ty(*other).is_scalar();
                     Node::lane(query.defs, *other, if scalar { 0 } else { lane })
                 });
-                let other = other.and_then(get).unwrap_or(Range::ANY);
+                let other = other.and_then(get).unwrap_or(Interval::ANY);
                 let is_scalar = args.first().is_some_and(|a| module.ty(*a).is_scalar());
                 self.argument(function, is_scalar, other)
             }
@@ -168,7 +168,7 @@ impl Wanted {
     }
 
     /// What is wanted of an operand beside another.
-    fn operand(self, kind: Binary, choice: u8, other: Range) -> Wanted {
+    fn operand(self, kind: Binary, choice: u8, other: Interval) -> Wanted {
         let (lo, hi) = (other.lo.value, other.hi.value);
         match (kind, choice) {
             (Binary::Add, _) => Wanted::between(self.lo - hi, self.hi - lo),
@@ -197,7 +197,7 @@ impl Wanted {
     }
 
     /// What is wanted of a factor beside another.
-    fn factor(self, other: Range) -> Wanted {
+    fn factor(self, other: Interval) -> Wanted {
         let (lo, hi) = (other.lo.value, other.hi.value);
         if hi < 0.0 {
             return Wanted::between(-self.hi, -self.lo).factor(-other);
@@ -220,7 +220,7 @@ impl Wanted {
     }
 
     /// What is wanted of an argument of a built-in function, given another.
-    fn argument(self, function: BuiltinId, is_scalar: bool, other: Range) -> Wanted {
+    fn argument(self, function: BuiltinId, is_scalar: bool, other: Interval) -> Wanted {
         match function.transfer() {
             Transfer::Magnitude => self.magnitude(),
             // The length of a scalar is its magnitude.
@@ -263,7 +263,7 @@ impl Wanted {
     }
 
     /// Leaves of a range what is wanted.
-    pub(super) fn narrow(self, range: &mut Range, is_float: bool) {
+    pub(super) fn narrow(self, range: &mut Interval, is_float: bool) {
         let (lo, hi) = match is_float {
             true => (self.lo, self.hi),
             false => (self.lo.ceil(), self.hi.floor()),

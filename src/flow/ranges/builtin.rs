@@ -1,17 +1,17 @@
 //! Ranges of built-in functions and of what hosts provide.
 
-use super::interval::{Range, Reach, below, is_power_of_two};
+use super::interval::{Interval, Tightness, below, is_power_of_two};
 use crate::semantic::builtins::Transfer;
 use std::f64::consts::{PI, TAU};
 
 /// The range of a component of a built-in function's result, given those of the arguments at that
 /// component. Of functions that mix components nothing is known here.
-pub fn of_function(transfer: Transfer, args: &[Range]) -> Range {
-    let range = transferred(transfer, args).unwrap_or(Range::ANY);
+pub fn of_function(transfer: Transfer, args: &[Interval]) -> Interval {
+    let range = transferred(transfer, args).unwrap_or(Interval::ANY);
     args.iter().fold(range, |range, arg| range.like(arg))
 }
 
-fn transferred(transfer: Transfer, args: &[Range]) -> Option<Range> {
+fn transferred(transfer: Transfer, args: &[Interval]) -> Option<Interval> {
     use Transfer as T;
     let x = *args.first()?;
     let y = || args.get(1).copied();
@@ -22,31 +22,31 @@ fn transferred(transfer: Transfer, args: &[Range]) -> Option<Range> {
         T::FallingOn(from, to, f) => (-inside(x, from, to)).rising(|v| f(-v)),
         T::Rounded(f) => x.rising(f).exactly(),
         T::Logarithm(f) if x.lo.value > 0.0 => x.rising(f),
-        T::NonNegative => Range::new(0.0, f64::INFINITY, Reach::Loose),
+        T::NonNegative => Interval::new(0.0, f64::INFINITY, Tightness::Loose),
         T::Sine => wave(x, 0.5 * PI),
         T::Cosine => wave(x, 0.0),
-        T::ArcTangent if args.len() == 2 => Range::new(-PI, PI, Reach::Touched),
+        T::ArcTangent if args.len() == 2 => Interval::new(-PI, PI, Tightness::Touched),
         T::ArcTangent => x.rising(f64::atan),
         T::Power => power(x, y()?)?,
         T::Magnitude => x.abs(),
         T::Signum => x
             .rising(|v| if v == 0.0 { 0.0 } else { v.signum() })
             .exactly(),
-        T::Fraction => modulo(x, Range::constant(1.0))?,
+        T::Fraction => modulo(x, Interval::constant(1.0))?,
         T::Modulo => modulo(x, y()?)?,
         T::Minimum => x.min(y()?),
         T::Maximum => x.max(y()?),
         T::Between => x.max(y()?).min(z()?),
         T::Blend => blend(x, y()?, z()?)?,
-        T::Threshold => Range::new(0.0, 1.0, Reach::Held).exactly(),
+        T::Threshold => Interval::new(0.0, 1.0, Tightness::Held).exactly(),
         T::Ramp => {
             let is_finite = z()?.is_finite();
-            let reach = if is_finite {
-                Reach::Touched
+            let tightness = if is_finite {
+                Tightness::Touched
             } else {
-                Reach::Held
+                Tightness::Held
             };
-            Range::new(0.0, 1.0, reach)
+            Interval::new(0.0, 1.0, tightness)
         }
         T::Logarithm(_)
         | T::Unknown
@@ -61,23 +61,23 @@ fn transferred(transfer: Transfer, args: &[Range]) -> Option<Range> {
     })
 }
 
-fn modulo(x: Range, y: Range) -> Option<Range> {
+fn modulo(x: Interval, y: Interval) -> Option<Interval> {
     let divisor = y.single().filter(|d| *d > 0.0)?;
     if x.lo.value >= 0.0 && x.hi.value < divisor {
         return Some(x);
     }
-    let reach = if x.is_finite() && !x.lo.is_reached() {
-        Reach::Loose
+    let tightness = if x.is_finite() && !x.lo.is_reached() {
+        Tightness::Loose
     } else {
-        Reach::Touched
+        Tightness::Touched
     };
-    let mut range = Range::new(0.0, below(divisor), reach);
+    let mut range = Interval::new(0.0, below(divisor), tightness);
     // The division inside rounds, unless it is by a power of two.
     range.exact = x.exact && is_power_of_two(divisor);
     Some(range)
 }
 
-fn power(x: Range, y: Range) -> Option<Range> {
+fn power(x: Interval, y: Interval) -> Option<Interval> {
     let exponent = y.single()?;
     let base = inside(x, 0.0, f64::INFINITY);
     if x.lo.value < 0.0 {
@@ -91,7 +91,7 @@ fn power(x: Range, y: Range) -> Option<Range> {
 }
 
 /// `mix` with a share between 0 and 1.
-fn blend(x: Range, y: Range, share: Range) -> Option<Range> {
+fn blend(x: Interval, y: Interval, share: Interval) -> Option<Interval> {
     if share.lo.value < 0.0 || share.hi.value > 1.0 {
         return None;
     }
@@ -108,7 +108,7 @@ fn blend(x: Range, y: Range, share: Range) -> Option<Range> {
 }
 
 /// The part of a range between two numbers; a function is not defined beyond.
-fn inside(x: Range, lo: f64, hi: f64) -> Range {
+fn inside(x: Interval, lo: f64, hi: f64) -> Interval {
     let mut part = x;
     part.raise(lo);
     part.lower(hi);
@@ -116,8 +116,8 @@ fn inside(x: Range, lo: f64, hi: f64) -> Range {
 }
 
 /// A sine wave with a crest at `crest`.
-fn wave(x: Range, crest: f64) -> Range {
-    let full = Range::new(-1.0, 1.0, Reach::Touched);
+fn wave(x: Interval, crest: f64) -> Interval {
+    let full = Interval::new(-1.0, 1.0, Tightness::Touched);
     if !x.is_finite() {
         return full;
     }
@@ -127,27 +127,27 @@ fn wave(x: Range, crest: f64) -> Range {
     let (a, b) = ((lo - crest).cos(), (hi - crest).cos());
     let low = if passes(crest + PI) { -1.0 } else { a.min(b) };
     let high = if passes(crest) { 1.0 } else { a.max(b) };
-    let range = Range::new(low, high, Reach::Touched);
+    let range = Interval::new(low, high, Tightness::Touched);
     if is_reached { range } else { range.loose() }
 }
 
 /// What is known of a variable that ShaderToy's player or the language fills in, by component.
-pub fn of_host(name: &str, component: u8) -> Option<Range> {
-    let from = |lo, reach| Range::new(lo, f64::INFINITY, reach);
+pub fn of_host(name: &str, component: u8) -> Option<Interval> {
+    let from = |lo, tightness| Interval::new(lo, f64::INFINITY, tightness);
     Some(match (name, component) {
-        ("iTime" | "iTimeDelta", _) => from(0.0, Reach::Touched),
-        ("iFrame" | "gl_VertexID" | "gl_InstanceID", _) => from(0.0, Reach::Held).exactly(),
-        ("iResolution", _) => from(1.0, Reach::Loose).exactly(),
-        ("iChannelResolution", _) => from(0.0, Reach::Loose).exactly(),
-        ("iChannelTime" | "iSampleRate" | "iFrameRate", _) => from(0.0, Reach::Loose),
-        ("iMouse", _) => Range::ANY.exactly(),
-        ("iDate", 1) => Range::new(0.0, 11.0, Reach::Touched).exactly(),
-        ("iDate", 2) => Range::new(1.0, 31.0, Reach::Touched).exactly(),
-        ("iDate", 3) => Range::new(0.0, 86_400.0, Reach::Touched),
-        ("iDate", _) => from(1970.0, Reach::Loose).exactly(),
-        ("gl_FragCoord", 0 | 1) => from(0.5, Reach::Loose).exactly(),
-        ("gl_FragCoord", 2) => Range::new(0.0, 1.0, Reach::Loose),
-        ("gl_PointCoord", _) => Range::new(0.0, 1.0, Reach::Touched),
+        ("iTime" | "iTimeDelta", _) => from(0.0, Tightness::Touched),
+        ("iFrame" | "gl_VertexID" | "gl_InstanceID", _) => from(0.0, Tightness::Held).exactly(),
+        ("iResolution", _) => from(1.0, Tightness::Loose).exactly(),
+        ("iChannelResolution", _) => from(0.0, Tightness::Loose).exactly(),
+        ("iChannelTime" | "iSampleRate" | "iFrameRate", _) => from(0.0, Tightness::Loose),
+        ("iMouse", _) => Interval::ANY.exactly(),
+        ("iDate", 1) => Interval::new(0.0, 11.0, Tightness::Touched).exactly(),
+        ("iDate", 2) => Interval::new(1.0, 31.0, Tightness::Touched).exactly(),
+        ("iDate", 3) => Interval::new(0.0, 86_400.0, Tightness::Touched),
+        ("iDate", _) => from(1970.0, Tightness::Loose).exactly(),
+        ("gl_FragCoord", 0 | 1) => from(0.5, Tightness::Loose).exactly(),
+        ("gl_FragCoord", 2) => Interval::new(0.0, 1.0, Tightness::Loose),
+        ("gl_PointCoord", _) => Interval::new(0.0, 1.0, Tightness::Touched),
         _ => return None,
     })
 }

@@ -2,7 +2,7 @@
 
 use super::back::Wanted;
 use super::builtin::of_host;
-use super::interval::Range;
+use super::interval::Interval;
 use super::node::{Node, Subject};
 use super::{Query, fitting, number};
 use crate::flow::defs::{Def, DefId, Refinement, Slot, each_comparison, each_load};
@@ -55,8 +55,8 @@ impl Query<'_> {
     pub(super) fn compute(
         &self,
         node: Node,
-        get: &mut impl FnMut(Node) -> Option<Range>,
-    ) -> Option<Range> {
+        get: &mut impl FnMut(Node) -> Option<Interval>,
+    ) -> Option<Interval> {
         match node.subject(self.defs) {
             Subject::Lane(op, lane) => {
                 let mut range = self.operation(op, lane, get);
@@ -69,7 +69,11 @@ impl Query<'_> {
         }
     }
 
-    fn definition(&self, id: DefId, get: &mut impl FnMut(Node) -> Option<Range>) -> Option<Range> {
+    fn definition(
+        &self,
+        id: DefId,
+        get: &mut impl FnMut(Node) -> Option<Interval>,
+    ) -> Option<Interval> {
         let defs = self.defs;
         let of = |def| Node::def(defs, def);
         let source = 1u64 << (id.0 % 64);
@@ -77,7 +81,7 @@ impl Query<'_> {
             Def::Entry(slot) => self.entry(slot, source, get),
             Def::Stored { value, lane } => match Node::lane(defs, value, lane) {
                 Some(node) => get(node),
-                None => Some(Range::ANY),
+                None => Some(Interval::ANY),
             },
             Def::Measured(parts) => measure(defs.list(parts).iter().map(|part| get(of(*part)))),
             Def::Merge {
@@ -101,9 +105,9 @@ impl Query<'_> {
                 Some(joined)
             }
             Def::Refined { of: before, by } => self.refined(before, by, get),
-            Def::Unknown => Some(Range {
+            Def::Unknown => Some(Interval {
                 sources: source,
-                ..Range::ANY
+                ..Interval::ANY
             }),
         }
     }
@@ -113,8 +117,8 @@ impl Query<'_> {
         &self,
         before: DefId,
         by: Refinement,
-        get: &mut impl FnMut(Node) -> Option<Range>,
-    ) -> Option<Range> {
+        get: &mut impl FnMut(Node) -> Option<Interval>,
+    ) -> Option<Interval> {
         let defs = self.defs;
         let known = get(Node::def(defs, before));
         let wanted = Wanted::at_end(self, by, get);
@@ -205,14 +209,14 @@ impl Query<'_> {
         &self,
         slot: Slot,
         source: u64,
-        get: &mut impl FnMut(Node) -> Option<Range>,
-    ) -> Option<Range> {
+        get: &mut impl FnMut(Node) -> Option<Interval>,
+    ) -> Option<Interval> {
         let defs = self.defs;
         let (id, _) = defs.variable_at(slot);
         let unknown = |ty: Type| {
-            let any = Range {
+            let any = Interval {
                 sources: source,
-                ..Range::ANY
+                ..Interval::ANY
             };
             fitting(ty.element().scalar_kind(), any)
         };
@@ -240,8 +244,8 @@ impl Query<'_> {
                 let Some(first) = put.next() else {
                     return Some(unknown(variable.ty));
                 };
-                match put.reduce(Range::join) {
-                    Some(others) => Range {
+                match put.reduce(Interval::join) {
+                    Some(others) => Interval {
                         sources: first.sources | others.sources | source,
                         ..first.join(others).loose()
                     },
@@ -251,7 +255,7 @@ impl Query<'_> {
         };
         if self.ranges.hides_variable(id) {
             // Whether it is rounded, the writes that are known tell best.
-            range = Range {
+            range = Interval {
                 exact: range.exact,
                 ..unknown(variable.ty)
             };
@@ -263,10 +267,10 @@ impl Query<'_> {
     }
 
     /// What the host or the language puts into a lane of a variable.
-    fn given(&self, slot: Slot, source: u64) -> Range {
+    fn given(&self, slot: Slot, source: u64) -> Interval {
         let (id, lane) = self.defs.variable_at(slot);
         let Some(variable) = self.program.variable(id) else {
-            return Range::ANY;
+            return Interval::ANY;
         };
         let name = self.program.names.text(variable.name);
         let rows = variable
@@ -274,15 +278,15 @@ impl Query<'_> {
             .element()
             .numeric()
             .map_or(0, |(_, _, rows)| rows as u32);
-        let of = |lane: u32| of_host(name, lane as u8).unwrap_or(Range::ANY);
+        let of = |lane: u32| of_host(name, lane as u8).unwrap_or(Interval::ANY);
         let range = match lane < rows || rows == 0 {
             true => of(lane),
             false => measure((0..rows).map(|row| Some(of(row))))
-                .unwrap_or(Range::ANY)
+                .unwrap_or(Interval::ANY)
                 .loose(),
         };
         let scalar = variable.ty.element().scalar_kind().filter(|_| lane < rows);
-        Range {
+        Interval {
             sources: source,
             ..fitting(scalar, range)
         }
@@ -290,7 +294,7 @@ impl Query<'_> {
 }
 
 /// What is one of several, those left out that never have a value.
-pub(super) fn join(ranges: impl Iterator<Item = Option<Range>>) -> Option<Range> {
+pub(super) fn join(ranges: impl Iterator<Item = Option<Interval>>) -> Option<Interval> {
     ranges.fold(None, |joined, range| match (joined, range) {
         (Some(a), Some(b)) => Some(a.join(b)),
         (a, b) => a.or(b),
@@ -298,8 +302,8 @@ pub(super) fn join(ranges: impl Iterator<Item = Option<Range>>) -> Option<Range>
 }
 
 /// The length of a vector of these components.
-pub(super) fn measure(parts: impl Iterator<Item = Option<Range>>) -> Option<Range> {
-    let mut sum: Option<Range> = None;
+pub(super) fn measure(parts: impl Iterator<Item = Option<Interval>>) -> Option<Interval> {
+    let mut sum: Option<Interval> = None;
     let mut is_made = true;
     for part in parts {
         match part {
@@ -313,7 +317,7 @@ pub(super) fn measure(parts: impl Iterator<Item = Option<Range>>) -> Option<Rang
 }
 
 /// Moves the ends of what a counter may be to numbers that it counts.
-fn snap(range: &mut Range, first: Range, step: f64) {
+fn snap(range: &mut Interval, first: Interval, step: f64) {
     let Some(first) = first.single() else {
         return;
     };

@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// How well a value takes a bound of its range.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Reach {
+pub enum Tightness {
     /// Never beyond it, but perhaps never near it.
     Loose,
     /// It comes as near as one likes.
@@ -20,12 +20,12 @@ pub struct End {
     /// The number, perhaps infinite.
     pub value: f64,
     /// How well it is taken.
-    pub reach: Reach,
+    pub tightness: Tightness,
 }
 
 /// What a number may be.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Range {
+pub struct Interval {
     /// The least.
     pub lo: End,
     /// The greatest.
@@ -53,54 +53,54 @@ pub fn above(value: f64) -> f64 {
     -below(-value)
 }
 
-fn bound(value: f64, reach: Reach) -> End {
-    let reach = match value.is_finite() {
-        true => reach,
-        false => Reach::Loose,
+fn bound(value: f64, tightness: Tightness) -> End {
+    let tightness = match value.is_finite() {
+        true => tightness,
+        false => Tightness::Loose,
     };
     // A product of zero and infinity: whatever it is, nothing is known.
     let value = if value.is_nan() { 0.0 } else { value };
-    End { value, reach }
+    End { value, tightness }
 }
 
 /// The lesser of two ends of different values that may both be.
 fn least(a: End, b: End) -> End {
-    let is_first = a.value < b.value || (a.value == b.value && a.reach >= b.reach);
+    let is_first = a.value < b.value || (a.value == b.value && a.tightness >= b.tightness);
     if is_first { a } else { b }
 }
 
 /// The greater of two ends.
 fn greatest(a: End, b: End) -> End {
-    let is_first = a.value > b.value || (a.value == b.value && a.reach >= b.reach);
+    let is_first = a.value > b.value || (a.value == b.value && a.tightness >= b.tightness);
     if is_first { a } else { b }
 }
 
 impl End {
     fn negated(self) -> End {
         // No -0.0, which would be below 0.0.
-        bound(0.0 - self.value, self.reach)
+        bound(0.0 - self.value, self.tightness)
     }
 
     /// Whether values come as near to it as one likes.
     pub fn is_reached(self) -> bool {
-        self.reach >= Reach::Touched
+        self.tightness >= Tightness::Touched
     }
 
-    fn at_most(self, reach: Reach) -> End {
-        bound(self.value, self.reach.min(reach))
+    fn at_most(self, tightness: Tightness) -> End {
+        bound(self.value, self.tightness.min(tightness))
     }
 }
 
-impl Range {
+impl Interval {
     /// Any number.
-    pub const ANY: Range = Range {
+    pub const ANY: Interval = Interval {
         lo: End {
             value: f64::NEG_INFINITY,
-            reach: Reach::Loose,
+            tightness: Tightness::Loose,
         },
         hi: End {
             value: f64::INFINITY,
-            reach: Reach::Loose,
+            tightness: Tightness::Loose,
         },
         exact: false,
         sources: 0,
@@ -108,34 +108,34 @@ impl Range {
     };
 
     /// One number.
-    pub fn constant(value: f64) -> Range {
+    pub fn constant(value: f64) -> Interval {
         let scaled = value * 256.0;
-        Range {
+        Interval {
             exact: scaled.fract() == 0.0 && scaled.abs() < 4_294_967_296.0,
-            ..Range::new(value, value, Reach::Held)
+            ..Interval::new(value, value, Tightness::Held)
         }
     }
 
-    /// From `lo` to `hi`, both taken as `reach` says.
-    pub fn new(lo: f64, hi: f64, reach: Reach) -> Range {
-        Range {
-            lo: bound(lo, reach),
-            hi: bound(hi, reach),
-            ..Range::ANY
+    /// From `lo` to `hi`, both taken as `tightness` says.
+    pub fn new(lo: f64, hi: f64, tightness: Tightness) -> Interval {
+        Interval {
+            lo: bound(lo, tightness),
+            hi: bound(hi, tightness),
+            ..Interval::ANY
         }
     }
 
     /// The same numbers, which come about without rounding.
-    pub fn exactly(self) -> Range {
-        Range {
+    pub fn exactly(self) -> Interval {
+        Interval {
             exact: true,
             ..self
         }
     }
 
     /// The same, hanging on what `of` hangs on.
-    pub fn like(self, of: &Range) -> Range {
-        Range {
+    pub fn like(self, of: &Interval) -> Interval {
+        Interval {
             sources: self.sources | of.sources,
             mixed: self.mixed | of.mixed,
             ..self
@@ -143,19 +143,19 @@ impl Range {
     }
 
     /// The same, with neither bound reached for certain.
-    pub fn loose(self) -> Range {
-        Range {
-            lo: self.lo.at_most(Reach::Loose),
-            hi: self.hi.at_most(Reach::Loose),
+    pub fn loose(self) -> Interval {
+        Interval {
+            lo: self.lo.at_most(Tightness::Loose),
+            hi: self.hi.at_most(Tightness::Loose),
             ..self
         }
     }
 
     /// The same, with no bound that is more than touched.
-    pub fn touched(self) -> Range {
-        Range {
-            lo: self.lo.at_most(Reach::Touched),
-            hi: self.hi.at_most(Reach::Touched),
+    pub fn touched(self) -> Interval {
+        Interval {
+            lo: self.lo.at_most(Tightness::Touched),
+            hi: self.hi.at_most(Tightness::Touched),
             ..self
         }
     }
@@ -204,13 +204,13 @@ impl Range {
     pub fn holds(&self, value: f64) -> bool {
         [self.lo, self.hi].contains(&End {
             value,
-            reach: Reach::Held,
+            tightness: Tightness::Held,
         })
     }
 
     /// What is one or the other.
-    pub fn join(self, other: Range) -> Range {
-        Range {
+    pub fn join(self, other: Interval) -> Interval {
+        Interval {
             lo: least(self.lo, other.lo),
             hi: greatest(self.hi, other.hi),
             exact: self.exact && other.exact,
@@ -222,42 +222,42 @@ impl Range {
     /// No less than `lo`: what a comparison told.
     pub fn raise(&mut self, lo: f64) {
         if lo > self.lo.value {
-            self.lo = bound(lo, self.lo.reach.min(Reach::Touched));
+            self.lo = bound(lo, self.lo.tightness.min(Tightness::Touched));
         }
     }
 
     /// No greater than `hi`.
     pub fn lower(&mut self, hi: f64) {
         if hi < self.hi.value {
-            self.hi = bound(hi, self.hi.reach.min(Reach::Touched));
+            self.hi = bound(hi, self.hi.tightness.min(Tightness::Touched));
         }
     }
 
     /// Down to a number that is perhaps never come near to.
-    pub fn down_to(self, lo: f64) -> Range {
-        Range {
-            lo: bound(lo, Reach::Loose),
+    pub fn down_to(self, lo: f64) -> Interval {
+        Interval {
+            lo: bound(lo, Tightness::Loose),
             ..self
         }
     }
 
     /// Up to a number that is perhaps never come near to.
-    pub fn up_to(self, hi: f64) -> Range {
-        Range {
-            hi: bound(hi, Reach::Loose),
+    pub fn up_to(self, hi: f64) -> Interval {
+        Interval {
+            hi: bound(hi, Tightness::Loose),
             ..self
         }
     }
 
     /// Both ends are come near to.
     pub fn touch_ends(&mut self) {
-        self.lo = bound(self.lo.value, self.lo.reach.max(Reach::Touched));
-        self.hi = bound(self.hi.value, self.hi.reach.max(Reach::Touched));
+        self.lo = bound(self.lo.value, self.lo.tightness.max(Tightness::Touched));
+        self.hi = bound(self.hi.value, self.hi.tightness.max(Tightness::Touched));
     }
 
     /// A range made of the ends of two; whether the ends come together hangs on their sources.
-    fn made_of(a: &Range, b: &Range, lo: End, hi: End) -> Range {
-        let range = Range {
+    fn made_of(a: &Interval, b: &Interval, lo: End, hi: End) -> Interval {
+        let range = Interval {
             lo,
             hi,
             exact: a.exact && b.exact,
@@ -269,33 +269,36 @@ impl Range {
     }
 
     /// `a * a`
-    pub fn square(self) -> Range {
+    pub fn square(self) -> Interval {
         let (a, b) = (self.lo.value * self.lo.value, self.hi.value * self.hi.value);
         let (mut lo, hi) = if a <= b {
-            (bound(a, self.lo.reach), bound(b, self.hi.reach))
+            (bound(a, self.lo.tightness), bound(b, self.hi.tightness))
         } else {
-            (bound(b, self.hi.reach), bound(a, self.lo.reach))
+            (bound(b, self.hi.tightness), bound(a, self.lo.tightness))
         };
         if self.contains(0.0) && lo.value > 0.0 {
             lo = bound(0.0, self.inner_reach());
         }
-        Range { lo, hi, ..self }
+        Interval { lo, hi, ..self }
     }
 
     /// How well a value between the ends is taken: in passing, if both ends are reached.
-    fn inner_reach(&self) -> Reach {
-        self.lo.reach.min(self.hi.reach).min(Reach::Touched)
+    fn inner_reach(&self) -> Tightness {
+        self.lo
+            .tightness
+            .min(self.hi.tightness)
+            .min(Tightness::Touched)
     }
 
     /// `abs(a)`
-    pub fn abs(self) -> Range {
+    pub fn abs(self) -> Interval {
         if self.lo.value >= 0.0 {
             return self;
         }
         if self.hi.value <= 0.0 {
             return self.neg();
         }
-        Range {
+        Interval {
             lo: bound(0.0, self.inner_reach()),
             hi: greatest(self.hi, self.lo.negated()),
             ..self
@@ -303,12 +306,12 @@ impl Range {
     }
 
     /// `min(a, b)`
-    pub fn min(self, other: Range) -> Range {
+    pub fn min(self, other: Interval) -> Interval {
         self.neg().max(other.neg()).neg()
     }
 
     /// `max(a, b)`
-    pub fn max(self, other: Range) -> Range {
+    pub fn max(self, other: Interval) -> Interval {
         let (low, high) = if self.lo.value <= other.lo.value {
             (self.lo, other.lo)
         } else {
@@ -317,9 +320,13 @@ impl Range {
         // The higher of the lower ends is the result where the other value lies below it, which it
         // does for certain, or as far as anybody who writes `max` thinks.
         let is_below = low.is_reached() || low.value.is_infinite();
-        let reach = if is_below { high.reach } else { Reach::Loose };
-        Range {
-            lo: bound(high.value, reach),
+        let tightness = if is_below {
+            high.tightness
+        } else {
+            Tightness::Loose
+        };
+        Interval {
+            lo: bound(high.value, tightness),
             hi: greatest(self.hi, other.hi),
             exact: self.exact && other.exact,
             sources: self.sources | other.sources,
@@ -328,10 +335,10 @@ impl Range {
     }
 
     /// The range of a function that never falls.
-    pub fn rising(self, f: impl Fn(f64) -> f64) -> Range {
-        Range {
-            lo: bound(f(self.lo.value), self.lo.reach),
-            hi: bound(f(self.hi.value), self.hi.reach),
+    pub fn rising(self, f: impl Fn(f64) -> f64) -> Interval {
+        Interval {
+            lo: bound(f(self.lo.value), self.lo.tightness),
+            hi: bound(f(self.hi.value), self.hi.tightness),
             exact: false,
             ..self
         }
@@ -339,11 +346,11 @@ impl Range {
 }
 
 /// `-a`
-impl Neg for Range {
-    type Output = Range;
+impl Neg for Interval {
+    type Output = Interval;
 
-    fn neg(self) -> Range {
-        Range {
+    fn neg(self) -> Interval {
+        Interval {
             lo: self.hi.negated(),
             hi: self.lo.negated(),
             ..self
@@ -352,45 +359,45 @@ impl Neg for Range {
 }
 
 /// `a + b`
-impl Add for Range {
-    type Output = Range;
+impl Add for Interval {
+    type Output = Interval;
 
-    fn add(self, other: Range) -> Range {
-        let sum = |a: End, b: End| bound(a.value + b.value, a.reach.min(b.reach));
+    fn add(self, other: Interval) -> Interval {
+        let sum = |a: End, b: End| bound(a.value + b.value, a.tightness.min(b.tightness));
         let (lo, hi) = (sum(self.lo, other.lo), sum(self.hi, other.hi));
-        Range::made_of(&self, &other, lo, hi)
+        Interval::made_of(&self, &other, lo, hi)
     }
 }
 
 /// `a - b`
-impl Sub for Range {
-    type Output = Range;
+impl Sub for Interval {
+    type Output = Interval;
 
-    fn sub(self, other: Range) -> Range {
+    fn sub(self, other: Interval) -> Interval {
         self + -other
     }
 }
 
 /// `a * b`
-impl Mul for Range {
-    type Output = Range;
+impl Mul for Interval {
+    type Output = Interval;
 
-    fn mul(self, other: Range) -> Range {
+    fn mul(self, other: Interval) -> Interval {
         let (lo, hi) = ends(&self, &other, |a, b| {
             if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
         });
-        Range::made_of(&self, &other, lo, hi)
+        Interval::made_of(&self, &other, lo, hi)
     }
 }
 
 /// `a / b`; nothing is known where `b` may be on both sides of zero.
-impl Div for Range {
-    type Output = Range;
+impl Div for Interval {
+    type Output = Interval;
 
-    fn div(self, other: Range) -> Range {
+    fn div(self, other: Interval) -> Interval {
         let crosses = other.lo.value < 0.0 && other.hi.value > 0.0;
         if crosses || other.single() == Some(0.0) {
-            return Range::ANY.like(&self).like(&other);
+            return Interval::ANY.like(&self).like(&other);
         }
         let sign = if other.hi.value <= 0.0 { -1.0 } else { 1.0 };
         let (lo, hi) = ends(&self, &other, |a, b| match (a, b) {
@@ -399,7 +406,7 @@ impl Div for Range {
             (a, b) if a.is_infinite() && b.is_infinite() => a * sign,
             (a, b) => a / b,
         });
-        let mut range = Range::made_of(&self, &other, lo, hi);
+        let mut range = Interval::made_of(&self, &other, lo, hi);
         // Only a power of two divides without rounding.
         let divisor = other.single().unwrap_or(3.0).abs();
         range.exact = self.exact && divisor >= 1.0 && is_power_of_two(divisor) && divisor <= 256.0;
@@ -408,8 +415,8 @@ impl Div for Range {
 }
 
 /// The least and greatest of a function of the ends of two ranges.
-fn ends(a: &Range, b: &Range, f: impl Fn(f64, f64) -> f64) -> (End, End) {
-    let at = |a: End, b: End| bound(f(a.value, b.value), a.reach.min(b.reach));
+fn ends(a: &Interval, b: &Interval, f: impl Fn(f64, f64) -> f64) -> (End, End) {
+    let at = |a: End, b: End| bound(f(a.value, b.value), a.tightness.min(b.tightness));
     let corners = [
         at(a.lo, b.lo),
         at(a.lo, b.hi),
@@ -430,7 +437,7 @@ pub fn is_power_of_two(value: f64) -> bool {
 }
 
 /// As messages say it: `-3.0..-1.0`, `-1.0 or more`.
-impl fmt::Display for Range {
+impl fmt::Display for Interval {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let (lo, hi) = (self.lo.value, self.hi.value);
         match (lo.is_finite(), hi.is_finite()) {
@@ -453,14 +460,14 @@ impl fmt::Display for Range {
     }
 }
 
-impl Range {
+impl Interval {
     /// As messages say it of an integer: `-3..-1`, `4 or more`.
     pub fn of_integer(&self) -> String {
         self.to_string().replace(".0", "")
     }
 
     /// `may be` where some of it is at fault, `is` where all of it is.
-    pub fn may_or_is(&self, is_all: impl Fn(&Range) -> bool) -> &'static str {
+    pub fn may_or_is(&self, is_all: impl Fn(&Interval) -> bool) -> &'static str {
         if is_all(self) { "is" } else { "may be" }
     }
 }
@@ -484,27 +491,27 @@ mod tests {
 
     #[test]
     fn arithmetic_of_ranges() {
-        let unit = Range::new(-1.0, 1.0, Reach::Touched);
-        let two = Range::constant(2.0);
+        let unit = Interval::new(-1.0, 1.0, Tightness::Touched);
+        let two = Interval::constant(2.0);
         assert_eq!(unit.sub(two).to_string(), "-3.0..-1.0");
         assert_eq!(unit.mul(two.neg()).to_string(), "-2.0..2.0");
         assert_eq!(unit.square().to_string(), "0.0..1.0");
         assert_eq!(two.div(unit).to_string(), "any number");
-        assert_eq!(Range::ANY.max(two).to_string(), "2.0 or more");
-        assert_eq!(Range::constant(0.1 + 0.2).to_string(), "0.3");
-        assert_eq!(Range::constant(12345.678).to_string(), "12350.0");
+        assert_eq!(Interval::ANY.max(two).to_string(), "2.0 or more");
+        assert_eq!(Interval::constant(0.1 + 0.2).to_string(), "0.3");
+        assert_eq!(Interval::constant(12345.678).to_string(), "12350.0");
     }
 
     #[test]
     fn bounds_are_reached_only_where_the_values_are_free() {
-        let sine = Range {
+        let sine = Interval {
             sources: 1,
-            ..Range::new(-1.0, 1.0, Reach::Touched)
+            ..Interval::new(-1.0, 1.0, Tightness::Touched)
         };
-        let other = Range { sources: 2, ..sine };
+        let other = Interval { sources: 2, ..sine };
         assert!(sine.add(other).reaches_below(-1.5));
         assert!(!sine.add(sine).reaches_below(-1.5));
-        assert!(Range::ANY.max(Range::constant(0.0)).holds(0.0));
+        assert!(Interval::ANY.max(Interval::constant(0.0)).holds(0.0));
         assert!(!sine.abs().holds(0.0));
     }
 }

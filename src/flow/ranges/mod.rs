@@ -17,7 +17,7 @@ mod solve;
 #[cfg(test)]
 mod tests;
 
-pub use interval::{End, Range, Reach};
+pub use interval::{End, Interval, Tightness};
 
 use super::defs::{DefId, Defs, Guard, each_comparison};
 use super::layout::length_lane;
@@ -82,25 +82,25 @@ impl Ranges {
 
 impl<'x> Query<'x> {
     /// The range of a lane of an operation's value.
-    pub fn lane(&self, op: OpId, lane: u32) -> Range {
+    pub fn lane(&self, op: OpId, lane: u32) -> Interval {
         let Some(node) = Node::lane(self.defs, op, lane) else {
-            return Range::ANY;
+            return Interval::ANY;
         };
         let mut known = self.ranges.known.borrow_mut();
         // What never has a value is not looked into.
-        known.solve(self, node).unwrap_or(Range::ANY)
+        known.solve(self, node).unwrap_or(Interval::ANY)
     }
 
     /// The range of a definition.
-    pub fn def(&self, def: DefId) -> Range {
+    pub fn def(&self, def: DefId) -> Interval {
         let mut known = self.ranges.known.borrow_mut();
         let node = Node::def(self.defs, def);
-        known.solve(self, node).unwrap_or(Range::ANY)
+        known.solve(self, node).unwrap_or(Interval::ANY)
     }
 
     /// The ranges of the components of a number or vector. What the conditions around it tell of the
     /// very same value counts too; where they contradict each other, nothing is known.
-    pub fn components(self, op: OpId) -> impl Iterator<Item = Range> + use<'x> {
+    pub fn components(self, op: OpId) -> impl Iterator<Item = Interval> + use<'x> {
         let ty = self.module.ty(op);
         let count = if ty.is_matrix() { 0 } else { ty.components() };
         let mut is_reached = None;
@@ -110,7 +110,7 @@ impl<'x> Query<'x> {
                 return range;
             }
             if !*is_reached.get_or_insert_with(|| self.is_reached(op)) {
-                return Range::ANY.like(&range);
+                return Interval::ANY.like(&range);
             }
             if count == 1 {
                 self.narrow_written(op, &mut range);
@@ -120,14 +120,14 @@ impl<'x> Query<'x> {
     }
 
     /// The ranges of the components of an expression.
-    pub fn expr(self, expr: ExprId) -> impl Iterator<Item = Range> + use<'x> {
+    pub fn expr(self, expr: ExprId) -> impl Iterator<Item = Interval> + use<'x> {
         let values = self.program.values(expr);
         let is_known =
             self.program.ty(expr).numeric().is_some() && !self.program.ty(expr).is_matrix();
         let constants = values
             .iter()
             .filter(move |_| is_known)
-            .map(|v| Range::constant(number(*v)));
+            .map(|v| Interval::constant(number(*v)));
         let op = self.module.op_of(expr).filter(|_| values.is_empty());
         constants.chain(op.into_iter().flat_map(move |op| self.components(op)))
     }
@@ -168,13 +168,13 @@ impl<'x> Query<'x> {
     fn wanted(&self, comparison: OpId, truth: bool, is_right: bool) -> Wanted {
         Wanted::of(self, comparison, truth, (is_right, 0), |node| {
             let known = self.ranges.known.borrow_mut().solve(self, node);
-            Some(known.unwrap_or(Range::ANY))
+            Some(known.unwrap_or(Interval::ANY))
         })
     }
 
     /// Narrows by the conditions around that speak of the same value, computed once more:
     /// `f(x) > 0.0 ? log(f(x)) : 0.0`.
-    fn narrow_written(&self, op: OpId, range: &mut Range) {
+    fn narrow_written(&self, op: OpId, range: &mut Interval) {
         if matches!(self.module.op(op).kind, OpKind::Load(_)) {
             return;
         }
@@ -192,7 +192,7 @@ impl<'x> Query<'x> {
         }
     }
 
-    fn narrow_by(&self, comparison: OpId, truth: bool, op: OpId, range: &mut Range) {
+    fn narrow_by(&self, comparison: OpId, truth: bool, op: OpId, range: &mut Interval) {
         let (OpKind::Binary(_, left, right) | OpKind::Same { left, right, .. }) =
             self.module.op(comparison).kind
         else {
@@ -215,7 +215,7 @@ impl<'x> Query<'x> {
             let before = *range;
             wanted.narrow(range, self.is_float(op));
             if range.lo.value > range.hi.value {
-                *range = Range::ANY.like(&before);
+                *range = Interval::ANY.like(&before);
             }
         }
     }
@@ -225,7 +225,7 @@ impl<'x> Query<'x> {
     }
 
     /// Integers are whole, and wrap round where they are too large.
-    fn fit(&self, op: OpId, lane: u32, range: &mut Range) {
+    fn fit(&self, op: OpId, lane: u32, range: &mut Interval) {
         let ty = self.module.ty(op);
         let scalar = ty.element().scalar_kind();
         if scalar != Some(Scalar::Float) && length_lane(ty) != Some(lane) {
@@ -235,22 +235,22 @@ impl<'x> Query<'x> {
 }
 
 /// See [`Query::fit`].
-fn fitting(scalar: Option<Scalar>, range: Range) -> Range {
+fn fitting(scalar: Option<Scalar>, range: Interval) -> Interval {
     let (lo, hi) = match scalar {
         Some(Scalar::Int) => (i32::MIN as f64, i32::MAX as f64),
         Some(Scalar::Uint) => (0.0, u32::MAX as f64),
         Some(Scalar::Bool) => (0.0, 1.0),
         _ => return range,
     };
-    let wraps = |r: &Range| {
+    let wraps = |r: &Interval| {
         (r.lo.value < lo && r.lo.value.is_finite()) || (r.hi.value > hi && r.hi.value.is_finite())
     };
     let mut fitting = match wraps(&range) {
-        true => Range::ANY.like(&range),
+        true => Interval::ANY.like(&range),
         false => range,
     };
     if lo == 0.0 && fitting.lo.value < 0.0 {
-        fitting = Range::new(0.0, f64::INFINITY, Reach::Loose).like(&range);
+        fitting = Interval::new(0.0, f64::INFINITY, Tightness::Loose).like(&range);
     }
     fitting.exactly()
 }

@@ -2,7 +2,7 @@
 
 use super::builtin::of_function;
 use super::entry::{join, measure};
-use super::interval::{Range, Reach, below};
+use super::interval::{Interval, Tightness, below};
 use super::node::{Node, Subject};
 use super::{Query, number};
 use crate::flow::defs::Def;
@@ -22,8 +22,8 @@ impl Query<'_> {
         &self,
         op: OpId,
         lane: u32,
-        get: &mut impl FnMut(Node) -> Option<Range>,
-    ) -> Option<Range> {
+        get: &mut impl FnMut(Node) -> Option<Interval>,
+    ) -> Option<Interval> {
         let (module, defs) = (self.module, self.defs);
         let found = module.op(op);
         if let Some((vector, rows)) = measured(found.ty, lane) {
@@ -32,7 +32,7 @@ impl Query<'_> {
         let source = 1u64 << (op.0 % 64);
         let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
             Some(node) => get(node),
-            None => Some(Range::ANY),
+            None => Some(Interval::ANY),
         };
         match found.kind {
             OpKind::Const(_) => Some(self.number(op, lane)),
@@ -41,9 +41,9 @@ impl Query<'_> {
             OpKind::Load(_) => get(Node::def(defs, defs.seen(op, lane))),
             OpKind::Unary(Unary::Negate, a) => Some(-of(a, lane)?),
             OpKind::Unary(Unary::Not, a) => {
-                Some(Range::new(0.0, 1.0, Reach::Loose).like(&of(a, lane)?))
+                Some(Interval::new(0.0, 1.0, Tightness::Loose).like(&of(a, lane)?))
             }
-            OpKind::Unary(Unary::BitNot, a) => Some(Range::ANY.like(&of(a, lane)?)),
+            OpKind::Unary(Unary::BitNot, a) => Some(Interval::ANY.like(&of(a, lane)?)),
             OpKind::Binary(kind, a, b) => {
                 let (x, y) = (of(a, lane), of(b, lane));
                 Some(self.binary(kind, (a, x?), (b, y?), lane))
@@ -52,7 +52,11 @@ impl Query<'_> {
             OpKind::MatrixProduct(..) => Some(unknown(1 << ((op.0 * 4 + lane) % 64))),
             OpKind::Same { left, right, .. } => {
                 let (x, y) = (of(left, 0), of(right, 0));
-                Some(Range::new(0.0, 1.0, Reach::Loose).like(&x?).like(&y?))
+                Some(
+                    Interval::new(0.0, 1.0, Tightness::Loose)
+                        .like(&x?)
+                        .like(&y?),
+                )
             }
             OpKind::Select {
                 then, otherwise, ..
@@ -72,7 +76,7 @@ impl Query<'_> {
             OpKind::Swizzle(..) | OpKind::Compose(_) | OpKind::Extract(..) => {
                 match defs.part_of(module, op, lane) {
                     Some((part, lane)) => of(part, lane),
-                    None => Some(Range::ANY),
+                    None => Some(Interval::ANY),
                 }
             }
             OpKind::ExtractComputed { base, .. } => {
@@ -96,7 +100,7 @@ impl Query<'_> {
     }
 
     /// The range of a lane of a constant; `None` for any other node.
-    pub(super) fn constant(&self, node: Node) -> Option<Range> {
+    pub(super) fn constant(&self, node: Node) -> Option<Interval> {
         let Subject::Lane(op, lane) = node.subject(self.defs) else {
             return None;
         };
@@ -109,13 +113,13 @@ impl Query<'_> {
         Some(range)
     }
 
-    fn number(&self, op: OpId, lane: u32) -> Range {
+    fn number(&self, op: OpId, lane: u32) -> Interval {
         let ty = self.module.ty(op);
         let rows = ty.numeric().map_or(1, |(_, _, rows)| rows);
         let (column, row) = (lane / column_lanes(rows), lane % column_lanes(rows));
         let at = column * rows as u32 + row;
         let value = self.module.constant(op).get(at as usize);
-        value.map_or(Range::ANY, |v| Range::constant(number(*v)))
+        value.map_or(Interval::ANY, |v| Interval::constant(number(*v)))
     }
 
     /// The length of a vector, or of a column of a matrix: as a whole, or else from its components,
@@ -125,13 +129,13 @@ impl Query<'_> {
         op: OpId,
         first: u32,
         rows: u32,
-        get: &mut impl FnMut(Node) -> Option<Range>,
-    ) -> Option<Range> {
+        get: &mut impl FnMut(Node) -> Option<Interval>,
+    ) -> Option<Interval> {
         let (module, defs) = (self.module, self.defs);
         let at = first + rows;
         let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
             Some(node) => get(node),
-            None => Some(Range::ANY),
+            None => Some(Interval::ANY),
         };
         let scale = |op: OpId| match module.op(op).kind {
             OpKind::Splat(scalar) => Some(scalar),
@@ -178,7 +182,7 @@ impl Query<'_> {
                 let transfer = function.transfer();
                 let args = module.operands(list);
                 match (transfer, args) {
-                    (Transfer::Direction, [_]) => Some(Range::new(1.0, 1.0, Reach::Touched)),
+                    (Transfer::Direction, [_]) => Some(Interval::new(1.0, 1.0, Tightness::Touched)),
                     (Transfer::Reflection, [v, normal]) => {
                         let (length, normal) = (of(*v, at), of(*normal, at));
                         length.filter(|_| normal.is_some_and(is_unit))
@@ -204,33 +208,39 @@ impl Query<'_> {
             .is_some_and(Scalar::is_integer)
     }
 
-    fn binary(&self, op: Binary, (a, x): (OpId, Range), (b, y): (OpId, Range), lane: u32) -> Range {
-        let unknown = Range::ANY.like(&x).like(&y);
+    fn binary(
+        &self,
+        op: Binary,
+        (a, x): (OpId, Interval),
+        (b, y): (OpId, Interval),
+        lane: u32,
+    ) -> Interval {
+        let unknown = Interval::ANY.like(&x).like(&y);
         let same = || x.sources & y.sources != 0 && is_same(self.module, self.defs, a, b);
         match op {
             Binary::Add => x + y,
-            Binary::Subtract if same() => Range::constant(0.0),
+            Binary::Subtract if same() => Interval::constant(0.0),
             Binary::Subtract => x - y,
             Binary::Multiply if same() => x.square(),
             Binary::Multiply => x * y,
             Binary::Divide if self.is_whole(a) => (x / y).rising(f64::trunc),
             Binary::Divide => match self.is_share(a, b, lane) {
-                true => Range::new(0.0, below(1.0), Reach::Touched).like(&x),
+                true => Interval::new(0.0, below(1.0), Tightness::Touched).like(&x),
                 false => x / y,
             },
             Binary::Remainder if y.lo.value > 0.0 => remainder(x, y),
             Binary::BitAnd if x.lo.value >= 0.0 || y.lo.value >= 0.0 => {
-                let of = |r: Range| match r.lo.value >= 0.0 {
+                let of = |r: Interval| match r.lo.value >= 0.0 {
                     true => r.hi.value,
                     false => f64::INFINITY,
                 };
-                Range::new(0.0, of(x).min(of(y)), Reach::Loose).like(&unknown)
+                Interval::new(0.0, of(x).min(of(y)), Tightness::Loose).like(&unknown)
             }
             Binary::ShiftRight if x.lo.value >= 0.0 => {
-                Range::new(0.0, x.hi.value, Reach::Loose).like(&unknown)
+                Interval::new(0.0, x.hi.value, Tightness::Loose).like(&unknown)
             }
             Binary::BitOr | Binary::BitXor if x.lo.value >= 0.0 && y.lo.value >= 0.0 => {
-                Range::new(0.0, f64::INFINITY, Reach::Loose).like(&unknown)
+                Interval::new(0.0, f64::INFINITY, Tightness::Loose).like(&unknown)
             }
             Binary::Less
             | Binary::LessEqual
@@ -238,17 +248,17 @@ impl Query<'_> {
             | Binary::GreaterEqual
             | Binary::And
             | Binary::Or
-            | Binary::Xor => Range::new(0.0, 1.0, Reach::Loose).like(&unknown),
+            | Binary::Xor => Interval::new(0.0, 1.0, Tightness::Loose).like(&unknown),
             _ => unknown,
         }
     }
 
     /// The value of another kind of scalar.
-    fn converted(&self, op: OpId, a: OpId, range: Range) -> Range {
+    fn converted(&self, op: OpId, a: OpId, range: Interval) -> Interval {
         let is_float = self.module.ty(a).scalar_kind() == Some(Scalar::Float);
         match self.module.ty(op).scalar_kind() {
             Some(kind) if kind.is_integer() && is_float => range.rising(f64::trunc).exactly(),
-            Some(Scalar::Bool) => Range::new(0.0, 1.0, Reach::Loose).like(&range),
+            Some(Scalar::Bool) => Interval::new(0.0, 1.0, Tightness::Loose).like(&range),
             _ => range,
         }
     }
@@ -258,19 +268,19 @@ impl Query<'_> {
         transfer: Transfer,
         args: &[OpId],
         lane: u32,
-        get: &mut impl FnMut(Node) -> Option<Range>,
-    ) -> Option<Range> {
+        get: &mut impl FnMut(Node) -> Option<Interval>,
+    ) -> Option<Interval> {
         let (module, defs) = (self.module, self.defs);
         let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
             Some(node) => get(node),
-            None => Some(Range::ANY),
+            None => Some(Interval::ANY),
         };
         let own = |op: OpId| if module.ty(op).is_scalar() { 0 } else { lane };
         let all = |op: OpId| 0..module.ty(op).components().min(4);
-        let mut hanging = Some(Range::ANY);
+        let mut hanging = Some(Interval::ANY);
         for &arg in args.iter().filter(|_| mixes(transfer)) {
             for lane in all(arg) {
-                hanging = hanging.zip(of(arg, lane)).map(|(all, one)| Range {
+                hanging = hanging.zip(of(arg, lane)).map(|(all, one)| Interval {
                     sources: all.sources | one.sources,
                     ..all
                 });
@@ -289,10 +299,10 @@ impl Query<'_> {
             (Transfer::Reflection, &[v, normal]) => {
                 let (v, normal) = (length(v), length(normal));
                 let range = match is_unit(v?) && is_unit(normal?) {
-                    true => Range::new(-1.0, 1.0, Reach::Touched),
-                    false => Range::ANY,
+                    true => Interval::new(-1.0, 1.0, Tightness::Touched),
+                    false => Interval::ANY,
                 };
-                Range {
+                Interval {
                     sources: hanging?.sources,
                     ..range
                 }
@@ -316,12 +326,12 @@ impl Query<'_> {
                 let (own, other) = (sources(a), sources(b));
                 dot((x?, own), (y?, other))
             }
-            (Transfer::Texel | Transfer::Mixed, _) => Range::ANY.like(&hanging?),
+            (Transfer::Texel | Transfer::Mixed, _) => Interval::ANY.like(&hanging?),
             (Transfer::MixedMagnitude, _) => {
-                Range::new(0.0, f64::INFINITY, Reach::Loose).like(&hanging?)
+                Interval::new(0.0, f64::INFINITY, Tightness::Loose).like(&hanging?)
             }
             _ => {
-                let mut ranges = [Range::ANY; MAX_PARAMS];
+                let mut ranges = [Interval::ANY; MAX_PARAMS];
                 let mut is_made = true;
                 for (slot, arg) in ranges.iter_mut().zip(args) {
                     match of(*arg, own(*arg)) {
@@ -341,14 +351,14 @@ impl Query<'_> {
         function: FunctionRef,
         args: List,
         lane: u32,
-        get: &mut impl FnMut(Node) -> Option<Range>,
-    ) -> Option<Range> {
+        get: &mut impl FnMut(Node) -> Option<Interval>,
+    ) -> Option<Interval> {
         let defs = self.defs;
         let returned = defs.returns_of(function).iter();
         let mut nodes = returned.filter_map(|value| Node::lane(defs, *value, lane));
         let known = match nodes.next() {
             Some(first) => join(std::iter::once(first).chain(nodes).map(&mut *get)),
-            None => Some(Range::ANY),
+            None => Some(Interval::ANY),
         };
         let args = self.module.operands(args).iter();
         let passed = args.filter_map(|arg| get(Node::lane(defs, *arg, 0)?));
@@ -362,11 +372,11 @@ impl Query<'_> {
     }
 
     /// What comes out of a function, whoever calls it.
-    fn out_of(&self, function: FunctionRef, range: Range) -> Range {
+    fn out_of(&self, function: FunctionRef, range: Interval) -> Interval {
         let mut range = match self.ranges.hides_function(function) {
-            true => Range {
+            true => Interval {
                 exact: range.exact,
-                ..Range::ANY
+                ..Interval::ANY
             },
             false => range,
         };
@@ -384,8 +394,8 @@ impl Query<'_> {
         number: u32,
         lane: u32,
         source: u64,
-        get: &mut impl FnMut(Node) -> Option<Range>,
-    ) -> Option<Range> {
+        get: &mut impl FnMut(Node) -> Option<Interval>,
+    ) -> Option<Interval> {
         let (module, defs) = (self.module, self.defs);
         let OpKind::Call(function, _) = module.op(call).kind else {
             return Some(unknown(source));
@@ -440,10 +450,10 @@ impl Query<'_> {
     }
 }
 
-fn unknown(sources: u64) -> Range {
-    Range {
+fn unknown(sources: u64) -> Interval {
+    Interval {
         sources,
-        ..Range::ANY
+        ..Interval::ANY
     }
 }
 
@@ -464,7 +474,7 @@ fn picked(ty: Type) -> (u32, u32) {
     }
 }
 
-fn is_unit(length: Range) -> bool {
+fn is_unit(length: Interval) -> bool {
     length.single() == Some(1.0)
 }
 
@@ -483,22 +493,22 @@ const fn mixes(transfer: Transfer) -> bool {
 }
 
 /// `dot` of two vectors, each given by its length and by what it hangs on.
-fn dot((a, own): (Range, u64), (b, other): (Range, u64)) -> Range {
+fn dot((a, own): (Interval, u64), (b, other): (Interval, u64)) -> Interval {
     let most = (a * b).hi.value;
-    let mut range = Range::new(-most, most, Reach::Touched);
+    let mut range = Interval::new(-most, most, Tightness::Touched);
     range.sources = own | other;
     let is_free = own & other == 0 && a.hi.is_reached() && b.hi.is_reached();
     if is_free { range } else { range.loose() }
 }
 
 /// A component of `normalize`.
-fn direction(of: Range) -> Range {
-    let mut unit = Range::new(-1.0, 1.0, Reach::Touched).like(&of);
+fn direction(of: Interval) -> Interval {
+    let mut unit = Interval::new(-1.0, 1.0, Tightness::Touched).like(&of);
     if of.lo.value >= 0.0 {
-        unit.lo = Range::constant(0.0).lo;
+        unit.lo = Interval::constant(0.0).lo;
         unit = unit.loose();
     } else if of.hi.value <= 0.0 {
-        unit.hi = Range::constant(0.0).hi;
+        unit.hi = Interval::constant(0.0).hi;
         unit = unit.loose();
     } else if of.is_finite() && !(of.lo.is_reached() && of.hi.is_reached()) {
         unit = unit.loose();
@@ -507,17 +517,19 @@ fn direction(of: Range) -> Range {
 }
 
 /// `x % y` of a positive `y`.
-fn remainder(x: Range, y: Range) -> Range {
+fn remainder(x: Interval, y: Interval) -> Interval {
     let most = (y.hi.value - 1.0).min(x.hi.value.max(0.0));
     let least = match x.lo.value >= 0.0 {
         true => 0.0,
         false => -y.hi.value + 1.0,
     };
-    let mut range = Range::new(least, most, Reach::Touched).like(&x).like(&y);
+    let mut range = Interval::new(least, most, Tightness::Touched)
+        .like(&x)
+        .like(&y);
     if x.is_finite() || y.single().is_none() {
         range = range.loose();
     } else if !x.reaches_below(0.0) {
-        range.lo.reach = Reach::Loose;
+        range.lo.tightness = Tightness::Loose;
     }
     range
 }

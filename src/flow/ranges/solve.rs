@@ -1,7 +1,7 @@
 //! Solves for ranges: what hangs on nothing unknown at once, what hangs on itself together.
 
 use super::Query;
-use super::interval::Range;
+use super::interval::Interval;
 use super::node::{Node, Subject};
 use crate::flow::defs::{Def, Defs};
 use std::cell::Cell;
@@ -21,7 +21,7 @@ pub(super) struct Known {
     /// By node: the number of its range, plus one; 0 where it is not known.
     slots: Vec<u32>,
     /// `None` for what never has a value.
-    ranges: Vec<Option<Range>>,
+    ranges: Vec<Option<Interval>>,
     /// By node: when the search came to it; 0 where it did not. While nodes are solved together:
     /// when the range changed last.
     numbers: Vec<u32>,
@@ -73,7 +73,7 @@ struct Frame {
 
 impl Known {
     /// The range of a node.
-    pub(super) fn solve(&mut self, query: &Query, root: Node) -> Option<Range> {
+    pub(super) fn solve(&mut self, query: &Query, root: Node) -> Option<Interval> {
         if self.slots.is_empty() {
             self.slots = vec![0; Node::count(query.defs)];
             self.numbers = vec![0; self.slots.len()];
@@ -169,12 +169,12 @@ impl Known {
     }
 
     #[inline]
-    fn get(&self, node: Node) -> Option<&Option<Range>> {
+    fn get(&self, node: Node) -> Option<&Option<Interval>> {
         let slot = self.slots.get(node.0 as usize)?.checked_sub(1)?;
         self.ranges.get(slot as usize)
     }
 
-    fn put(&mut self, node: Node, range: Option<Range>) {
+    fn put(&mut self, node: Node, range: Option<Interval>) {
         let Some(slot) = self.slots.get_mut(node.0 as usize) else {
             return;
         };
@@ -227,7 +227,7 @@ impl Known {
 
     /// The range of a constant that is met for the first time; what else is not known is noted.
     #[inline(never)]
-    fn meet(&mut self, query: &Query, node: Node, unknown: &mut Vec<Node>) -> Option<Range> {
+    fn meet(&mut self, query: &Query, node: Node, unknown: &mut Vec<Node>) -> Option<Interval> {
         let range = query.constant(node);
         match range {
             Some(_) => self.put(node, range),
@@ -236,10 +236,10 @@ impl Known {
         range
     }
 
-    fn compute(&self, query: &Query, node: Node) -> Option<Range> {
+    fn compute(&self, query: &Query, node: Node) -> Option<Interval> {
         query.compute(node, &mut |operand| {
             let operand = self.resolved(query, operand);
-            *self.get(operand).unwrap_or(&Some(Range::ANY))
+            *self.get(operand).unwrap_or(&Some(Interval::ANY))
         })
     }
 
@@ -249,7 +249,7 @@ impl Known {
         if nodes.len() > MAX_TOGETHER {
             nodes
                 .iter()
-                .for_each(|n| self.put(n.node, Some(Range::ANY)));
+                .for_each(|n| self.put(n.node, Some(Interval::ANY)));
             return;
         }
         for left in &mut *nodes {
@@ -305,7 +305,7 @@ impl Known {
     }
 
     /// Gives a node another range. Says whether it is another.
-    fn change(&mut self, node: Node, range: Option<Range>) -> bool {
+    fn change(&mut self, node: Node, range: Option<Interval>) -> bool {
         if self.get(node) == Some(&range) {
             return false;
         }
@@ -318,7 +318,7 @@ impl Known {
     }
 
     /// Adds a range to what is known where values come round. Says whether that is more.
-    fn climb(&mut self, node: Node, range: Option<Range>, round: usize) -> bool {
+    fn climb(&mut self, node: Node, range: Option<Interval>, round: usize) -> bool {
         let before = self.get(node).copied().flatten();
         let mut joined = match (before, range) {
             (Some(a), Some(b)) => Some(a.join(b)),
@@ -326,7 +326,7 @@ impl Known {
         };
         if let (Some(before), Some(after)) = (before, &mut joined) {
             if round + 1 == MAX_ROUNDS && !is_within(after, &before) {
-                *after = Range::ANY.like(after);
+                *after = Interval::ANY.like(after);
             } else if round >= WIDENED {
                 widen(&before, after);
             }
@@ -336,12 +336,12 @@ impl Known {
 }
 
 /// Whether one range lies in another.
-fn is_within(inner: &Range, outer: &Range) -> bool {
+fn is_within(inner: &Interval, outer: &Interval) -> bool {
     inner.lo.value >= outer.lo.value && inner.hi.value <= outer.hi.value
 }
 
 /// Moves bounds that are still moving to where they may stop.
-fn widen(before: &Range, after: &mut Range) {
+fn widen(before: &Interval, after: &mut Interval) {
     if after.lo.value < before.lo.value {
         let stop = STOPS.iter().rev().find(|s| **s <= after.lo.value);
         *after = after.down_to(stop.copied().unwrap_or(f64::NEG_INFINITY));

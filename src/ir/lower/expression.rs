@@ -12,7 +12,7 @@ const FEW: u32 = 12;
 impl Lowerer<'_> {
     /// Lowers an expression; gives its value.
     pub(super) fn value(&mut self, id: ExprId) -> OpId {
-        let outer = std::mem::replace(&mut self.origin, Origin::Expr(id));
+        let outer = std::mem::replace(&mut self.origin, Provenance::Expr(id));
         let made = self.deeper(|l| l.value_at(id));
         let made = made.unwrap_or_else(|| self.unknown(id));
         self.note(id, made);

@@ -30,7 +30,7 @@ pub fn lower(program: &Program) -> Module {
             stage: Some(program.stage),
             by_expr: vec![None; exprs],
             ops: Vec::with_capacity(exprs),
-            origins: Vec::with_capacity(exprs),
+            provenances: Vec::with_capacity(exprs),
             places: Vec::with_capacity(exprs / 2),
             access_lists: Vec::with_capacity(exprs / 4),
             operand_lists: Vec::with_capacity(exprs / 4),
@@ -40,7 +40,7 @@ pub fn lower(program: &Program) -> Module {
         returned: Returned::default(),
         open: Vec::new(),
         covered: 0,
-        origin: Origin::Language,
+        origin: Provenance::Language,
         function: None,
         depth: 0,
     };
@@ -61,7 +61,7 @@ struct Lowerer<'p> {
     /// How many operations are in a run, or in a region already.
     covered: u32,
     /// What is being lowered.
-    origin: Origin,
+    origin: Provenance,
     function: Option<FunctionRef>,
     depth: u32,
 }
@@ -162,7 +162,7 @@ impl Lowerer<'_> {
             ty,
             precision,
         });
-        self.module.origins.push(self.origin);
+        self.module.provenances.push(self.origin);
         id
     }
 
@@ -296,7 +296,7 @@ impl Lowerer<'_> {
 
     /// Lowers for the declaration of a name.
     fn at_declaration(&mut self, token: TokenId) {
-        self.origin = Origin::Declaration(token);
+        self.origin = Provenance::Declaration(token);
     }
 
     /// Notes which operation gives the value of an expression.

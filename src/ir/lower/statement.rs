@@ -142,14 +142,14 @@ impl Lowerer<'_> {
     /// Lowers a statement; one too deep does nobody knows what.
     pub(super) fn statement(&mut self, id: StmtId) {
         if self.deeper(|l| l.statement_at(id)).is_none() {
-            self.origin = Origin::Stmt(id);
+            self.origin = Provenance::Stmt(id);
             self.op(OpKind::Unknown, Type::VOID);
         }
     }
 
     fn statement_at(&mut self, id: StmtId) {
         let tree = &self.program.tree;
-        self.origin = Origin::Stmt(id);
+        self.origin = Provenance::Stmt(id);
         match tree.stmt(id).kind {
             StmtKind::Error => {
                 self.op(OpKind::Unknown, Type::VOID);
@@ -178,7 +178,7 @@ impl Lowerer<'_> {
                     condition,
                     then,
                     otherwise: otherwise.unwrap_or_default(),
-                    origin: Origin::Stmt(id),
+                    origin: Provenance::Stmt(id),
                 });
             }
             StmtKind::Switch { selector, body } => self.switch(id, selector, body),
@@ -252,7 +252,7 @@ impl Lowerer<'_> {
     /// The condition of a loop: an expression, or a declaration whose value it is.
     fn condition(&mut self, id: StmtId) -> Option<OpId> {
         let (program, tree) = (self.program, &self.program.tree);
-        self.origin = Origin::Stmt(id);
+        self.origin = Provenance::Stmt(id);
         match tree.stmt(id).kind {
             StmtKind::Expr(expr) => Some(self.value(expr)),
             StmtKind::Decl(decl) => {
@@ -313,14 +313,14 @@ impl Lowerer<'_> {
         self.step(Step::Switch(at));
     }
 
-    fn label(&self, id: StmtId) -> Label {
+    fn label(&self, id: StmtId) -> CaseLabel {
         let program = self.program;
         match program.tree.stmt(id).kind {
             StmtKind::Case(value) => match program.scalar(value) {
-                Some(value) => Label::Value(value.as_int() as u32),
-                None => Label::Value(0),
+                Some(value) => CaseLabel::Value(value.as_int() as u32),
+                None => CaseLabel::Value(0),
             },
-            _ => Label::Default,
+            _ => CaseLabel::Default,
         }
     }
 

@@ -5,7 +5,8 @@ mod op;
 mod place;
 
 use super::{
-    Case, Function, Label, Loop, Module, OpId, Origin, PlaceId, Region, Root, Run, Step, Switch,
+    Case, CaseLabel, Function, Loop, Module, OpId, PlaceId, Provenance, Region, Root, Run, Step,
+    Switch,
 };
 use crate::semantic::builtins::Builtins;
 use crate::semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
@@ -110,7 +111,7 @@ impl Verifier<'_> {
     /// The tables that go by the program's numbers.
     fn tables(&mut self) {
         let (program, module) = (self.program, self.module);
-        if module.origins.len() != module.ops.len() {
+        if module.provenances.len() != module.ops.len() {
             self.tell("not every operation has an origin");
         }
         if module.functions.len() != program.functions.len() {
@@ -386,7 +387,7 @@ impl Verifier<'_> {
     }
 
     fn labels(&mut self, cases: &[Case]) {
-        let mut seen: Vec<Label> = Vec::new();
+        let mut seen: Vec<CaseLabel> = Vec::new();
         for case in cases {
             let labels = self.module.labels(case);
             if labels.is_empty() {
@@ -414,12 +415,12 @@ impl Verifier<'_> {
                 self.tell_op(op, format!("it is {is}, and its expression is {was}"));
             }
         }
-        for (i, origin) in module.origins.iter().enumerate() {
+        for (i, origin) in module.provenances.iter().enumerate() {
             let exists = match *origin {
-                Origin::Expr(e) => program.tree.exprs.len() > e.0 as usize,
-                Origin::Stmt(s) => program.tree.stmts.len() > s.0 as usize,
-                Origin::Declaration(t) => program.token(t).is_some(),
-                Origin::Language => true,
+                Provenance::Expr(e) => program.tree.exprs.len() > e.0 as usize,
+                Provenance::Stmt(s) => program.tree.stmts.len() > s.0 as usize,
+                Provenance::Declaration(t) => program.token(t).is_some(),
+                Provenance::Language => true,
             };
             if !exists {
                 self.tell_op(OpId(i as u32), "its origin is not in the program");

@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::types::Sink;
-use super::{Res, Value, lower::Origin};
+use super::{Res, Value, lower::FirstRow};
 use crate::ir::OpId;
 use crate::semantic::builtins::Axis;
 use crate::semantic::{BuiltinId, Scalar, Type};
@@ -165,7 +165,7 @@ impl Body<'_, '_> {
             expr,
         });
         match (axis, self.lowerer.origin) {
-            (Axis::Y, Origin::Picture) => self.negate(value, ty),
+            (Axis::Y, FirstRow::Picture) => self.negate(value, ty),
             _ => Ok(value),
         }
     }

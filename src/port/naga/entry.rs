@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::global::Global;
-use super::lower::{Lowerer, Origin};
+use super::lower::{FirstRow, Lowerer};
 use super::types::Sink;
 use super::{Res, Value};
 use crate::semantic::{FunctionRef, Scalar, Storage, Type, VariableId};
@@ -110,8 +110,8 @@ impl Body<'_, '_> {
             let at = self.argument("position", vec4);
             self.bind(Binding::BuiltIn(position));
             let at = match self.lowerer.origin {
-                Origin::Row => at,
-                Origin::Picture => self.turned(at)?,
+                FirstRow::Row => at,
+                FirstRow::Picture => self.turned(at)?,
             };
             let to = self.add(Expression::GlobalVariable(global));
             self.store(to, at);

@@ -14,7 +14,7 @@ use rustc_hash::FxHashMap;
 
 /// Where the first row of the picture lies.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Origin {
+pub enum FirstRow {
     /// Below, as in OpenGL: the pass is read by others, by the number of the row.
     Row,
     /// On top, as the other interfaces show pictures: rows are turned, so that the picture stands
@@ -35,7 +35,7 @@ pub(super) struct Lowerer<'p> {
     pub(super) program: &'p Program,
     /// The program, resolved.
     pub(super) form: &'p ir::Module,
-    pub(super) origin: Origin,
+    pub(super) origin: FirstRow,
     pub(super) module: Module,
     pub(super) layouter: Layouter,
     pub(super) types: FxHashMap<Type, Handle<::naga::Type>>,
@@ -60,7 +60,7 @@ pub(super) struct Lowerer<'p> {
 const MAX_EXPRESSIONS: usize = 1_000_000;
 
 /// Lowers a fragment shader that compiles.
-pub fn lower(program: &Program, origin: Origin) -> Result<Lowered, Refused> {
+pub fn lower(program: &Program, origin: FirstRow) -> Result<Lowered, Refused> {
     let form = ir::lower(program);
     let mut lowerer = Lowerer {
         program,
@@ -111,7 +111,7 @@ impl<'p> Lowerer<'p> {
     }
 
     /// Says where what is lowered now comes from.
-    pub(super) fn stand_at(&mut self, origin: ir::Origin) {
+    pub(super) fn stand_at(&mut self, origin: ir::Provenance) {
         if let Some(extent) = origin.extent(&self.program.tree) {
             self.place = self.program.span(extent);
         }

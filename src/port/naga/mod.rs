@@ -25,8 +25,8 @@ mod types;
 mod uniform;
 mod write;
 
-pub use lower::{Lowered, Origin, lower};
-pub use write::{Language, Output, write};
+pub use lower::{FirstRow, Lowered, lower};
+pub use write::{Output, TargetLanguage, write};
 
 use super::{Composed, PassUnit, Project, Wrapper, credits};
 use crate::diagnostic::Severity;
@@ -38,7 +38,7 @@ pub fn translate(
     project: &Project,
     composed: &Composed,
     unit: &PassUnit,
-    language: Language,
+    language: TargetLanguage,
 ) -> Result<Option<Output>, Refused> {
     let analysis = composed.analysis(unit);
     let is_error = |d: &crate::diagnostic::Diagnostic| d.severity == Severity::Error;
@@ -47,8 +47,8 @@ pub fn translate(
     }
     // What other passes read is found by the number of the row; only pictures are looked at.
     let origin = match (unit.kind, unit.wrapper) {
-        (Pass::Image, _) | (_, Wrapper::Own) => Origin::Picture,
-        _ => Origin::Row,
+        (Pass::Image, _) | (_, Wrapper::Own) => FirstRow::Picture,
+        _ => FirstRow::Row,
     };
     let lowered = lower(&analysis.program, origin)?;
     write(&lowered, language, &credits::lines(project)).map(Some)

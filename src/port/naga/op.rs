@@ -3,7 +3,7 @@
 use super::body::{Body, Given};
 use super::types::{Sink, literal, parts, scalar, size};
 use super::{Res, Value};
-use crate::ir::{Binary, OpId, OpKind, Origin, Unary};
+use crate::ir::{Binary, OpId, OpKind, Provenance, Unary};
 use crate::semantic::{Scalar, Type, Value as Constant};
 use ::naga::{
     BinaryOperator as Op, Expression, Literal, MathFunction, RelationalFunction, ScalarKind,
@@ -16,7 +16,7 @@ impl Body<'_, '_> {
     pub(super) fn operation(&mut self, id: OpId) -> Res<()> {
         self.check_limits()?;
         let form = self.lowerer.form;
-        self.lowerer.stand_at(form.origin(id));
+        self.lowerer.stand_at(form.provenance(id));
         let ty = form.ty(id);
         let value = match form.op(id).kind {
             OpKind::Unknown => return self.lowerer.refuse("this could not be read"),
@@ -151,7 +151,7 @@ impl Body<'_, '_> {
     fn known(&mut self, id: OpId) -> Res<Value> {
         let form = self.lowerer.form;
         let ty = form.ty(id);
-        if let Origin::Expr(read) = form.origin(id)
+        if let Provenance::Expr(read) = form.provenance(id)
             && let Some(variable) = self.lowerer.program.variable_of(read)
             && let Some(constant) = self.lowerer.named(variable)?
         {

@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::types::Sink;
 use super::{Res, Value};
-use crate::ir::{Case, Label, LoopId, Region, Step, SwitchId};
+use crate::ir::{Case, CaseLabel, LoopId, Region, Step, SwitchId};
 use crate::semantic::Scalar;
 use ::naga::{Block, Expression, Statement, SwitchCase, SwitchValue, UnaryOperator};
 
@@ -155,10 +155,10 @@ impl Body<'_, '_> {
 }
 
 /// What a case stands for, among values of a scalar.
-fn value(label: Label, scalar: Option<Scalar>) -> SwitchValue {
+fn value(label: CaseLabel, scalar: Option<Scalar>) -> SwitchValue {
     match (label, scalar) {
-        (Label::Default, _) => SwitchValue::Default,
-        (Label::Value(bits), Some(Scalar::Uint)) => SwitchValue::U32(bits),
-        (Label::Value(bits), _) => SwitchValue::I32(bits as i32),
+        (CaseLabel::Default, _) => SwitchValue::Default,
+        (CaseLabel::Value(bits), Some(Scalar::Uint)) => SwitchValue::U32(bits),
+        (CaseLabel::Value(bits), _) => SwitchValue::I32(bits as i32),
     }
 }

@@ -54,7 +54,7 @@ impl Body<'_, '_> {
         {
             return Ok((image, sampler, kind));
         }
-        self.lowerer.stand_at(form.origin(operand));
+        self.lowerer.stand_at(form.provenance(operand));
         self.lowerer
             .refuse("only plain samplers are supported, no part of an array or struct")
     }

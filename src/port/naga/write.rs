@@ -13,7 +13,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The languages that naga writes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Language {
+pub enum TargetLanguage {
     /// WebGPU's language.
     Wgsl,
     /// Vulkan's binary form.
@@ -24,32 +24,32 @@ pub enum Language {
     Msl,
 }
 
-impl Language {
+impl TargetLanguage {
     /// All of them.
-    pub const ALL: [Language; 4] = [
-        Language::Wgsl,
-        Language::Spirv,
-        Language::Hlsl,
-        Language::Msl,
+    pub const ALL: [TargetLanguage; 4] = [
+        TargetLanguage::Wgsl,
+        TargetLanguage::Spirv,
+        TargetLanguage::Hlsl,
+        TargetLanguage::Msl,
     ];
 
     /// How the names of its files end.
     pub const fn ending(self) -> &'static str {
         match self {
-            Language::Wgsl => "wgsl",
-            Language::Spirv => "spv",
-            Language::Hlsl => "hlsl",
-            Language::Msl => "metal",
+            TargetLanguage::Wgsl => "wgsl",
+            TargetLanguage::Spirv => "spv",
+            TargetLanguage::Hlsl => "hlsl",
+            TargetLanguage::Msl => "metal",
         }
     }
 
     /// As it is called.
     pub const fn name(self) -> &'static str {
         match self {
-            Language::Wgsl => "WGSL",
-            Language::Spirv => "SPIR-V",
-            Language::Hlsl => "HLSL",
-            Language::Msl => "MSL",
+            TargetLanguage::Wgsl => "WGSL",
+            TargetLanguage::Spirv => "SPIR-V",
+            TargetLanguage::Hlsl => "HLSL",
+            TargetLanguage::Msl => "MSL",
         }
     }
 }
@@ -58,7 +58,11 @@ impl Language {
 pub type Output = Vec<u8>;
 
 /// Checks a pass and writes it. `credits` are the lines that say who made it.
-pub fn write(lowered: &Lowered, language: Language, credits: &[String]) -> Result<Output, Refused> {
+pub fn write(
+    lowered: &Lowered,
+    language: TargetLanguage,
+    credits: &[String],
+) -> Result<Output, Refused> {
     let written = catch_unwind(AssertUnwindSafe(|| {
         let info = check(lowered)?;
         emit(lowered, &info, language)
@@ -68,14 +72,14 @@ pub fn write(lowered: &Lowered, language: Language, credits: &[String]) -> Resul
         let message = format!("naga cannot write this as {}", language.name());
         Err(Refused::new(Span::default(), message))
     })?;
-    if language == Language::Spirv {
+    if language == TargetLanguage::Spirv {
         return Ok(body);
     }
     let mut head = String::new();
     for line in credits.iter().chain(&lowered.legend) {
         let _ = writeln!(head, "// {line}");
     }
-    if language == Language::Wgsl {
+    if language == TargetLanguage::Wgsl {
         // GLSL leaves the level of detail undefined where not all fragments look it up; WGSL would
         // refuse the shader.
         head.push_str("diagnostic(off, derivative_uniformity);\n\n");
@@ -112,13 +116,13 @@ fn reasons(error: &dyn Error) -> String {
     text
 }
 
-fn emit(lowered: &Lowered, info: &ModuleInfo, language: Language) -> Result<Vec<u8>, String> {
+fn emit(lowered: &Lowered, info: &ModuleInfo, language: TargetLanguage) -> Result<Vec<u8>, String> {
     let module = &lowered.module;
     match language {
-        Language::Wgsl => wgsl::write_string(module, info, wgsl::WriterFlags::empty())
+        TargetLanguage::Wgsl => wgsl::write_string(module, info, wgsl::WriterFlags::empty())
             .map(String::into_bytes)
             .map_err(|e| reasons(&e)),
-        Language::Spirv => {
+        TargetLanguage::Spirv => {
             let options = spv::Options {
                 lang_version: (1, 3),
                 flags: spv::WriterFlags::DEBUG | spv::WriterFlags::LABEL_VARYINGS,
@@ -129,7 +133,7 @@ fn emit(lowered: &Lowered, info: &ModuleInfo, language: Language) -> Result<Vec<
             let words = spv::write_vec(module, info, &options, None).map_err(|e| reasons(&e))?;
             Ok(words.iter().flat_map(|w| w.to_le_bytes()).collect())
         }
-        Language::Hlsl => {
+        TargetLanguage::Hlsl => {
             let options = hlsl::Options {
                 force_loop_bounding: false,
                 ..hlsl::Options::default()
@@ -141,7 +145,7 @@ fn emit(lowered: &Lowered, info: &ModuleInfo, language: Language) -> Result<Vec<
                 .map_err(|e| reasons(&e))?;
             Ok(text.into_bytes())
         }
-        Language::Msl => {
+        TargetLanguage::Msl => {
             let pipeline = msl::PipelineOptions::default();
             let (text, _) = msl::write_string(module, info, &metal(lowered), &pipeline)
                 .map_err(|e| reasons(&e))?;

@@ -111,7 +111,7 @@ impl Copy {
             stage: unit.stage,
             dialect: unit.dialect,
             infer_channels: unit.infer_channels,
-            extent: unit.extent,
+            wholeness: unit.wholeness,
         }
     }
 

@@ -254,7 +254,7 @@ impl BuiltinStorage {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::syntax::{Language, parse_corrected, preprocess};
+    use crate::syntax::{ParseOptions, parse_corrected, preprocess};
     use crate::text::{Role, Sources};
     use std::collections::BTreeSet;
 
@@ -356,7 +356,7 @@ mod tests {
             let files = ["#version 300 es\n", text]
                 .map(|text| sources.add("", None, Role::User, text).unwrap());
             let mut read = preprocess(&sources, &files, true);
-            let language = Language {
+            let language = ParseOptions {
                 version: Version::Es300,
                 is_fragment: true,
             };

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::semantic::Pass;
-use crate::syntax::{Language, parse, preprocess};
+use crate::syntax::{ParseOptions, parse, preprocess};
 
 /// Checks a table of lines `code => what is found first`, and that each variant of the enum `name`
 /// in `source` is found and explained with a message of one line.
@@ -56,7 +56,7 @@ fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
     let files: Vec<_> = files.into_iter().flatten().collect();
     let is_fragment = stage == Stage::Fragment;
     let mut read = preprocess(&sources, &files, is_fragment);
-    let language = Language {
+    let language = ParseOptions {
         version: read.version,
         is_fragment,
     };

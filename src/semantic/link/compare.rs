@@ -1,6 +1,6 @@
 //! Whether two declarations of one thing are the same, and where they differ first.
 
-use super::interface::{Interface, Precision};
+use super::interface::{Interface, PrecisionWord};
 use crate::semantic::{Base, Field, Type};
 use crate::syntax::ast::TokenId;
 use rustc_hash::FxHashMap;
@@ -13,7 +13,7 @@ pub struct Declared {
     /// The type.
     pub ty: Type,
     /// The precision, where the type has one.
-    pub precision: Option<Precision>,
+    pub precision: Option<PrecisionWord>,
 }
 
 /// Where two declarations differ, and what each of them says there.

@@ -9,11 +9,11 @@ use crate::text::{Role, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A precision, as it is written.
-pub type Precision = &'static str;
+pub type PrecisionWord = &'static str;
 
 /// A variable that the other stage or the page can see.
 #[derive(Clone, Copy, Debug)]
-pub struct Item {
+pub struct InterfaceVariable {
     /// Its name.
     pub name: Name,
     /// The token that declares it.
@@ -21,7 +21,7 @@ pub struct Item {
     /// Its type.
     pub ty: Type,
     /// Its precision, given or by default; `None` for a type that has none.
-    pub precision: Option<Precision>,
+    pub precision: Option<PrecisionWord>,
     /// Whether it is `flat`.
     pub is_flat: bool,
     /// Whether it is `invariant`.
@@ -56,15 +56,15 @@ pub struct Interface<'a> {
     /// The shader.
     pub program: &'a Program,
     /// What it takes: attributes, or what the vertex shader passes on.
-    pub inputs: Vec<Item>,
+    pub inputs: Vec<InterfaceVariable>,
     /// What it gives.
-    pub outputs: Vec<Item>,
+    pub outputs: Vec<InterfaceVariable>,
     /// Its uniforms outside of blocks.
-    pub uniforms: Vec<Item>,
+    pub uniforms: Vec<InterfaceVariable>,
     /// Its blocks.
     pub blocks: Vec<Block>,
     /// By the token of a member: its precision.
-    members: FxHashMap<TokenId, Precision>,
+    members: FxHashMap<TokenId, PrecisionWord>,
     /// What was declared `invariant`, built-in variables included.
     invariant: FxHashSet<Name>,
     /// By variable: whether anything names it, and whether code that is left does.
@@ -107,7 +107,7 @@ impl<'a> Interface<'a> {
     }
 
     /// The precision of a struct's or block's member.
-    pub fn member_precision(&self, token: TokenId) -> Option<Precision> {
+    pub fn member_precision(&self, token: TokenId) -> Option<PrecisionWord> {
         self.members.get(&token).copied()
     }
 
@@ -144,8 +144,8 @@ struct Reader<'a> {
     variables: FxHashMap<TokenId, VariableId>,
     /// By the token that names it.
     records: FxHashMap<TokenId, u16>,
-    float: Option<Precision>,
-    int: Option<Precision>,
+    float: Option<PrecisionWord>,
+    int: Option<PrecisionWord>,
     /// `layout(row_major) uniform;`
     by_rows: bool,
 }
@@ -257,7 +257,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The precision of a variable or member, given or by default.
-    fn precision(&self, qualifiers: List, ty: Type) -> Option<Precision> {
+    fn precision(&self, qualifiers: List, ty: Type) -> Option<PrecisionWord> {
         let default = match ty.base {
             Base::Numeric { scalar, .. } => match scalar {
                 Scalar::Bool => return None,
@@ -287,7 +287,7 @@ impl<'a> Reader<'a> {
             .get(id.0 as usize)
             .copied()
             .unwrap_or_default();
-        let item = Item {
+        let item = InterfaceVariable {
             name: ident.name,
             token: ident.token,
             ty: variable.ty,
@@ -366,7 +366,7 @@ fn location(program: &Program, qualifiers: &[Qualifier]) -> Option<i32> {
     locations.next_back().map(|v| v.value)
 }
 
-fn word_of(kind: QualifierKind) -> Option<Precision> {
+fn word_of(kind: QualifierKind) -> Option<PrecisionWord> {
     match kind {
         QualifierKind::Lowp => Some("lowp"),
         QualifierKind::Mediump => Some("mediump"),

@@ -1,7 +1,7 @@
 //! Too many of anything. What one device takes and another does not is no error: the limits here are
 //! those that no implementation of WebGL exceeds.
 
-use super::interface::{Block, Interface, Item};
+use super::interface::{Block, Interface, InterfaceVariable};
 use super::{Found, Place};
 use crate::diagnostic::{Diagnostic, error};
 use crate::semantic::{Base, Stage, Type};
@@ -22,12 +22,12 @@ const MAX_VARYING_VECTORS: u64 = 32;
 /// Asks that all attributes have a place, and each its own (GLSL ES 3.00 sections 4.3.8.1 and 12.46).
 pub fn attributes(vertex: &Interface, found: &mut Found) {
     let counts_all = vertex.program.version.has(Feature::UnreadAttributes);
-    let all: Vec<&Item> = vertex
+    let all: Vec<&InterfaceVariable> = vertex
         .inputs
         .iter()
         .filter(|i| counts_all || i.is_active)
         .collect();
-    let mut taken: [Option<&Item>; MAX_ATTRIBUTES] = [None; MAX_ATTRIBUTES];
+    let mut taken: [Option<&InterfaceVariable>; MAX_ATTRIBUTES] = [None; MAX_ATTRIBUTES];
     for item in &all {
         let Some(first) = item.location.and_then(|l| usize::try_from(l).ok()) else {
             continue;
@@ -69,8 +69,8 @@ pub fn attributes(vertex: &Interface, found: &mut Found) {
 /// Gives those without a location the first free places, as the browser does.
 fn places(
     vertex: &Interface,
-    all: &[&Item],
-    taken: &[Option<&Item>; MAX_ATTRIBUTES],
+    all: &[&InterfaceVariable],
+    taken: &[Option<&InterfaceVariable>; MAX_ATTRIBUTES],
     found: &mut Found,
 ) {
     let mut taken = taken.map(|t| t.is_some());

@@ -1,7 +1,7 @@
 //! Pairs of shaders, and what is wrong with them.
 
 use super::link;
-use crate::semantic::{Dialect, Extent, Stage, Unit, analyze};
+use crate::semantic::{Dialect, Stage, Unit, Wholeness, analyze};
 use crate::text::{Role, Sources};
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ fn check(vertex: &str, fragment: &str, expected: &str) {
             stage,
             dialect: Dialect::WebGl,
             infer_channels: false,
-            extent: Extent::Whole,
+            wholeness: Wholeness::Whole,
         });
         let messages: Vec<&str> = analysis
             .diagnostics

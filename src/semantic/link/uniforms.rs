@@ -3,7 +3,7 @@
 
 use super::Found;
 use super::compare::{Comparison, Precisions};
-use super::interface::{Interface, Item};
+use super::interface::{Interface, InterfaceVariable};
 use super::varyings::declared;
 use crate::diagnostic::error;
 use rustc_hash::FxHashMap;
@@ -12,7 +12,7 @@ use rustc_hash::FxHashMap;
 pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
     let mut comparison = Comparison::new(vertex, fragment);
     let of_vertex = vertex.uniforms.iter().map(|u| (vertex.text(u.name), u));
-    let of_vertex: FxHashMap<&str, &Item> = of_vertex.collect();
+    let of_vertex: FxHashMap<&str, &InterfaceVariable> = of_vertex.collect();
     for uniform in &fragment.uniforms {
         if found.is_full() {
             return;

@@ -1,7 +1,7 @@
 //! What passes from the vertex to the fragment shader (GLSL ES 3.00 section 4.3.10).
 
 use super::compare::{Comparison, Declared, Precisions};
-use super::interface::{Interface, Item};
+use super::interface::{Interface, InterfaceVariable};
 use super::{Found, Place};
 use crate::diagnostic::{Label, error};
 use crate::semantic::Storage;
@@ -13,7 +13,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
     let mut comparison = Comparison::new(vertex, fragment);
     let given = vertex.outputs.iter().map(|o| (vertex.text(o.name), o));
-    let given: FxHashMap<&str, &Item> = given.collect();
+    let given: FxHashMap<&str, &InterfaceVariable> = given.collect();
     let left_out = left_out(vertex);
     // What the fragment shader declares and never names may be missing.
     for input in fragment.inputs.iter().filter(|i| i.is_used) {
@@ -42,7 +42,7 @@ pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
 }
 
 /// A variable as it is compared.
-pub fn declared(item: &Item) -> Declared {
+pub fn declared(item: &InterfaceVariable) -> Declared {
     Declared {
         token: item.token,
         ty: item.ty,
@@ -54,7 +54,7 @@ pub fn declared(item: &Item) -> Declared {
 fn qualifiers(
     vertex: &Interface,
     fragment: &Interface,
-    (output, input): (&Item, &Item),
+    (output, input): (&InterfaceVariable, &InterfaceVariable),
     found: &mut Found,
 ) {
     let compares_invariance = vertex.program.version.has(Feature::InvariantInputs);
@@ -65,11 +65,11 @@ fn qualifiers(
     } else {
         return;
     };
-    let is_said = |i: &Item| match word {
+    let is_said = |i: &InterfaceVariable| match word {
         "flat" => i.is_flat,
         _ => i.is_invariant,
     };
-    let label = |item: &Item, stage: &str| {
+    let label = |item: &InterfaceVariable, stage: &str| {
         let said = if is_said(item) { "" } else { "not " };
         format!("{said}`{word}` in the {stage} shader")
     };
@@ -93,7 +93,7 @@ fn qualifiers(
 }
 
 /// What nothing in the vertex shader gives.
-fn missing(vertex: &Interface, fragment: &Interface, input: &Item, found: &mut Found) {
+fn missing(vertex: &Interface, fragment: &Interface, input: &InterfaceVariable, found: &mut Found) {
     let name = fragment.text(input.name);
     let message = format!("the vertex shader has no output `{name}`");
     let place = Place::new(fragment, input.token, "read in the fragment shader");
@@ -151,16 +151,21 @@ fn own_variable(vertex: &Interface, name: &str) -> Option<(TokenId, &'static str
 }
 
 /// The output that a name probably means: one that nothing else in the fragment shader reads.
-fn nearest<'a>(vertex: &'a Interface, fragment: &Interface, name: &str) -> Option<&'a Item> {
+fn nearest<'a>(
+    vertex: &'a Interface,
+    fragment: &Interface,
+    name: &str,
+) -> Option<&'a InterfaceVariable> {
     let inputs = fragment.inputs.iter().map(|i| fragment.text(i.name));
     let inputs: FxHashSet<&str> = inputs.collect();
-    let is_free = |o: &&Item| !vertex.is_hosts(o.token) && !inputs.contains(vertex.text(o.name));
+    let is_free =
+        |o: &&InterfaceVariable| !vertex.is_hosts(o.token) && !inputs.contains(vertex.text(o.name));
     let limit = match name.len() {
         0..=2 => 0,
         3..=5 => 1,
         _ => 2,
     };
-    let distance = |o: &Item| {
+    let distance = |o: &InterfaceVariable| {
         let output = vertex.text(o.name);
         if output.len().abs_diff(name.len()) > limit {
             return usize::MAX;

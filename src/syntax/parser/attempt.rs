@@ -454,7 +454,7 @@ fn starts_operand(kind: TokenKind) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::syntax::{Language, Version, parse, preprocess};
+    use crate::syntax::{ParseOptions, Version, parse, preprocess};
     use crate::text::{Role, Sources, apply_edits};
 
     /// What is reported of a text, and the text with the fixes of the corrections made.
@@ -466,7 +466,7 @@ mod tests {
             .chain(sources.add("a.frag", None, Role::User, text))
             .collect();
         let mut read = preprocess(&sources, &files, true);
-        let language = Language {
+        let language = ParseOptions {
             version: Version::Es300,
             is_fragment: true,
         };

@@ -61,7 +61,7 @@ pub struct Parse {
 
 /// How a shader is written.
 #[derive(Clone, Copy)]
-pub struct Language {
+pub struct ParseOptions {
     /// The version that it states.
     pub version: Version,
     /// The stage, which the advice on `varying` needs.
@@ -72,13 +72,18 @@ pub struct Language {
 ///
 /// Where that cannot be read, the forms of other languages are put into GLSL; where it still
 /// cannot, the slips are looked for that explain it. `tokens` are what was probably meant.
-pub fn parse(sources: &Sources, tokens: &mut Tokens, names: &Names, language: Language) -> Parse {
-    let mut parse = parse_corrected(sources, tokens, names, language, &[]);
+pub fn parse(
+    sources: &Sources,
+    tokens: &mut Tokens,
+    names: &Names,
+    options: ParseOptions,
+) -> Parse {
+    let mut parse = parse_corrected(sources, tokens, names, options, &[]);
     if (parse.has_unknown_types || parse.diagnostics.iter().any(is_unreadable))
-        && let Some(found) = translate(sources, &tokens.tokens, language.version)
+        && let Some(found) = translate(sources, &tokens.tokens, options.version)
     {
         tokens.tokens = found.tokens;
-        parse = parse_corrected(sources, tokens, names, language, &[]);
+        parse = parse_corrected(sources, tokens, names, options, &[]);
         parse.translated = found.translated;
         parse.tree.lost.extend(&parse.translated.lost);
     }
@@ -89,7 +94,7 @@ pub fn parse(sources: &Sources, tokens: &mut Tokens, names: &Names, language: La
     }
     let translated = parse.translated;
     let original = std::mem::take(&mut tokens.tokens);
-    let mut parser = Parser::new(sources, tokens, names, language, original.clone());
+    let mut parser = Parser::new(sources, tokens, names, options, original.clone());
     parser.repairs.budget = MAX_TRIAL_TOKENS.min(TRIAL_TOKENS + 4 * parser.tokens.len());
     parser.balance();
     parser.translation_unit();
@@ -123,7 +128,7 @@ pub fn parse_corrected(
     sources: &Sources,
     tokens: &mut Tokens,
     names: &Names,
-    language: Language,
+    options: ParseOptions,
     corrections: &[&Correction],
 ) -> Parse {
     let mut list = std::mem::take(&mut tokens.tokens);
@@ -135,7 +140,7 @@ pub fn parse_corrected(
     for correction in sorted.iter().rev() {
         change_tokens(&mut list, correction.at, correction.change);
     }
-    let mut parser = Parser::new(sources, tokens, names, language, list);
+    let mut parser = Parser::new(sources, tokens, names, options, list);
     parser.reserve();
     parser.translation_unit();
     let (mut parse, list) = parser.finish();
@@ -206,7 +211,7 @@ impl<'a> Parser<'a> {
         sources: &'a Sources,
         all: &'a Tokens,
         names: &'a Names,
-        language: Language,
+        options: ParseOptions,
         tokens: Vec<Token>,
     ) -> Parser<'a> {
         Parser {
@@ -215,8 +220,8 @@ impl<'a> Parser<'a> {
             end: tokens.last().copied().unwrap_or(Token::END),
             tokens,
             names,
-            version: language.version,
-            is_fragment: language.is_fragment,
+            version: options.version,
+            is_fragment: options.is_fragment,
             at: 0,
             depth: 0,
             function_open: 0,

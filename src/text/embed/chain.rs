@@ -1,7 +1,7 @@
 //! Literals of a script that are put together into one text: by `+`, by `.concat(...)`, or as the
 //! elements of an array that is joined.
 
-use super::token::{Kind, Token, is_literal, is_mark, skip_comments};
+use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark, skip_comments};
 use std::ops::Range;
 
 /// Literals that are put together.
@@ -40,7 +40,7 @@ impl Chain {
     }
 
     /// The literals that are put together with that at `first`.
-    pub fn of(text: &str, tokens: &[Token], first: usize) -> Chain {
+    pub fn of(text: &str, tokens: &[ScriptToken], first: usize) -> Chain {
         let before = first.checked_sub(1);
         let starts_array = before.is_some_and(|b| is_mark(tokens, b, b'['));
         let joined = starts_array.then(|| joined(text, tokens, first)).flatten();
@@ -49,7 +49,7 @@ impl Chain {
 }
 
 /// `"..." + x + "..."`, `"...".concat(x, "...")`
-fn added(text: &str, tokens: &[Token], first: usize) -> Chain {
+fn added(text: &str, tokens: &[ScriptToken], first: usize) -> Chain {
     let mut chain = Chain::new(first);
     let before = first.checked_sub(1);
     chain.goes_on = before.is_some_and(|b| is_mark(tokens, b, b'+'));
@@ -79,7 +79,7 @@ fn added(text: &str, tokens: &[Token], first: usize) -> Chain {
 
 /// Goes on with the arguments of `.concat(...)`. Says whether the last of them is a literal, behind
 /// which it may go on.
-fn concat(text: &str, tokens: &[Token], dot: usize, chain: &mut Chain) -> bool {
+fn concat(text: &str, tokens: &[ScriptToken], dot: usize, chain: &mut Chain) -> bool {
     let name = tokens.get(dot + 1).map_or(0..0, |t| t.range.clone());
     if text.get(name) != Some("concat") || !is_mark(tokens, dot + 2, b'(') {
         return false;
@@ -114,14 +114,14 @@ fn concat(text: &str, tokens: &[Token], dot: usize, chain: &mut Chain) -> bool {
 }
 
 /// The mark that ends an argument or an element, or the end of the tokens.
-fn argument_end(tokens: &[Token], mut at: usize) -> usize {
+fn argument_end(tokens: &[ScriptToken], mut at: usize) -> usize {
     let mut depth = 0_u32;
     while let Some(token) = tokens.get(at) {
         match token.kind {
-            Kind::Mark(b'(' | b'[' | b'{') => depth += 1,
-            Kind::Mark(b')' | b']' | b'}') if depth == 0 => return at,
-            Kind::Mark(b')' | b']' | b'}') => depth -= 1,
-            Kind::Mark(b',' | b';') if depth == 0 => return at,
+            ScriptTokenKind::Mark(b'(' | b'[' | b'{') => depth += 1,
+            ScriptTokenKind::Mark(b')' | b']' | b'}') if depth == 0 => return at,
+            ScriptTokenKind::Mark(b')' | b']' | b'}') => depth -= 1,
+            ScriptTokenKind::Mark(b',' | b';') if depth == 0 => return at,
             _ => {}
         }
         at += 1;
@@ -130,21 +130,21 @@ fn argument_end(tokens: &[Token], mut at: usize) -> usize {
 }
 
 /// The literal that follows an operand which is none: `+ (x) + "..."`.
-fn behind_operand(tokens: &[Token], mut at: usize) -> Option<usize> {
+fn behind_operand(tokens: &[ScriptToken], mut at: usize) -> Option<usize> {
     /// Longest operand that is looked through, in tokens.
     const MAX_OPERAND: usize = 64;
     let mut depth = 0_u32;
     for _ in 0..MAX_OPERAND {
         match tokens.get(at)?.kind {
-            Kind::Mark(b'(' | b'[') => depth += 1,
-            Kind::Mark(b')' | b']') => depth = depth.checked_sub(1)?,
-            Kind::Mark(b'+') if depth == 0 => {
+            ScriptTokenKind::Mark(b'(' | b'[') => depth += 1,
+            ScriptTokenKind::Mark(b')' | b']') => depth = depth.checked_sub(1)?,
+            ScriptTokenKind::Mark(b'+') if depth == 0 => {
                 let next = skip_comments(tokens, at + 1);
                 if is_literal(tokens.get(next)?) {
                     return Some(next);
                 }
             }
-            Kind::Mark(b';' | b',' | b'{' | b'}') if depth == 0 => return None,
+            ScriptTokenKind::Mark(b';' | b',' | b'{' | b'}') if depth == 0 => return None,
             _ => {}
         }
         at += 1;
@@ -153,7 +153,7 @@ fn behind_operand(tokens: &[Token], mut at: usize) -> Option<usize> {
 }
 
 /// `["...", x, "..."].join("\n")`
-fn joined(text: &str, tokens: &[Token], first: usize) -> Option<Chain> {
+fn joined(text: &str, tokens: &[ScriptToken], first: usize) -> Option<Chain> {
     let mut chain = Chain::new(first);
     let mut at = first;
     let mut from = first;

@@ -1,6 +1,6 @@
 //! The constants of a script that are short texts or numbers.
 
-use super::token::{Kind, Token, is_mark};
+use super::token::{ScriptToken, ScriptTokenKind, is_mark};
 use std::collections::HashMap;
 
 /// Values by name.
@@ -11,16 +11,18 @@ pub struct Constants {
 
 impl Constants {
     /// Those that `const NAME = ...` declares, each once.
-    pub fn of(text: &str, tokens: &[Token]) -> Constants {
+    pub fn of(text: &str, tokens: &[ScriptToken]) -> Constants {
         let word = |at: usize| {
             let range = tokens.get(at).map_or(0..0, |t| t.range.clone());
             text.get(range).unwrap_or("")
         };
         let mut constants = Constants::default();
         for (at, token) in tokens.iter().enumerate() {
-            let is_declared = token.kind == Kind::Word
+            let is_declared = token.kind == ScriptTokenKind::Word
                 && matches!(word(at), "const" | "let" | "var")
-                && tokens.get(at + 1).is_some_and(|t| t.kind == Kind::Word);
+                && tokens
+                    .get(at + 1)
+                    .is_some_and(|t| t.kind == ScriptTokenKind::Word);
             if !is_declared {
                 continue;
             }
@@ -44,17 +46,17 @@ impl Constants {
 }
 
 /// The text of a literal that is all there is of a value.
-fn value(text: &str, tokens: &[Token], at: usize) -> Option<String> {
+fn value(text: &str, tokens: &[ScriptToken], at: usize) -> Option<String> {
     let first = tokens.get(at)?;
     let start = first.range.start;
     // A number is put in as JavaScript writes it: `7` for 7.0.
     let written;
     let (value, end) = match &first.kind {
-        Kind::Quoted => (text.get(first.range.clone())?, first.range.end + 1),
-        Kind::Template(holes) if holes.is_empty() => {
+        ScriptTokenKind::Quoted => (text.get(first.range.clone())?, first.range.end + 1),
+        ScriptTokenKind::Template(holes) if holes.is_empty() => {
             (text.get(first.range.clone())?, first.range.end + 1)
         }
-        Kind::Word | Kind::Mark(b'-' | b'.') => {
+        ScriptTokenKind::Word | ScriptTokenKind::Mark(b'-' | b'.') => {
             let rest = text.get(start..)?;
             let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-');
             let end = rest.find(|c: char| !is_part(c)).unwrap_or(rest.len());

@@ -1,10 +1,10 @@
 //! What a script says of a literal: what it is given to, and by what.
 
-use super::token::{Kind, Token, is_literal, is_mark};
+use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark};
 use std::collections::HashSet;
 
 /// What stands before a literal.
-pub struct Context {
+pub struct LiteralContext {
     /// A tag or a comment says that it is GLSL.
     pub is_introduced: bool,
     /// It is given to something whose name speaks of shaders, or to a call that compiles it.
@@ -19,15 +19,15 @@ pub struct Context {
     target: Option<String>,
 }
 
-impl Context {
+impl LiteralContext {
     /// Reads what stands before a literal.
-    pub fn of(text: &str, tokens: &[Token], literal: usize) -> Context {
+    pub fn of(text: &str, tokens: &[ScriptToken], literal: usize) -> LiteralContext {
         let read = Reader { text, tokens };
         let target = read.target(literal);
         let call = read.call(literal);
         let words = target.map_or(Vec::new(), words);
         let has = |all: &[&str]| words.iter().any(|w| all.contains(&w.as_str()));
-        Context {
+        LiteralContext {
             is_introduced: read.is_introduced(literal),
             names_shader: has(&SHADERS) || call == Some("shaderSource"),
             is_vertex: has(&["vert", "vertex", "vs", "vsh"]) || read.is_named_vertex(literal),
@@ -44,9 +44,9 @@ impl Context {
 }
 
 /// The names of a script behind whose texts more is put: `NAME += ...`.
-pub fn grown<'a>(text: &'a str, tokens: &[Token]) -> HashSet<&'a str> {
+pub fn grown<'a>(text: &'a str, tokens: &[ScriptToken]) -> HashSet<&'a str> {
     let name = |at: usize| {
-        let name = tokens.get(at).filter(|t| t.kind == Kind::Word)?;
+        let name = tokens.get(at).filter(|t| t.kind == ScriptTokenKind::Word)?;
         let grows = is_mark(tokens, at + 1, b'+') && is_mark(tokens, at + 2, b'=');
         text.get(name.range.clone()).filter(|_| grows)
     };
@@ -111,7 +111,7 @@ fn words(name: &str) -> Vec<String> {
 
 struct Reader<'a> {
     text: &'a str,
-    tokens: &'a [Token],
+    tokens: &'a [ScriptToken],
 }
 
 impl<'a> Reader<'a> {
@@ -120,7 +120,7 @@ impl<'a> Reader<'a> {
         self.text.get(range).unwrap_or("")
     }
 
-    fn kind(&self, at: usize) -> Option<&Kind> {
+    fn kind(&self, at: usize) -> Option<&ScriptTokenKind> {
         self.tokens.get(at).map(|t| &t.kind)
     }
 
@@ -131,7 +131,7 @@ impl<'a> Reader<'a> {
         };
         let words = self.word(before);
         match self.kind(before) {
-            Some(Kind::Word) => {
+            Some(ScriptTokenKind::Word) => {
                 let starts = self.tokens.get(literal).map_or(0, |t| t.range.start);
                 let touches = self
                     .tokens
@@ -141,7 +141,7 @@ impl<'a> Reader<'a> {
                 let tag = words.to_ascii_lowercase();
                 touches && (tag.contains("glsl") || tags.contains(&tag.as_str()))
             }
-            Some(Kind::Comment) => {
+            Some(ScriptTokenKind::Comment) => {
                 let words = words
                     .trim_matches(['/', '*', ' ', '\t', '@'])
                     .to_ascii_lowercase();
@@ -161,9 +161,9 @@ impl<'a> Reader<'a> {
             at = at.checked_sub(1)?;
             match self.kind(at)? {
                 // The other case of a condition.
-                Kind::Mark(b':') if self.is_case(at) => {}
-                Kind::Mark(b'=' | b':') => break,
-                Kind::Mark(b';' | b',' | b'{' | b'}' | b')') => return None,
+                ScriptTokenKind::Mark(b':') if self.is_case(at) => {}
+                ScriptTokenKind::Mark(b'=' | b':') => break,
+                ScriptTokenKind::Mark(b';' | b',' | b'{' | b'}' | b')') => return None,
                 _ => {}
             }
         }
@@ -179,7 +179,11 @@ impl<'a> Reader<'a> {
         if is_mark(self.tokens, name, b']') {
             name = name.checked_sub(1)?;
         }
-        matches!(self.kind(name)?, Kind::Word | Kind::Quoted).then(|| self.word(name))
+        matches!(
+            self.kind(name)?,
+            ScriptTokenKind::Word | ScriptTokenKind::Quoted
+        )
+        .then(|| self.word(name))
     }
 
     /// Whether a `:` stands behind one literal or word and a `?`.
@@ -196,10 +200,12 @@ impl<'a> Reader<'a> {
         let mut depth = 0_u32;
         for at in (literal.saturating_sub(FAR)..literal).rev() {
             match self.kind(at)? {
-                Kind::Mark(b')' | b']' | b'}') => depth += 1,
-                Kind::Mark(b'(') if depth == 0 => return Some(self.word(at.checked_sub(1)?)),
-                Kind::Mark(b'[' | b'{' | b';') if depth == 0 => return None,
-                Kind::Mark(b'(' | b'[' | b'{') => depth = depth.checked_sub(1)?,
+                ScriptTokenKind::Mark(b')' | b']' | b'}') => depth += 1,
+                ScriptTokenKind::Mark(b'(') if depth == 0 => {
+                    return Some(self.word(at.checked_sub(1)?));
+                }
+                ScriptTokenKind::Mark(b'[' | b'{' | b';') if depth == 0 => return None,
+                ScriptTokenKind::Mark(b'(' | b'[' | b'{') => depth = depth.checked_sub(1)?,
                 _ => {}
             }
         }
@@ -222,13 +228,13 @@ impl<'a> Reader<'a> {
         let behind = |at: &usize| {
             !matches!(
                 self.kind(*at),
-                None | Some(Kind::Mark(b';' | b',' | b'{' | b'(' | b')'))
+                None | Some(ScriptTokenKind::Mark(b';' | b',' | b'{' | b'(' | b')'))
             ) && !self.tokens.get(*at).is_some_and(is_literal)
         };
         let mut all = (from..literal).rev().take_while(behind);
         all.any(|at| {
             let word = self.word(at).to_ascii_lowercase();
-            self.kind(at) == Some(&Kind::Word) && (word.contains("vert") || word == "vs")
+            self.kind(at) == Some(&ScriptTokenKind::Word) && (word.contains("vert") || word == "vs")
         })
     }
 }
@@ -243,7 +249,7 @@ mod tests {
     fn check(text: &str, expected: &str) {
         let all = tokens(text);
         let literal = all.iter().rposition(is_literal).unwrap();
-        let context = Context::of(text, &all, literal);
+        let context = LiteralContext::of(text, &all, literal);
         let told = [
             (context.is_introduced, "introduced"),
             (context.names_shader, "named"),

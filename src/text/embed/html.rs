@@ -1,6 +1,6 @@
 //! Shaders in the elements of a page.
 
-use super::{Embedded, Language, Wrapping, extract_into, holes::mask, is_shader, listing};
+use super::{DocumentLanguage, Embedded, Wrapping, extract_into, holes::mask, is_shader, listing};
 use std::ops::Range;
 
 /// Finds those of a page.
@@ -25,7 +25,12 @@ pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
         };
         let kind = attribute(element.head, "type").unwrap_or("");
         if is_script(kind) {
-            extract_into(Language::Script, content, base + element.start, found);
+            extract_into(
+                DocumentLanguage::Script,
+                content,
+                base + element.start,
+                found,
+            );
         } else if !is_escaped(content)
             && (kind.contains("shader") || kind.contains("glsl") || is_shader(content))
         {

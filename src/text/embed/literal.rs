@@ -3,11 +3,11 @@
 use super::chain::Chain;
 use super::constants::Constants;
 use super::holes::{Content, Hole, fill};
-use super::token::{Kind, Token};
+use super::token::{ScriptToken, ScriptTokenKind};
 use std::ops::Range;
 
 /// What the compiler reads of literals that are put together.
-pub struct Code {
+pub struct JoinedLiterals {
     /// Where it starts.
     pub start: usize,
     /// As long as what it stands for.
@@ -17,8 +17,13 @@ pub struct Code {
 }
 
 /// Reads literals that are put together.
-pub fn read(text: &str, tokens: &[Token], chain: &Chain, constants: &Constants) -> Option<Code> {
-    let parts: Vec<&Token> = chain.parts.iter().filter_map(|i| tokens.get(*i)).collect();
+pub fn read(
+    text: &str,
+    tokens: &[ScriptToken],
+    chain: &Chain,
+    constants: &Constants,
+) -> Option<JoinedLiterals> {
+    let parts: Vec<&ScriptToken> = chain.parts.iter().filter_map(|i| tokens.get(*i)).collect();
     let (start, end) = (parts.first()?.range.start, parts.last()?.range.end);
     let mut code = Mask {
         bytes: vec![b' '; end - start],
@@ -37,7 +42,7 @@ pub fn read(text: &str, tokens: &[Token], chain: &Chain, constants: &Constants) 
         }
     }
     let is_unknown = fill(&mut code.bytes, &code.holes);
-    Some(Code {
+    Some(JoinedLiterals {
         start,
         text: String::from_utf8(code.bytes).ok()?,
         has_holes: is_unknown || chain.goes_on,
@@ -61,9 +66,9 @@ impl Mask<'_> {
         }
     }
 
-    fn literal(&mut self, text: &str, token: &Token) {
+    fn literal(&mut self, text: &str, token: &ScriptToken) {
         let holes: &[Range<usize>] = match &token.kind {
-            Kind::Template(holes) => holes,
+            ScriptTokenKind::Template(holes) => holes,
             _ => &[],
         };
         let mut holes = holes.iter().peekable();
@@ -140,7 +145,7 @@ impl Mask<'_> {
     fn other(
         &mut self,
         text: &str,
-        tokens: &[Token],
+        tokens: &[ScriptToken],
         from: usize,
         other: &Range<usize>,
         is_line: bool,
@@ -151,7 +156,12 @@ impl Mask<'_> {
         let (Some(first), Some(next)) = (all.first(), next) else {
             return;
         };
-        let signs = |t: &&Token| !matches!(t.kind, Kind::Mark(b'+' | b',') | Kind::Comment);
+        let signs = |t: &&ScriptToken| {
+            !matches!(
+                t.kind,
+                ScriptTokenKind::Mark(b'+' | b',') | ScriptTokenKind::Comment
+            )
+        };
         let last = all.iter().rev().find(signs).unwrap_or(first);
         let words = text.get(first.range.start..last.range.end).unwrap_or("");
         let mut range = from..next.range.start;

@@ -1,6 +1,6 @@
 //! Shaders in the fences of a Markdown text.
 
-use super::{Embedded, Language, Wrapping, extract_into, holes, left_out};
+use super::{DocumentLanguage, Embedded, Wrapping, extract_into, holes, left_out};
 use crate::text::kind::Evidence;
 
 /// Finds them.
@@ -85,12 +85,12 @@ fn take(text: &str, fence: &Fence, end: usize, base: usize, found: &mut Vec<Embe
     }
     // A fence of GLSL that shows how a page holds it.
     if content.trim_start().starts_with('<') {
-        return extract_into(Language::Html, content, start, found);
+        return extract_into(DocumentLanguage::Html, content, start, found);
     }
     // A fence of GLSL that shows how a script holds it.
     if content.contains("= `") || content.contains("glsl`") {
         let count = found.len();
-        extract_into(Language::Script, content, start, found);
+        extract_into(DocumentLanguage::Script, content, start, found);
         if found.len() > count {
             return;
         }
@@ -107,11 +107,11 @@ fn take(text: &str, fence: &Fence, end: usize, base: usize, found: &mut Vec<Embe
     });
 }
 
-fn language_of(label: &str) -> Option<Language> {
+fn language_of(label: &str) -> Option<DocumentLanguage> {
     match label {
-        "javascript" | "typescript" => Some(Language::Script),
+        "javascript" | "typescript" => Some(DocumentLanguage::Script),
         "md" | "markdown" => None,
-        _ => Language::of_extension(label),
+        _ => DocumentLanguage::of_extension(label),
     }
 }
 

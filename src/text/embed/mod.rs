@@ -28,7 +28,7 @@ use std::fmt;
 
 /// The languages that GLSL is found in.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Language {
+pub enum DocumentLanguage {
     /// HTML: script elements, and literals in scripts.
     Html,
     /// JavaScript and TypeScript: literals.
@@ -39,25 +39,25 @@ pub enum Language {
     Markdown,
 }
 
-impl fmt::Display for Language {
+impl fmt::Display for DocumentLanguage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Language::Html => "HTML",
-            Language::Script => "a script",
-            Language::Component => "a component",
-            Language::Markdown => "Markdown",
+            DocumentLanguage::Html => "HTML",
+            DocumentLanguage::Script => "a script",
+            DocumentLanguage::Component => "a component",
+            DocumentLanguage::Markdown => "Markdown",
         })
     }
 }
 
-impl Language {
+impl DocumentLanguage {
     /// The language of files with this ending.
-    pub fn of_extension(extension: &str) -> Option<Language> {
+    pub fn of_extension(extension: &str) -> Option<DocumentLanguage> {
         Some(match extension {
-            "html" | "htm" | "xhtml" => Language::Html,
-            "js" | "mjs" | "cjs" | "jsx" | "ts" | "mts" | "cts" | "tsx" => Language::Script,
-            "vue" | "svelte" | "astro" => Language::Component,
-            "md" | "markdown" | "mdx" => Language::Markdown,
+            "html" | "htm" | "xhtml" => DocumentLanguage::Html,
+            "js" | "mjs" | "cjs" | "jsx" | "ts" | "mts" | "cts" | "tsx" => DocumentLanguage::Script,
+            "vue" | "svelte" | "astro" => DocumentLanguage::Component,
+            "md" | "markdown" | "mdx" => DocumentLanguage::Markdown,
             _ => return None,
         })
     }
@@ -188,12 +188,12 @@ pub(super) fn left_out(before: &str) -> &'static str {
 }
 
 /// Finds the shaders in a file, in the order of the text.
-pub fn extract(language: Language, text: &str) -> Vec<Embedded> {
+pub fn extract(language: DocumentLanguage, text: &str) -> Vec<Embedded> {
     extract_named("", language, text)
 }
 
 /// Finds the shaders in a file of this name, which may speak of shaders itself.
-pub fn extract_named(name: &str, language: Language, text: &str) -> Vec<Embedded> {
+pub fn extract_named(name: &str, language: DocumentLanguage, text: &str) -> Vec<Embedded> {
     let mut found = Vec::new();
     let words = [
         "void", "#version", "glsl", "GLSL", "shader", "```", "~~~", "uniform", "varying", "vec",
@@ -203,7 +203,7 @@ pub fn extract_named(name: &str, language: Language, text: &str) -> Vec<Embedded
         return found;
     }
     match language {
-        Language::Script => {
+        DocumentLanguage::Script => {
             script::extract(text, 0, context::is_file_of_shaders(name), &mut found);
         }
         _ => extract_into(language, text, 0, &mut found),
@@ -213,12 +213,12 @@ pub fn extract_named(name: &str, language: Language, text: &str) -> Vec<Embedded
 }
 
 /// Finds the shaders in a part of a file that starts at `base`.
-fn extract_into(language: Language, text: &str, base: usize, found: &mut Vec<Embedded>) {
+fn extract_into(language: DocumentLanguage, text: &str, base: usize, found: &mut Vec<Embedded>) {
     match language {
-        Language::Html => html::extract(text, base, found),
-        Language::Script => script::extract(text, base, false, found),
-        Language::Component => component::extract(text, base, found),
-        Language::Markdown => markdown::extract(text, base, found),
+        DocumentLanguage::Html => html::extract(text, base, found),
+        DocumentLanguage::Script => script::extract(text, base, false, found),
+        DocumentLanguage::Component => component::extract(text, base, found),
+        DocumentLanguage::Markdown => markdown::extract(text, base, found),
     }
 }
 
@@ -230,7 +230,7 @@ mod tests {
     #[test]
     fn edits_stay_inside_the_shader() {
         let text = "x = \"void main() {\\n}\";";
-        let found = extract(Language::Script, text);
+        let found = extract(DocumentLanguage::Script, text);
         let shader = &found[0];
         let at = |word: &str| text.find(word).unwrap() as u32;
         let edit = |from: u32, to: u32, with: &str| Edit::replace(Span::new(from, to), with);

@@ -2,10 +2,10 @@
 
 use super::chain::Chain;
 use super::constants::Constants;
-use super::context::{Context, grown};
+use super::context::{LiteralContext, grown};
 use super::holes::mask;
 use super::literal::read;
-use super::token::{Kind, Token, is_literal, is_mark, tokens};
+use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark, tokens};
 use super::{Embedded, Wrapping, is_shader};
 use crate::text::kind::{Chunk, chunk, is_bare};
 use std::collections::HashSet;
@@ -49,14 +49,14 @@ struct Script<'a> {
 /// The shader that a chain of literals holds, if it holds one.
 fn shader(
     text: &str,
-    tokens: &[Token],
+    tokens: &[ScriptToken],
     first: usize,
     chain: &Chain,
     script: &Script,
 ) -> Option<Embedded> {
     /// Shortest text that is looked at where nothing introduces it.
     const SHORTEST: usize = 8;
-    let context = Context::of(text, tokens, first);
+    let context = LiteralContext::of(text, tokens, first);
     let end = chain.parts.last().and_then(|l| tokens.get(*l))?.range.end;
     if !context.is_introduced && end - tokens.get(first)?.range.start < SHORTEST {
         return None;
@@ -66,7 +66,8 @@ fn shader(
         return None;
     }
     let literal = tokens.get(first)?;
-    let is_template = chain.parts.len() == 1 && matches!(literal.kind, Kind::Template(_));
+    let is_template =
+        chain.parts.len() == 1 && matches!(literal.kind, ScriptTokenKind::Template(_));
     let masked = mask(&code.text);
     let mut shader = Embedded {
         start: code.start,
@@ -88,7 +89,7 @@ fn shader(
 }
 
 /// Whether a text is a shader, or a part of one that can be judged.
-fn is_taken(code: &str, context: &Context, is_named: bool) -> bool {
+fn is_taken(code: &str, context: &LiteralContext, is_named: bool) -> bool {
     // A stretch that is looked for, or put in the place of another.
     if context.is_introduced {
         return true;
@@ -127,7 +128,7 @@ fn is_balanced(code: &str) -> bool {
 }
 
 /// Leaves out what `.trim()` or `.slice(1)` behind the literal takes away.
-fn cut_front(text: &str, tokens: &[Token], behind: usize, shader: &mut Embedded) {
+fn cut_front(text: &str, tokens: &[ScriptToken], behind: usize, shader: &mut Embedded) {
     if !is_mark(tokens, behind, b'.') {
         return;
     }

@@ -1,8 +1,8 @@
 //! What a script says of its shaders besides their text: which of them it names together, and which
 //! uniforms it asks for.
 
-use super::token::{Kind, Token, tokens};
-use super::{Embedded, Language, html};
+use super::token::{ScriptToken, ScriptTokenKind, tokens};
+use super::{DocumentLanguage, Embedded, html};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ const MAX_GROUP: usize = 8;
 
 /// The shaders that stand, or are named, in one pair of brackets of a script: a call, an object, the
 /// body of a function. Each is the index of a shader in `all`.
-pub fn together(language: Language, text: &str, all: &[Embedded]) -> Vec<Vec<usize>> {
+pub fn together(language: DocumentLanguage, text: &str, all: &[Embedded]) -> Vec<Vec<usize>> {
     let mut groups = Vec::new();
     for script in scripts(language, text) {
         let read = tokens(text.get(script.clone()).unwrap_or(""));
@@ -24,10 +24,10 @@ pub fn together(language: Language, text: &str, all: &[Embedded]) -> Vec<Vec<usi
 }
 
 /// The scripts in a file.
-fn scripts(language: Language, text: &str) -> Vec<Range<usize>> {
+fn scripts(language: DocumentLanguage, text: &str) -> Vec<Range<usize>> {
     match language {
-        Language::Script => std::iter::once(0..text.len()).collect(),
-        Language::Markdown => Vec::new(),
+        DocumentLanguage::Script => std::iter::once(0..text.len()).collect(),
+        DocumentLanguage::Markdown => Vec::new(),
         _ => html::scripts(text),
     }
 }
@@ -42,7 +42,7 @@ struct Names<'a> {
 }
 
 impl<'a> Names<'a> {
-    fn of(text: &'a str, base: usize, tokens: &[Token], all: &'a [Embedded]) -> Names<'a> {
+    fn of(text: &'a str, base: usize, tokens: &[ScriptToken], all: &'a [Embedded]) -> Names<'a> {
         let mut names = Names {
             text,
             base,
@@ -69,15 +69,18 @@ impl<'a> Names<'a> {
         }
     }
 
-    fn word(&self, token: Option<&Token>) -> &'a str {
+    fn word(&self, token: Option<&ScriptToken>) -> &'a str {
         let range = token.map_or(0..0, |t| t.range.clone());
         let range = range.start + self.base..range.end + self.base;
         self.text.get(range).unwrap_or("")
     }
 
     /// The shader that starts in a literal.
-    fn literal(&self, token: &Token) -> Option<usize> {
-        if !matches!(token.kind, Kind::Quoted | Kind::Template(_)) {
+    fn literal(&self, token: &ScriptToken) -> Option<usize> {
+        if !matches!(
+            token.kind,
+            ScriptTokenKind::Quoted | ScriptTokenKind::Template(_)
+        ) {
             return None;
         }
         let (start, end) = (token.range.start + self.base, token.range.end + self.base);
@@ -87,39 +90,49 @@ impl<'a> Names<'a> {
     }
 
     /// The variable that a literal is the value of: `const NAME = glsl\`...\``.
-    fn variable(&self, tokens: &[Token], literal: usize) -> Option<&'a str> {
+    fn variable(&self, tokens: &[ScriptToken], literal: usize) -> Option<&'a str> {
         let mut before = tokens.get(literal.saturating_sub(6)..literal)?.iter().rev();
-        let tags = |t: &&Token| matches!(t.kind, Kind::Word | Kind::Comment | Kind::Mark(b'['));
+        let tags = |t: &&ScriptToken| {
+            matches!(
+                t.kind,
+                ScriptTokenKind::Word | ScriptTokenKind::Comment | ScriptTokenKind::Mark(b'[')
+            )
+        };
         let equals = before.by_ref().find(|t| !tags(t))?;
         let name = before.next()?;
-        let is_name = equals.kind == Kind::Mark(b'=') && name.kind == Kind::Word;
+        let is_name =
+            equals.kind == ScriptTokenKind::Mark(b'=') && name.kind == ScriptTokenKind::Word;
         is_name.then(|| self.word(Some(name)))
     }
 
     /// The shader that a token stands for.
-    fn meant(&self, tokens: &[Token], at: usize) -> Option<usize> {
+    fn meant(&self, tokens: &[ScriptToken], at: usize) -> Option<usize> {
         let token = tokens.get(at)?;
         let mark = |at: Option<usize>, mark| {
             let token = at.and_then(|a| tokens.get(a));
-            token.is_some_and(|t| t.kind == Kind::Mark(mark))
+            token.is_some_and(|t| t.kind == ScriptTokenKind::Mark(mark))
         };
         match token.kind {
-            Kind::Quoted | Kind::Template(_) => self.literal(token).or_else(|| {
-                let name = self.word(Some(token));
-                self.named
-                    .get(name.trim_start_matches('#'))
-                    .copied()
-                    .flatten()
-            }),
+            ScriptTokenKind::Quoted | ScriptTokenKind::Template(_) => {
+                self.literal(token).or_else(|| {
+                    let name = self.word(Some(token));
+                    self.named
+                        .get(name.trim_start_matches('#'))
+                        .copied()
+                        .flatten()
+                })
+            }
             // A key or a member is no variable.
-            Kind::Word if mark(Some(at + 1), b':') || mark(at.checked_sub(1), b'.') => None,
-            Kind::Word => self.named.get(self.word(Some(token))).copied().flatten(),
+            ScriptTokenKind::Word if mark(Some(at + 1), b':') || mark(at.checked_sub(1), b'.') => {
+                None
+            }
+            ScriptTokenKind::Word => self.named.get(self.word(Some(token))).copied().flatten(),
             _ => None,
         }
     }
 
     /// Finds the shaders between each pair of brackets.
-    fn groups(&self, tokens: &[Token], found: &mut Vec<Vec<usize>>) {
+    fn groups(&self, tokens: &[ScriptToken], found: &mut Vec<Vec<usize>>) {
         let mut open: Vec<Vec<usize>> = Vec::new();
         let add = |group: &mut Vec<usize>, index: usize| {
             if group.len() <= MAX_GROUP && !group.contains(&index) {
@@ -128,8 +141,8 @@ impl<'a> Names<'a> {
         };
         for (at, token) in tokens.iter().enumerate() {
             match token.kind {
-                Kind::Mark(b'(' | b'{' | b'[') => open.push(Vec::new()),
-                Kind::Mark(b')' | b'}' | b']') => {
+                ScriptTokenKind::Mark(b'(' | b'{' | b'[') => open.push(Vec::new()),
+                ScriptTokenKind::Mark(b')' | b'}' | b']') => {
                     let mut closed = open.pop().unwrap_or_default();
                     if let Some(outer) = open.last_mut() {
                         closed.iter().for_each(|i| add(outer, *i));
@@ -160,7 +173,7 @@ pub struct Asked {
 
 /// The uniforms that the scripts of a file ask for by name: `getUniformLocation(program, "name")`,
 /// and the keys of `uniforms: { ... }`.
-pub fn asked(language: Language, text: &str) -> Vec<Asked> {
+pub fn asked(language: DocumentLanguage, text: &str) -> Vec<Asked> {
     let mut found = Vec::new();
     for script in scripts(language, text) {
         let content = text.get(script.clone()).unwrap_or("");
@@ -199,8 +212,12 @@ pub fn asked(language: Language, text: &str) -> Vec<Asked> {
 }
 
 /// The keys of the object behind `uniforms:`, and the token at its end.
-fn keys(tokens: &[Token], at: usize) -> (Vec<&Token>, usize) {
-    let mark = |at: usize, mark| tokens.get(at).is_some_and(|t| t.kind == Kind::Mark(mark));
+fn keys(tokens: &[ScriptToken], at: usize) -> (Vec<&ScriptToken>, usize) {
+    let mark = |at: usize, mark| {
+        tokens
+            .get(at)
+            .is_some_and(|t| t.kind == ScriptTokenKind::Mark(mark))
+    };
     let mut keys = Vec::new();
     if !mark(at, b':') || !mark(at + 1, b'{') {
         return (keys, at);
@@ -208,10 +225,10 @@ fn keys(tokens: &[Token], at: usize) -> (Vec<&Token>, usize) {
     let mut depth = 0_u32;
     for (i, token) in tokens.iter().enumerate().skip(at + 1) {
         match token.kind {
-            Kind::Mark(b'(' | b'[' | b'{') => depth += 1,
-            Kind::Mark(b')' | b']' | b'}') if depth <= 1 => return (keys, i),
-            Kind::Mark(b')' | b']' | b'}') => depth -= 1,
-            Kind::Word | Kind::Quoted
+            ScriptTokenKind::Mark(b'(' | b'[' | b'{') => depth += 1,
+            ScriptTokenKind::Mark(b')' | b']' | b'}') if depth <= 1 => return (keys, i),
+            ScriptTokenKind::Mark(b')' | b']' | b'}') => depth -= 1,
+            ScriptTokenKind::Word | ScriptTokenKind::Quoted
                 if depth == 1 && mark(i + 1, b':') && (mark(i - 1, b'{') || mark(i - 1, b',')) =>
             {
                 keys.push(token);
@@ -224,22 +241,22 @@ fn keys(tokens: &[Token], at: usize) -> (Vec<&Token>, usize) {
 
 /// The string that is the second argument of the call whose bracket stands at `open`, if that is all
 /// there is of it.
-fn second_argument(tokens: &[Token], open: usize) -> Option<&Token> {
+fn second_argument(tokens: &[ScriptToken], open: usize) -> Option<&ScriptToken> {
     /// Longest first argument that is looked through, in tokens.
     const MAX_ARGUMENT: usize = 16;
     let mut depth = 0_u32;
     for at in open..open + MAX_ARGUMENT {
         match tokens.get(at)?.kind {
-            Kind::Mark(b'(' | b'[') => depth += 1,
-            Kind::Mark(b')' | b']') => depth = depth.checked_sub(1)?,
-            Kind::Mark(b',') if depth == 1 => {
+            ScriptTokenKind::Mark(b'(' | b'[') => depth += 1,
+            ScriptTokenKind::Mark(b')' | b']') => depth = depth.checked_sub(1)?,
+            ScriptTokenKind::Mark(b',') if depth == 1 => {
                 let (name, close) = (tokens.get(at + 1)?, tokens.get(at + 2)?);
                 let is_string = match &name.kind {
-                    Kind::Quoted => true,
-                    Kind::Template(holes) => holes.is_empty(),
+                    ScriptTokenKind::Quoted => true,
+                    ScriptTokenKind::Template(holes) => holes.is_empty(),
                     _ => false,
                 };
-                let is_all = close.kind == Kind::Mark(b')');
+                let is_all = close.kind == ScriptTokenKind::Mark(b')');
                 return (is_string && is_all).then_some(name);
             }
             _ => {}
@@ -260,9 +277,9 @@ mod tests {
     #[track_caller]
     fn check(text: &str, expected: &str) {
         let language = if text.starts_with('<') {
-            Language::Html
+            DocumentLanguage::Html
         } else {
-            Language::Script
+            DocumentLanguage::Script
         };
         let all = extract(language, text);
         let name = |i: &usize| all[*i].code.split(['{', ';']).nth(1).unwrap().trim();
@@ -302,7 +319,7 @@ mod tests {
         let text = "m({ uniforms: { uA: { value: x ? y : z }, 'uB': b, ...c } });\
             a = gl.getUniformLocation(p[1], \"uTime\"); gl.getUniformLocation(p, name);\
             gl.getUniformLocation(p, 'uLight[0].color'); gl.getUniformLocation(p, 'u' + i);";
-        let all = asked(Language::Script, text);
+        let all = asked(DocumentLanguage::Script, text);
         let names: Vec<_> = all
             .iter()
             .map(|a| (a.name.as_str(), &text[a.range.clone()]))

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// What a token is.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Kind {
+pub enum ScriptTokenKind {
     /// A string in quotes, without them.
     Quoted,
     /// A template literal, without its backticks, and the `${...}` in it.
@@ -19,35 +19,43 @@ pub enum Kind {
 
 /// A token; its range leaves out quotes.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Token {
+pub struct ScriptToken {
     /// What it is.
-    pub kind: Kind,
+    pub kind: ScriptTokenKind,
     /// Where it stands.
     pub range: Range<usize>,
 }
 
 /// Whether a token is a string or a template literal.
-pub fn is_literal(token: &Token) -> bool {
-    matches!(token.kind, Kind::Quoted | Kind::Template(_))
+pub fn is_literal(token: &ScriptToken) -> bool {
+    matches!(
+        token.kind,
+        ScriptTokenKind::Quoted | ScriptTokenKind::Template(_)
+    )
 }
 
 /// Whether a token is this mark.
-pub fn is_mark(tokens: &[Token], at: usize, mark: u8) -> bool {
-    tokens.get(at).is_some_and(|t| t.kind == Kind::Mark(mark))
+pub fn is_mark(tokens: &[ScriptToken], at: usize, mark: u8) -> bool {
+    tokens
+        .get(at)
+        .is_some_and(|t| t.kind == ScriptTokenKind::Mark(mark))
 }
 
 /// The first token from `at` on that is no comment.
-pub fn skip_comments(tokens: &[Token], mut at: usize) -> usize {
-    while tokens.get(at).is_some_and(|t| t.kind == Kind::Comment) {
+pub fn skip_comments(tokens: &[ScriptToken], mut at: usize) -> usize {
+    while tokens
+        .get(at)
+        .is_some_and(|t| t.kind == ScriptTokenKind::Comment)
+    {
         at += 1;
     }
     at
 }
 
 /// The tokens of a script. What cannot be read ends it.
-pub fn tokens(text: &str) -> Vec<Token> {
+pub fn tokens(text: &str) -> Vec<ScriptToken> {
     let bytes = text.as_bytes();
-    let mut found: Vec<Token> = Vec::new();
+    let mut found: Vec<ScriptToken> = Vec::new();
     let mut at = 0;
     while let Some(&byte) = bytes.get(at) {
         let from = at;
@@ -55,34 +63,34 @@ pub fn tokens(text: &str) -> Vec<Token> {
         let kind = match byte {
             b'/' if next == b'/' || next == b'*' => {
                 at = comment_end(text, at);
-                Kind::Comment
+                ScriptTokenKind::Comment
             }
             b'/' if may_be_regex(text, found.last()) => {
                 let end = regex_end(bytes, at);
                 at = end.unwrap_or(at + 1);
                 // It counts as a value, so that a `/` behind it divides.
                 if end.is_some() {
-                    Kind::Word
+                    ScriptTokenKind::Word
                 } else {
-                    Kind::Mark(byte)
+                    ScriptTokenKind::Mark(byte)
                 }
             }
             b'\'' if is_apostrophe(text, found.last(), at) => {
                 at += 1;
-                Kind::Mark(byte)
+                ScriptTokenKind::Mark(byte)
             }
             b'"' | b'\'' => match quoted_end(bytes, at) {
                 Some(end) => {
                     at = end + 1;
-                    found.push(Token {
-                        kind: Kind::Quoted,
+                    found.push(ScriptToken {
+                        kind: ScriptTokenKind::Quoted,
                         range: from + 1..end,
                     });
                     continue;
                 }
                 None => {
                     at += 1;
-                    Kind::Mark(byte)
+                    ScriptTokenKind::Mark(byte)
                 }
             },
             b'`' => {
@@ -90,8 +98,8 @@ pub fn tokens(text: &str) -> Vec<Token> {
                     return found;
                 };
                 at = end + 1;
-                found.push(Token {
-                    kind: Kind::Template(holes),
+                found.push(ScriptToken {
+                    kind: ScriptTokenKind::Template(holes),
                     range: from + 1..end,
                 });
                 continue;
@@ -100,17 +108,17 @@ pub fn tokens(text: &str) -> Vec<Token> {
                 while bytes.get(at).is_some_and(|b| is_word(*b)) {
                     at += 1;
                 }
-                Kind::Word
+                ScriptTokenKind::Word
             }
             _ => {
                 at += 1;
                 if byte.is_ascii_whitespace() {
                     continue;
                 }
-                Kind::Mark(byte)
+                ScriptTokenKind::Mark(byte)
             }
         };
-        found.push(Token {
+        found.push(ScriptToken {
             kind,
             range: from..at,
         });
@@ -123,9 +131,9 @@ fn is_word(byte: u8) -> bool {
 }
 
 /// Whether a `'` stands inside a word of the text of an element: `don't`.
-fn is_apostrophe(text: &str, before: Option<&Token>, at: usize) -> bool {
+fn is_apostrophe(text: &str, before: Option<&ScriptToken>, at: usize) -> bool {
     let is_letter = |at: usize| text.as_bytes().get(at).is_some_and(u8::is_ascii_alphabetic);
-    let word = before.filter(|t| t.kind == Kind::Word && t.range.end == at);
+    let word = before.filter(|t| t.kind == ScriptTokenKind::Word && t.range.end == at);
     let word = word.and_then(|t| text.get(t.range.clone()));
     let is_keyword = |w| {
         matches!(
@@ -147,17 +155,17 @@ fn comment_end(text: &str, at: usize) -> usize {
 }
 
 /// Whether a `/` behind this token starts a regular expression.
-fn may_be_regex(text: &str, before: Option<&Token>) -> bool {
+fn may_be_regex(text: &str, before: Option<&ScriptToken>) -> bool {
     match before {
         None => true,
         Some(token) => match token.kind {
-            Kind::Mark(mark) => !matches!(mark, b')' | b']' | b'}' | b'<'),
-            Kind::Word => matches!(
+            ScriptTokenKind::Mark(mark) => !matches!(mark, b')' | b']' | b'}' | b'<'),
+            ScriptTokenKind::Word => matches!(
                 text.get(token.range.clone()),
                 Some("return" | "typeof" | "case" | "of" | "in")
             ),
-            Kind::Comment => true,
-            Kind::Quoted | Kind::Template(_) => false,
+            ScriptTokenKind::Comment => true,
+            ScriptTokenKind::Quoted | ScriptTokenKind::Template(_) => false,
         },
     }
 }
@@ -265,7 +273,13 @@ mod tests {
     use super::*;
 
     fn literals(text: &str) -> Vec<&str> {
-        let of = |t: Token| matches!(t.kind, Kind::Quoted | Kind::Template(_)).then_some(t.range);
+        let of = |t: ScriptToken| {
+            matches!(
+                t.kind,
+                ScriptTokenKind::Quoted | ScriptTokenKind::Template(_)
+            )
+            .then_some(t.range)
+        };
         let ranges = tokens(text).into_iter().filter_map(of);
         ranges.map(|r| &text[r]).collect()
     }
@@ -286,6 +300,6 @@ mod tests {
     #[test]
     fn holes_are_known() {
         let found = tokens("`a${b}c${`${d}`}`");
-        assert_eq!(found[0].kind, Kind::Template(vec![2..6, 7..16]));
+        assert_eq!(found[0].kind, ScriptTokenKind::Template(vec![2..6, 7..16]));
     }
 }

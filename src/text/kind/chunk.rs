@@ -1,7 +1,7 @@
 //! Parts of shaders without a `main`, in the strings of programs: what is certain enough to be one.
 
 use super::evidence::{Evidence, is_type};
-use super::scan::{Kind, Token, tokens};
+use super::scan::{ScanKind, ScanToken, tokens};
 
 /// How much speaks for a text being a part of a shader.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -47,7 +47,9 @@ pub fn is_bare(text: &str) -> bool {
 }
 
 /// The tokens outside of directives, with how many brackets are open.
-fn outside<'t, 'a>(all: &'t [Token<'a>]) -> impl Iterator<Item = (usize, u32, &'t Token<'a>)> {
+fn outside<'t, 'a>(
+    all: &'t [ScanToken<'a>],
+) -> impl Iterator<Item = (usize, u32, &'t ScanToken<'a>)> {
     let mut depth = 0_u32;
     let mut in_directive = false;
     all.iter().enumerate().filter_map(move |(at, token)| {
@@ -67,9 +69,9 @@ fn outside<'t, 'a>(all: &'t [Token<'a>]) -> impl Iterator<Item = (usize, u32, &'
 }
 
 /// Whether a function is defined: `type name(...) {`.
-fn has_function(all: &[Token]) -> bool {
+fn has_function(all: &[ScanToken]) -> bool {
     let text = |at: usize| all.get(at).map_or("", |t| t.text);
-    let is_word = |at: usize| all.get(at).is_some_and(|t| t.kind == Kind::Word);
+    let is_word = |at: usize| all.get(at).is_some_and(|t| t.kind == ScanKind::Word);
     outside(all).any(|(at, depth, token)| {
         let is_head = depth == 0 && is_type(token.text) && is_word(at + 1) && text(at + 2) == "(";
         if !is_head {
@@ -81,7 +83,7 @@ fn has_function(all: &[Token]) -> bool {
 }
 
 /// Whether anything is taken from outside, or handed on.
-fn has_interface(all: &[Token]) -> bool {
+fn has_interface(all: &[ScanToken]) -> bool {
     let text = |at: usize| all.get(at).map_or("", |t| t.text);
     let is_precision = |word: &str| matches!(word, "highp" | "mediump" | "lowp");
     outside(all).any(|(at, depth, token)| {

@@ -1,7 +1,7 @@
 //! What speaks for one language or another in a text, and the verdict.
 
 use super::Tongue;
-use super::scan::{Kind, Token, first_tokens, tokens};
+use super::scan::{ScanKind, ScanToken, first_tokens, tokens};
 use super::signs::SIGNS;
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
@@ -193,21 +193,21 @@ impl<'a> Evidence<'a> {
             if signs.may_start(token.text) {
                 evidence.note(signs, &all, i);
             }
-            evidence.tags += usize::from(token.kind == Kind::Mark && is_tag(&all, i));
+            evidence.tags += usize::from(token.kind == ScanKind::Mark && is_tag(&all, i));
             if in_directive {
                 evidence.has_types |=
                     matches!(token.text, "define" | "ifdef" | "endif" | "version");
                 row = i + 1;
                 continue;
             }
-            if token.kind != Kind::Word {
-                evidence.has_quotes |= token.kind == Kind::Quoted;
+            if token.kind != ScanKind::Word {
+                evidence.has_quotes |= token.kind == ScanKind::Quoted;
                 evidence.judge_row(&all, row..i);
                 row = i + 1;
             }
             let next = all.get(i + 1);
             evidence.has_types = evidence.has_types
-                || next.is_some_and(|n| n.kind == Kind::Word || n.text == "(")
+                || next.is_some_and(|n| n.kind == ScanKind::Word || n.text == "(")
                     && is_type(token.text);
         }
         evidence.judge_row(&all, row..all.len());
@@ -215,7 +215,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// Judges whether words in a row are a sentence.
-    fn judge_row(&mut self, all: &[Token], row: std::ops::Range<usize>) {
+    fn judge_row(&mut self, all: &[ScanToken], row: std::ops::Range<usize>) {
         if row.len() < NAMES {
             return;
         }
@@ -233,7 +233,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// Notes the signs that start with a token.
-    fn note(&mut self, signs: &Signs, all: &[Token], at: usize) {
+    fn note(&mut self, signs: &Signs, all: &[ScanToken], at: usize) {
         let Some(token) = all.get(at) else { return };
         for sign in signs.starting_with(token.text) {
             if self.seen.iter().any(|s| s.number == sign.number)
@@ -246,8 +246,8 @@ impl<'a> Evidence<'a> {
                 let token = all.get(end);
                 end += 1;
                 token.is_some_and(|t| match part {
-                    "_" => t.kind == Kind::Word,
-                    "\"" => t.kind == Kind::Quoted,
+                    "_" => t.kind == ScanKind::Word,
+                    "\"" => t.kind == ScanKind::Quoted,
                     part => t.text == part,
                 })
             });
@@ -370,7 +370,7 @@ impl<'a> Evidence<'a> {
 }
 
 /// Whether a closing tag or an escaped bracket starts here.
-fn is_tag(all: &[Token], at: usize) -> bool {
+fn is_tag(all: &[ScanToken], at: usize) -> bool {
     let text = |i: usize| all.get(at + i).map_or("", |t| t.text);
     match text(0) {
         "<" => text(1) == "/" && text(3) == ">",
@@ -388,7 +388,7 @@ pub fn starts_as_web(text: &str) -> bool {
 }
 
 /// The first `#version`.
-fn version(all: &[Token]) -> Option<VersionLine> {
+fn version(all: &[ScanToken]) -> Option<VersionLine> {
     let text = |i: usize| all.get(i).map_or("", |t| t.text);
     let is_version = |i: &usize| {
         let is_first = all.get(*i).is_some_and(|t| t.is_first);
@@ -404,9 +404,9 @@ fn version(all: &[Token]) -> Option<VersionLine> {
 }
 
 /// What the first tokens give away, since no shader starts so.
-fn start(all: &[Token]) -> Option<Tongue> {
+fn start(all: &[ScanToken]) -> Option<Tongue> {
     let text = |i: usize| all.get(i).map_or("", |t| t.text);
-    let is_word = |i: usize| all.get(i).is_some_and(|t| t.kind == Kind::Word);
+    let is_word = |i: usize| all.get(i).is_some_and(|t| t.kind == ScanKind::Word);
     match (text(0), text(1)) {
         ("<", "!" | "?") => Some(Tongue::Markup),
         ("<", _) if is_word(1) => Some(Tongue::Markup),

@@ -15,7 +15,7 @@ use evidence::starts_as_web;
 pub use evidence::{Evidence, VersionLine, is_type};
 pub use made::made;
 
-use super::embed::Language;
+use super::embed::DocumentLanguage;
 use std::fmt;
 
 /// What a text is written in.
@@ -92,7 +92,7 @@ pub enum FileKind {
     /// JSON, which may be a ShaderToy export.
     Export,
     /// Something that may hold shaders.
-    Holds(Language),
+    Holds(DocumentLanguage),
     /// A shader in a language that WebGL does not compile.
     Foreign(Tongue),
     /// Anything else, which is neither read nor written.
@@ -147,7 +147,7 @@ enum Ending {
     /// A stage that WebGL does not have.
     Stage,
     Export,
-    Holds(Language),
+    Holds(DocumentLanguage),
     Foreign(Tongue),
     /// Something else, in words.
     Other(&'static str),
@@ -163,7 +163,7 @@ pub fn ending(name: &str) -> String {
 
 fn ending_of(name: &str) -> Ending {
     let ending = ending(name);
-    if let Some(language) = Language::of_extension(&ending) {
+    if let Some(language) = DocumentLanguage::of_extension(&ending) {
         return Ending::Holds(language);
     }
     match ending.as_str() {
@@ -213,7 +213,7 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
         Ending::Other(what) => {
             return Decision::new(FileKind::Other, format!("it is {what}, by its ending"));
         }
-        Ending::Holds(Language::Script) if is_packed(name) => {
+        Ending::Holds(DocumentLanguage::Script) if is_packed(name) => {
             return Decision::new(FileKind::Other, "it is packed, by its ending");
         }
         Ending::Holds(language) => {
@@ -292,7 +292,7 @@ pub fn is_searched(name: &str) -> bool {
 
 /// Whether a file of this name holds a script.
 pub fn is_script(name: &str) -> bool {
-    matches!(ending_of(name), Ending::Holds(Language::Script))
+    matches!(ending_of(name), Ending::Holds(DocumentLanguage::Script))
 }
 
 /// Whether a file of TypeScript holds declarations alone, as the compiler writes them.

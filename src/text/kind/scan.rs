@@ -10,7 +10,7 @@ const MAX_STRING: usize = 1 << 16;
 
 /// What a token is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Kind {
+pub enum ScanKind {
     /// A word or a number.
     Word,
     /// Any other character.
@@ -21,9 +21,9 @@ pub enum Kind {
 
 /// A token.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Token<'a> {
+pub struct ScanToken<'a> {
     /// What it is.
-    pub kind: Kind,
+    pub kind: ScanKind,
     /// Its text; of a quoted one its quotes alone.
     pub text: &'a str,
     /// Where it starts.
@@ -33,12 +33,12 @@ pub struct Token<'a> {
 }
 
 /// Reads the tokens of a text, the first some thousands.
-pub fn tokens(text: &str) -> Vec<Token<'_>> {
+pub fn tokens(text: &str) -> Vec<ScanToken<'_>> {
     first_tokens(text, MAX_TOKENS)
 }
 
 /// Reads the first tokens of a text, as many as are asked for.
-pub fn first_tokens(text: &str, count: usize) -> Vec<Token<'_>> {
+pub fn first_tokens(text: &str, count: usize) -> Vec<ScanToken<'_>> {
     // Few texts have more than one for three characters.
     let mut found = Vec::with_capacity(count.min(text.len() / 3));
     let bytes = text.as_bytes();
@@ -63,26 +63,30 @@ pub fn first_tokens(text: &str, count: usize) -> Vec<Token<'_>> {
             b'"' | b'\'' | b'`' => match behind_string(text, at) {
                 Some(end) => {
                     at = end;
-                    Kind::Quoted
+                    ScanKind::Quoted
                 }
                 None => {
                     at += 1;
-                    Kind::Mark
+                    ScanKind::Mark
                 }
             },
             _ if is_word(byte) => {
                 while bytes.get(at).is_some_and(|b| is_word(*b)) {
                     at += 1;
                 }
-                Kind::Word
+                ScanKind::Word
             }
             _ => {
                 at += 1;
-                Kind::Mark
+                ScanKind::Mark
             }
         };
-        let end = if kind == Kind::Quoted { from + 1 } else { at };
-        found.push(Token {
+        let end = if kind == ScanKind::Quoted {
+            from + 1
+        } else {
+            at
+        };
+        found.push(ScanToken {
             kind,
             text: text.get(from..end).unwrap_or(""),
             at: from,
