@@ -3,10 +3,12 @@
 use super::analysis::Analysis;
 use super::export::Written;
 use super::host::Hosts;
-use super::include::Hushed;
+use super::input::Input;
 use super::options::Desktop;
-use super::part::{Keep, Part, Shader, check_part, shader_part};
-use super::{World, embedded, foreign, partner};
+use super::part::{Part, Shader, ask_first, check_part};
+use super::shader::shader_part;
+use super::world::{Keep, World};
+use super::{embedded, foreign, partner};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::lint::{Allows, Judged};
 use crate::port::{Project, ProjectError, compose};
@@ -117,45 +119,50 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
         });
     }
     let kind = decision.kind;
-    let mut read = read(name, text, world, decision)?;
-    let partner = partner::load(&mut read, name, world);
-    let may_link = partner.is_some() || read.embedded.len() > 1;
+    let mut input = read(name, text, world, decision)?;
+    let partner = partner::load(&mut input, name, world);
+    let may_link = partner.is_some() || input.embedded.len() > 1;
     let keep = match kind {
         FileKind::Holds(DocumentLanguage::Markdown) => world.keep,
         // Shaders that may be linked are not checked again for it.
         _ if may_link => Keep::Programs,
         _ => world.keep,
     };
-    let told = check_parts(&mut read, name, world, keep);
+    let told = check_parts(&mut input, name, world, keep);
     let (mut diagnostics, shaders) = (told.diagnostics, told.shaders);
-    partner::check(&read, partner.as_ref(), &options.settings, &mut diagnostics);
+    partner::check(
+        &input,
+        partner.as_ref(),
+        &options.settings,
+        &mut diagnostics,
+    );
     told.allows
         .report(RULES, &options.settings, &mut diagnostics);
-    diagnostics.append(&mut read.problems);
+    diagnostics.append(&mut input.problems);
     if let (Encoding::Damaged(at), true) = (encoding, kind != FileKind::Export) {
-        report_damage(&read, at, &mut diagnostics);
+        report_damage(&input, at, &mut diagnostics);
     }
-    diagnostics.retain(|d| read.hushed.admits(&read.sources, d));
+    diagnostics.retain(|d| input.hushed.admits(&input.sources, d));
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
     diagnostics.dedup_by(|a, b| (a.span, a.rule, &a.message) == (b.span, b.rule, &b.message));
     let mut report = Report {
-        sources: read.sources,
+        sources: input.sources,
         diagnostics: Vec::new(),
-        file: read.file,
+        file: input.file,
         left_out: shaders.iter().map(|s| s.left_out).sum(),
         shaders,
-        embedded: read.embedded,
+        embedded: input.embedded,
         holds_others: matches!(kind, FileKind::Holds(_)),
-        export: read.export,
+        export: input.export,
         judged: told.judged,
         unread: None,
         analyses: match world.keep {
-            Keep::Programs => read.parts.into_iter().filter_map(|p| p.analysis).collect(),
+            Keep::Programs => input.parts.into_iter().filter_map(|p| p.analysis).collect(),
             Keep::Findings => Vec::new(),
         },
     };
     if options.desktop == Desktop::Port && kind == FileKind::Foreign(Tongue::Desktop) {
-        foreign::ask_first(&mut diagnostics);
+        ask_first(&mut diagnostics);
     }
     if !report.embedded.is_empty() {
         for diagnostic in &mut diagnostics {
@@ -177,16 +184,16 @@ struct Told {
     judged: Option<Judged>,
 }
 
-fn check_parts(read: &mut Read, name: &str, world: World, keep: Keep) -> Told {
+fn check_parts(input: &mut Input, name: &str, world: World, keep: Keep) -> Told {
     let mut told = Told::default();
-    let script = read.file.and_then(|id| read.sources.file(id));
+    let script = input.file.and_then(|id| input.sources.file(id));
     let script = script
-        .filter(|_| !read.embedded.is_empty())
+        .filter(|_| !input.embedded.is_empty())
         .map(|f| f.text.clone());
     let hosts = Hosts::new(name, script, world);
-    for part in &mut read.parts {
+    for part in &mut input.parts {
         let checked = check_part(
-            &mut read.sources,
+            &mut input.sources,
             part,
             &hosts,
             world.options,
@@ -205,30 +212,9 @@ fn check_parts(read: &mut Read, name: &str, world: World, keep: Keep) -> Told {
     told
 }
 
-/// An input, split into shaders.
-pub(super) struct Read {
-    pub(super) sources: Arc<Sources>,
-    pub(super) parts: Vec<Part>,
-    pub(super) file: Option<FileId>,
-    pub(super) embedded: Vec<Embedded>,
-    /// What is wrong before any shader is read.
-    pub(super) problems: Vec<Diagnostic>,
-    pub(super) export: Option<Written>,
-    /// Files whose findings are not told here.
-    pub(super) hushed: Hushed,
-}
-
-fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Read, Unread> {
+fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Input, Unread> {
     let options = world.options;
-    let mut read = Read {
-        sources: Arc::default(),
-        parts: Vec::new(),
-        file: None,
-        embedded: Vec::new(),
-        problems: Vec::new(),
-        export: None,
-        hushed: Hushed::default(),
-    };
+    let mut input = Input::default();
     match decision.kind {
         FileKind::Other => return Err(Unread::Skipped(decision)),
         FileKind::Foreign(_) if options.desktop == Desktop::Skip => {
@@ -237,28 +223,28 @@ fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Read
         FileKind::Export => {
             let project = Project::from_json(text).map_err(|e| no_project(e, text))?;
             let composed = compose(&project, name).ok_or(Unread::TooLarge)?;
-            read.export = Some(Written::of(text, &project, &composed));
-            read.sources = composed.sources;
-            read.parts = composed.units.into_iter().map(Part::of_pass).collect();
-            return Ok(read);
+            input.export = Some(Written::of(text, &project, &composed));
+            input.sources = composed.sources;
+            input.parts = composed.units.into_iter().map(Part::of_pass).collect();
+            return Ok(input);
         }
         FileKind::Shader | FileKind::Foreign(_) | FileKind::Holds(_) => {}
     }
-    let file = Arc::make_mut(&mut read.sources).add(name, None, Role::User, text);
+    let file = Arc::make_mut(&mut input.sources).add(name, None, Role::User, text);
     let file = file.ok_or(Unread::TooLarge)?;
-    read.file = Some(file);
+    input.file = Some(file);
     match decision.kind {
         FileKind::Holds(language) => {
-            read.embedded = extract_named(name, language, text);
-            embedded::parts(&mut read, language, file, text, options)
+            input.embedded = extract_named(name, language, text);
+            embedded::parts(&mut input, language, file, text, options)
         }
         FileKind::Foreign(tongue) if !foreign::is_ported(tongue, options) => {
-            foreign::whole(&mut read, file, text, tongue, &decision)
+            foreign::whole(&mut input, file, text, tongue, &decision)
         }
-        _ => shader_part(&mut read, name, file, text, world),
+        _ => shader_part(&mut input, name, file, text, world),
     }
     .ok_or(Unread::TooLarge)?;
-    Ok(read)
+    Ok(input)
 }
 
 /// What becomes of JSON that is no project: any that does not speak of passes is passed over.
@@ -291,8 +277,8 @@ fn unreadable(text: &str, encoding: Encoding) -> Option<Diagnostic> {
 
 /// Reports bytes that are no UTF-8, at this offset of the file, where nothing else is said of
 /// them: a comment may hold them.
-fn report_damage(read: &Read, offset: u32, diagnostics: &mut Vec<Diagnostic>) {
-    let Some(file) = read.file.and_then(|id| read.sources.file(id)) else {
+fn report_damage(input: &Input, offset: u32, diagnostics: &mut Vec<Diagnostic>) {
+    let Some(file) = input.file.and_then(|id| input.sources.file(id)) else {
         return;
     };
     let start = file.base + offset;

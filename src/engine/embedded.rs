@@ -1,7 +1,7 @@
 //! Shaders inside pages, scripts and texts.
 
-use super::document::Read;
 use super::foreign;
+use super::input::Input;
 use super::options::Options;
 use super::part::Part;
 use super::reading::{InputText, Readings, Surroundings};
@@ -21,7 +21,7 @@ const MAX_SCOPES: usize = 100;
 
 /// Makes the shaders of a file. `None` where they are too large.
 pub(super) fn parts(
-    read: &mut Read,
+    input: &mut Input,
     language: DocumentLanguage,
     file: FileId,
     text: &str,
@@ -34,20 +34,20 @@ pub(super) fn parts(
             Embedder::of(text)
         }
     };
-    let all = std::mem::take(&mut read.embedded);
+    let all = std::mem::take(&mut input.embedded);
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
     let mut known = Known::default();
     for embedded in &all {
         known.enter(embedded.chapter);
         let is_other = own_directive(&embedded.code).is_some();
-        if is_other || foreign::inside(read, file, embedded, options)? {
+        if is_other || foreign::inside(input, file, embedded, options)? {
             continue;
         }
         let around = Around { embedder, is_300 };
-        let part = part(read, file, embedded, around, &mut known, options)?;
-        read.parts.push(part);
+        let part = part(input, file, embedded, around, &mut known, options)?;
+        input.parts.push(part);
     }
-    read.embedded = all;
+    input.embedded = all;
     Some(())
 }
 
@@ -73,7 +73,7 @@ fn speaks_of_300(all: &[Embedded]) -> bool {
 }
 
 fn part(
-    read: &mut Read,
+    input: &mut Input,
     file: FileId,
     embedded: &Embedded,
     around: Around,
@@ -85,9 +85,9 @@ fn part(
     let is_shown = matches!(embedded.wrapping, Wrapping::Fence | Wrapping::Listing);
     let is_excerpt = is_shown && !is_whole;
     let files = if is_excerpt {
-        excerpt(read, file, embedded, known)?
+        excerpt(input, file, embedded, known)?
     } else {
-        vec![Arc::make_mut(&mut read.sources).embed(file, embedded.start, code)?]
+        vec![Arc::make_mut(&mut input.sources).embed(file, embedded.start, code)?]
     };
     let text = InputText {
         files,
@@ -102,7 +102,7 @@ fn part(
         has_holes: is_excerpt || embedded.has_holes,
     };
     let readings = Readings::of(
-        Arc::make_mut(&mut read.sources),
+        Arc::make_mut(&mut input.sources),
         (code, guess(code)),
         text,
         options,
@@ -120,12 +120,12 @@ fn part(
 /// Makes a shader of an excerpt: its functions and directives, then its statements in a function.
 /// Each declaration opens a scope of its own, since texts show the same name in several ways.
 fn excerpt(
-    read: &mut Read,
+    input: &mut Input,
     file: FileId,
     embedded: &Embedded,
     known: &mut Known,
 ) -> Option<Vec<FileId>> {
-    let sources = Arc::make_mut(&mut read.sources);
+    let sources = Arc::make_mut(&mut input.sources);
     let items = items(&embedded.code);
     if items.iter().all(|i| matches!(i, SnippetItem::Global(_))) {
         return Some(vec![sources.embed(

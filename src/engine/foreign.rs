@@ -1,9 +1,9 @@
 //! Shaders in languages that WebGL does not compile: GLSL for OpenGL and Vulkan, HLSL, Metal, WGSL.
 //! One thing is said of each, and nothing is mended unasked.
 
-use super::document::Read;
+use super::input::Input;
 use super::options::{Desktop, Options};
-use crate::diagnostic::{Applicability, Diagnostic, Origin, Severity, error};
+use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::text::embed::Embedded;
 use crate::text::kind::{Decision, Evidence, Tongue, reason};
 use crate::text::{FileId, Span};
@@ -15,23 +15,23 @@ pub fn is_ported(tongue: Tongue, options: &Options) -> bool {
 
 /// Says what is to be said of a file.
 pub(super) fn whole(
-    read: &mut Read,
+    input: &mut Input,
     file: FileId,
     text: &str,
     tongue: Tongue,
     decision: &Decision,
 ) -> Option<()> {
-    let base = read.sources.file(file)?.base;
+    let base = input.sources.file(file)?.base;
     let evidence = Evidence::of(text);
     let told = tell(&evidence, text, base, tongue, &decision.to_string());
-    read.problems.push(told);
+    input.problems.push(told);
     Some(())
 }
 
 /// Says what is to be said of a shader inside a file, if it is such a one. Gives whether it is, so
 /// that nothing else is said.
 pub(super) fn inside(
-    read: &mut Read,
+    input: &mut Input,
     file: FileId,
     embedded: &Embedded,
     options: &Options,
@@ -42,10 +42,10 @@ pub(super) fn inside(
         return Some(false);
     };
     if options.desktop != Desktop::Skip {
-        let base = read.sources.file(file)?.base + embedded.start as u32;
+        let base = input.sources.file(file)?.base + embedded.start as u32;
         let why = reason(&evidence, tongue);
         let told = tell(&evidence, code, base, tongue, &why);
-        read.problems.push(told);
+        input.problems.push(told);
     }
     Some(true)
 }
@@ -71,12 +71,4 @@ fn tell(evidence: &Evidence, text: &str, base: u32, tongue: Tongue, why: &str) -
     Diagnostic::new(rule, Origin::Compiler, Severity::Info, span, message)
         .note(format!("{why}; nothing else is said of it"))
         .help("`desktop = \"skip\"` in shaderlint.toml passes it over")
-}
-
-/// Makes all fixes such that a person decides: a shader that is brought to WebGL2 is lost for where
-/// it comes from.
-pub fn ask_first(diagnostics: &mut [Diagnostic]) {
-    for fix in diagnostics.iter_mut().filter_map(|d| d.fix.as_mut()) {
-        fix.applicability = Applicability::Unsafe;
-    }
 }

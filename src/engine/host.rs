@@ -1,12 +1,11 @@
 //! Which hosts may complete a text: by the names that it lacks, by what the script around it imports,
 //! and by the packages of its project.
 
-use super::World;
 use super::files::Files;
 use super::path::plain;
 use super::reading::Readings;
+use super::world::World;
 use crate::host::{Preset, presets};
-use crate::syntax::{Lexer, RawKind, TokenKind as T};
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -150,96 +149,6 @@ fn imports(script: &str) -> Vec<&str> {
     found
 }
 
-/// What a host puts before a text, without what the text declares itself: hosts of other releases
-/// have fewer names, and texts repeat declarations.
-pub fn prelude(preset: &Preset, code: &str, is_vertex: bool) -> String {
-    let own = Declared::of(code);
-    let mut text = String::new();
-    if own.has_output {
-        text.push_str("#define OWN_OUTPUT 1\n");
-    }
-    let mut depth = 0_usize;
-    for line in preset.declarations(is_vertex).split_inclusive('\n') {
-        let is_outside = depth == 0;
-        depth += line.matches('{').count();
-        depth = depth.saturating_sub(line.matches('}').count());
-        let is_single = is_outside && depth == 0;
-        let is_repeated = is_single && declared_in(line).is_some_and(|n| own.names.contains(n));
-        text.push_str(if is_repeated { "\n" } else { line });
-    }
-    text
-}
-
-/// The name that a line declares.
-fn declared_in(line: &str) -> Option<&str> {
-    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let line = line.trim_start();
-    if let Some(rest) = line.strip_prefix("#define ") {
-        return rest.split(|c| !is_name(c)).next();
-    }
-    let line = line.strip_prefix("layout").map_or(line, |rest| {
-        rest.split_once(')').map_or(rest, |(_, behind)| behind)
-    });
-    let end = line.find([';', '(', '[', '=', '{'])?;
-    let head = line.get(..end)?.trim_end();
-    head.rsplit(|c| !is_name(c))
-        .next()
-        .filter(|n| !n.is_empty())
-}
-
-/// What a text declares outside of functions.
-#[derive(Default)]
-struct Declared<'t> {
-    names: BTreeSet<&'t str>,
-    /// Whether it declares an output.
-    has_output: bool,
-}
-
-impl<'t> Declared<'t> {
-    fn of(code: &'t str) -> Declared<'t> {
-        let mut found = Declared::default();
-        let mut lexer = Lexer::new(code, 0);
-        let mut depth = 0_usize;
-        let mut last: Option<&str> = None;
-        let mut before: Option<&str> = None;
-        loop {
-            let token = lexer.next_token();
-            let word = code.get(token.span.start as usize..token.span.end as usize);
-            match token.kind {
-                RawKind::End => return found,
-                RawKind::Whitespace | RawKind::Newline => continue,
-                RawKind::LineComment | RawKind::BlockComment => continue,
-                RawKind::Word if depth == 0 => {
-                    found.has_output |= word == Some("out");
-                    if last == Some("define") {
-                        found.names.extend(word);
-                    }
-                    before = last;
-                    last = word;
-                    continue;
-                }
-                RawKind::Operator(T::LeftParen | T::LeftBrace) => {
-                    found.note(before, last);
-                    depth += 1;
-                }
-                RawKind::Operator(T::RightParen | T::RightBrace) => depth = depth.saturating_sub(1),
-                RawKind::Operator(T::Semicolon | T::LeftBracket | T::Equal | T::Comma) => {
-                    found.note(before, last);
-                }
-                _ => {}
-            }
-            (before, last) = (None, None);
-        }
-    }
-
-    /// Notes a name that follows a word and is followed by what ends a declarator.
-    fn note(&mut self, before: Option<&str>, name: Option<&'t str>) {
-        if before.is_some() {
-            self.names.extend(name);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -250,25 +159,5 @@ mod tests {
             import 'p5'; // from here";
         let names: Vec<&str> = imports(script).into_iter().map(package_of).collect();
         assert_eq!(names, ["three", "p5", "@luma.gl/core"]);
-    }
-
-    #[test]
-    fn what_a_text_declares_is_left_out() {
-        let preset = Preset {
-            prelude: "uniform mat4 a;\nfloat f(float x);\n#define B 1\nuniform vec3 c[4];\n\
-                layout(location = 0) out vec4 d;\n"
-                .to_string(),
-            ..Preset::default()
-        };
-        let own =
-            "uniform mat4 a;\n#define B 2\nvec4 g() { vec3 c; return d; }\nfloat f(float y) { }";
-        let told = prelude(&preset, own, true);
-        let left: Vec<&str> = told.lines().filter(|l| l.contains(';')).collect();
-        assert_eq!(
-            left,
-            ["uniform vec3 c[4];", "layout(location = 0) out vec4 d;"]
-        );
-        assert!(!told.contains("#define B"));
-        assert!(prelude(&preset, "out vec4 x;", false).starts_with("#define OWN_OUTPUT"));
     }
 }

@@ -1,7 +1,8 @@
 //! What is kept of the files around a text, so that each is read once in a run.
 
 use super::files::Files;
-use super::include::{IncludedFile, Passes};
+use super::include::passes::Passes;
+use super::include::scan::IncludedFile;
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard};

@@ -1,9 +1,9 @@
 //! What fixes make of a text, each round judged anew, and how many findings they mend.
 
-use super::World;
 use super::document::{Report, judge};
 use super::files::Files;
 use super::options::Options;
+use super::world::World;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::lint::{Allow, Fixed, Judged, Look, fix, fix_seen};
 use crate::text::{Encoding, Span};

@@ -13,28 +13,32 @@ mod files;
 mod foreign;
 mod host;
 mod include;
+mod input;
 mod memo;
 mod mend;
 mod options;
 mod part;
 mod partner;
 pub mod path;
+mod prelude;
 mod reading;
 mod repair;
+mod shader;
+mod world;
 
 pub use crate::semantic::Wholeness;
 pub use analysis::Analysis;
 pub use document::{Report, Unread};
 pub use files::{FileType, Files, LoadError, MAX_LOADED, NoFiles};
-pub use include::{Absence, Includes, MissingInclude};
+pub use include::{Absence, MissingInclude};
 pub use memo::Memo;
 pub use mend::{Offer, mend, offer};
-pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Options};
+pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};
 pub use part::Shader;
 pub use repair::{Repairs, repair, repair_webgl1, repairable};
 
 use crate::text::{Content, Encoding};
-use part::Keep;
+use world::{Keep, World};
 
 /// Finds what is to be said of a text. `name` is its path, whose ending tells what it may be and
 /// whose folder the files around it are looked for in.
@@ -76,24 +80,6 @@ pub fn analyze(name: &str, text: &str, options: &Options, files: &dyn Files) -> 
         ..World::new(options, files)
     };
     document::judge(name, text, Encoding::Utf8, world)
-}
-
-/// What a text is judged with.
-#[derive(Clone, Copy)]
-struct World<'a> {
-    options: &'a Options,
-    files: &'a dyn Files,
-    keep: Keep,
-}
-
-impl<'a> World<'a> {
-    fn new(options: &'a Options, files: &'a dyn Files) -> World<'a> {
-        World {
-            options,
-            files,
-            keep: Keep::Findings,
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! How a text is judged: what it is written for, what completes it, where its files are found.
 
-use super::include::Includes;
 use super::memo::Memo;
 use crate::host::Preset;
 use crate::lint::Settings;
 use crate::rules::RULES;
 use crate::text::kind::Claim;
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// How a text is judged.
@@ -51,6 +51,18 @@ impl Options {
             memo: Arc::default(),
         }
     }
+}
+
+/// Where `#include` finds its files.
+#[derive(Clone, Default, Debug)]
+pub struct Includes {
+    /// The folder that no include may leave, from the root and without links; empty where any file
+    /// may be included.
+    pub root: PathBuf,
+    /// What a leading `/` may stand for, the nearest first.
+    pub tops: Vec<PathBuf>,
+    /// The folders that are searched behind that of the file: `include_roots` of the configuration.
+    pub roots: Vec<PathBuf>,
 }
 
 /// What the user says a shader is written for.

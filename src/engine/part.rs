@@ -1,21 +1,18 @@
 //! One shader of an input.
 
-use super::World;
 use super::analysis::Analysis;
-use super::document::Read;
-use super::foreign;
 use super::host::Hosts;
-use super::include::{MissingInclude, is_common, spread};
-use super::options::{DialectChoice, HostUniform, Options};
-use super::reading::{InputText, Reading, Readings, Standing, Surroundings, lacking};
-use crate::diagnostic::{Diagnostic, Severity, error};
+use super::include::MissingInclude;
+use super::options::{DialectChoice, Options};
+use super::reading::{Reading, Readings, Standing, lacking};
+use super::world::Keep;
+use crate::diagnostic::{Applicability, Diagnostic, Severity, error};
 use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
-use crate::semantic::{Checked, Dialect, Guess, GuessedKind, Stage, Wholeness, guess};
-use crate::syntax::{Lexer, RawKind, Version, WordClass, classify};
-use crate::text::embed::{Embedder, mask};
-use crate::text::kind::ending;
+use crate::semantic::{Checked, Dialect, Stage, Wholeness};
+use crate::syntax::{Version, WordClass, classify};
+use crate::text::embed::Embedder;
 use crate::text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -32,15 +29,6 @@ pub struct Part {
     pub missing: Vec<MissingInclude>,
     /// What came of checking it, where that is kept.
     pub analysis: Option<Analysis>,
-}
-
-/// Whether what is known of a shader is kept.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Keep {
-    /// Only what is said of it.
-    Findings,
-    /// All of it.
-    Programs,
 }
 
 impl Part {
@@ -152,7 +140,7 @@ fn tell_part(
         found.retain(|d| sources.is_user(d.span.start));
         if wholeness != Wholeness::Whole {
             // What a host makes of it is not known well enough to write anything unasked.
-            foreign::ask_first(&mut found);
+            ask_first(&mut found);
         }
         found.sort_by_key(|d| (d.span.start, d.span.end));
         left_out = found.len().saturating_sub(MAX_FINDINGS);
@@ -167,7 +155,7 @@ fn tell_part(
         // The program around a part knows its names.
         let names = checked.diagnostics.iter_mut();
         let renamed = names.filter(|d| d.rule == error::RESERVED_WORD);
-        renamed.for_each(|d| foreign::ask_first(std::slice::from_mut(d)));
+        renamed.for_each(|d| ask_first(std::slice::from_mut(d)));
     }
     diagnostics.append(&mut checked.diagnostics);
     let own = diagnostics.get_mut(known..).unwrap_or(&mut []);
@@ -249,173 +237,9 @@ pub struct Shader {
 /// Most findings of the rules in one shader; whoever mends these sees the next.
 const MAX_FINDINGS: usize = 500;
 
-/// Makes the one shader of a shader file. `None` where it is too large.
-pub(super) fn shader_part(
-    read: &mut Read,
-    name: &str,
-    file: FileId,
-    text: &str,
-    world: World,
-) -> Option<()> {
-    let options = world.options;
-    let extension = ending(name);
-    let stage = match extension.as_str() {
-        "vert" | "vs" | "vsh" => Some(Stage::Vertex),
-        "frag" | "fs" | "fsh" => Some(Stage::Fragment),
-        _ => None,
-    };
-    let told = guess(text);
-    let masked = match may_be_template(text, &told, options) {
-        true => mask(text),
-        false => None,
-    };
-    let has_holes = masked.is_some();
-    let (files, is_open, missing) = match masked {
-        Some(code) => (
-            vec![Arc::make_mut(&mut read.sources).embed(file, 0, code)?],
-            true,
-            Vec::new(),
-        ),
-        None => {
-            let own = spread(read, name, file, text, world)?;
-            (own.files, own.is_open, own.missing)
-        }
-    };
-    let about = InputText {
-        files,
-        stage,
-        surroundings: match stage {
-            _ if is_common(name, text, world) => Surroundings::CommonFile,
-            Some(_) => Surroundings::StageFile,
-            None => Surroundings::File,
-        },
-        is_open,
-        is_300: false,
-        has_holes,
-    };
-    let readings = Readings::of(
-        Arc::make_mut(&mut read.sources),
-        (text, told),
-        about,
-        options,
-    )?;
-    let first = readings.all.first()?;
-    read.parts.push(Part {
-        infer_channels: first.dialect.is_shadertoy(),
-        readings,
-        embedder: Embedder::default(),
-        missing,
-        analysis: None,
-    });
-    Some(())
-}
-
-/// Whether a program may fill holes in a shader file. In a text that shows itself to be whole only
-/// what has no meaning in GLSL and two ends is one.
-fn may_be_template(text: &str, told: &Guess, options: &Options) -> bool {
-    let is_whole = told.kind.is_some_and(GuessedKind::is_whole);
-    let has_ends = ["${", "{{", "<%", "{%"].iter().any(|s| text.contains(s));
-    options.dialect == DialectChoice::Auto && (has_ends || !is_whole)
-}
-
-/// Puts what the host declares where it belongs: before the text, but behind `#version`.
-pub fn with_host(
-    sources: &mut Sources,
-    header: Option<String>,
-    own: Vec<FileId>,
-    options: &Options,
-) -> Option<Vec<FileId>> {
-    let declared = declarations(sources, &own, &options.host.uniforms);
-    let Some(header) = header else {
-        if declared.is_empty() {
-            return Some(own);
-        }
-        let prelude = sources.add("", None, Role::Prelude, declared)?;
-        return behind_version(sources, own, prelude);
-    };
-    let mut files = vec![sources.add("", None, Role::Prelude, header + &declared)?];
-    files.extend(own);
-    Some(files)
-}
-
-/// Declares the host's uniforms, without those that the shader declares itself.
-fn declarations(sources: &Sources, own: &[FileId], uniforms: &[HostUniform]) -> String {
-    let texts = || own.iter().filter_map(|id| Some(sources.code(*id)?.text));
-    let mut text = String::new();
-    for uniform in uniforms {
-        let HostUniform { name, ty, size } = uniform;
-        if texts().any(|code| declares(code, name)) {
-            continue;
-        }
-        let precision = if ty.starts_with('b') { "" } else { "highp " };
-        let size = size.map_or(String::new(), |s| format!("[{s}]"));
-        text.push_str(&format!("uniform {precision}{ty} {name}{size};\n"));
-    }
-    text
-}
-
-/// Whether a text declares a uniform of this name.
-fn declares(code: &str, name: &str) -> bool {
-    if !code.contains(name) {
-        return false;
-    }
-    let mut lexer = Lexer::new(code, 0);
-    let mut in_uniform = false;
-    loop {
-        let token = lexer.next_token();
-        let range = token.span.start as usize..token.span.end as usize;
-        match (token.kind, code.get(range).unwrap_or("")) {
-            (RawKind::End, _) => return false,
-            (RawKind::Word, "uniform") => in_uniform = true,
-            (RawKind::Word, word) if in_uniform && word == name => return true,
-            (_, ";") => in_uniform = false,
-            _ => {}
-        }
-    }
-}
-
-/// Puts a prelude behind the line with `#version`, or in front where there is none.
-pub fn behind_version(
-    sources: &mut Sources,
-    own: Vec<FileId>,
-    prelude: FileId,
-) -> Option<Vec<FileId>> {
-    let mut own = own.into_iter();
-    let first = own.next()?;
-    let code = sources.code(first)?;
-    let (text, base) = (code.text.to_string(), code.base);
-    let mut files = Vec::new();
-    match version_end(&text) {
-        None => files.extend([prelude, first]),
-        Some(behind) => {
-            let file = sources.file_id_at(base)?;
-            let offset = (base - sources.file(file)?.base) as usize;
-            files.push(sources.embed(file, offset, text.get(..behind)?)?);
-            files.push(prelude);
-            files.push(sources.embed(file, offset + behind, text.get(behind..)?)?);
-        }
-    }
-    files.extend(own);
-    Some(files)
-}
-
-/// Where the line behind `#version` starts.
-fn version_end(text: &str) -> Option<usize> {
-    let mut lexer = Lexer::new(text, 0);
-    let mut after_hash = false;
-    let mut seen = false;
-    loop {
-        let token = lexer.next_token();
-        let range = token.span.start as usize..token.span.end as usize;
-        match token.kind {
-            RawKind::End => return None,
-            RawKind::Newline if seen => return Some(range.end),
-            RawKind::Hash => after_hash = true,
-            RawKind::Word => {
-                seen |= after_hash && text.get(range) == Some("version");
-                after_hash = false;
-            }
-            _ => {}
-        }
+/// Makes all fixes such that a person decides.
+pub fn ask_first(diagnostics: &mut [Diagnostic]) {
+    for fix in diagnostics.iter_mut().filter_map(|d| d.fix.as_mut()) {
+        fix.applicability = Applicability::Unsafe;
     }
 }

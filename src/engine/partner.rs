@@ -1,10 +1,11 @@
 //! Vertex and fragment shaders that belong together: which they are, and what keeps them from being
 //! linked.
 
-use super::World;
-use super::document::Read;
-use super::part::{Part, shader_part};
+use super::input::Input;
+use super::part::Part;
 use super::reading::{Reading, Standing};
+use super::shader::shader_part;
+use super::world::World;
 use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::lint::Settings;
 use crate::rules::RULES;
@@ -78,23 +79,23 @@ fn counterpart(name: &str) -> Option<(String, Stage)> {
 }
 
 /// Reads the other stage of a shader file, if there is one.
-pub(super) fn load(read: &mut Read, name: &str, world: World) -> Option<Part> {
-    let [part] = read.parts.as_slice() else {
+pub(super) fn load(input: &mut Input, name: &str, world: World) -> Option<Part> {
+    let [part] = input.parts.as_slice() else {
         return None;
     };
-    if !may_be_linked(part) || !read.embedded.is_empty() {
+    if !may_be_linked(part) || !input.embedded.is_empty() {
         return None;
     }
     let stage = part.reading()?.stage;
     let (name, text) = find(name, world)?;
-    let problems = read.problems.len();
+    let problems = input.problems.len();
     let file =
-        Arc::make_mut(&mut read.sources).add(name.as_str(), None, Role::User, text.clone())?;
-    let made = shader_part(read, &name, file, &text, world);
-    let other = (read.parts.len() > 1).then(|| read.parts.pop()).flatten();
+        Arc::make_mut(&mut input.sources).add(name.as_str(), None, Role::User, text.clone())?;
+    let made = shader_part(input, &name, file, &text, world);
+    let other = (input.parts.len() > 1).then(|| input.parts.pop()).flatten();
     // What is wrong with that file is told of that file.
-    let is_well = read.problems.len() == problems;
-    read.problems.truncate(problems);
+    let is_well = input.problems.len() == problems;
+    input.problems.truncate(problems);
     made?;
     other.filter(|o| is_well && may_be_linked(o) && o.reading().is_some_and(|r| r.stage != stage))
 }
@@ -110,25 +111,25 @@ fn may_be_linked(part: &Part) -> bool {
 
 /// Finds what keeps the shaders of an input from being linked, each with its partner.
 pub(super) fn check(
-    read: &Read,
+    input: &Input,
     partner: Option<&Part>,
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    if let (Some(other), [own]) = (partner, read.parts.as_slice()) {
+    if let (Some(other), [own]) = (partner, input.parts.as_slice()) {
         if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
-            link_parts(&read.sources, own, other, |_, _| {}, diagnostics);
+            link_parts(&input.sources, own, other, |_, _| {}, diagnostics);
         }
         return;
     }
-    let file = read.file.and_then(|id| read.sources.file(id));
-    let Some(file) = file.filter(|_| read.embedded.len() > 1) else {
+    let file = input.file.and_then(|id| input.sources.file(id));
+    let Some(file) = file.filter(|_| input.embedded.len() > 1) else {
         return;
     };
     let Some(language) = DocumentLanguage::of_extension(&ending(&file.path)) else {
         return;
     };
-    let parts = programs(read, file.base);
+    let parts = programs(input, file.base);
     // Texts show pieces of many programs.
     let only = match language {
         DocumentLanguage::Markdown => return,
@@ -138,14 +139,14 @@ pub(super) fn check(
     let mut pairs: Vec<(usize, usize)> = match only {
         Some(only) => vec![only],
         None => {
-            let groups = together(language, &file.text, &read.embedded);
+            let groups = together(language, &file.text, &input.embedded);
             let pairs = groups.iter().map(|g| pair(&parts, &mut g.iter().copied()));
             pairs.flatten().collect()
         }
     };
     pairs.sort_unstable();
     pairs.dedup();
-    let length = |i: usize| read.embedded.get(i).map_or(0, |e| e.code.len());
+    let length = |i: usize| input.embedded.get(i).map_or(0, |e| e.code.len());
     let mut budget = MAX_SHARED * file.text.len();
     for (vertex, fragment) in pairs {
         let cost = length(vertex) + length(fragment);
@@ -163,17 +164,17 @@ pub(super) fn check(
                 missing = lacking(vertex, fragment, asked(language, &file.text));
             }
         };
-        link_parts(&read.sources, vertex, fragment, more, diagnostics);
+        link_parts(&input.sources, vertex, fragment, more, diagnostics);
         let missing = missing.into_iter();
         diagnostics.extend(missing.filter_map(|m| report_lacking(m, file.base, settings)));
     }
 }
 
 /// By shader of a page: the part that it was made to, where it may be one of a program.
-fn programs(read: &Read, base: u32) -> Vec<Option<&Part>> {
-    let by_start = read.parts.iter().flat_map(|part| {
+fn programs(input: &Input, base: u32) -> Vec<Option<&Part>> {
+    let by_start = input.parts.iter().flat_map(|part| {
         let files = part.reading().map_or(&[][..], |r| r.files.as_slice());
-        let codes = files.iter().filter_map(|id| read.sources.code(*id));
+        let codes = files.iter().filter_map(|id| input.sources.code(*id));
         codes.map(move |code| (code.base, part))
     });
     let by_start: HashMap<u32, &Part> = by_start.collect();
@@ -181,7 +182,7 @@ fn programs(read: &Read, base: u32) -> Vec<Option<&Part>> {
         let part = *by_start.get(&(base + embedded.start as u32))?;
         part.may_be_program().then_some(part)
     };
-    read.embedded.iter().map(of).collect()
+    input.embedded.iter().map(of).collect()
 }
 
 /// The vertex and the fragment shader among some, where there is one of each.

@@ -1,9 +1,8 @@
 //! How a text is read: as a whole shader, or as a part that a host completes, in each way in which
 //! it may do so.
 
-use super::host::prelude;
 use super::options::{DialectChoice, Options};
-use super::part::{behind_version, with_host};
+use super::prelude::{behind_version, prelude, with_host};
 use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::host::{HostVersion, Preset};
 use crate::semantic::snippet::is_body;

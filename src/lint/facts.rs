@@ -2,7 +2,8 @@
 
 use super::broken::Broken;
 use super::march::{March, marches};
-use super::words::{Unseen, count};
+use super::unseen::Unseen;
+use super::words::count;
 use crate::flow::defs::Defs;
 use crate::flow::ranges::{Interval, Query, Ranges};
 use crate::flow::{

@@ -17,6 +17,7 @@ mod run;
 mod same;
 mod settings;
 mod suppress;
+mod unseen;
 mod words;
 
 pub use broken::Broken;
@@ -34,4 +35,4 @@ pub use run::{Unrun, lint, lint_within};
 pub use same::{code_hash, same_code};
 pub use settings::{Failing, Reach, Renderer, Settings, UnknownRule, nearest_name, nearest_rule};
 pub use suppress::Allows;
-pub use words::Unseen;
+pub use unseen::Unseen;

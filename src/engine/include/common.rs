@@ -1,66 +1,15 @@
 //! ShaderToy's passes in files of their own: the Common file of a folder stands before the others.
 
-use super::super::World;
-use super::super::files::Files;
 use super::super::options::{DialectChoice, Options};
+use super::super::world::World;
+use super::passes::{Passes, role};
 use crate::port::PassRole;
 use crate::semantic::{GuessedKind, Pass, guess};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Endings of the files that hold passes.
-const ENDINGS: [&str; 4] = ["glsl", "frag", "fs", "shadertoy"];
 /// Largest pass that is looked into for what it is, in bytes.
 const MAX_PASS: usize = 1024 * 1024;
-/// Most files of a folder that are looked at.
-const MAX_FILES: usize = 10_000;
-
-/// The files of a folder that are called like passes.
-#[derive(Default, Debug)]
-pub struct Passes(Vec<(PassRole, String, PathBuf)>);
-
-impl Passes {
-    /// Those of this folder.
-    pub fn inside(files: &dyn Files, folder: &Path) -> Passes {
-        let names = files.names(folder).into_iter().take(MAX_FILES);
-        let mut found: Vec<_> = names
-            .filter_map(|name| {
-                let (role, prefix) = role(&name)?;
-                Some((role, prefix, folder.join(name)))
-            })
-            .collect();
-        found.sort();
-        Passes(found)
-    }
-
-    /// The passes that belong to the same project as a file: all of the folder, or, where it holds
-    /// several projects, those whose names start alike. None where one of them is there twice.
-    fn project(&self, prefix: &str) -> Vec<(PassRole, &Path)> {
-        let is_one = |all: &[(PassRole, &Path)]| {
-            let mut roles: Vec<PassRole> = all.iter().map(|(role, _)| *role).collect();
-            roles.sort();
-            roles
-                .windows(2)
-                .all(|pair| !matches!(pair, [a, b] if a == b))
-        };
-        let files = || self.0.iter();
-        let mut prefixes: Vec<&str> = files().map(|(_, p, _)| p.as_str()).collect();
-        prefixes.retain(|p| !p.is_empty());
-        prefixes.sort_unstable();
-        prefixes.dedup();
-        let of = |is_in: &dyn Fn(&str) -> bool| {
-            let inside = files().filter(|(_, p, _)| is_in(p));
-            inside.map(|(r, _, path)| (*r, path.as_path())).collect()
-        };
-        let whole: Vec<_> = of(&|_| true);
-        if prefixes.len() < 2 && is_one(&whole) {
-            return whole;
-        }
-        let alike: Vec<_> = of(&|p| p == prefix);
-        if is_one(&alike) { alike } else { Vec::new() }
-    }
-}
-
 /// The Common file that stands before a pass, if it is one.
 pub fn common_of(name: &str, text: &str, world: World) -> Option<PathBuf> {
     let (role, prefix) = role(file_name(name))?;
@@ -114,60 +63,4 @@ fn is_pass(text: &str) -> bool {
 
 fn file_name(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or(path)
-}
-
-/// What a file is for by its name, and what stands before that in it.
-fn role(name: &str) -> Option<(PassRole, String)> {
-    let (stem, ending) = name.rsplit_once('.')?;
-    if !ENDINGS.contains(&ending.to_ascii_lowercase().as_str()) {
-        return None;
-    }
-    let role = PassRole::of_name(stem)?;
-    let mut starts = stem.char_indices().map(|(at, _)| at).rev();
-    let behind = |at: &usize| PassRole::of_name(stem.get(*at..).unwrap_or("")) == Some(role);
-    let prefix = stem.get(..starts.find(behind)?)?;
-    let prefix = prefix.trim_end_matches(|c: char| !c.is_alphanumeric());
-    Some((role, prefix.to_lowercase()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_tell_passes_and_projects() {
-        let told = |name: &str| role(name).map(|(r, p)| (r.name(), p));
-        let some = |role, prefix: &str| Some((role, prefix.to_string()));
-        assert_eq!(told("Common.glsl"), some("common", ""));
-        assert_eq!(told("BufferA.frag"), some("buffer_a", ""));
-        assert_eq!(told("Ocean-Image.GLSL"), some("image", "ocean"));
-        assert_eq!(told("ocean.buf_b.glsl"), some("buffer_b", "ocean"));
-        assert_eq!(told("noise.glsl"), None);
-        assert_eq!(told("image.png"), None);
-    }
-
-    #[test]
-    fn a_pile_of_images_is_no_project() {
-        let passes = |names: &[&str]| {
-            let mut found: Vec<_> = names
-                .iter()
-                .map(|n| {
-                    let (role, prefix) = role(n).unwrap();
-                    (role, prefix, PathBuf::from(n))
-                })
-                .collect();
-            found.sort();
-            Passes(found)
-        };
-        let count = |names: &[&str], prefix: &str| passes(names).project(prefix).len();
-        assert_eq!(count(&["Image.glsl", "Common.glsl"], ""), 2);
-        assert_eq!(
-            count(&["a-image.glsl", "common.glsl", "a-buf_a.glsl"], "a"),
-            3
-        );
-        let two = ["a-image.glsl", "b-image.glsl", "a-common.glsl"];
-        assert_eq!(count(&two, "a"), 2);
-        assert_eq!(count(&two, "b"), 1);
-        assert_eq!(count(&["image.glsl", "image.frag", "common.glsl"], ""), 0);
-    }
 }

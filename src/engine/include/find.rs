@@ -1,9 +1,10 @@
 //! Where the files lie that a shader names, and what they hold.
 
-use super::super::World;
 use super::super::files::{FileType, Files};
+use super::super::options::Includes;
 use super::super::path::{plain, tidy};
-use super::scan::{Manner, Scan, Wanted, scan};
+use super::super::world::World;
+use super::scan::{IncludedFile, Manner, Wanted};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -14,35 +15,6 @@ const MAX_PACKAGE: usize = 1024 * 1024;
 const ENDINGS: [&str; 5] = ["glsl", "vert", "frag", "vs", "fs"];
 /// The folder that packages lie in.
 const PACKAGES: &str = "node_modules";
-
-/// Where `#include` finds its files.
-#[derive(Clone, Default, Debug)]
-pub struct Includes {
-    /// The folder that no include may leave, from the root and without links; empty where any file
-    /// may be included.
-    pub root: PathBuf,
-    /// What a leading `/` may stand for, the nearest first.
-    pub tops: Vec<PathBuf>,
-    /// The folders that are searched behind that of the file: `include_roots` of the configuration.
-    pub roots: Vec<PathBuf>,
-}
-
-/// A file that is put in, and what stands in it.
-#[derive(Debug)]
-pub struct IncludedFile {
-    /// Its text.
-    pub text: Arc<str>,
-    /// Its directives.
-    pub scan: Scan,
-}
-
-impl IncludedFile {
-    /// Reads a text.
-    pub fn new(text: Arc<str>) -> IncludedFile {
-        let scan = scan(&text);
-        IncludedFile { text, scan }
-    }
-}
 
 /// A file that was found.
 #[derive(Clone)]

@@ -4,19 +4,19 @@
 mod common;
 mod find;
 mod module;
-mod scan;
+pub(super) mod passes;
+pub(super) mod scan;
 
-pub use common::{Passes, is_common};
-pub use find::{Absence, IncludedFile, Includes};
+pub use common::is_common;
+pub use find::Absence;
 
-use super::World;
-use super::document::Read;
 use super::path::tidy;
+use super::world::World;
 use crate::diagnostic::{Diagnostic, Severity, error};
 use crate::text::{FileId, Role, Sources, Span};
 use find::{Absent, Found, is_of_package};
 use module::Modules;
-use scan::{Directive, Form, Manner, Wanted};
+use scan::{Directive, Form, IncludedFile, Manner, Wanted};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -36,6 +36,10 @@ pub struct Spread {
     pub is_open: bool,
     /// What is not found.
     pub missing: Vec<MissingInclude>,
+    /// What is wrong with the directives.
+    pub problems: Vec<Diagnostic>,
+    /// Files whose findings are not told here.
+    pub hushed: Hushed,
 }
 
 /// A file that is named and not put in.
@@ -65,6 +69,11 @@ enum Hush {
 }
 
 impl Hushed {
+    /// Adds those of another shader.
+    pub fn extend(&mut self, others: Hushed) {
+        self.0.extend(others.0);
+    }
+
     /// Whether a finding is told.
     pub fn admits(&self, sources: &Sources, diagnostic: &Diagnostic) -> bool {
         if self.0.is_empty() {
@@ -82,7 +91,7 @@ impl Hushed {
 /// Puts files in the place of the directives that name them, and the Common file of a ShaderToy
 /// project before its passes.
 pub(super) fn spread(
-    read: &mut Read,
+    sources: &mut Arc<Sources>,
     name: &str,
     file: FileId,
     text: &str,
@@ -95,12 +104,14 @@ pub(super) fn spread(
     let own = own.then(|| Arc::new(IncludedFile::new(text.into())));
     let own = own.filter(|own| !own.scan.directives.is_empty());
     let mut spreader = Spreader {
-        read,
+        sources,
         world,
         found: Spread {
             files: Vec::new(),
             is_open: false,
             missing: Vec::new(),
+            problems: Vec::new(),
+            hushed: Hushed::default(),
         },
         open: Vec::new(),
         seen: HashMap::new(),
@@ -131,7 +142,7 @@ pub(super) fn spread(
 
 /// Puts a shader together.
 struct Spreader<'r, 'w> {
-    read: &'r mut Read,
+    sources: &'r mut Arc<Sources>,
     world: World<'w>,
     found: Spread,
     /// The files that are being put in, each named by the one before.
@@ -192,14 +203,14 @@ impl Spreader<'_, '_> {
         let text = found.file.text.clone();
         let id = self.add(&found.name, text)?;
         if self.world.options.checked.contains(&found.name) {
-            self.read.hushed.0.insert(id, Hush::All);
+            self.found.hushed.0.insert(id, Hush::All);
         }
         self.open(found.name, found.real, id, found.file);
         self.run()
     }
 
     fn add(&mut self, path: &str, text: impl Into<Arc<str>>) -> Option<FileId> {
-        Arc::make_mut(&mut self.read.sources).add(path, None, Role::User, text)
+        Arc::make_mut(self.sources).add(path, None, Role::User, text)
     }
 
     fn open(&mut self, name: String, real: PathBuf, file: FileId, text: Arc<IncludedFile>) {
@@ -226,19 +237,17 @@ impl Spreader<'_, '_> {
             last.next += 1;
             let Some(directive) = directive else {
                 let rest = last.text.text.get(last.done..)?;
-                let piece =
-                    Arc::make_mut(&mut self.read.sources).embed(last.file, last.done, rest)?;
+                let piece = Arc::make_mut(self.sources).embed(last.file, last.done, rest)?;
                 self.found.files.push(piece);
                 self.found.files.extend(last.close);
                 self.open.pop();
                 continue;
             };
             let before = last.text.text.get(last.done..directive.start)?;
-            let piece =
-                Arc::make_mut(&mut self.read.sources).embed(last.file, last.done, before)?;
+            let piece = Arc::make_mut(self.sources).embed(last.file, last.done, before)?;
             self.found.files.push(piece);
             last.done = directive.end;
-            let base = self.read.sources.file(last.file)?.base;
+            let base = self.sources.file(last.file)?.base;
             let span = Span::new(base + directive.start as u32, base + directive.end as u32);
             let from = last.name.clone();
             self.directive(&from, &directive, span)?;
@@ -310,7 +319,7 @@ impl Spreader<'_, '_> {
             Way::Circle => {
                 let message = format!("`{}` includes itself", directive.wanted.path);
                 let problem = Diagnostic::error(error::BAD_DIRECTIVE, span, message);
-                self.read.problems.push(problem);
+                self.found.problems.push(problem);
                 return Some(());
             }
             Way::Put => {}
@@ -325,7 +334,7 @@ impl Spreader<'_, '_> {
         self.budget -= 1;
         let id = self.add(&found.name, found.file.text.clone())?;
         if is_of_package(Path::new(&found.name)) && !self.is_in_package {
-            self.read.hushed.0.insert(id, Hush::Rules);
+            self.found.hushed.0.insert(id, Hush::Rules);
         }
         self.open(found.name, found.real, id, found.file);
         let last = self.open.last_mut()?;
@@ -334,7 +343,7 @@ impl Spreader<'_, '_> {
     }
 
     fn prelude(&mut self, text: &str) -> Option<FileId> {
-        Arc::make_mut(&mut self.read.sources).add("", None, Role::Prelude, text)
+        Arc::make_mut(self.sources).add("", None, Role::Prelude, text)
     }
 
     /// Bundlers differ in what they do with a file that is named twice; what is certain is that a
@@ -398,7 +407,7 @@ impl Spreader<'_, '_> {
                 self.budget -= 1;
                 let id = self.add(&found.name, text)?;
                 // Its text is not what stands in the file.
-                self.read.hushed.0.insert(id, Hush::All);
+                self.found.hushed.0.insert(id, Hush::All);
                 self.found.files.push(id);
             }
             _ => {}

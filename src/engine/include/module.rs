@@ -1,7 +1,7 @@
 //! Modules of glslify. Each has its names for itself: what it declares gets a number behind its
 //! name, as glslify does it, and what it exports the name under which it is asked for.
 
-use super::super::World;
+use super::super::world::World;
 use super::find::{Absent, Found};
 use super::scan::{Directive, Form};
 use crate::syntax::{Lexer, RawKind, TokenKind};

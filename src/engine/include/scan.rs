@@ -2,6 +2,7 @@
 //! shader twice.
 
 use crate::syntax::{Lexer, RawKind, TokenKind};
+use std::sync::Arc;
 
 /// Most times that reading starts anew behind a path with the signs of a comment in it.
 const MAX_STARTS: usize = 64;
@@ -394,6 +395,23 @@ fn skip_line(lexer: &mut Lexer, stop: usize) -> usize {
             _ if (token.span.start as usize) < stop => reached = token.span.end as usize,
             _ => {}
         }
+    }
+}
+
+/// A file that is put in, and what stands in it.
+#[derive(Debug)]
+pub struct IncludedFile {
+    /// Its text.
+    pub text: Arc<str>,
+    /// Its directives.
+    pub scan: Scan,
+}
+
+impl IncludedFile {
+    /// Reads a text.
+    pub fn new(text: Arc<str>) -> IncludedFile {
+        let scan = scan(&text);
+        IncludedFile { text, scan }
     }
 }
 

@@ -2,18 +2,15 @@
 
 use super::mistake::{Mistake, none_of};
 use super::rules::Rules;
+use super::word_or::WordOr;
 use crate::engine::options::{Desktop, DialectChoice, HostNames, HostUniform};
 use crate::host::{PRESETS, Preset, preset};
 use crate::lint::Renderer;
 use crate::syntax::{Version, WordClass, classify};
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use schemars::JsonSchema;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Error, IntoDeserializer, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::fmt;
-use std::marker::PhantomData;
 use std::sync::Arc;
 use toml::Spanned;
 
@@ -65,39 +62,6 @@ pub struct Override {
     /// Levels and options of rules and groups
     #[serde(default)]
     pub rules: Rules,
-}
-
-/// A word, or a table that says more.
-#[derive(JsonSchema)]
-#[schemars(untagged)]
-pub enum WordOr<W, T> {
-    /// `host = "three"`
-    Word(W),
-    /// `host = { preset = "three", uniforms = {} }`
-    Table(T),
-}
-
-/// As serde reads untagged enums, but with the place of what is wrong in the table.
-impl<'de, W: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for WordOr<W, T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Either<W, T>(PhantomData<WordOr<W, T>>);
-        impl<'de, W: Deserialize<'de>, T: Deserialize<'de>> Visitor<'de> for Either<W, T> {
-            type Value = WordOr<W, T>;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a word in quotes, or a table")
-            }
-
-            fn visit_str<E: Error>(self, word: &str) -> Result<Self::Value, E> {
-                W::deserialize(word.into_deserializer()).map(WordOr::Word)
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<Self::Value, A::Error> {
-                T::deserialize(MapAccessDeserializer::new(table)).map(WordOr::Table)
-            }
-        }
-        deserializer.deserialize_any(Either(PhantomData))
-    }
 }
 
 /// What the host declares.

@@ -4,6 +4,7 @@ mod file;
 mod mistake;
 mod rules;
 mod schema;
+mod word_or;
 
 pub use schema::schema;
 

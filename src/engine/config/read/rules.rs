@@ -2,8 +2,8 @@
 //! type.
 
 use super::super::Adjustment;
-use super::file::WordOr;
 use super::mistake::{Mistake, none_of, unknown_key};
+use super::word_or::WordOr;
 use crate::diagnostic::{ERRORS, Severity};
 use crate::lint::{Failing, OptionValue, Reach, Rule, RuleOption, nearest_rule};
 use crate::rules::RULES;

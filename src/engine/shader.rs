@@ -1,0 +1,84 @@
+//! A shader that is a file of its own.
+
+use super::include::{is_common, spread};
+use super::input::Input;
+use super::options::{DialectChoice, Options};
+use super::part::Part;
+use super::reading::{InputText, Readings, Surroundings};
+use super::world::World;
+use crate::semantic::{Guess, GuessedKind, Stage, guess};
+use crate::text::FileId;
+use crate::text::embed::{Embedder, mask};
+use crate::text::kind::ending;
+use std::sync::Arc;
+
+/// Makes the one shader of a shader file. `None` where it is too large.
+pub(super) fn shader_part(
+    input: &mut Input,
+    name: &str,
+    file: FileId,
+    text: &str,
+    world: World,
+) -> Option<()> {
+    let options = world.options;
+    let extension = ending(name);
+    let stage = match extension.as_str() {
+        "vert" | "vs" | "vsh" => Some(Stage::Vertex),
+        "frag" | "fs" | "fsh" => Some(Stage::Fragment),
+        _ => None,
+    };
+    let told = guess(text);
+    let masked = match may_be_template(text, &told, options) {
+        true => mask(text),
+        false => None,
+    };
+    let has_holes = masked.is_some();
+    let (files, is_open, missing) = match masked {
+        Some(code) => (
+            vec![Arc::make_mut(&mut input.sources).embed(file, 0, code)?],
+            true,
+            Vec::new(),
+        ),
+        None => {
+            let own = spread(&mut input.sources, name, file, text, world)?;
+            input.problems.extend(own.problems);
+            input.hushed.extend(own.hushed);
+            (own.files, own.is_open, own.missing)
+        }
+    };
+    let about = InputText {
+        files,
+        stage,
+        surroundings: match stage {
+            _ if is_common(name, text, world) => Surroundings::CommonFile,
+            Some(_) => Surroundings::StageFile,
+            None => Surroundings::File,
+        },
+        is_open,
+        is_300: false,
+        has_holes,
+    };
+    let readings = Readings::of(
+        Arc::make_mut(&mut input.sources),
+        (text, told),
+        about,
+        options,
+    )?;
+    let first = readings.all.first()?;
+    input.parts.push(Part {
+        infer_channels: first.dialect.is_shadertoy(),
+        readings,
+        embedder: Embedder::default(),
+        missing,
+        analysis: None,
+    });
+    Some(())
+}
+
+/// Whether a program may fill holes in a shader file. In a text that shows itself to be whole only
+/// what has no meaning in GLSL and two ends is one.
+fn may_be_template(text: &str, told: &Guess, options: &Options) -> bool {
+    let is_whole = told.kind.is_some_and(GuessedKind::is_whole);
+    let has_ends = ["${", "{{", "<%", "{%"].iter().any(|s| text.contains(s));
+    options.dialect == DialectChoice::Auto && (has_ends || !is_whole)
+}

@@ -1,0 +1,42 @@
+//! Words that the compiler does not see: a name in a group that `#if` left out, or in a macro that
+//! nothing calls, may be needed once a switch is set.
+
+use super::broken::Broken;
+use super::words::each_word;
+use crate::semantic::Program;
+use crate::syntax::TokenKind;
+use rustc_hash::FxHashSet;
+
+/// The words that the compiler does not see.
+#[derive(Default, Debug)]
+pub struct Unseen<'a>(FxHashSet<&'a str>);
+
+impl<'a> Unseen<'a> {
+    /// Reads what `#if` left out, the macros that are never expanded, and what has errors.
+    pub fn of(program: &'a Program, broken: &Broken<'a>) -> Unseen<'a> {
+        let mut words: FxHashSet<&'a str> = broken.words().collect();
+        let tokens = &program.tokens;
+        for &span in &tokens.inactive {
+            each_word(program.sources.text(span), |word| {
+                words.insert(word);
+            });
+        }
+        let called: FxHashSet<u32> = tokens.expansions.iter().map(|e| e.definition.0).collect();
+        for (i, definition) in tokens.macros.iter().enumerate() {
+            if definition.predefined || called.contains(&(i as u32)) {
+                continue;
+            }
+            for piece in &definition.body {
+                if piece.token.kind == TokenKind::Identifier && piece.token.is_direct() {
+                    words.insert(program.sources.text(piece.token.span));
+                }
+            }
+        }
+        Unseen(words)
+    }
+
+    /// Whether a word stands where the compiler does not see it.
+    pub fn has(&self, word: &str) -> bool {
+        self.0.contains(word)
+    }
+}
