@@ -1,7 +1,6 @@
 //! Who runs the shader, and what that host puts around it.
 
-use super::builtins::{BuiltinId, Stage};
-use super::checker::LEGACY_FUNCTIONS;
+use super::builtins::{BuiltinId, LEGACY_FUNCTIONS, Stage};
 use super::types::Sampler;
 use crate::syntax::{Feature, Version};
 

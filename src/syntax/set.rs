@@ -152,6 +152,28 @@ pub const FOLLOWS_NAME: TokenSet = TokenSet::of(&[
 pub const FOLLOWS_USE: TokenSet =
     ASSIGNMENTS.and(&[T::Dot, T::LeftParen, T::Increment, T::Decrement]);
 
+impl TokenKind {
+    /// Whether the token alone is an operand.
+    pub fn is_operand(self) -> bool {
+        OPERANDS.contains(self)
+    }
+
+    /// Whether an operand may start with the token.
+    pub fn starts_operand(self) -> bool {
+        STARTS_OPERAND.contains(self)
+    }
+
+    /// Whether an operand may end with the token.
+    pub fn ends_operand(self) -> bool {
+        ENDS_OPERAND.contains(self)
+    }
+
+    /// Whether the token stands between two operands, of which it changes none (section 5.1).
+    pub fn is_binary_operator(self) -> bool {
+        BINARY_OPERATORS.contains(self)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,5 @@
 //! Tokens, before and after the preprocessor.
 
-use super::set;
 use crate::text::Span;
 
 /// What a piece of raw text is, before the preprocessor has looked at it.
@@ -79,28 +78,6 @@ pub enum TokenKind {
     AndAnd, OrOr, XorXor, Not, Tilde, And, Or, Xor, ShiftLeft, ShiftRight, Increment, Decrement,
     Equal, PlusEqual, MinusEqual, StarEqual, SlashEqual, PercentEqual, ShiftLeftEqual,
     ShiftRightEqual, AndEqual, OrEqual, XorEqual,
-}
-
-impl TokenKind {
-    /// Whether the token alone is an operand.
-    pub fn is_operand(self) -> bool {
-        set::OPERANDS.contains(self)
-    }
-
-    /// Whether an operand may start with the token.
-    pub fn starts_operand(self) -> bool {
-        set::STARTS_OPERAND.contains(self)
-    }
-
-    /// Whether an operand may end with the token.
-    pub fn ends_operand(self) -> bool {
-        set::ENDS_OPERAND.contains(self)
-    }
-
-    /// Whether the token stands between two operands, of which it changes none (section 5.1).
-    pub fn is_binary_operator(self) -> bool {
-        set::BINARY_OPERATORS.contains(self)
-    }
 }
 
 /// A token as the parser sees it, with the place it came from.

@@ -67,6 +67,17 @@ impl BuiltinId {
     }
 }
 
+/// Functions of GLSL ES 1.00 and its extensions, and what took their place.
+#[rustfmt::skip]
+pub const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
+    ("texture2D", "texture"), ("texture2DProj", "textureProj"), ("texture2DLod", "textureLod"),
+    ("texture2DProjLod", "textureProjLod"), ("textureCube", "texture"),
+    ("textureCubeLod", "textureLod"), ("texture3D", "texture"), ("texture2DLodEXT", "textureLod"),
+    ("texture2DProjLodEXT", "textureProjLod"), ("textureCubeLodEXT", "textureLod"),
+    ("texture2DGradEXT", "textureGrad"), ("texture2DProjGradEXT", "textureProjGrad"),
+    ("textureCubeGradEXT", "textureGrad"), ("shadow2D", "texture"),
+];
+
 /// One form of a built-in function.
 #[derive(Clone, Copy, Debug)]
 pub struct Overload {

@@ -1,6 +1,6 @@
 //! Calls of functions (GLSL ES 3.00 section 6.1).
 
-use super::super::builtins::{BuiltinId, BuiltinKind, Overload};
+use super::super::builtins::{BuiltinId, BuiltinKind, LEGACY_FUNCTIONS, Overload};
 use super::super::constant::Value;
 use super::*;
 use crate::semantic::explain::note_written;
@@ -114,7 +114,7 @@ impl Checker<'_> {
 
     /// The result of a lookup of GLSL ES 1.00, so that its one error is not followed by others.
     fn result_of_legacy(&self, name: Name) -> ExprInfo {
-        let is_legacy = super::names::LEGACY_FUNCTIONS
+        let is_legacy = LEGACY_FUNCTIONS
             .iter()
             .any(|(old, _)| *old == self.text(name));
         let ty = if is_legacy {

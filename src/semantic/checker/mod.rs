@@ -57,7 +57,7 @@ pub(super) use function::FunctionError;
 pub(super) use interface::InterfaceError;
 pub(super) use layout::LayoutError;
 pub(super) use limits::LimitError;
-pub(super) use names::{LEGACY_FUNCTIONS, NameError, Owner};
+pub(super) use names::{NameError, Owner};
 pub(super) use output::OutputError;
 pub(super) use place::{PlaceError, Writer};
 use qualifier::Precisions;

@@ -1,18 +1,7 @@
 //! Names: what they stand for.
 
-use super::super::builtins::{BuiltinStorage, BuiltinVariable};
+use super::super::builtins::{BuiltinStorage, BuiltinVariable, LEGACY_FUNCTIONS};
 use super::*;
-
-/// Functions of GLSL ES 1.00 and its extensions, and what took their place.
-#[rustfmt::skip]
-pub(in crate::semantic) const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
-    ("texture2D", "texture"), ("texture2DProj", "textureProj"), ("texture2DLod", "textureLod"),
-    ("texture2DProjLod", "textureProjLod"), ("textureCube", "texture"),
-    ("textureCubeLod", "textureLod"), ("texture3D", "texture"), ("texture2DLodEXT", "textureLod"),
-    ("texture2DProjLodEXT", "textureProjLod"), ("textureCubeLodEXT", "textureLod"),
-    ("texture2DGradEXT", "textureGrad"), ("texture2DProjGradEXT", "textureProjGrad"),
-    ("textureCubeGradEXT", "textureGrad"), ("shadow2D", "texture"),
-];
 
 /// What is wrong with a name that is declared.
 #[derive(Clone, Copy, Debug)]
