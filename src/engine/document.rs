@@ -3,7 +3,7 @@
 use super::analysis::Analysis;
 use super::export::Written;
 use super::host::Hosts;
-use super::input::Input;
+use super::input::SplitInput;
 use super::options::Desktop;
 use super::part::{Part, Shader, ask_first, check_part};
 use super::shader::shader_part;
@@ -184,7 +184,7 @@ struct Told {
     judged: Option<Judged>,
 }
 
-fn check_parts(input: &mut Input, name: &str, world: World, keep: Keep) -> Told {
+fn check_parts(input: &mut SplitInput, name: &str, world: World, keep: Keep) -> Told {
     let mut told = Told::default();
     let script = input.file.and_then(|id| input.sources.file(id));
     let script = script
@@ -212,9 +212,9 @@ fn check_parts(input: &mut Input, name: &str, world: World, keep: Keep) -> Told 
     told
 }
 
-fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Input, Unread> {
+fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<SplitInput, Unread> {
     let options = world.options;
-    let mut input = Input::default();
+    let mut input = SplitInput::default();
     match decision.kind {
         FileKind::Other => return Err(Unread::Skipped(decision)),
         FileKind::Foreign(_) if options.desktop == Desktop::Skip => {
@@ -277,7 +277,7 @@ fn unreadable(text: &str, encoding: Encoding) -> Option<Diagnostic> {
 
 /// Reports bytes that are no UTF-8, at this offset of the file, where nothing else is said of
 /// them: a comment may hold them.
-fn report_damage(input: &Input, offset: u32, diagnostics: &mut Vec<Diagnostic>) {
+fn report_damage(input: &SplitInput, offset: u32, diagnostics: &mut Vec<Diagnostic>) {
     let Some(file) = input.file.and_then(|id| input.sources.file(id)) else {
         return;
     };

@@ -1,7 +1,7 @@
 //! Shaders inside pages, scripts and texts.
 
 use super::foreign;
-use super::input::Input;
+use super::input::SplitInput;
 use super::options::Options;
 use super::part::Part;
 use super::reading::{InputText, Readings, Surroundings};
@@ -21,7 +21,7 @@ const MAX_SCOPES: usize = 100;
 
 /// Makes the shaders of a file. `None` where they are too large.
 pub(super) fn parts(
-    input: &mut Input,
+    input: &mut SplitInput,
     language: DocumentLanguage,
     file: FileId,
     text: &str,
@@ -73,7 +73,7 @@ fn speaks_of_300(all: &[Embedded]) -> bool {
 }
 
 fn part(
-    input: &mut Input,
+    input: &mut SplitInput,
     file: FileId,
     embedded: &Embedded,
     around: Around,
@@ -120,7 +120,7 @@ fn part(
 /// Makes a shader of an excerpt: its functions and directives, then its statements in a function.
 /// Each declaration opens a scope of its own, since texts show the same name in several ways.
 fn excerpt(
-    input: &mut Input,
+    input: &mut SplitInput,
     file: FileId,
     embedded: &Embedded,
     known: &mut Known,

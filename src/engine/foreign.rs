@@ -1,7 +1,7 @@
 //! Shaders in languages that WebGL does not compile: GLSL for OpenGL and Vulkan, HLSL, Metal, WGSL.
 //! One thing is said of each, and nothing is mended unasked.
 
-use super::input::Input;
+use super::input::SplitInput;
 use super::options::{Desktop, Options};
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
 use crate::text::embed::Embedded;
@@ -15,7 +15,7 @@ pub fn is_ported(tongue: Tongue, options: &Options) -> bool {
 
 /// Says what is to be said of a file.
 pub(super) fn whole(
-    input: &mut Input,
+    input: &mut SplitInput,
     file: FileId,
     text: &str,
     tongue: Tongue,
@@ -31,7 +31,7 @@ pub(super) fn whole(
 /// Says what is to be said of a shader inside a file, if it is such a one. Gives whether it is, so
 /// that nothing else is said.
 pub(super) fn inside(
-    input: &mut Input,
+    input: &mut SplitInput,
     file: FileId,
     embedded: &Embedded,
     options: &Options,

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// An input, split into shaders.
 #[derive(Default)]
-pub struct Input {
+pub struct SplitInput {
     /// The texts.
     pub sources: Arc<Sources>,
     /// Its shaders.

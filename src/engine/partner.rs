@@ -1,7 +1,7 @@
 //! Vertex and fragment shaders that belong together: which they are, and what keeps them from being
 //! linked.
 
-use super::input::Input;
+use super::input::SplitInput;
 use super::part::Part;
 use super::reading::{Reading, Standing};
 use super::shader::shader_part;
@@ -79,7 +79,7 @@ fn counterpart(name: &str) -> Option<(String, Stage)> {
 }
 
 /// Reads the other stage of a shader file, if there is one.
-pub(super) fn load(input: &mut Input, name: &str, world: World) -> Option<Part> {
+pub(super) fn load(input: &mut SplitInput, name: &str, world: World) -> Option<Part> {
     let [part] = input.parts.as_slice() else {
         return None;
     };
@@ -111,7 +111,7 @@ fn may_be_linked(part: &Part) -> bool {
 
 /// Finds what keeps the shaders of an input from being linked, each with its partner.
 pub(super) fn check(
-    input: &Input,
+    input: &SplitInput,
     partner: Option<&Part>,
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
@@ -171,7 +171,7 @@ pub(super) fn check(
 }
 
 /// By shader of a page: the part that it was made to, where it may be one of a program.
-fn programs(input: &Input, base: u32) -> Vec<Option<&Part>> {
+fn programs(input: &SplitInput, base: u32) -> Vec<Option<&Part>> {
     let by_start = input.parts.iter().flat_map(|part| {
         let files = part.reading().map_or(&[][..], |r| r.files.as_slice());
         let codes = files.iter().filter_map(|id| input.sources.code(*id));

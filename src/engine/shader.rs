@@ -1,7 +1,7 @@
 //! A shader that is a file of its own.
 
 use super::include::{is_common, spread};
-use super::input::Input;
+use super::input::SplitInput;
 use super::options::{DialectChoice, Options};
 use super::part::Part;
 use super::reading::{InputText, Readings, Surroundings};
@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// Makes the one shader of a shader file. `None` where it is too large.
 pub(super) fn shader_part(
-    input: &mut Input,
+    input: &mut SplitInput,
     name: &str,
     file: FileId,
     text: &str,
