@@ -332,6 +332,17 @@ impl Names {
         }
     }
 
+    /// A name like `base` that stands nowhere yet.
+    pub fn unused(&self, base: &str) -> String {
+        let mut name = base.to_string();
+        let mut number = 2;
+        while self.get(&name).is_some() {
+            name = format!("{base}{number}");
+            number += 1;
+        }
+        name
+    }
+
     /// The name of `word` if the shader uses it at all.
     pub fn get(&self, word: &str) -> Option<Name> {
         self.find(key(word), word).ok()

@@ -103,12 +103,6 @@ impl<'a> Checker<'a> {
         let mut chars = text.chars();
         let first = chars.next().map(|c| c.to_ascii_uppercase()).unwrap_or('F');
         let base = format!("my{first}{}", chars.as_str());
-        let mut name = base.clone();
-        let mut number = 2;
-        while self.names.get(&name).is_some() {
-            name = format!("{base}{number}");
-            number += 1;
-        }
-        name
+        self.names.unused(&base)
     }
 }

@@ -331,7 +331,7 @@ impl Checker<'_> {
                 ));
         }
         let d = d.note("a WebGL2 fragment shader writes to an output that it declares itself");
-        let to = self.free_name("fragColor");
+        let to = self.names.unused("fragColor");
         let line = format!("out vec4 {to};");
         let mut edits = self.rename_all(name, &to);
         match self.first_declaration() {
@@ -344,17 +344,6 @@ impl Checker<'_> {
             }
             _ => d.help(format!("declare `{line}` at the top and write to it")),
         }
-    }
-
-    /// A name like `base` that the shader does not use.
-    pub(super) fn free_name(&self, base: &str) -> String {
-        let mut name = base.to_string();
-        let mut number = 2;
-        while self.names.get(&name).is_some() {
-            name = format!("{base}{number}");
-            number += 1;
-        }
-        name
     }
 
     /// Edits that put `to` in the place of every use of a name; none where one stands in a macro.

@@ -89,7 +89,9 @@ impl Checker<'_> {
                     Some(first.to_ascii_lowercase() + rest)
                 })?
             });
-        let copy = self.free_name(&bare.unwrap_or_else(|| format!("{text}Copy")));
+        let copy = self
+            .names
+            .unused(&bare.unwrap_or_else(|| format!("{text}Copy")));
         let line = format!("{} {copy} = {text};", self.name_of(ty));
         let mut edits = vec![Edit::insert(open.span.end, format!("\n    {line}"))];
         edits.extend(self.rename_within(name, body, &copy)?);
@@ -168,7 +170,7 @@ impl Checker<'_> {
                 vec![Edit::delete(span)],
             ));
         }
-        let to = self.free_name(&format!("{}2", self.text(ident.name)));
+        let to = self.names.unused(&format!("{}2", self.text(ident.name)));
         let rest = Extent {
             first: ident.token,
             last: match is_meant {

@@ -143,13 +143,7 @@ impl Parser<'_> {
             .find(|(w, _)| *w == word)
             .map(|(_, n)| n.to_string());
         let base = known.unwrap_or_else(|| format!("{word}Value"));
-        let mut name = base.clone();
-        let mut number = 2;
-        while self.names.get(&name).is_some() {
-            name = format!("{base}{number}");
-            number += 1;
-        }
-        name
+        self.names.unused(&base)
     }
 
     /// Edits that rename every use of a reserved word, or nothing where a use stands in a macro,
