@@ -141,7 +141,7 @@ impl<'a> Facts<'a> {
     /// Which write each read sees.
     pub fn defs(&self) -> &Defs {
         self.defs
-            .get_or_init(|| Defs::of(self.program, self.module()))
+            .get_or_init(|| Defs::of(self.program, self.module(), self.calls()))
     }
 
     /// What numbers values may be.

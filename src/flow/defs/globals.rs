@@ -2,67 +2,44 @@
 
 use super::Slot;
 use super::walk::Walker;
+use crate::flow::Calls;
 use crate::ir::{OpKind, Root};
 use rustc_hash::FxHashSet;
 
 impl Walker<'_> {
     /// By function: the slots of globals that a call of it may write to.
-    pub(super) fn written_globals(&self) -> Vec<Vec<Slot>> {
+    pub(super) fn written_globals(&self, calls: &Calls) -> Vec<Vec<Slot>> {
         let module = self.module;
-        let count = module.functions.len();
-        let mut own: Vec<FxHashSet<Slot>> = vec![FxHashSet::default(); count];
-        let mut callees: Vec<Vec<u32>> = vec![Vec::new(); count];
-        for (number, function) in module.functions.iter().enumerate() {
-            let (Some(own), Some(callees)) = (own.get_mut(number), callees.get_mut(number)) else {
+        let mut own: Vec<FxHashSet<Slot>> = vec![FxHashSet::default(); module.functions.len()];
+        for (function, own) in module.functions.iter().zip(&mut own) {
+            for op in function.ops.ops() {
+                let OpKind::Store(place, _) = module.op(op).kind else {
+                    continue;
+                };
+                let id = module.place(place).variable;
+                let variable = module.variable(id);
+                let global = variable.filter(|v| matches!(v.root, Root::Global | Root::Output));
+                if let Some(variable) = global {
+                    let lanes = 0..self.defs.layout.lanes(variable.ty);
+                    own.extend(lanes.map(|lane| self.defs.slot(id, lane)));
+                }
+            }
+        }
+        for caller in calls.graph().bottom_up() {
+            let Some(mut all) = own.get_mut(caller.0 as usize).map(std::mem::take) else {
                 continue;
             };
-            for op in function.ops.ops() {
-                match module.op(op).kind {
-                    OpKind::Store(place, _) => {
-                        let id = module.place(place).variable;
-                        let variable = module.variable(id);
-                        let is_global =
-                            variable.is_some_and(|v| matches!(v.root, Root::Global | Root::Output));
-                        if is_global && let Some(variable) = variable {
-                            let lanes = 0..self.defs.layout.lanes(variable.ty);
-                            own.extend(lanes.map(|lane| self.defs.slot(id, lane)));
-                        }
-                    }
-                    OpKind::Call(callee, _) => callees.push(callee.0),
-                    _ => {}
-                }
+            let called = calls.graph().callees(caller);
+            all.extend(called.filter_map(|f| own.get(f.0 as usize)).flatten());
+            if let Some(own) = own.get_mut(caller.0 as usize) {
+                *own = all;
             }
         }
-        reach(own, &callees)
+        let sorted = own.into_iter().map(|set| {
+            let mut slots: Vec<Slot> = set.into_iter().collect();
+            slots.sort_unstable();
+            slots
+        });
+        sorted.collect()
     }
-}
-
-/// Adds to what each function writes what those that it calls write.
-fn reach(mut own: Vec<FxHashSet<Slot>>, callees: &[Vec<u32>]) -> Vec<Vec<Slot>> {
-    // A function is mostly defined behind those that it calls, so one or two rounds do.
-    for _ in 0..callees.len().min(64) {
-        let mut is_changed = false;
-        for (number, callees) in callees.iter().enumerate() {
-            for &callee in callees {
-                if callee as usize == number {
-                    continue;
-                }
-                let called = own.get(callee as usize).cloned().unwrap_or_default();
-                if let Some(own) = own.get_mut(number) {
-                    let before = own.len();
-                    own.extend(called);
-                    is_changed |= own.len() > before;
-                }
-            }
-        }
-        if !is_changed {
-            break;
-        }
-    }
-    let sorted = own.into_iter().map(|set| {
-        let mut slots: Vec<Slot> = set.into_iter().collect();
-        slots.sort_unstable();
-        slots
-    });
-    sorted.collect()
 }

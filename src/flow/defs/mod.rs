@@ -15,6 +15,7 @@ mod walk;
 
 pub use condition::{Hop, Refinement, each_comparison, each_load};
 
+use super::Calls;
 use super::layout::Layout;
 use crate::ir::{LoopId, Module, OpId, OpKind, Root};
 use crate::semantic::lists::Lists;
@@ -155,8 +156,8 @@ impl Defs {
     const UNKNOWN: DefId = DefId(0);
 
     /// Finds the definitions of a shader.
-    pub fn of(program: &Program, module: &Module) -> Defs {
-        walk::walk(program, module)
+    pub fn of(program: &Program, module: &Module, calls: &Calls) -> Defs {
+        walk::walk(program, module, calls)
     }
 
     /// A definition.

@@ -3,6 +3,7 @@
 use super::condition::{each_comparison, each_load};
 use super::place::Spot;
 use super::{Def, DefId, Defs, Guard, Refinement, Slot};
+use crate::flow::Calls;
 use crate::flow::layout::{Layout, length_lane};
 use crate::ir::{
     self, Binary, LoopId, Module, OpId, OpKind, PlaceId, Region, Root, Run, Step, SwitchId,
@@ -20,8 +21,8 @@ const AT_LEAST: usize = 1 << 14;
 pub(super) type Changes = Vec<(Slot, DefId)>;
 
 /// Finds the definitions of a shader.
-pub(super) fn walk(program: &Program, module: &Module) -> Defs {
-    let mut walker = Walker::of(program, module);
+pub(super) fn walk(program: &Program, module: &Module, calls: &Calls) -> Defs {
+    let mut walker = Walker::of(program, module, calls);
     let globals = module.globals;
     walker.region(globals);
     walker.roll_back(0);
@@ -96,7 +97,7 @@ fn numbered(sizes: impl Iterator<Item = u32>) -> (Vec<u32>, Vec<u32>) {
 }
 
 impl<'m> Walker<'m> {
-    fn of(program: &Program, module: &'m Module) -> Walker<'m> {
+    fn of(program: &Program, module: &'m Module, calls: &Calls) -> Walker<'m> {
         let layout = Layout::of(program);
         let (slots, variables) = numbered(module.variables.iter().map(|v| layout.lanes(v.ty)));
         let (lanes, owners) = numbered(module.ops.iter().map(|o| layout.lanes(o.ty)));
@@ -140,7 +141,7 @@ impl<'m> Walker<'m> {
             told: Vec::new(),
         };
         walker.define(Def::Unknown);
-        walker.writes = walker.written_globals();
+        walker.writes = walker.written_globals(calls);
         walker
     }
 

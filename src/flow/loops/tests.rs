@@ -1,6 +1,7 @@
 //! How often loops turn.
 
 use super::Loops;
+use crate::flow::Calls;
 use crate::flow::defs::Defs;
 use crate::flow::ranges::{Query, Ranges};
 use crate::flow::sample::checked;
@@ -15,7 +16,7 @@ fn check(body: &str, expected: &str) {
     );
     let analysis = checked(&code);
     let module = lower(&analysis.program);
-    let defs = Defs::of(&analysis.program, &module);
+    let defs = Defs::of(&analysis.program, &module, &Calls::of(&module));
     let loops = Loops::of(Query {
         program: &analysis.program,
         module: &module,

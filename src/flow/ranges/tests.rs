@@ -1,6 +1,7 @@
 //! Ranges of expressions, as messages say them.
 
 use super::{Query, Ranges};
+use crate::flow::Calls;
 use crate::flow::defs::Defs;
 use crate::flow::sample::checked;
 use crate::ir::lower;
@@ -11,7 +12,7 @@ fn range(code: &str) -> (String, bool, bool) {
     let analysis = checked(code);
     let program = &analysis.program;
     let module = lower(program);
-    let defs = Defs::of(program, &module);
+    let defs = Defs::of(program, &module, &Calls::of(&module));
     let query = Query {
         program,
         module: &module,
@@ -212,4 +213,20 @@ fn parameters_take_what_callers_pass() {
         float test() { return f(2.0); }";
     let (text, reached, _) = range(code);
     assert_eq!((text.as_str(), reached), ("1.0..3.0", false));
+}
+
+#[test]
+fn a_call_writes_what_is_written_however_deep() {
+    let count = 100;
+    let heads: String = (0..count).map(|i| format!("void f{i}();\n")).collect();
+    let calls: String = (1..count)
+        .map(|i| format!("void f{}() {{ f{i}(); }}\n", i - 1))
+        .collect();
+    let code = format!(
+        "float g;\n{heads}{calls}void f{}() {{ g = iTime; }}
+         void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
+         float test() {{ g = 0.0; f0(); return g; }}",
+        count - 1
+    );
+    assert_ne!(range(&code).0, "0.0");
 }
