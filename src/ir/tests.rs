@@ -41,6 +41,17 @@ fn without_numbers(line: &str) -> String {
     })
 }
 
+/// As the browser counts them: what a call expands to stands where the call ends.
+#[test]
+fn line_numbers() {
+    check("int y = __LINE__;", "local y: int = 3");
+    check(
+        "\n#define L __LINE__\n#define F(x) L\n#define G(x) x\nint y = L, z = F(\n1\n), w = G(L\n\n);",
+        "local y: int = 7\nlocal z: int = 9\nlocal w: int = 9",
+    );
+    check("\n#line 70\nint y = __LINE__;", "local y: int = 70");
+}
+
 #[test]
 fn values() {
     check("float y = 2.0;", "local y: float = 2.0");

@@ -141,3 +141,26 @@ fn add(
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `__LINE__` goes on counting behind the header and every Common, as in the text that is compiled.
+    #[test]
+    fn lines_are_counted_through_all_texts() {
+        let json = r#"{"renderpass":[
+            {"type":"image","code":"\nconst int HERE = __LINE__;\nvoid mainImage(out vec4 c, in vec2 p) {}"},
+            {"type":"common","code":"// one\n#define THERE __LINE__"},
+            {"type":"common","code":"const int A = __LINE__; const int B = THERE;\n"}]}"#;
+        let mut project = Project::from_json(json).unwrap();
+        let composed = project.resolve("").unwrap();
+        let program = &composed.analysis(&composed.units[0]).program;
+        let values = ["HERE", "A", "B"].map(|name| {
+            let name = program.names.get(name);
+            let variable = program.variables.iter().find(|v| Some(v.name) == name)?;
+            program.pool.scalar(variable.constant).map(|v| v.as_int())
+        });
+        assert_eq!(values, [Some(59), Some(56), Some(56)]);
+    }
+}

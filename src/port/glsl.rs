@@ -37,14 +37,28 @@ pub fn glsl(project: &Project, composed: &Composed) -> Vec<GlslPass> {
     composed.units.iter().filter_map(pass).collect()
 }
 
-/// Puts who made it behind the `#version`, which must come first.
+/// Puts who made it behind the `#version`, which must come first. As many lines of uniforms are joined,
+/// so that every line of the user's keeps its number: `__LINE__` tells it.
 pub(super) fn signed(project: &Project, fragment: String) -> String {
-    let lines = credits::lines(project);
-    let credits: String = lines.iter().map(|line| format!("// {line}\n")).collect();
-    match fragment.split_once('\n') {
-        Some((version, rest)) if !credits.is_empty() => format!("{version}\n{credits}{rest}"),
-        _ => fragment,
+    let credits = credits::lines(project);
+    let Some((version, mut rest)) = fragment.split_once('\n') else {
+        return fragment;
+    };
+    let mut text = format!("{version}\n");
+    for line in &credits {
+        text.push_str(&format!("// {line}\n"));
     }
+    let mut surplus = credits.len();
+    while surplus > 0
+        && let Some((line, behind)) = rest.split_once('\n')
+    {
+        let is_joined = line.starts_with("uniform ") && behind.starts_with("uniform ");
+        surplus -= usize::from(is_joined);
+        text.push_str(line);
+        text.push(if is_joined { ' ' } else { '\n' });
+        rest = behind;
+    }
+    text + rest
 }
 
 /// The texts as the player joins them: behind every text of the user but the last comes a line
@@ -61,4 +75,29 @@ fn fragment(composed: &Composed, files: &[FileId]) -> String {
         }
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn credits_move_no_line_of_the_users() {
+        let json = r#"{"info":{"id":"abcdef","name":"n","username":"u"},"renderpass":[
+            {"type":"image","code":"int image;"},{"type":"buffer","code":"int buffer;"},
+            {"type":"cubemap","code":"int cubemap;"},{"type":"sound","code":"int sound;"},
+            {"type":"common","code":"int a;\nint b;"}]}"#;
+        let mut project = Project::from_json(json).unwrap();
+        let composed = project.resolve("").unwrap();
+        let lines = glsl(&project, &composed).into_iter().map(|pass| {
+            let at = |text: &str| pass.fragment.lines().position(|l| l == text).unwrap() + 1;
+            assert!(pass.fragment.contains("\n// by u\n"));
+            (
+                at("int a;"),
+                at(&format!("int {};", pass.slug.trim_end_matches("_a"))),
+            )
+        });
+        let lines: Vec<_> = lines.collect();
+        assert_eq!(lines, [(54, 56), (28, 30), (31, 33), (21, 23)]);
+    }
 }

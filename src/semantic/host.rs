@@ -20,6 +20,8 @@ pub struct Host {
     /// Names that it had in former times: the old one, what it is called now, and since when.
     pub renamed: &'static [(&'static str, &'static str, &'static str)],
     prelude: &'static [Piece],
+    /// How many lines that has: `__LINE__` goes on counting behind them.
+    lines: usize,
 }
 
 /// The function at which a shader starts.
@@ -117,6 +119,7 @@ static PAGE: Host = Host {
     hides_alpha: false,
     renamed: &[],
     prelude: &[],
+    lines: 0,
 };
 
 /// What all passes of ShaderToy have: its player puts a header before them, in the order of its
@@ -129,6 +132,7 @@ const PLAYER: Host = Host {
     hides_alpha: false,
     renamed: &[("iGlobalTime", "iTime", "2017")],
     prelude: &[],
+    lines: 0,
 };
 
 static IMAGE: Host = Host {
@@ -142,6 +146,7 @@ static IMAGE: Host = Host {
         Piece::ChannelStructs,
         Piece::Text(include_str!("builtins/shadertoy_image.glsl")),
     ],
+    lines: 53,
     ..PLAYER
 };
 static BUFFER: Host = Host {
@@ -153,6 +158,7 @@ static BUFFER: Host = Host {
         CHANNELS,
         Piece::Text(include_str!("builtins/shadertoy_buffer.glsl")),
     ],
+    lines: 27,
     ..PLAYER
 };
 static CUBEMAP: Host = Host {
@@ -164,6 +170,7 @@ static CUBEMAP: Host = Host {
         CHANNELS,
         Piece::Text(include_str!("builtins/shadertoy_cubemap.glsl")),
     ],
+    lines: 30,
     ..PLAYER
 };
 static SOUND: Host = Host {
@@ -175,11 +182,14 @@ static SOUND: Host = Host {
         Piece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube]),
         Piece::Text(include_str!("builtins/shadertoy_sound_main.glsl")),
     ],
+    lines: 20,
     ..PLAYER
 };
 static COMMON: Host = Host {
     runs: Some("ShaderToy common code"),
     prelude: &[RENDERER, UNIFORMS, CHANNELS],
+    // As in an Image.
+    lines: 53,
     ..PLAYER
 };
 
@@ -207,7 +217,8 @@ impl Dialect {
 }
 
 impl Host {
-    /// The text that it puts before a shader whose channels are of these types.
+    /// The text that it puts before a shader whose channels are of these types. It has as many lines
+    /// as the host's own, so that a shader's `__LINE__` is what it is there.
     pub fn prelude(&self, channels: Channels) -> String {
         let mut text = String::new();
         for piece in self.prelude {
@@ -231,6 +242,29 @@ impl Host {
                 }
             }
         }
+        let missing = self.lines.saturating_sub(text.lines().count());
+        text.push_str(&"\n".repeat(missing));
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The lines of ShaderToy's own headers, counted in its player and asked of it.
+    #[test]
+    fn the_first_line_of_a_pass_has_the_number_that_it_has_on_the_site() {
+        let all = [
+            (Pass::Image, 54),
+            (Pass::Buffer, 28),
+            (Pass::Cubemap, 31),
+            (Pass::Sound, 21),
+        ];
+        for (pass, first) in all {
+            let prelude = pass.host().prelude([None; 4]);
+            assert!(prelude.ends_with('\n'));
+            assert_eq!(prelude.lines().count() + 1, first, "{pass:?}");
+        }
     }
 }

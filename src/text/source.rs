@@ -7,6 +7,13 @@ use std::sync::{Arc, OnceLock};
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct FileId(pub u32);
 
+impl FileId {
+    /// Whether it is a file, and not a piece of one.
+    pub fn is_whole(self) -> bool {
+        self.0 & PIECE == 0
+    }
+}
+
 /// Whose text a file holds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Role {
@@ -155,7 +162,7 @@ impl Sources {
 
     /// What the compiler reads of a file, or of a piece of one.
     pub fn code(&self, id: FileId) -> Option<Code<'_>> {
-        if id.0 & PIECE == 0 {
+        if id.is_whole() {
             let file = self.file(id)?;
             return Some(Code {
                 text: &file.text,

@@ -143,4 +143,23 @@ void mainImage(out vec4 O, vec2 U) {
     frames: [0],
     shader: shader(image('void mainImage(out vec4 O, vec2 U) { O = 0.5 + 0.25 * sign(iMouse) + abs(iMouse); }')),
   },
+  {
+    name: 'every kind of pass: the numbers of its lines',
+    frames: [0],
+    shader: shader(
+      image(`
+#define HERE __LINE__
+void mainImage(out vec4 O, vec2 U) {
+  O = vec4(COMMON, HERE, __LINE__, 255) / 255.0 + texelFetch(iChannel0, ivec2(U), 0) + texture(iChannel1, vec3(U, 1.0));
+  if (U.x < 9.0) O = vec4(hash(0), hash(1), hash(2), 1.0);
+}`, [input(0, 'buffer', A), input(1, 'cubemap', CUBE)]),
+      common('// The first line\n#define COMMON __LINE__\nfloat hash(int n) { return fract(sin(float(__LINE__ + n)) * 437.5); }'),
+      buffer(A, 'void mainImage(out vec4 O, vec2 U) {\n O = vec4(__LINE__, COMMON, hash(0) * 255.0, 0) / 255.0; }'),
+      common('\r\nint unused() { return __LINE__; }\r\n'),
+      {
+        type: 'cubemap', name: 'Cube A', inputs: [], outputs: [{ id: CUBE, channel: 0 }],
+        code: 'void mainCubemap(out vec4 O, in vec2 U, in vec3 ro, in vec3 rd) { O = vec4(__LINE__, 0, COMMON, 0) / 255.0; }',
+      },
+    ),
+  },
 ];

@@ -22,8 +22,12 @@ export function reference({ shader, width, height, last, mouse, keys }) {
   const types = { cubemap: 'samplerCube', volume: 'sampler3D' };
   const typeOf = (pass, c) => types[pass.inputs.find((i) => i.channel === c)?.type] ?? 'sampler2D';
 
+  /** Lines that ShaderToy's player puts before the code; the code can see them. */
+  const LINES = { image: 53, buffer: 27, cubemap: 30 };
+  const padded = (text, count) => text + '\n'.repeat(count + 1 - text.split('\n').length);
+
   function sourceOf(pass) {
-    const channels = [0, 1, 2, 3].map((c) => `uniform ${typeOf(pass, c)} iChannel${c};`).join('\n');
+    const channels = [0, 1, 2, 3].map((c) => `uniform ${typeOf(pass, c)} iChannel${c};`).join(' ');
     const head = `#version 300 es
 precision highp float;
 precision highp int;
@@ -64,7 +68,7 @@ void main() {
 }
 `,
     };
-    return head + tail[pass.type] + common + pass.code;
+    return padded(head + tail[pass.type], LINES[pass.type]) + common + pass.code;
   }
 
   function compile(pass) {

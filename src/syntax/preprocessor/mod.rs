@@ -158,8 +158,11 @@ struct Preprocessor<'a> {
     gave_up: bool,
     /// A `#` was just seen.
     pasting: bool,
-    /// `#line` moved the count of lines by this much.
+    /// How far the compiler's count of lines is ahead of the file's own: the texts before it count,
+    /// and `#line` sets it.
     line_shift: i64,
+    /// Whether a line break comes between this text and the next, as behind each Common.
+    is_joined_by_line: bool,
     bad_words: FxHashSet<Name>,
     out: Tokens,
     diagnostics: Vec<Diagnostic>,
@@ -205,6 +208,7 @@ impl<'a> Preprocessor<'a> {
             gave_up: false,
             pasting: false,
             line_shift: 0,
+            is_joined_by_line: false,
             bad_words: FxHashSet::default(),
             out: Tokens::default(),
             diagnostics: Vec::new(),
@@ -270,9 +274,12 @@ impl<'a> Preprocessor<'a> {
 
     /// Goes on with the next file; false when there is none.
     fn next_file(&mut self) -> bool {
-        let Some(file) = self.files.next().and_then(|&id| self.sources.code(id)) else {
+        let id = self.files.next();
+        let Some(file) = id.and_then(|&id| self.sources.code(id)) else {
             return false;
         };
+        self.line_shift = self.next_line() - self.line_of(file.base);
+        self.is_joined_by_line = file.role == Role::User && id.is_some_and(|id| id.is_whole());
         self.text = file.text;
         if let Some(nul) = memchr(0, file.text.as_bytes()) {
             self.text = file.text.get(..nul).unwrap_or("");
@@ -285,11 +292,23 @@ impl<'a> Preprocessor<'a> {
         self.has_prelude |= file.role == Role::Prelude;
         self.lexer = Lexer::new(self.text, file.base);
         self.at_line_start = true;
-        self.line_shift = 0;
         if self.skipped_from.is_some() {
             self.skipped_from = Some(file.base);
         }
         true
+    }
+
+    /// The line of an address in its file.
+    fn line_of(&self, address: u32) -> i64 {
+        let file = self.sources.file_at(address);
+        file.map_or(0, |f| f.position(address).line as i64)
+    }
+
+    /// The compiler's number of the line that the next file starts with: the first, or the one that
+    /// the file before it ends in.
+    fn next_line(&self) -> i64 {
+        let end = self.base + self.text.len() as u32;
+        self.line_of(end) + self.line_shift + i64::from(self.is_joined_by_line)
     }
 
     fn is_skipping(&self) -> bool {
@@ -633,8 +652,8 @@ impl<'a> Preprocessor<'a> {
         }
         match self.names.text(definition.name) {
             "__LINE__" => {
-                let file = self.sources.file_at(token.span.start)?;
-                Some((file.position(token.span.start).line as i64 + self.line_shift) as u32)
+                // What a call expands to counts where the call ends.
+                Some((self.line_of(token.span.end) + self.line_shift) as u32)
             }
             "__FILE__" => Some(0),
             _ => None,
