@@ -10,13 +10,13 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest, Sha256};
 
-const PAGE: &str = include_str!("player/page.html");
-const STYLE: &str = include_str!("player/page.css");
+const PAGE: &str = include_str!("player/page/page.html");
+const STYLE: &str = include_str!("player/page/page.css");
 const PAGE_SCRIPTS: [&str; 4] = [
-    include_str!("player/capture.js"),
-    include_str!("player/channels.js"),
-    include_str!("player/panel.js"),
-    include_str!("player/page.js"),
+    include_str!("player/page/capture.js"),
+    include_str!("player/page/channels.js"),
+    include_str!("player/page/panel.js"),
+    include_str!("player/page/page.js"),
 ];
 
 /// The page.

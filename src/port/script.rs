@@ -4,15 +4,18 @@ use super::payload::payload;
 use super::{Composed, Project, credits};
 
 /// The player, in the order in which its files use each other.
-pub(super) const PLAYER: [&str; 12] = [
+pub(super) const PLAYER: [&str; 15] = [
     include_str!("player/types.js"),
     include_str!("player/gl.js"),
+    include_str!("player/log.js"),
+    include_str!("player/tunable.js"),
     include_str!("player/mouse.js"),
     include_str!("player/keyboard.js"),
     include_str!("player/targets.js"),
     include_str!("player/devices.js"),
     include_str!("player/inputs.js"),
     include_str!("player/program.js"),
+    include_str!("player/programs.js"),
     include_str!("player/sound.js"),
     include_str!("player/clock.js"),
     include_str!("player/player.js"),

@@ -165,8 +165,48 @@ async function react(context) {
   assert.deepEqual(states, [true, false, 0]);
 }
 
+async function misuse(context) {
+  const code = '#define N 2.0 // Tunable: n (1.0~3.0)\nvoid mainImage(out vec4 O, vec2 U) { O = vec4(N / 4.0); }';
+  shaderport(put('misuse.glsl', code), '-o', 'misuse.js', '--force');
+  const { page, complaints } = await host(context, `
+    import { mount } from './misuse.js';
+    globalThis.shader = mount(document.querySelector('canvas'), { size: [8, 8], paused: true });`);
+  await page.waitForFunction(() => globalThis.shader);
+  const seen = await page.evaluate(async () => {
+    const { shader } = globalThis;
+    await shader.ready;
+    const failure = async (run) => {
+      try {
+        return String(await run());
+      } catch (error) {
+        return error.name;
+      }
+    };
+    const red = () => {
+      const gl = document.querySelector('canvas').getContext('webgl2');
+      const bytes = new Uint8Array(4);
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      return bytes[0];
+    };
+    const said = [await failure(() => shader.seek(NaN)), await failure(() => shader.setTunable('M', 1)), await failure(() => shader.setTunable('N', NaN))];
+    shader.seek(1e308);
+    await shader.setTunable('N', 1e6);
+    const before = [shader.time, red()];
+    shader.dispose();
+    shader.play();
+    shader.restart();
+    shader.setSound(true);
+    await shader.setInput(0, 0, 'data:image/png,');
+    await shader.setTunable('N', 1);
+    return [said, before, shader.playing];
+  });
+  assert.deepEqual(seen, [['TypeError', 'RangeError', 'TypeError'], [3e7, 191], false]);
+  assert.deepEqual(complaints, []);
+}
+
 export const moduleTests = [
   { name: 'module: mount draws the same pixels, twice on one page', run: mount },
+  { name: 'module: what cannot be done says so or does nothing', run: misuse },
   { name: 'module: three.js draws the same pixels', run: three },
   { name: 'module: a React component plays, pauses and goes', run: react },
 ];

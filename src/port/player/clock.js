@@ -1,5 +1,10 @@
 // Time: it runs while the player plays, stands while it is paused, and counts the frames.
 
+/** Seconds from a frame to the next where nothing says how long it took. */
+const FIRST_DELTA = 1 / 60;
+/** Behind this many seconds the number of the frame would not fit into 32 bits. */
+const LAST_TIME = 3e7;
+
 class Clock {
   constructor() {
     this.time = 0;
@@ -36,7 +41,8 @@ class Clock {
 
   /** Goes to a time, and to the frame that would be drawn then. @param {number} time */
   seek(time) {
-    this.time = Math.max(0, time);
+    if (typeof time !== 'number' || Number.isNaN(time)) throw new TypeError('a time is a number of seconds');
+    this.time = Math.min(Math.max(0, time), LAST_TIME);
     this.number = Math.round(this.time / FIRST_DELTA);
     this.last = null;
   }

@@ -1,7 +1,5 @@
 // Small helpers over WebGL2: programs, textures, samplers.
 
-/** @typedef {{pass: string, line: number, text: string}} ShaderError */
-
 /** A shader that does not compile or link; `log` is what the compiler says. */
 class CompileError extends Error {
   /** @param {string} log */
@@ -21,12 +19,10 @@ class CompileError extends Error {
  * @returns {StartedProgram}
  */
 function startProgram(gl, project, pass) {
-  const files = pass.files.map((f) => project.files[f]);
-  const source = files.map((file, i) => joined(file, i === files.length - 1)).join('');
   const program = gl.createProgram();
   const shaders = [
     addShader(gl, program, gl.VERTEX_SHADER, pass.vertex ?? project.vertex),
-    addShader(gl, program, gl.FRAGMENT_SHADER, source),
+    addShader(gl, program, gl.FRAGMENT_SHADER, passSource(project, pass)),
   ];
   gl.linkProgram(program);
   return { program, shaders };
@@ -153,6 +149,12 @@ function blackTexture(gl, target) {
 /** Telephones and tablets, which shaders may ask after. */
 const isWeakDevice = /Android|iPhone|iPad|Mobile/.test(navigator.userAgent);
 
+/** The text of a pass as it is compiled. @param {ProjectData} project @param {PassData} pass */
+function passSource(project, pass) {
+  const files = pass.files.map((f) => project.files[f]);
+  return files.map((file, i) => joined(file, i === files.length - 1)).join('');
+}
+
 /**
  * A text as it is compiled: behind every text of the user but the last comes a line break.
  * @param {{text: string, hidden: boolean}} file
@@ -161,44 +163,4 @@ const isWeakDevice = /Android|iPhone|iPad|Mobile/.test(navigator.userAgent);
 function joined(file, isLast) {
   if (file.hidden && isWeakDevice) return file.text.replace('HW_PERFORMANCE 1', 'HW_PERFORMANCE 0');
   return file.hidden || isLast ? file.text : `${file.text}\n`;
-}
-
-/**
- * Puts the lines of a compiler's log where they belong: into the user's own text.
- * @param {string} log
- * @param {{name: string, text: string, hidden: boolean}[]} files what was compiled, in order
- * @param {string} passName
- * @returns {ShaderError[]}
- */
-function mapErrors(log, files, passName) {
-  const errors = [];
-  for (const line of log.split('\n')) {
-    const match = /^(?:ERROR|WARNING):\s*-?\d+:(-?\d+):\s*(.*)$/.exec(line.replace(/\0/g, ''));
-    if (match && line.startsWith('ERROR')) {
-      errors.push({ ...placeOf(Number(match[1]), files, passName), text: match[2] });
-    }
-  }
-  if (errors.length === 0 && log.trim()) {
-    errors.push({ pass: passName, line: 0, text: log.replace(/\0/g, '').trim() });
-  }
-  return errors;
-}
-
-/**
- * @param {number} line in the compiled text, from 1
- * @param {{name: string, text: string, hidden: boolean}[]} files
- * @param {string} passName
- */
-function placeOf(line, files, passName) {
-  let first = 1;
-  for (const [i, file] of files.entries()) {
-    const isLast = i === files.length - 1;
-    const count = joined(file, isLast).split(/\r\n|\r|\n/).length - 1;
-    if (line < first + count || isLast) {
-      const own = line - first + 1;
-      return file.hidden ? { pass: passName, line: 0 } : { pass: file.name, line: own };
-    }
-    first += count;
-  }
-  return { pass: passName, line: 0 };
 }

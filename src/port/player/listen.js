@@ -13,20 +13,25 @@ function listenToPointer(player, signal) {
     const y = canvas.height - ((event.clientY - box.top) / box.height) * canvas.height;
     return [x, y];
   };
+  /** @type {number | null} the pointer that is the mouse; the others do nothing meanwhile */
+  let held = null;
   canvas.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0 && event.pointerType === 'mouse') return;
+    if (held !== null || (event.button !== 0 && event.pointerType === 'mouse')) return;
+    held = event.pointerId;
     canvas.focus();
-    canvas.setPointerCapture(event.pointerId);
+    canvas.setPointerCapture(held);
     player.setMouse(...place(event), true);
     player.poke();
   }, { signal });
   canvas.addEventListener('pointermove', (event) => {
-    if (!player.mouse.isDown) return;
+    if (event.pointerId !== held) return;
     player.setMouse(...place(event), true);
     player.poke();
   }, { signal });
-  for (const name of ['pointerup', 'pointercancel']) {
-    canvas.addEventListener(name, () => {
+  for (const name of ['pointerup', 'pointercancel', 'lostpointercapture']) {
+    canvas.addEventListener(name, (event) => {
+      if (!(event instanceof PointerEvent) || event.pointerId !== held) return;
+      held = null;
       player.mouse.release();
       player.poke();
     }, { signal });
@@ -34,12 +39,18 @@ function listenToPointer(player, signal) {
   canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
 }
 
+/** Whether some pass reads the keyboard. @param {Player} player */
+function readsKeys(player) {
+  return player.project.passes.some((pass) => pass.inputs.some((input) => input?.kind === 'keyboard'));
+}
+
 /**
- * Keys count while the canvas has the focus.
+ * Keys count while the canvas has the focus, if the shader reads them.
  * @param {Player} player @param {AbortSignal} [signal] ends it
  */
 function listenToKeys(player, signal) {
   const { canvas } = player;
+  if (!readsKeys(player)) return;
   /** @param {KeyboardEvent} event @param {boolean} isDown */
   const handle = (event, isDown) => {
     player.setKey(event.keyCode, isDown);

@@ -34,7 +34,7 @@ export interface Mounted {
   play(): void;
   pause(): void;
   restart(): void;
-  /** Goes to a time in seconds. */
+  /** Goes to a time in seconds, at most 30 million. Throws a TypeError if it is no number. */
   seek(time: number): void;
   /** Restarts and draws the frames 0 to n, sixty a second. */
   renderFrame(n: number): Promise<void>;
@@ -43,11 +43,14 @@ export interface Mounted {
   /** JavaScript's keyCode. */
   setKey(code: number, down: boolean): void;
   setSound(on: boolean): void;
-  /** Gives a tunable `#define` another value and compiles again. */
+  /**
+   * Gives a tunable number another value, within its author's limits, and compiles again. Fails with a
+   * RangeError where nothing has this name, with a TypeError if the value is no number.
+   */
   setTunable(name: string, value: number): Promise<void>;
   /** Puts a picture, film or music onto a channel. */
   setInput(pass: number, channel: number, url: string): Promise<void>;
-  /** Ends everything and frees what it holds. */
+  /** Ends everything and frees what it holds. What is called afterwards does nothing. */
   dispose(): void;
 }
 

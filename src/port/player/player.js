@@ -1,7 +1,5 @@
 // The player: draws every pass of a project in ShaderToy's order, with ShaderToy's uniforms.
 
-const FIRST_DELTA = 1 / 60;
-
 class Player {
   /**
    * @param {HTMLCanvasElement} canvas
@@ -27,10 +25,9 @@ class Player {
     this.clock = new Clock();
     this.isPlaying = false;
     this.isSoundOn = false;
+    this.isDisposed = false;
     /** @type {(() => void)[]} called when something changes that a page may show */
     this.listeners = [];
-    /** @type {(PassProgram | null)[]} */
-    this.programs = [];
     /** @type {Input[][]} by pass and channel; empty ones where another pass or the keyboard is read */
     this.inputs = [];
     /** @type {Map<number, Buffer>} by pass */
@@ -39,7 +36,7 @@ class Player {
     this.cube = null;
     /** @type {Sound | null} */
     this.sound = null;
-    this.#openContext();
+    this.compiled = this.#openContext();
     this.keyboard = new Keyboard(gl);
     this.samplers = samplerCache(gl);
     this.black = blackTextures(gl);
@@ -55,20 +52,22 @@ class Player {
     gl.activeTexture(gl.TEXTURE4);
     this.canDrawFloats = gl.getExtension('EXT_color_buffer_float') !== null;
     gl.getExtension('OES_texture_float_linear');
-    this.parallel = gl.getExtension('KHR_parallel_shader_compile');
     const triangle = new Float32Array([-1, -1, 3, -1, -1, 3]);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, triangle, gl.STATIC_DRAW);
     gl.enableVertexAttribArray(0);
     gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
     gl.disable(gl.DITHER);
+    return new Programs(gl, this.project);
   }
 
   async #reopen() {
+    if (this.isDisposed) return;
+    this.compiled.dispose();
     this.buffers.clear();
     this.cube = null;
     this.sound = null;
-    this.#openContext();
+    this.compiled = this.#openContext();
     this.keyboard = new Keyboard(this.gl);
     this.samplers = samplerCache(this.gl);
     this.black = blackTextures(this.gl);
@@ -110,33 +109,15 @@ class Player {
     }
   }
 
-  /** Compiles all passes, all at once where the browser can. What fails is told in `errors`. */
+  /** Compiles what has changed. What fails is told in `errors`. */
   async compile() {
-    const { gl, project } = this;
-    this.errors = this.errors.filter((e) => e.line < 0);
-    const started = project.passes.map((pass) => startProgram(gl, project, pass));
-    const programs = [];
-    for (const [i, pass] of project.passes.entries()) {
-      while (this.parallel && !isCompiled(gl, this.parallel, started[i].program)) {
-        await new Promise((resolve) => setTimeout(resolve, 4));
-      }
-      programs.push(this.#finishProgram(pass, started[i]));
-    }
-    this.programs.forEach((p) => p?.dispose());
-    this.programs = programs;
+    const { compiled } = this;
+    const sound = this.#soundProgram();
+    await compiled.compile();
+    if (compiled !== this.compiled || this.isDisposed) return;
+    this.errors = this.errors.filter((e) => e.line < 0).concat(compiled.errors);
+    if (sound && sound !== this.#soundProgram()) this.#forgetSound();
     this.#changed();
-  }
-
-  /** @param {PassData} pass @param {StartedProgram} started */
-  #finishProgram(pass, started) {
-    try {
-      return new PassProgram(this.gl, finishProgram(this.gl, started), pass);
-    } catch (error) {
-      if (!(error instanceof CompileError)) throw error;
-      const files = pass.files.map((f) => this.project.files[f]);
-      this.errors.push(...mapErrors(error.log, files, pass.name));
-      return null;
-    }
   }
 
   /** An error that is no shader's; its line is -1. @param {string} text */
@@ -156,7 +137,7 @@ class Player {
     this.canvas.width = w;
     this.canvas.height = h;
     this.buffers.forEach((buffer, i) => buffer.resize(w, h, this.#hasMipmaps(i)));
-    if (!this.isPlaying && this.programs.length > 0) this.paint(this.clock.frozen());
+    if (!this.isPlaying && this.programs.some(Boolean)) this.paint(this.clock.frozen());
   }
 
   /** Whether some channel reads a pass with mipmaps. @param {number} pass index */
@@ -172,7 +153,7 @@ class Player {
 
   /** Draws one frame. @param {{number: number, time: number, delta: number, rate: number}} tick */
   paint(tick) {
-    if (this.gl.isContextLost()) return;
+    if (this.isDisposed || this.gl.isContextLost()) return;
     const frame = { ...tick, mouse: this.mouse.value(), date: dateUniform() };
     if (frame.number === 0) this.#clear();
     this.keyboard.upload();
@@ -274,7 +255,7 @@ class Player {
   }
 
   play() {
-    if (this.isPlaying) return;
+    if (this.isPlaying || this.isDisposed) return;
     this.isPlaying = true;
     this.clock.resume();
     this.inputs.flat().forEach((input) => input.play(true));
@@ -329,6 +310,14 @@ class Player {
     this.#changed();
   }
 
+  /** Draws the next of sixty frames a second, and stands. */
+  step() {
+    this.pause();
+    this.clock.time += FIRST_DELTA;
+    this.paint(this.clock.frozen());
+    this.#changed();
+  }
+
   /** Something happened while the clock stands: one frame is drawn. */
   poke() {
     if (!this.isPlaying) this.paint(this.clock.frozen());
@@ -346,25 +335,42 @@ class Player {
     this.keyboard.set(code, isDown);
   }
 
+  /** @returns {(PassProgram | null)[]} by pass */
+  get programs() {
+    return this.compiled.list;
+  }
+
   get hasSound() {
     return this.project.passes.some((p) => p.kind === 'sound' || p.inputs.some((i) => i?.kind === 'music'));
   }
 
   /** @param {boolean} isOn */
   setSound(isOn) {
+    if (this.isDisposed) return;
     this.isSoundOn = isOn;
     this.devices.setAudible(isOn);
     this.#playSound();
     this.#changed();
   }
 
+  #soundProgram() {
+    return this.programs[this.project.passes.findIndex((p) => p.kind === 'sound')];
+  }
+
   #playSound() {
     const index = this.project.passes.findIndex((p) => p.kind === 'sound');
-    const program = this.programs[index];
+    const program = this.#soundProgram();
     if (!program) return;
-    if (!this.isSoundOn || !this.isPlaying) return this.sound?.stop();
+    if (!this.isSoundOn || !this.isPlaying || this.isDisposed) return this.sound?.stop();
     this.sound ??= new Sound(this.gl, (offset) => this.drawSound(index, program, offset));
     void this.sound.play(this.devices, this.clock.time);
+  }
+
+  /** The sound pass is another one: what was computed holds no longer. */
+  #forgetSound() {
+    this.sound?.dispose();
+    this.sound = null;
+    this.#playSound();
   }
 
   /**
@@ -385,11 +391,13 @@ class Player {
   /**
    * Puts a file onto a channel.
    * @param {number} pass @param {number} channel @param {string} name @param {string} url
+   * @param {string} [kind] what the file holds, where that is something else than what was there
    */
-  async setInput(pass, channel, name, url) {
+  async setInput(pass, channel, name, url, kind) {
+    if (this.isDisposed) return;
     const inputs = this.project.passes[pass].inputs;
     const old = inputs[channel] ?? { kind: 'texture', filter: 'mipmap', wrap: 'repeat', vflip: true };
-    const data = { ...old, name, urls: old.kind === 'cubemap' ? Array(6).fill(url) : [url] };
+    const data = { ...old, kind: kind ?? old.kind, name, urls: old.kind === 'cubemap' ? Array(6).fill(url) : [url] };
     const input = openInput(this.gl, data, this.devices);
     await input.ready;
     this.inputs[pass][channel].dispose();
@@ -400,50 +408,39 @@ class Player {
     this.#changed();
   }
 
-  /** Gives a tunable number another value and compiles again. @param {string} name @param {number} value */
+  /**
+   * Gives a tunable number another value, no less and no more than its author allows, and compiles again.
+   * @param {string} name @param {number} value
+   */
   async setTunable(name, value) {
-    for (const tunable of this.project.tunables.filter((t) => t.name === name)) {
-      const text = tunable.integer ? String(Math.round(value)) : floatText(value);
-      tunable.value = value;
-      replaceNumber(this.project, tunable, text);
-    }
+    const all = this.project.tunables.filter((t) => t.name === name);
+    if (all.length === 0) throw new RangeError(`no tunable number is called ${name}`);
+    if (typeof value !== 'number' || Number.isNaN(value)) throw new TypeError(`${name} is a number`);
+    for (const tunable of all) setNumber(this.project, tunable, value);
+    await this.compile();
+    this.poke();
+  }
+
+  /**
+   * Puts another text into the place of one of the user's, and compiles what it is part of.
+   * @param {number} file @param {string} text
+   */
+  async setCode(file, text) {
+    changeText(this.project, file, text);
     await this.compile();
     this.poke();
   }
 
   dispose() {
     this.pause();
+    this.isDisposed = true;
     this.clock.dispose();
     this.inputs.flat().forEach((input) => input.dispose());
-    this.programs.forEach((p) => p?.dispose());
+    this.compiled.dispose();
     this.buffers.forEach((b) => b.dispose());
     this.cube?.dispose();
     this.sound?.dispose();
     this.samplers.dispose();
     this.devices.dispose();
-  }
-}
-
-/** A number as GLSL takes it for a float. @param {number} value */
-function floatText(value) {
-  const text = String(Number(value.toPrecision(6)));
-  return /[.e]/.test(text) ? text : `${text}.0`;
-}
-
-/**
- * Writes a number into a text, and moves the tunables behind it.
- * @param {ProjectData} project
- * @param {TunableData} tunable
- * @param {string} text
- */
-function replaceNumber(project, tunable, text) {
-  const file = project.files[tunable.file];
-  const end = tunable.end;
-  const shift = text.length - (end - tunable.start);
-  file.text = file.text.slice(0, tunable.start) + text + file.text.slice(end);
-  for (const other of project.tunables) {
-    if (other.file !== tunable.file || other.start < tunable.start) continue;
-    if (other !== tunable) other.start += shift;
-    other.end += shift;
   }
 }

@@ -1,0 +1,86 @@
+// The programs of all passes, compiled anew when their text changes.
+
+class Programs {
+  #isStale = false;
+  /** @type {Promise<void> | null} */
+  #compiling = null;
+
+  /**
+   * @param {WebGL2RenderingContext} gl
+   * @param {ProjectData} project
+   */
+  constructor(gl, project) {
+    this.gl = gl;
+    this.project = project;
+    this.parallel = gl.getExtension('KHR_parallel_shader_compile');
+    /** @type {(PassProgram | null)[]} by pass; null where none has been good yet */
+    this.list = project.passes.map(() => null);
+    /** @type {string[]} what was compiled last, by pass */
+    this.sources = project.passes.map(() => '');
+    /** @type {ShaderError[][]} what the compiler said of that */
+    this.failures = project.passes.map(() => []);
+    this.isDisposed = false;
+  }
+
+  /** Each error once: what Common is blamed for, every pass says. */
+  get errors() {
+    const known = new Map(this.failures.flat().map((e) => [`${e.pass}\n${e.line}\n${e.text}`, e]));
+    return [...known.values()];
+  }
+
+  /**
+   * Compiles the passes whose text has changed, all at once where the browser can. One that fails goes on
+   * with the last program that was good.
+   */
+  compile() {
+    this.#isStale = true;
+    this.#compiling ??= this.#compileStale();
+    return this.#compiling;
+  }
+
+  /** Texts that change meanwhile are compiled next. */
+  async #compileStale() {
+    while (this.#isStale && !this.isDisposed) {
+      this.#isStale = false;
+      await this.#compileChanged();
+    }
+    this.#compiling = null;
+  }
+
+  async #compileChanged() {
+    const { gl, project, parallel } = this;
+    const started = project.passes.flatMap((pass, index) => {
+      const source = passSource(project, pass);
+      if (source === this.sources[index]) return [];
+      this.sources[index] = source;
+      return [{ index, program: startProgram(gl, project, pass) }];
+    });
+    for (const { index, program } of started) {
+      while (parallel && !isCompiled(gl, parallel, program.program)) {
+        await new Promise((resolve) => setTimeout(resolve, 4));
+      }
+      if (this.isDisposed) return;
+      this.#finish(index, program);
+    }
+  }
+
+  /** @param {number} index of the pass @param {StartedProgram} started */
+  #finish(index, started) {
+    const pass = this.project.passes[index];
+    try {
+      const program = new PassProgram(this.gl, finishProgram(this.gl, started), pass);
+      this.list[index]?.dispose();
+      this.list[index] = program;
+      this.failures[index] = [];
+    } catch (error) {
+      if (!(error instanceof CompileError)) throw error;
+      const files = pass.files.map((f) => this.project.files[f]);
+      this.failures[index] = mapErrors(error.log, files, pass.name);
+    }
+  }
+
+  dispose() {
+    this.isDisposed = true;
+    this.list.forEach((program) => program?.dispose());
+  }
+}

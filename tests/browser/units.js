@@ -1,0 +1,95 @@
+// Parts of the player that need no page.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import vm from 'node:vm';
+import { top } from './browser.js';
+
+/** What some of the player's files declare. */
+function load(files, names) {
+  const player = path.join(top, 'src/port/player');
+  const code = files.map((f) => fs.readFileSync(path.join(player, f), 'utf8')).join('');
+  // The files are scripts that share one scope, not modules.
+  const open = vm.runInThisContext(`(navigator, window) => {\n${code}\nreturn { ${names.join(', ')} };\n}`);
+  return open({ userAgent: '' }, { addEventListener() {} });
+}
+
+function logs() {
+  const { mapErrors, readLog } = load(['gl.js', 'log.js'], ['mapErrors', 'readLog']);
+  const said = (log) => readLog(log).map((e) => [e.line, e.token, e.words]);
+  assert.deepEqual(said("ERROR: 0:12: 'x' : undeclared identifier\nERROR: 0:13: '' : syntax error\n\0"), [
+    [12, 'x', 'undeclared identifier'],
+    [13, '', 'syntax error'],
+  ]);
+  assert.deepEqual(said("ERROR: 0:4: '\n' : unexpected token\nERROR: 0:5: '}' : syntax error\n"), [
+    [4, '\n', 'unexpected token'],
+    [5, '}', 'syntax error'],
+  ], 'a line break may be a token');
+  assert.deepEqual(said("ERROR: 0:4: ''' : invalid character\nERROR: 0:4: '' :  a: 'b' : c\n"), [
+    [4, "'", 'invalid character'],
+    [4, '', "a: 'b' : c"],
+  ], 'quotes and colons too');
+  assert.deepEqual(said('ERROR: Function f() called by main() is undefined\n'), [
+    [0, '', 'Function f() called by main() is undefined'],
+  ], 'a place may be missing');
+  const files = [{ name: '', text: 'one\ntwo\n', hidden: true }, { name: 'Common', text: 'a', hidden: false }, { name: 'Image', text: 'b\nc', hidden: false }];
+  const places = mapErrors("WARNING: 0:1: 'w' : no\nERROR: 0:3: 'a' : bad\nERROR: 0:5: '\n' : worse\nERROR: 0:1: 'x' : ours\n", files, 'Image');
+  assert.deepEqual(places.map((e) => [e.pass, e.line, e.text]), [
+    ['Common', 1, "'a' : bad"],
+    ['Image', 2, 'end of line : worse'],
+    ['Image', 0, "'x' : ours"],
+  ]);
+  assert.deepEqual(mapErrors('the link failed', files, 'Image'), [{ pass: 'Image', line: 0, text: 'the link failed' }]);
+}
+
+/** A project of one text with one tunable number in it. */
+function tuned(text, number) {
+  const start = text.indexOf(number);
+  const tunable = { name: 'N', label: '', value: Number(number), min: 0, max: 8, integer: !number.includes('.'), file: 0, start, end: start + number.length };
+  return { files: [{ name: '', text, hidden: false }], tunables: [tunable] };
+}
+
+function tunables() {
+  const { changeText, setNumber } = load(['tunable.js'], ['changeText', 'setNumber']);
+  const found = (project) => project.tunables.map((t) => [project.files[0].text.slice(t.start, t.end), t.value]);
+  const text = 'a = 1.5; b';
+  for (const [after, expected] of [
+    ['x a = 1.5; b', [['1.5', 1.5]]],
+    ['a = 1.5; bcd', [['1.5', 1.5]]],
+    ['a = 2.75; b', [['2.75', 2.75]]],
+    ['a = 11.5; b', [['11.5', 11.5]]],
+    ['a =  1.5; b', [['1.5', 1.5]]],
+    ['a = x; b', []],
+    ['', []],
+  ]) {
+    const project = tuned(text, '1.5');
+    changeText(project, 0, after);
+    assert.deepEqual(found(project), expected, after);
+  }
+  const project = tuned(text, '1.5');
+  for (const [value, written] of [[1e9, '8.0'], [-1, '0.0'], [2.25, '2.25'], [1.5, '1.5']]) {
+    setNumber(project, project.tunables[0], value);
+    assert.equal(project.files[0].text, `a = ${written}; b`);
+  }
+  const whole = tuned('N 4 x', '4');
+  setNumber(whole, whole.tunables[0], 6.6);
+  assert.equal(whole.files[0].text, 'N 7 x');
+}
+
+function clock() {
+  const { Clock } = load(['clock.js'], ['Clock']);
+  const at = new Clock();
+  assert.throws(() => at.seek(NaN), TypeError);
+  assert.throws(() => at.seek('1'), TypeError);
+  at.time = 1;
+  assert.throws(() => at.seek(NaN), TypeError);
+  assert.equal(at.time, 1, 'nothing has changed');
+  at.seek(-1);
+  assert.equal(at.time, 0);
+}
+
+export const unitTests = [
+  { name: "unit: the compiler's log", run: logs },
+  { name: 'unit: tunable numbers move with the text', run: tunables },
+  { name: 'unit: times that are none', run: clock },
+];
