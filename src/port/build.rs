@@ -90,6 +90,8 @@ pub struct Order<'a> {
     pub main: MainChoice,
     /// The path of the file, or of the folder for several; files beside it get its name.
     pub output: Option<&'a Path>,
+    /// The version of a page that a server shows; it loads itself anew when it hears of another.
+    pub version: Option<&'a str>,
 }
 
 /// A file that is to be written.
@@ -145,7 +147,7 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
     let output = order.output.unwrap_or(Path::new(""));
     let one = |text: String| Build::of(vec![file(output, text)]);
     match order.target {
-        Target::Html => Ok(one(html(project, composed))),
+        Target::Html => Ok(one(html(project, composed, order.version))),
         Target::Json => Ok(one(json(project))),
         Target::Module => Ok(Build::of(typed(output, module(project, composed)))),
         Target::Three => match project.passes.iter().any(|p| p.kind == Pass::Cubemap) {

@@ -19,10 +19,17 @@ const PAGE_SCRIPTS: [&str; 4] = [
     include_str!("player/page/page.js"),
 ];
 
-/// The page.
-pub fn html(project: &Project, composed: &Composed) -> String {
+/// What a page does that a server shows.
+const LIVE: &str = include_str!("player/live.js");
+
+/// The page. One that a server shows has a version, and loads itself anew when there is another.
+pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> String {
+    let (live, follow) = match version {
+        Some(version) => (LIVE, format!("followChanges('{version}', player);\n")),
+        None => ("", String::new()),
+    };
     let script = format!(
-        "(() => {{\n'use strict';\n{}{}openPage();\n}})();\n",
+        "(() => {{\n'use strict';\n{}{}{live}const player = openPage();\n{follow}}})();\n",
         PLAYER.concat(),
         PAGE_SCRIPTS.concat()
     );
@@ -37,7 +44,7 @@ pub fn html(project: &Project, composed: &Composed) -> String {
         &[
             ("title", &attribute(title)),
             ("credits", &attribute(&credits)),
-            ("policy", &policy(&script, STYLE)),
+            ("policy", &policy(&script, STYLE, version)),
             ("style", STYLE),
             ("project", &project),
             ("script", &script),
@@ -61,12 +68,29 @@ fn fill(template: &str, values: &[(&str, &str)]) -> String {
     out
 }
 
-/// The content security policy: nothing but this script and this style, no request to any host.
-fn policy(script: &str, style: &str) -> String {
+/// What a server shows until there is a page: why there is none.
+pub fn waiting_page(message: &str, version: &str) -> String {
+    let script = format!("{LIVE}followChanges('{version}', null);\n");
+    let style =
+        "body { font: 16px/1.5 system-ui, sans-serif; margin: 2em; color-scheme: light dark; }";
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
+         <title>no page yet</title>\n<style>{style}</style>\n<p>{}</p>\n\
+         <p>This page loads itself anew when the file is saved.</p>\n<script>{script}</script>\n",
+        policy(&script, style, Some(version)),
+        attribute(message)
+    )
+}
+
+/// The content security policy: nothing but this script and this style, no request to any host; only
+/// a page that a server shows may ask that server for news.
+fn policy(script: &str, style: &str, version: Option<&str>) -> String {
+    let connect = version.map_or("'none'", |_| "'self'");
     let hash = |text: &str| BASE64_STANDARD.encode(Sha256::digest(text));
     format!(
         "default-src 'none'; script-src 'sha256-{}'; style-src 'sha256-{}'; img-src data: blob:; \
-         media-src data: blob:; connect-src 'none'; base-uri 'none'; form-action 'none'",
+         media-src data: blob:; connect-src {connect}; base-uri 'none'; form-action 'none'",
         hash(script),
         hash(style)
     )
@@ -94,7 +118,7 @@ mod tests {
 
     #[test]
     fn the_page_cannot_end_its_elements() {
-        for text in PAGE_SCRIPTS.iter().chain([&STYLE]) {
+        for text in PAGE_SCRIPTS.iter().chain([&STYLE, &LIVE]) {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
         }
     }

@@ -31,7 +31,7 @@ pub use compose::{Composed, PassUnit, compose};
 pub use credits::license_words;
 pub use export::{MAX_EXPORT, ProjectError};
 pub use glsl::{GlslPass, VERTEX, glsl};
-pub use html::html;
+pub use html::{html, waiting_page};
 pub use json::json;
 pub use parts::{PartsError, PassFile, PassRole};
 pub use project::{

@@ -9,11 +9,22 @@ import { hostileTests } from './hostile.js';
 import { moduleTests } from './modules.js';
 import { pageTests } from './page.js';
 import { pixelTests } from './pixels.js';
+import { serveTests } from './serve.js';
 import { unitTests } from './units.js';
 import { verdictTests } from './verdicts.js';
 
 const words = process.argv.slice(2);
-const tests = [...unitTests, ...pixelTests, ...pageTests, ...hostileTests, ...fixTests, ...moduleTests, ...verdictTests, ...corpusTests()];
+const tests = [
+  ...unitTests,
+  ...pixelTests,
+  ...pageTests,
+  ...hostileTests,
+  ...fixTests,
+  ...moduleTests,
+  ...serveTests,
+  ...verdictTests,
+  ...corpusTests(),
+];
 const wanted = tests.filter((t) => words.length === 0 || words.some((w) => t.name.includes(w)));
 
 class Late extends Error {}

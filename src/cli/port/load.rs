@@ -1,6 +1,7 @@
 //! From paths to a project: shader files, folders, exports, and what goes onto channels.
 
 use super::PortArgs;
+use super::channels::{GivenOrder, orders};
 use crate::cli::input::{InputFile, read};
 use crate::engine::{Repairs, repair, repair_webgl1};
 use crate::port::{
@@ -32,12 +33,7 @@ pub(super) struct Loaded {
 
 /// Reads what the arguments name.
 pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
-    let orders = args
-        .channel
-        .iter()
-        .map(|text| ChannelOrder::read(text))
-        .collect::<Result<Vec<_>, _>>()
-        .map_err(|e| format!("--channel: {e}"))?;
+    let orders = orders(args)?;
     let mode = if args.repair || args.diff {
         Mode::Repair
     } else {
@@ -70,14 +66,14 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     if let Some(folder) = &args.media {
         find_media(&mut project, folder)?;
     }
-    for order in &orders {
+    for GivenOrder { by, order } in &orders {
         let media = match &order.source {
             ChannelSource::File(path) => Some(media(Path::new(path), is_cube(&project, order))?),
             _ => None,
         };
         project
             .put(order, media)
-            .map_err(|e| format!("--channel: {e}"))?;
+            .map_err(|e| format!("{by}: {e}"))?;
     }
     if args.strict_player {
         project.share_samplers();
@@ -210,9 +206,7 @@ fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).map_err(wrong)? {
         let path = entry.map_err(wrong)?.path();
-        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-        if SHADERS.contains(&ending)
-            && path.is_file()
+        if is_shader(&path)
             && let Some(role) = PassRole::of_name(&stem(&path))
         {
             found.push((role, path));
@@ -226,6 +220,12 @@ fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
         ));
     }
     Ok(found)
+}
+
+/// Whether a file of a folder may be a pass.
+pub(super) fn is_shader(path: &Path) -> bool {
+    let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    SHADERS.contains(&ending) && path.is_file()
 }
 
 /// Whether an order is for a channel that reads a cube map.

@@ -1,6 +1,9 @@
 //! `shaderport`.
 
+mod channels;
 mod load;
+mod serve;
+mod watch;
 
 use super::output::{Overwrite, diff, write};
 use super::{CLEAN, FAILED, FINDINGS};
@@ -56,6 +59,14 @@ pub struct PortArgs {
     /// Write over a file that is there already
     #[arg(long)]
     force: bool,
+    /// Make the output again whenever a file changes, until it is stopped
+    #[arg(long, conflicts_with = "diff")]
+    watch: bool,
+    /// Show the page at http://127.0.0.1, for programs on this machine alone; with `--watch` it is
+    /// drawn anew at each change, and time, sliders and mouse stay
+    #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "4700")]
+    #[arg(require_equals = true, conflicts_with_all = ["diff", "output"])]
+    serve: Option<u16>,
 }
 
 /// Runs the converter and gives the exit code.
@@ -70,22 +81,48 @@ pub fn run(args: &PortArgs) -> u8 {
 }
 
 fn port(args: &PortArgs) -> Result<u8, String> {
+    if args.watch || args.serve.is_some() {
+        return watch::run(args);
+    }
+    let Made { files, code } = make(args, None)?;
+    if args.output.is_some() {
+        save(&files, args.overwrite())?;
+    } else if let Some(first) = files.first() {
+        print(&first.content)?;
+    }
+    Ok(code)
+}
+
+/// What comes of the arguments.
+struct Made {
+    /// What is to be written; empty where the errors forbid it, and where a diff was printed.
+    files: Vec<File>,
+    /// The exit code.
+    code: u8,
+}
+
+/// Ports what the arguments name, and tells what there is to tell. A page that is served knows its
+/// version by which it hears of the next.
+fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
     let Loaded {
         project,
         composed,
         repairs,
     } = load::load(args)?;
     tell_repairs(&repairs).map_err(|e| e.to_string())?;
+    let nothing = |code| Made {
+        files: Vec::new(),
+        code,
+    };
     if args.diff {
-        return print(diff_of(&repairs).as_bytes()).map(|()| CLEAN);
+        return print(diff_of(&repairs).as_bytes()).map(|()| nothing(CLEAN));
     }
-    let output = args.output.as_deref();
-    let of_path = || Target::of_path(output.unwrap_or(Path::new("")));
-    let target = args.target.unwrap_or_else(of_path);
+    let target = args.target();
     let order = Order {
         target,
         main: args.main,
-        output,
+        output: args.output.as_deref(),
+        version,
     };
     let made = build(&project, &composed, order).map_err(|e| e.to_string())?;
     let summary = report(&composed, &made.remarks).map_err(|e| e.to_string())?;
@@ -94,25 +131,38 @@ fn port(args: &PortArgs) -> Result<u8, String> {
     }
     // Other languages are made of what compiles, and of nothing else.
     if target != Target::Glsl && target.is_shaders() && summary.errors > 0 {
-        return Ok(FINDINGS);
+        return Ok(nothing(FINDINGS));
     }
     if !target.is_shaders() {
         for what in missing(&project) {
             let _ = writeln!(io::stderr(), "note: {what}");
         }
     }
-    match &args.output {
-        Some(_) => {
-            let overwrite = if args.force {
-                Overwrite::Allowed
-            } else {
-                Overwrite::Never
-            };
-            save(&made.files, overwrite)?;
+    let code = if summary.errors > 0 { FINDINGS } else { CLEAN };
+    Ok(Made {
+        files: made.files,
+        code,
+    })
+}
+
+impl PortArgs {
+    /// What to make: what is asked for, else what the ending of the output tells.
+    fn target(&self) -> Target {
+        let path = self.output.as_deref().unwrap_or(Path::new(""));
+        match (self.target, self.serve) {
+            (Some(target), _) => target,
+            (None, Some(_)) if self.output.is_none() => Target::Html,
+            (None, _) => Target::of_path(path),
         }
-        None => print(made.files.first().map_or(&[][..], |f| &f.content))?,
     }
-    Ok(if summary.errors > 0 { FINDINGS } else { CLEAN })
+
+    /// Whether a file may be in the way.
+    fn overwrite(&self) -> Overwrite {
+        match self.force {
+            true => Overwrite::Allowed,
+            false => Overwrite::Never,
+        }
+    }
 }
 
 fn print(text: &[u8]) -> Result<(), String> {

@@ -125,13 +125,13 @@ function openPlayer(project) {
   }
 }
 
-/** Builds the page around the project that it holds. */
+/** Builds the page around the project that it holds; gives its player, where there is one. */
 function openPage() {
   /** @type {ProjectData} */
   const project = JSON.parse(element('project', HTMLScriptElement).textContent ?? '');
   showCredits(project);
   const player = openPlayer(project);
-  if (!player) return;
+  if (!player) return null;
   showErrors(player);
   showControls(player);
   showCapture(player);
@@ -149,6 +149,7 @@ function openPage() {
     if (!asked.isPaused) player.play();
   });
   Object.assign(window, { shaderport: publicFace(player, ready) });
+  return player;
 }
 
 /** What tests and pages around this one may use. @param {Player} player @param {Promise<void>} ready */

@@ -1,0 +1,183 @@
+//! What the user puts onto channels: `--channel`, and `channels.toml` beside the code.
+//!
+//! In the file a key is a channel of the Image, or a pass with a table of its channels; a value is
+//! what stands behind the `=` of `--channel`. Paths start at the file's folder and stay in it, since
+//! whoever ports a stranger's shader did not write them.
+
+use super::PortArgs;
+use crate::port::{ChannelOrder, ChannelSource};
+use crate::text::LineIndex;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The name of the file.
+const FILE: &str = "channels.toml";
+
+/// An order, and who gave it, as messages begin.
+pub(super) struct GivenOrder {
+    pub(super) by: String,
+    pub(super) order: ChannelOrder,
+}
+
+/// All orders; the later ones win.
+pub(super) fn orders(args: &PortArgs) -> Result<Vec<GivenOrder>, String> {
+    let mut orders = match file_of(args) {
+        Some(path) => of_file(&path)?,
+        None => Vec::new(),
+    };
+    for text in &args.channel {
+        let by = "--channel".to_string();
+        let order = ChannelOrder::read(text).map_err(|e| format!("{by}: {e}"))?;
+        orders.push(GivenOrder { by, order });
+    }
+    Ok(orders)
+}
+
+/// The file beside the code, where there may be one: for a file `ocean.glsl` its own
+/// `ocean.channels.toml` comes first.
+pub(super) fn file_of(args: &PortArgs) -> Option<PathBuf> {
+    let first = args.input.first().filter(|p| p.as_os_str() != "-")?;
+    if first.is_dir() {
+        return Some(first.join(FILE));
+    }
+    let own = first.with_extension(FILE);
+    Some(match own.exists() {
+        true => own,
+        false => first.with_file_name(FILE),
+    })
+}
+
+fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
+    let shown = path.display();
+    let text = match fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(e) if e.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(e) => return Err(format!("{shown}: {e}")),
+    };
+    let at = |start: usize| {
+        let position = LineIndex::new(&text).position(&text, start as u32);
+        format!("{shown}:{}:{}", position.line, position.column)
+    };
+    let table = DeTable::parse(&text).map_err(|e| {
+        let message = e.message().lines().collect::<Vec<_>>().join("; ");
+        format!("{}: {message}", at(e.span().unwrap_or_default().start))
+    })?;
+    let mut found: Vec<(usize, String)> = Vec::new();
+    let wrong = |value: &Spanned<DeValue>, wanted| {
+        Err(format!("{}: this must be {wanted}", at(value.span().start)))
+    };
+    for (key, value) in table.get_ref() {
+        match value.get_ref() {
+            DeValue::String(source) => {
+                found.push((key.span().start, format!("{}={source}", key.get_ref())));
+            }
+            DeValue::Table(channels) => {
+                for (channel, source) in channels {
+                    let DeValue::String(source) = source.get_ref() else {
+                        return wrong(source, "a text in quotes");
+                    };
+                    let text = format!("{}.{}={source}", key.get_ref(), channel.get_ref());
+                    found.push((channel.span().start, text));
+                }
+            }
+            _ => return wrong(value, "a text in quotes, or a table of channels"),
+        }
+    }
+    // Keys were sorted by their letters.
+    found.sort_by_key(|(start, _)| *start);
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let read = |(start, text): (usize, String)| {
+        let by = at(start);
+        let read = ChannelOrder::read(&text).and_then(|order| placed(order, folder));
+        match read {
+            Ok(order) => Ok(GivenOrder { by, order }),
+            Err(e) => Err(format!("{by}: {e}")),
+        }
+    };
+    found.into_iter().map(read).collect()
+}
+
+/// The order with its file's path as it is from here.
+fn placed(mut order: ChannelOrder, folder: &Path) -> Result<ChannelOrder, String> {
+    let ChannelSource::File(file) = &order.source else {
+        return Ok(order);
+    };
+    let path = folder.join(file);
+    // What does not exist is told of where it is read.
+    if let (Ok(path), Ok(folder)) = (path.canonicalize(), canonical(folder))
+        && !path.starts_with(&folder)
+    {
+        return Err(format!(
+            "`{file}` leads out of the folder; give it with `--channel`"
+        ));
+    }
+    order.source = ChannelSource::File(path.to_string_lossy().replace('\\', "/"));
+    Ok(order)
+}
+
+fn canonical(folder: &Path) -> std::io::Result<PathBuf> {
+    match folder.as_os_str().is_empty() {
+        true => Path::new(".").canonicalize(),
+        false => folder.canonicalize(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::port::PassRole;
+    use clap::Parser;
+
+    /// The orders that a file gives, or what is wrong with it, behind the file's name.
+    fn read(text: &str) -> Result<Vec<ChannelOrder>, String> {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join(FILE), text).unwrap();
+        fs::write(folder.path().join("photo.jpg"), "").unwrap();
+        let args = PortArgs::parse_from([Path::new("shaderport"), folder.path()]);
+        let orders = orders(&args).map_err(|e| e.split_once(FILE).unwrap().1.to_string())?;
+        Ok(orders.into_iter().map(|o| o.order).collect())
+    }
+
+    #[test]
+    fn channels_are_read_from_the_file_beside_the_code() {
+        let all = read(
+            "2 = 'photo.jpg,nearest' # of the Image\n[buffer_a]\n0 = 'buffer_a'\n\
+             [image]\n1 = 'keyboard'\n",
+        );
+        let all = all.unwrap();
+        let places: Vec<_> = all.iter().map(|o| (o.pass, o.channel)).collect();
+        let image = PassRole::Image;
+        assert_eq!(places, [(image, 2), (PassRole::Buffer(0), 0), (image, 1)]);
+        assert_eq!(all[0].filter, Some("nearest"));
+        let ChannelSource::File(path) = &all[0].source else {
+            panic!("{:?}", all[0].source);
+        };
+        let path = Path::new(path);
+        assert!(
+            path.is_absolute() && path.ends_with("photo.jpg"),
+            "{path:?}"
+        );
+    }
+
+    #[test]
+    fn mistakes_in_the_file_have_a_place() {
+        let wrong = |text: &str, message: &str| {
+            let found = read(text).unwrap_err();
+            assert!(found.contains(message), "{found}");
+        };
+        wrong(
+            "\n9 = 'keyboard'",
+            ":2:1: a channel is a number from 0 to 3",
+        );
+        wrong("[foo]\n0 = 'keyboard'", ":2:1: `foo` is no pass");
+        wrong("0 = 3", ":1:5: this must be a text in quotes");
+        wrong("0 = ", ":1:5: ");
+        wrong(
+            "0 = '../../../../../../../../../../../etc/passwd'",
+            ":1:1: `../../../../../../../../../../../etc/passwd` leads out of the folder",
+        );
+    }
+}
