@@ -262,6 +262,18 @@ fn nothing_is_written_for_bad_input() {
     assert_eq!(folder.files(), 0);
 }
 
+#[cfg(not(feature = "naga"))]
+#[test]
+fn a_language_that_is_not_built_in_is_never_written_as_another() {
+    let folder = Folder::new();
+    for ending in ["wgsl", "spv", "hlsl", "metal"] {
+        let (code, text) = folder.port(&["clean.glsl", "-o", &format!("a.{ending}")]);
+        assert_eq!(code, Some(2));
+        assert!(text.contains("--features naga"), "{text}");
+    }
+    assert_eq!(folder.files(), 0);
+}
+
 #[test]
 fn a_folder_of_passes_is_one_project() {
     let folder = Folder::new();

@@ -227,6 +227,74 @@ fn rows_are_turned_for_pictures_only() {
 }
 
 #[test]
+fn a_name_of_the_user_turns_no_rows() {
+    let head =
+        "#version 300 es\nprecision highp float;\nuniform vec2 resolution;\nout vec4 color;\n";
+    let main = "void main() { color = vec4(resolution, gl_FragCoord.xy); }\n";
+    let text = wgsl(&format!("{head}{main}"));
+    assert!(!text.contains("resolution.y"), "{text}");
+    assert!(text.contains("// pictureHeight is the height"), "{text}");
+    assert!(text.contains("= uniforms.pictureHeight;"), "{text}");
+    let taken = wgsl(&format!(
+        "{head}const vec2 pictureHeight = vec2(1.0);\n{main}"
+    ));
+    assert!(
+        taken.contains("= uniforms.pictureHeightInPixels;"),
+        "{taken}"
+    );
+    let mine =
+        wgsl("void mainImage(out vec4 c, in vec2 f) { vec2 iResolution = f; c.xy = iResolution; }");
+    assert!(mine.contains("= uniforms.iResolution.y;"), "{mine}");
+}
+
+#[test]
+fn what_a_call_hands_out_starts_at_zero() {
+    let of = |body: &str| {
+        wgsl(&format!(
+            "void mainImage(out vec4 c, in vec2 f) {{ {body} }}"
+        ))
+    };
+    let cleared = "(*c) = vec4<f32>();";
+    for body in ["c.xy += f;", "if (f.x > 1.0) c = f.xyxy;", "c = c + 1.0;"] {
+        assert!(of(body).contains(cleared), "{body}");
+    }
+    assert!(!of("vec2 g = f; c = g.xyxy; c += 1.0;").contains(cleared));
+}
+
+/// What WGSL's compilers would work out, and refuse: nothing that they could is left in the text.
+#[test]
+fn constants_that_come_to_nothing_are_left_to_the_run() {
+    for (statement, refused) in [
+        ("c.x = clamp(f.x, 1.0, 0.0);", "1f, 0f)"),
+        ("c = clamp(c, 1.0, 0.0);", "vec4(1f), vec4(0f))"),
+        ("c.x = smoothstep(1.0, 1.0, f.x);", "smoothstep(1f"),
+        ("float a = -1.0; c.x = pow(a, 0.5);", "pow(-1f"),
+        ("float a = 0.0; c.x = 1.0 / a;", "/ 0f"),
+        ("vec2 a = vec2(0); c.xy = normalize(a);", "normalize(vec"),
+        ("i = i / 0; c.x = float(i % 0);", "/ 0i"),
+        (
+            "ivec2 p = ivec2(i) << ivec2(1, 40); c.xy = vec2(p);",
+            "<< vec2<u32>(1",
+        ),
+        (
+            "int k = 2147483647; i = k + 1; c.x = float(i);",
+            "2147483647i +",
+        ),
+        ("float k = 1e20; c.x = float(uint(k));", "u32(1"),
+        ("mat2 m = mat2(1e30); c.x = (m * m)[0].x;", ") * mat2x2"),
+        (
+            "uint k = 0x7f800000u; c.x = uintBitsToFloat(k);",
+            "bitcast<f32>(2",
+        ),
+    ] {
+        let text = wgsl(&format!(
+            "void mainImage(out vec4 c, in vec2 f) {{ c = f.xyxy; int i = iFrame; {statement} }}"
+        ));
+        assert!(!text.contains(refused), "{statement}\n{text}");
+    }
+}
+
+#[test]
 fn the_form_of_wgsl() {
     insta::assert_snapshot!(wgsl(include_str!("fixtures/naga.glsl")));
 }

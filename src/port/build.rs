@@ -44,21 +44,30 @@ pub enum Target {
 
 impl Target {
     /// What the ending of a file's name asks for.
-    pub fn of_path(path: &Path) -> Target {
-        match path.extension().and_then(|e| e.to_str()).unwrap_or("") {
-            "html" | "htm" => Target::Html,
-            "js" | "mjs" => Target::Module,
-            "json" => Target::Json,
-            #[cfg(feature = "naga")]
-            "wgsl" => Target::Wgsl,
-            #[cfg(feature = "naga")]
-            "spv" => Target::Spirv,
-            #[cfg(feature = "naga")]
-            "hlsl" => Target::Hlsl,
-            #[cfg(feature = "naga")]
-            "metal" => Target::Msl,
-            _ => Target::Glsl,
-        }
+    ///
+    /// # Errors
+    /// Where it asks for a language that this program was built without.
+    pub fn of_path(path: &Path) -> Result<Target, NotBuilt> {
+        Ok(
+            match path.extension().and_then(|e| e.to_str()).unwrap_or("") {
+                "html" | "htm" => Target::Html,
+                "js" | "mjs" => Target::Module,
+                "json" => Target::Json,
+                #[cfg(feature = "naga")]
+                "wgsl" => Target::Wgsl,
+                #[cfg(feature = "naga")]
+                "spv" => Target::Spirv,
+                #[cfg(feature = "naga")]
+                "hlsl" => Target::Hlsl,
+                #[cfg(feature = "naga")]
+                "metal" | "msl" => Target::Msl,
+                #[cfg(not(feature = "naga"))]
+                ending @ ("wgsl" | "spv" | "hlsl" | "metal" | "msl") => {
+                    return Err(NotBuilt(ending.to_string()));
+                }
+                _ => Target::Glsl,
+            },
+        )
     }
 
     /// Whether it is shaders alone, which read nothing themselves.
@@ -66,6 +75,21 @@ impl Target {
         !matches!(
             self,
             Target::Html | Target::Module | Target::Three | Target::React | Target::Json
+        )
+    }
+}
+
+/// The ending of a file's name whose language this program was built without.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct NotBuilt(pub String);
+
+impl fmt::Display for NotBuilt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let NotBuilt(ending) = self;
+        write!(
+            f,
+            "this program was built without the language of `.{ending}` files; build it with \
+             `cargo install --path . --features naga`"
         )
     }
 }

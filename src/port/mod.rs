@@ -25,7 +25,7 @@ mod single;
 mod supply;
 mod whole;
 
-pub use build::{Build, BuildError, File, MainChoice, Order, Remark, Target, build};
+pub use build::{Build, BuildError, File, MainChoice, NotBuilt, Order, Remark, Target, build};
 pub use channel::{ChannelOrder, ChannelSource, Media, kind_of_file};
 pub use compose::{Composed, PassUnit, compose};
 pub use credits::license_words;

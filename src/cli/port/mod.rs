@@ -117,7 +117,7 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
     if args.diff {
         return print(diff_of(&repairs).as_bytes()).map(|()| nothing(CLEAN));
     }
-    let target = args.target();
+    let target = args.target()?;
     let order = Order {
         target,
         main: args.main,
@@ -147,12 +147,12 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
 
 impl PortArgs {
     /// What to make: what is asked for, else what the ending of the output tells.
-    fn target(&self) -> Target {
+    fn target(&self) -> Result<Target, String> {
         let path = self.output.as_deref().unwrap_or(Path::new(""));
         match (self.target, self.serve) {
-            (Some(target), _) => target,
-            (None, Some(_)) if self.output.is_none() => Target::Html,
-            (None, _) => Target::of_path(path),
+            (Some(target), _) => Ok(target),
+            (None, Some(_)) if self.output.is_none() => Ok(Target::Html),
+            (None, _) => Target::of_path(path).map_err(|e| e.to_string()),
         }
     }
 

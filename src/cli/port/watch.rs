@@ -18,7 +18,7 @@ pub(super) fn run(args: &PortArgs) -> Result<u8, String> {
         return Err("standard input cannot be watched or served; name a file".to_string());
     }
     match args.serve {
-        Some(_) if args.target() != Target::Html => {
+        Some(_) if args.target()? != Target::Html => {
             Err("only a page can be served; leave `--target` away".to_string())
         }
         Some(port) => serve(args, Server::open(port)?),

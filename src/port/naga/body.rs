@@ -6,8 +6,9 @@ use super::{Res, Value};
 use crate::ir::OpId;
 use crate::semantic::{Sampler, Type, VariableId};
 use crate::text::Span;
+use ::naga::front::Typifier;
 use ::naga::{Block, Expression, Handle, Literal, LocalVariable, Statement};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Where a variable of the shader is found in the function.
 #[derive(Clone, Copy, Debug)]
@@ -52,6 +53,10 @@ pub(super) struct Body<'l, 'p> {
     pub(super) in_switch: bool,
     /// How deep regions nest.
     pub(super) depth: u32,
+    /// The expressions whose value a compiler of what is written knows.
+    pub(super) known: FxHashSet<Value>,
+    /// The types of expressions, as far as they were asked for.
+    pub(super) types: Typifier,
     block: Block,
     emitted: usize,
 }
@@ -62,6 +67,8 @@ impl<'p> Sink<'p> for Body<'_, 'p> {
     }
 
     fn add(&mut self, expression: Expression) -> Value {
+        let expression = self.at_run_time(expression);
+        let is_known = self.is_known(&expression);
         let is_free = expression.needs_pre_emit();
         if is_free {
             self.flush();
@@ -70,6 +77,9 @@ impl<'p> Sink<'p> for Body<'_, 'p> {
         let handle = self.function.expressions.append(expression, span);
         if is_free {
             self.emitted = self.function.expressions.len();
+        }
+        if is_known {
+            self.known.insert(handle);
         }
         handle
     }
@@ -89,6 +99,8 @@ impl<'l, 'p> Body<'l, 'p> {
             in_loop: false,
             in_switch: false,
             depth: 0,
+            known: FxHashSet::default(),
+            types: Typifier::new(),
             block: Block::new(),
             emitted: 0,
         }

@@ -4,6 +4,7 @@ use super::body::Body;
 use super::global::Global;
 use super::lower::{FirstRow, Lowerer};
 use super::types::Sink;
+use super::uniform::Height;
 use super::{Res, Value};
 use crate::semantic::{FunctionRef, Scalar, Storage, Type, VariableId};
 use crate::syntax::ast::{DeclKind, Item, List, QualifierKind};
@@ -160,9 +161,18 @@ impl Body<'_, '_> {
 
     /// A position whose rows are counted from below.
     fn turned(&mut self, at: Value) -> Res<Value> {
-        let member = self.lowerer.uniforms.resolution.unwrap_or(0);
-        let resolution = self.uniform_member(member)?;
-        let height = self.part(resolution, 1);
+        let height = match self.lowerer.uniforms.height {
+            Some(Height::Own(member)) => self.uniform_member(member)?,
+            Some(Height::Resolution(member)) => {
+                let resolution = self.uniform_member(member)?;
+                self.part(resolution, 1)
+            }
+            None => {
+                return self
+                    .lowerer
+                    .refuse("nothing tells the height of the picture");
+            }
+        };
         let height = self.load(height);
         let parts: Vec<Value> = (0..4).map(|i| self.part(at, i)).collect();
         let &[x, y, z, w] = &parts[..] else {

@@ -68,6 +68,7 @@ impl<'p> Lowerer<'p> {
         body.function.result = result;
         for parameter in form.parameters(function) {
             body.parameter(*parameter)?;
+            body.clear(*parameter, region)?;
         }
         body.region(region)?;
         body.end(returns)?;
@@ -129,6 +130,23 @@ impl Body<'_, '_> {
         Ok(())
     }
 
+    /// What a call hands out starts at zero, as in the browser, unless the function begins by setting
+    /// it.
+    fn clear(&mut self, parameter: VariableId, region: ir::Region) -> Res<()> {
+        let form = self.lowerer.form;
+        let Some(variable) = form.variable(parameter) else {
+            return Ok(());
+        };
+        if variable.root != Root::ParameterOut || is_set_first(form, parameter, region) {
+            return Ok(());
+        }
+        if let Some(Bound::Pointer(pointer)) = self.variables.get(&parameter).copied() {
+            let zero = self.zero(variable.ty)?;
+            self.store(pointer, zero);
+        }
+        Ok(())
+    }
+
     /// The end of a function, where nothing was returned before.
     fn end(&mut self, returns: Type) -> Res<()> {
         if self.is_terminated() {
@@ -141,4 +159,18 @@ impl Body<'_, '_> {
         self.push(Statement::Return { value });
         Ok(())
     }
+}
+
+/// Whether the first that a region does with a variable is to set all of it, whatever happens.
+fn is_set_first(form: &ir::Module, variable: VariableId, region: ir::Region) -> bool {
+    let Some(ir::Step::Run(run)) = form.steps(region).first() else {
+        return false;
+    };
+    let mut uses = run.ops().filter_map(|op| match form.op(op).kind {
+        OpKind::Store(place, _) => Some((form.place(place), true)),
+        OpKind::Load(place) => Some((form.place(place), false)),
+        _ => None,
+    });
+    let first = uses.find(|(place, _)| place.variable == variable);
+    first.is_some_and(|(place, is_set)| is_set && place.path.len == 0)
 }

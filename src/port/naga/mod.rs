@@ -15,6 +15,7 @@ mod call;
 mod entry;
 mod function;
 mod global;
+mod known;
 mod lower;
 mod matrix;
 mod op;

@@ -231,16 +231,30 @@ impl Body<'_, '_> {
                 }
             }
             // Shifts go by unsigned numbers.
-            Binary::ShiftLeft | Binary::ShiftRight => {
-                let (l, r) = (self.value(left)?, self.value(right)?);
-                match self.lowerer.form.scalar(right) {
-                    Some(Scalar::Uint) => (l, r),
-                    _ => (l, self.convert(r, Scalar::Uint)),
-                }
-            }
+            Binary::ShiftLeft | Binary::ShiftRight => (self.value(left)?, self.distance(right)?),
             _ => (self.value(left)?, self.value(right)?),
         };
         Ok(self.op(simple(op), l, r))
+    }
+
+    /// By how many digits is shifted, without a sign.
+    fn distance(&mut self, by: OpId) -> Res<Value> {
+        let form = self.lowerer.form;
+        let unsigned = form.ty(by).with_scalar(Scalar::Uint);
+        if let Some(number) = self.spread(by) {
+            let number = self.distance(number)?;
+            return Ok(self.splat(number, unsigned));
+        }
+        let known = form.constant(by);
+        if !known.is_empty() {
+            let known: Vec<Constant> = known.iter().map(|v| v.to(Scalar::Uint)).collect();
+            return self.constant(unsigned, &mut &known[..]);
+        }
+        let value = self.value(by)?;
+        match form.scalar(by) {
+            Some(Scalar::Uint) => Ok(value),
+            _ => Ok(self.convert(value, Scalar::Uint)),
+        }
     }
 
     /// The number that every component of a value is.

@@ -79,8 +79,10 @@ impl Body<'_, '_> {
         if !self.lowerer.has_place(place.variable)? || self.is_lent(value) {
             return Ok(());
         }
-        if self.settles(place, value) {
-            let value = self.value(value)?;
+        if self.settles(place, value)
+            && let value = self.value(value)?
+            && !self.known.contains(&value)
+        {
             if let Some(name) = self.lowerer.name(place.variable) {
                 self.name(value, name);
             }
@@ -105,8 +107,9 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    /// Whether what is stored to a variable stays its value as long as it lives. The cases of a
-    /// `switch` share their variables, and some are written out again.
+    /// Whether what is stored to a variable stays its value as long as it lives, unless that is a
+    /// number that compilers know: they would go on with it. The cases of a `switch` share their
+    /// variables, and some are written out again.
     fn settles(&self, place: &Place, value: OpId) -> bool {
         let form = self.lowerer.form;
         let root = form.variable(place.variable).map(|v| v.root);

@@ -2,10 +2,11 @@
 
 use super::body::{Body, Bound};
 use super::global::Global;
-use super::lower::Lowerer;
+use super::lower::{FirstRow, Lowerer};
 use super::types::{Sink, image};
 use super::{Res, Value};
-use crate::semantic::{Sampler, Scalar, Storage, Type, VariableId};
+use crate::ir::Place;
+use crate::semantic::{Sampler, Scalar, Storage, Type, Variable, VariableId};
 use ::naga::{
     AddressSpace, Expression, GlobalVariable, Handle, MemoryDecorations, ResourceBinding, Span,
     TypeInner,
@@ -16,10 +17,19 @@ use ::naga::{
 pub(super) struct Uniforms {
     /// The struct that holds them.
     pub(super) block: Option<Handle<GlobalVariable>>,
-    /// The number of the member that tells the height of the picture.
-    pub(super) resolution: Option<u32>,
+    /// Where the height of the picture stands, of a picture whose rows are turned.
+    pub(super) height: Option<Height>,
     /// What the host must know.
     legend: Vec<String>,
+}
+
+/// Where the height of the picture stands among the uniforms.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Height {
+    /// In the second component of this member.
+    Resolution(u32),
+    /// In this member, which the shader knows nothing of.
+    Own(u32),
 }
 
 /// How a uniform lies in the struct.
@@ -55,9 +65,6 @@ impl Form {
     }
 }
 
-/// Names by which shaders know the size of the picture.
-const RESOLUTIONS: [&str; 4] = ["iResolution", "u_resolution", "uResolution", "resolution"];
-
 impl<'p> Lowerer<'p> {
     /// Declares all uniforms that can be; the others are refused where they are used.
     pub(super) fn declare_uniforms(&mut self) -> Res<()> {
@@ -75,23 +82,55 @@ impl<'p> Lowerer<'p> {
                 number += 1;
             } else if let Some(form) = Form::of(variable.ty) {
                 let member = members.len() as u32;
-                if RESOLUTIONS.contains(&name) && variable.ty.components() > 1 {
-                    self.uniforms.resolution = Some(member);
+                if self.tells_size(variable) {
+                    self.uniforms.height = Some(Height::Resolution(member));
                 }
                 members.push((name.to_string(), self.ty(form.ty())?));
                 self.globals.insert(id, Global::Uniform(member));
             }
         }
-        if self.uniforms.resolution.is_none() {
-            self.uniforms.resolution = Some(members.len() as u32);
-            let ty = self.ty(Type::vector(Scalar::Float, 3))?;
-            members.push(("iResolution".to_string(), ty));
+        if self.uniforms.height.is_none() && self.turns_rows() {
+            self.uniforms.height = Some(Height::Own(members.len() as u32));
+            let name = self.unused("pictureHeight");
+            self.uniforms.legend.push(format!(
+                "{name} is the height of the picture in pixels: rows are counted from below"
+            ));
+            members.push((name, self.ty(Type::FLOAT)?));
+        }
+        if members.is_empty() {
+            return Ok(());
         }
         let ty = self.record(Some("Uniforms".to_string()), members)?;
         self.describe(ty);
         let block = self.resource("uniforms", ty, AddressSpace::Uniform, 0);
         self.uniforms.block = Some(block);
         Ok(())
+    }
+
+    /// Whether a uniform is the one by which ShaderToy's player tells the size of the picture. What
+    /// the user calls so may be anything.
+    fn tells_size(&self, variable: &Variable) -> bool {
+        let program = self.program;
+        let is_players = program
+            .declared_at(variable)
+            .is_some_and(|at| !program.is_user(at));
+        is_players && program.names.text(variable.name) == "iResolution"
+    }
+
+    /// Whether rows are turned where the shader asks which one it draws.
+    fn turns_rows(&self) -> bool {
+        let name = self.program.names.get("gl_FragCoord");
+        let is_it = |p: &Place| self.program.variable(p.variable).map(|v| v.name) == name;
+        self.origin == FirstRow::Picture && name.is_some() && self.form.places.iter().any(is_it)
+    }
+
+    /// A name that the shader does not use.
+    fn unused(&self, name: &str) -> String {
+        let mut name = name.to_string();
+        while self.program.names.get(&name).is_some() {
+            name.push_str("InPixels");
+        }
+        name
     }
 
     fn declare_sampler(&mut self, id: VariableId, name: &str, kind: Sampler, number: u32) {

@@ -1,0 +1,184 @@
+//! What the compilers of the other languages would work out while they compile, and refuse where it
+//! comes to nothing: a division by zero, the root of a negative number, `clamp` between limits that
+//! are reversed. GLSL takes all of that, and gives some value when the shader runs.
+//!
+//! So nothing is left for them to work out: what the shader's own language calls constant was folded
+//! before, as the browser folds it, and the rest is read from a variable, which no such compiler
+//! looks through.
+
+use super::Value;
+use super::body::Body;
+use super::lower::Lowerer;
+use super::types::Sink;
+use ::naga::proc::{ResolveContext, TypeResolution};
+use ::naga::{
+    Arena, BinaryOperator as Op, Expression, Handle, Literal, LocalVariable, MathFunction as F,
+    Span, Statement, TypeInner,
+};
+
+impl Body<'_, '_> {
+    /// An expression with which a compiler has nothing to work out or to refuse before the shader
+    /// runs.
+    pub(super) fn at_run_time(&mut self, mut expression: Expression) -> Expression {
+        let is_known = |it: &Self, value: &Value| it.known.contains(value);
+        match &mut expression {
+            Expression::Binary { op, left, right } if computes(*op) => {
+                if is_known(self, left) && is_known(self, right) {
+                    *left = self.hidden(*left);
+                }
+                if self.is_refused(*op, *right) {
+                    *right = self.hidden(*right);
+                }
+            }
+            Expression::Unary { expr, .. } | Expression::As { expr, .. }
+                if is_known(self, expr) =>
+            {
+                *expr = self.hidden(*expr);
+            }
+            Expression::Math {
+                fun,
+                arg,
+                arg1,
+                arg2,
+                ..
+            } => {
+                let bounds = match fun {
+                    F::Clamp => arg1.as_mut().zip(arg2.as_mut()),
+                    F::SmoothStep => Some(&mut *arg).zip(arg1.as_mut()),
+                    _ => None,
+                };
+                if let Some((low, high)) = bounds
+                    && self.are_reversed(*low, *high)
+                {
+                    *low = self.hidden(*low);
+                }
+                let others = [Some(*arg), *arg1, *arg2];
+                if others.iter().flatten().all(|v| is_known(self, v)) {
+                    *arg = self.hidden(*arg);
+                }
+            }
+            _ => {}
+        }
+        expression
+    }
+
+    /// Whether a compiler knows the value of an expression.
+    pub(super) fn is_known(&self, expression: &Expression) -> bool {
+        let known = |value: &Value| self.known.contains(value);
+        match expression {
+            Expression::Literal(_) | Expression::Constant(_) | Expression::ZeroValue(_) => true,
+            Expression::Compose { components, .. } => components.iter().all(known),
+            Expression::Splat { value: inner, .. }
+            | Expression::Swizzle { vector: inner, .. }
+            | Expression::AccessIndex { base: inner, .. }
+            | Expression::Relational {
+                argument: inner, ..
+            } => known(inner),
+            Expression::Access { base, index } => known(base) && known(index),
+            Expression::Binary { left, right, .. } => known(left) && known(right),
+            Expression::Select {
+                condition,
+                accept,
+                reject,
+            } => [condition, accept, reject].into_iter().all(known),
+            _ => false,
+        }
+    }
+
+    /// A value that compilers know, read from a variable.
+    fn hidden(&mut self, value: Value) -> Value {
+        let Some(ty) = self.type_of(value) else {
+            return value;
+        };
+        let variable = LocalVariable {
+            name: None,
+            ty,
+            init: None,
+        };
+        let span = Span::UNDEFINED;
+        let handle = self.function.local_variables.append(variable, span);
+        let pointer = self.add(Expression::LocalVariable(handle));
+        self.push(Statement::Store { pointer, value });
+        self.add(Expression::Load { pointer })
+    }
+
+    fn type_of(&mut self, value: Value) -> Option<Handle<::naga::Type>> {
+        let function = &self.function;
+        let (locals, arguments) = (&function.local_variables, &function.arguments);
+        let context = ResolveContext::with_locals(&self.lowerer.module, locals, arguments);
+        let grown = self.types.grow(value, &function.expressions, &context);
+        grown.ok()?;
+        Some(match self.types[value].clone() {
+            TypeResolution::Handle(handle) => handle,
+            TypeResolution::Value(inner) => self.lowerer.inner(None, inner),
+        })
+    }
+
+    /// Whether compilers refuse an operator for its right side alone.
+    fn is_refused(&self, op: Op, right: Value) -> bool {
+        let lanes = lanes(self.lowerer, &self.function.expressions, right);
+        lanes.iter().any(|lane| match (op, lane) {
+            (Op::Divide | Op::Modulo, Literal::I32(0) | Literal::U32(0)) => true,
+            (Op::ShiftLeft | Op::ShiftRight, Literal::U32(by)) => *by >= u32::BITS,
+            _ => false,
+        })
+    }
+
+    /// Whether one limit is known not to lie below the other.
+    fn are_reversed(&self, low: Value, high: Value) -> bool {
+        let arena = &self.function.expressions;
+        let low = lanes(self.lowerer, arena, low);
+        let high = lanes(self.lowerer, arena, high);
+        low.iter().zip(&high).any(|lanes| match lanes {
+            (Literal::F32(low), Literal::F32(high)) => low >= high,
+            (Literal::I32(low), Literal::I32(high)) => low > high,
+            (Literal::U32(low), Literal::U32(high)) => low > high,
+            _ => false,
+        })
+    }
+}
+
+/// Whether an operator may come to nothing.
+fn computes(op: Op) -> bool {
+    matches!(
+        op,
+        Op::Add
+            | Op::Subtract
+            | Op::Multiply
+            | Op::Divide
+            | Op::Modulo
+            | Op::ShiftLeft
+            | Op::ShiftRight
+    )
+}
+
+/// The numbers that a value is made of, as far as they are known.
+fn lanes(lowerer: &Lowerer, arena: &Arena<Expression>, value: Value) -> Vec<Literal> {
+    match &arena[value] {
+        Expression::Literal(literal) => vec![*literal],
+        Expression::Constant(constant) => {
+            let constant = &lowerer.module.constants[*constant];
+            lanes(lowerer, &lowerer.module.global_expressions, constant.init)
+        }
+        Expression::ZeroValue(ty) => zeros(&lowerer.module.types[*ty].inner),
+        Expression::Splat { size, value } => {
+            let all = lanes(lowerer, arena, *value);
+            all.repeat(*size as usize)
+        }
+        Expression::Compose { components, .. } => {
+            let parts = components.iter();
+            parts.flat_map(|c| lanes(lowerer, arena, *c)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The numbers of a zero.
+fn zeros(ty: &TypeInner) -> Vec<Literal> {
+    let (scalar, count) = match ty {
+        TypeInner::Scalar(scalar) => (*scalar, 1),
+        TypeInner::Vector { size, scalar } => (*scalar, *size as usize),
+        _ => return Vec::new(),
+    };
+    Literal::zero(scalar).map_or(Vec::new(), |zero| vec![zero; count])
+}
