@@ -479,11 +479,8 @@ impl Preprocessor<'_> {
         });
         match result {
             Ok(line) => {
-                let here = self
-                    .sources
-                    .file_at(span.start)
-                    .map_or(0, |f| f.position(span.start).line);
-                self.line_shift = line as i64 - here as i64 - 1;
+                let number = line as i64 - 1;
+                self.lines.set(self.sources, span.start, number);
                 self.check_line_count(span, line);
             }
             Err(Problem::Empty) => {

@@ -9,6 +9,7 @@ mod condition;
 mod directive;
 mod group;
 mod input;
+mod lines;
 mod macros;
 mod number;
 mod place;
@@ -24,6 +25,7 @@ use super::token::{RawKind, RawToken, Token, TokenKind};
 use crate::diagnostic::{Diagnostic, Fix, MacroUse, error};
 use crate::text::{Edit, FileId, Role, Sources, Span};
 use input::{Input, List};
+use lines::LineCount;
 use macros::Expander;
 use memchr::memchr;
 use number::{bad_number, float, integer};
@@ -158,11 +160,7 @@ struct Preprocessor<'a> {
     gave_up: bool,
     /// A `#` was just seen.
     pasting: bool,
-    /// How far the compiler's count of lines is ahead of the file's own: the texts before it count,
-    /// and `#line` sets it.
-    line_shift: i64,
-    /// Whether a line break comes between this text and the next, as behind each Common.
-    is_joined_by_line: bool,
+    lines: LineCount,
     bad_words: FxHashSet<Name>,
     out: Tokens,
     diagnostics: Vec<Diagnostic>,
@@ -207,8 +205,7 @@ impl<'a> Preprocessor<'a> {
             gathered: 0,
             gave_up: false,
             pasting: false,
-            line_shift: 0,
-            is_joined_by_line: false,
+            lines: LineCount::default(),
             bad_words: FxHashSet::default(),
             out: Tokens::default(),
             diagnostics: Vec::new(),
@@ -278,8 +275,6 @@ impl<'a> Preprocessor<'a> {
         let Some(file) = id.and_then(|&id| self.sources.code(id)) else {
             return false;
         };
-        self.line_shift = self.next_line() - self.line_of(file.base);
-        self.is_joined_by_line = file.role == Role::User && id.is_some_and(|id| id.is_whole());
         self.text = file.text;
         if let Some(nul) = memchr(0, file.text.as_bytes()) {
             self.text = file.text.get(..nul).unwrap_or("");
@@ -287,6 +282,9 @@ impl<'a> Preprocessor<'a> {
             let at = file.base + nul as u32;
             self.out.cut = Some(Span::new(at, at + 1));
         }
+        let is_ended = file.role == Role::User && id.is_some_and(|id| id.is_whole());
+        let end = file.base + self.text.len() as u32;
+        self.lines.go_on(file.base, end, is_ended);
         self.base = file.base;
         self.role = file.role;
         self.has_prelude |= file.role == Role::Prelude;
@@ -296,19 +294,6 @@ impl<'a> Preprocessor<'a> {
             self.skipped_from = Some(file.base);
         }
         true
-    }
-
-    /// The line of an address in its file.
-    fn line_of(&self, address: u32) -> i64 {
-        let file = self.sources.file_at(address);
-        file.map_or(0, |f| f.position(address).line as i64)
-    }
-
-    /// The compiler's number of the line that the next file starts with: the first, or the one that
-    /// the file before it ends in.
-    fn next_line(&self) -> i64 {
-        let end = self.base + self.text.len() as u32;
-        self.line_of(end) + self.line_shift + i64::from(self.is_joined_by_line)
     }
 
     fn is_skipping(&self) -> bool {
@@ -653,7 +638,7 @@ impl<'a> Preprocessor<'a> {
         match self.names.text(definition.name) {
             "__LINE__" => {
                 // What a call expands to counts where the call ends.
-                Some((self.line_of(token.span.end) + self.line_shift) as u32)
+                Some(self.lines.at(self.sources, token.span.end) as u32)
             }
             "__FILE__" => Some(0),
             _ => None,
