@@ -4,15 +4,16 @@
 //! own endpoint and export, an array or object with string ids and `type`, and the bare object that
 //! the site's editor saves. All carry `info` and `renderpass`.
 
-use super::{Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings};
-use crate::semantic::Pass;
+use super::{Info, Input, InputKind, OutputId, PassRole, Project, ProjectPass, SamplerSettings};
+use crate::semantic::{GuessedKind, Pass, guess};
+use crate::text::json::mend_escapes;
 use serde_json::Value;
 use std::fmt;
 
 /// Most passes a project may have; ShaderToy itself loads 8, and the largest seen has 11.
 const MAX_PASSES: usize = 16;
-/// Largest export that is read, in bytes.
-pub const MAX_EXPORT: usize = 8 * 1024 * 1024;
+/// Largest export that is read, in bytes; it may carry its media.
+pub const MAX_EXPORT: usize = 128 * 1024 * 1024;
 
 /// Why a text is no project.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -28,6 +29,8 @@ pub enum ProjectError {
     },
     /// It is JSON, but no ShaderToy export.
     NotAnExport,
+    /// It is what the site's API answers where it has no shader to give: what it says.
+    Answer(String),
     /// It is larger than [`MAX_EXPORT`].
     TooLarge(usize),
     /// Something in it is not as it should be.
@@ -52,6 +55,9 @@ impl fmt::Display for ProjectError {
             ProjectError::NotAnExport => {
                 write!(f, "this is no ShaderToy export: it has no `renderpass`")
             }
+            ProjectError::Answer(said) => {
+                write!(f, "this is no shader, but an answer of the site: {said}")
+            }
             ProjectError::TooLarge(size) => {
                 write!(f, "this export has {size} bytes; {MAX_EXPORT} are allowed")
             }
@@ -75,42 +81,27 @@ impl Project {
         if text.len() > MAX_EXPORT {
             return Err(ProjectError::TooLarge(text.len()));
         }
-        let json: Value =
-            serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
-                ProjectError::Json {
-                    line: e.line(),
-                    column: e.column(),
-                    message: e
-                        .to_string()
-                        .split(" at line ")
-                        .next()
-                        .unwrap_or("")
-                        .to_string(),
-                }
-            })?;
-        let shader = match &json {
-            Value::Array(all) if all.len() == 1 => all.first().unwrap_or(&json),
-            Value::Array(all)
-                if all.len() > 1 && all.iter().all(|s| s.get("renderpass").is_some()) =>
-            {
-                return Err(field(
-                    "[1]",
-                    "there are several shaders in this file; give one at a time",
-                ));
-            }
-            Value::Object(map) => map.get("Shader").unwrap_or(&json),
-            _ => return Err(ProjectError::NotAnExport),
-        };
-        let Some(Value::Array(passes)) = shader.get("renderpass") else {
-            return Err(ProjectError::NotAnExport);
-        };
+        let text = mend_escapes(text.trim_start_matches('\u{feff}'));
+        let json: Value = serde_json::from_str(&text).map_err(|e| ProjectError::Json {
+            line: e.line(),
+            column: e.column(),
+            message: e
+                .to_string()
+                .split(" at line ")
+                .next()
+                .unwrap_or("")
+                .to_string(),
+        })?;
+        let shader = the_shader(&json)?;
+        let passes = list(shader.get("renderpass"));
         if passes.is_empty() || passes.len() > MAX_PASSES {
             let message = format!("{} passes; 1 to {MAX_PASSES} are allowed", passes.len());
             return Err(field("renderpass", message));
         }
         let passes = passes
-            .iter()
+            .into_iter()
             .enumerate()
+            .filter(|(_, p)| !p.is_null())
             .map(|(i, p)| read_pass(p, &format!("renderpass[{i}]")))
             .collect::<Result<Vec<_>, _>>()?;
         let mut project = Project {
@@ -126,6 +117,35 @@ impl Project {
     /// The code that is put before every other pass.
     pub fn commons(&self) -> impl Iterator<Item = &ProjectPass> {
         self.passes.iter().filter(|p| p.kind == Pass::Common)
+    }
+}
+
+/// The object that holds the passes.
+fn the_shader(json: &Value) -> Result<&Value, ProjectError> {
+    let shader = match json {
+        Value::Array(all) if all.iter().filter(|s| s.get("renderpass").is_some()).count() > 1 => {
+            return Err(field(
+                "[1]",
+                "there are several shaders in this file; give one at a time",
+            ));
+        }
+        Value::Array(all) => all.first().unwrap_or(json),
+        _ => json,
+    };
+    let shader = shader.get("Shader").unwrap_or(shader);
+    match (shader.get("renderpass"), shader.get("Error")) {
+        (Some(Value::Array(_) | Value::Object(_)), _) => Ok(shader),
+        (_, Some(Value::String(said))) => Err(ProjectError::Answer(plain(said))),
+        _ => Err(ProjectError::NotAnExport),
+    }
+}
+
+/// The values of a list, or of an object in its place; nothing where there is neither.
+fn list(value: Option<&Value>) -> Vec<&Value> {
+    match value {
+        Some(Value::Array(all)) => all.iter().collect(),
+        Some(Value::Object(map)) => map.values().collect(),
+        _ => Vec::new(),
     }
 }
 
@@ -165,111 +185,125 @@ fn text(value: Option<&Value>) -> String {
     }
 }
 
+/// The first of some fields that says something.
+fn first_text(of: &Value, names: &[&str]) -> String {
+    let mut all = names.iter().map(|name| text(of.get(name)));
+    all.find(|t| !t.is_empty()).unwrap_or_default()
+}
+
 fn read_info(info: &Value) -> Info {
-    let tags = match info.get("tags") {
-        Some(Value::Array(tags)) => tags.iter().map(|t| text(Some(t))).collect(),
-        _ => Vec::new(),
-    };
+    let tags = list(info.get("tags"));
     Info {
         id: text(info.get("id")),
         name: text(info.get("name")),
         author: text(info.get("username")),
         description: text(info.get("description")),
-        tags,
+        tags: tags.into_iter().map(|t| text(Some(t))).collect(),
     }
 }
 
 fn read_pass(pass: &Value, path: &str) -> Result<ProjectPass, ProjectError> {
-    let kind = match pass.get("type") {
-        Some(Value::String(kind)) => match kind.as_str() {
-            "image" => Pass::Image,
-            "buffer" => Pass::Buffer,
-            "common" => Pass::Common,
-            "sound" => Pass::Sound,
-            "cubemap" => Pass::Cubemap,
-            other => {
-                return Err(field(
-                    format!("{path}.type"),
-                    format!("`{other}` is no type of pass"),
-                ));
-            }
-        },
-        _ => {
-            return Err(field(
-                format!("{path}.type"),
-                "the type of the pass is missing",
-            ));
-        }
-    };
     let Some(Value::String(code)) = pass.get("code") else {
         return Err(field(
             format!("{path}.code"),
             "the code of the pass is missing",
         ));
     };
-    let inputs = match pass.get("inputs") {
-        None | Some(Value::Null) => Vec::new(),
-        Some(Value::Array(inputs)) => inputs
-            .iter()
-            .enumerate()
-            .filter(|(_, i)| !i.is_null())
-            .map(|(i, input)| read_input(input, &format!("{path}.inputs[{i}]")))
-            .collect::<Result<Vec<_>, _>>()?,
-        Some(_) => return Err(field(format!("{path}.inputs"), "this must be a list")),
+    let name = text(pass.get("name"));
+    let outputs = list(pass.get("outputs"));
+    let output = outputs.first().map(|o| OutputId::new(&text(o.get("id"))));
+    let kind = match text(pass.get("type")).as_str() {
+        "image" => Pass::Image,
+        "buffer" => Pass::Buffer,
+        "common" => Pass::Common,
+        "sound" => Pass::Sound,
+        "cubemap" => Pass::Cubemap,
+        "" => told_kind(output.as_ref(), &name, code).ok_or_else(|| {
+            field(
+                format!("{path}.type"),
+                "the type of the pass is missing, and neither its name nor its code tells it",
+            )
+        })?,
+        other => {
+            return Err(field(
+                format!("{path}.type"),
+                format!("`{}` is no type of pass", plain(other)),
+            ));
+        }
     };
-    let output = match pass.get("outputs") {
-        Some(Value::Array(outputs)) => outputs.first().map(|o| OutputId::new(&text(o.get("id")))),
-        _ => None,
-    };
+    let mut inputs = Vec::new();
+    for (i, input) in list(pass.get("inputs")).into_iter().enumerate() {
+        inputs.extend(read_input(input, i, &format!("{path}.inputs[{i}]"))?);
+    }
     Ok(ProjectPass {
-        name: text(pass.get("name")),
+        name,
         inputs,
         output,
         ..ProjectPass::new(kind, code.as_str())
     })
 }
 
-fn read_input(input: &Value, path: &str) -> Result<Input, ProjectError> {
-    let word = text(input.get("type").or_else(|| input.get("ctype")));
-    let kind = InputKind::of(&word).ok_or_else(|| {
-        field(
-            format!("{path}.type"),
-            format!("`{word}` is no type of input"),
-        )
-    })?;
-    let channel = input
-        .get("channel")
-        .and_then(Value::as_u64)
-        .filter(|c| *c < 4);
-    let Some(channel) = channel else {
+/// What a pass without a type is: as what it writes to, its name or its code tell.
+fn told_kind(output: Option<&OutputId>, name: &str, code: &str) -> Option<Pass> {
+    let by_output = output.and_then(|o| match o.0.as_str() {
+        OutputId::IMAGE => Some(Pass::Image),
+        OutputId::CUBE => Some(Pass::Cubemap),
+        OutputId::SOUND => Some(Pass::Sound),
+        _ => o.number().map(|_| Pass::Buffer),
+    });
+    let by_name = || PassRole::of_name(name).map(PassRole::kind);
+    let by_code = || match guess(code).kind {
+        Some(GuessedKind::ShaderToy(kind)) => Some(kind),
+        _ => None,
+    };
+    by_output.or_else(by_name).or_else(by_code)
+}
+
+/// What a channel reads; `None` where nothing is on it. What has no channel takes the one of its place
+/// in the list.
+fn read_input(input: &Value, place: usize, path: &str) -> Result<Option<Input>, ProjectError> {
+    let word = first_text(input, &["type", "ctype"]);
+    let channel = match text(input.get("channel")).as_str() {
+        "" => Some(place),
+        number => number.parse().ok(),
+    };
+    let Some(channel) = channel.filter(|c| *c < 4) else {
         return Err(field(
             format!("{path}.channel"),
             "a channel is a number from 0 to 3",
         ));
     };
-    let place = if input.get("filepath").is_some() {
-        "filepath"
-    } else {
-        "src"
-    };
-    let src = text(input.get(place));
+    if word.is_empty() {
+        return Ok(None);
+    }
+    // What nobody knows is a picture that is not there.
+    let kind = InputKind::of(&word).unwrap_or(InputKind::Texture);
+    let src = first_text(input, &["filepath", "src"]);
     let urls = data_addresses(input, &src, path)?;
     if urls.is_empty() && climbs(&src) {
-        let message = format!("`{src}` leaves the folder of the shader");
-        return Err(field(format!("{path}.{place}"), message));
+        let message = format!("`{}` leaves the folder of the shader", plain(&src));
+        let field_name = match text(input.get("filepath")) == src {
+            true => "filepath",
+            false => "src",
+        };
+        return Err(field(format!("{path}.{field_name}"), message));
     }
-    Ok(Input {
+    Ok(Some(Input {
         channel: channel as u8,
         kind,
         id: source_id(kind, &text(input.get("id")), &src),
-        sampler: read_sampler(input.get("sampler").unwrap_or(&Value::Null)),
+        sampler: read_sampler(kind, input.get("sampler").unwrap_or(&Value::Null)),
         name: text(input.get("name")),
         src: if urls.is_empty() { src } else { String::new() },
         urls,
-    })
+    }))
 }
 
-fn read_sampler(sampler: &Value) -> SamplerSettings {
+/// Whoever leaves a sampler out has the usual one; one that is there means what it says.
+fn read_sampler(kind: InputKind, sampler: &Value) -> SamplerSettings {
+    if sampler.is_null() {
+        return SamplerSettings::usual(kind);
+    }
     SamplerSettings {
         filter: text(sampler.get("filter")),
         wrap: text(sampler.get("wrap")),
@@ -280,8 +314,9 @@ fn read_sampler(sampler: &Value) -> SamplerSettings {
 
 /// The files that the input itself carries, as `--target json` writes them.
 fn data_addresses(input: &Value, src: &str, path: &str) -> Result<Vec<String>, ProjectError> {
-    let given: Vec<String> = match input.get("data") {
-        Some(Value::Array(all)) => all.iter().map(|v| text(Some(v))).collect(),
+    let data = list(input.get("data"));
+    let given: Vec<String> = match data.is_empty() {
+        false => data.into_iter().map(|v| text(Some(v))).collect(),
         _ if src.starts_with("data:") => vec![src.to_string()],
         _ => Vec::new(),
     };
@@ -292,6 +327,12 @@ fn data_addresses(input: &Value, src: &str, path: &str) -> Result<Vec<String>, P
             "only `data:` addresses are taken",
         )),
     }
+}
+
+/// A text from outside, short and without signs that a terminal obeys.
+pub(super) fn plain(text: &str) -> String {
+    let kept = text.chars().filter(|c| !c.is_control());
+    kept.take(80).collect()
 }
 
 /// Whether a path names something above the folder that it starts in.
@@ -364,6 +405,31 @@ mod tests {
         assert_eq!(Project::from_json(json).unwrap_err().to_string(), expected);
     }
 
+    /// What exports of other programs and of former times look like.
+    #[test]
+    fn what_is_missing_or_of_another_type_is_made_up_for() {
+        let json = "\u{feff}{\"info\":null,\"renderpass\":[null,{\"name\":\"\\ud800 Image\",\"code\":\"\",
+            \"outputs\":null,\"inputs\":{\"0\":{\"type\":null,\"ctype\":null,\"channel\":0},
+            \"1\":{\"type\":null,\"ctype\":\"texture\",\"channel\":\"2\",\"filepath\":null,\"src\":\"/a.png\"},
+            \"2\":null,\"3\":{\"ctype\":\"hologram\"}}},
+            {\"code\":\"vec2 mainSound(int s, float t) { return vec2(0); }\"}]}";
+        let project = Project::from_json(json).unwrap();
+        let kinds: Vec<_> = project.passes.iter().map(|p| p.kind).collect();
+        assert_eq!(kinds, [Pass::Image, Pass::Sound]);
+        let image = &project.passes[0];
+        assert_eq!(image.name, "\u{fffd} Image");
+        let inputs = image.inputs.iter();
+        let inputs: Vec<_> = inputs.map(|i| (i.channel, i.kind, &*i.src)).collect();
+        assert_eq!(
+            inputs,
+            [
+                (2, InputKind::Texture, "/a.png"),
+                (3, InputKind::Texture, "")
+            ]
+        );
+        assert_eq!(image.inputs[0].sampler.filter, "mipmap");
+    }
+
     #[test]
     fn errors_tell_the_place() {
         check("{", "line 1, column 1: EOF while parsing an object");
@@ -373,8 +439,13 @@ mod tests {
             "`renderpass[0].type`: `foo` is no type of pass",
         );
         check(
-            r#"{"renderpass":[{"type":"image","code":"","inputs":[{"type":"x","channel":0}]}]}"#,
-            "`renderpass[0].inputs[0].type`: `x` is no type of input",
+            r#"{"renderpass":[{"code":""}]}"#,
+            "`renderpass[0].type`: the type of the pass is missing, and neither its name nor its code \
+             tells it",
+        );
+        check(
+            r#"{"Error":"Shader not found"}"#,
+            "this is no shader, but an answer of the site: Shader not found",
         );
         check(
             r#"{"renderpass":[{"type":"image","code":"","inputs":[{"type":"texture","channel":0,

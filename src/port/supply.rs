@@ -1,5 +1,6 @@
 //! What a project reads and the converter does not have, and what stands in its place.
 
+use super::export::plain;
 use super::{Input, InputKind, OutputId, Project, ProjectPass};
 use crate::semantic::Pass;
 
@@ -87,12 +88,6 @@ fn lacks(word: &str, input: &Input) -> String {
             plain(src)
         ),
     }
-}
-
-/// A text from outside, short and without signs that a terminal obeys.
-fn plain(text: &str) -> String {
-    let kept = text.chars().filter(|c| !c.is_control());
-    kept.take(80).collect()
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! byte.
 
 use memchr::{memchr, memchr2};
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// A string of a JSON text.
@@ -82,6 +83,31 @@ impl JsonString {
     }
 }
 
+/// A JSON text in which every escape of half a character is one of U+FFFD, as a browser shows it. All
+/// places stay where they are.
+pub fn mend_escapes(text: &str) -> Cow<'_, str> {
+    let mut mended = String::new();
+    let (mut at, mut copied) = (0, 0);
+    while let Some(plain) = memchr(b'\\', text.as_bytes().get(at..).unwrap_or(&[])) {
+        at += plain;
+        let Some((c, length)) = text.get(at..).and_then(escape) else {
+            at += 1;
+            continue;
+        };
+        if c == char::REPLACEMENT_CHARACTER {
+            mended.push_str(text.get(copied..at).unwrap_or(""));
+            mended.push_str("\\ufffd");
+            copied = at + length;
+        }
+        at += length;
+    }
+    if copied == 0 {
+        return Cow::Borrowed(text);
+    }
+    mended.push_str(text.get(copied..).unwrap_or(""));
+    Cow::Owned(mended)
+}
+
 /// The character of the escape that a text starts with, and how long it is written.
 fn escape(rest: &str) -> Option<(char, usize)> {
     let c = match rest.as_bytes().get(1)? {
@@ -96,9 +122,9 @@ fn escape(rest: &str) -> Option<(char, usize)> {
             if let Some(c) = char::from_u32(u32::from(high)) {
                 return Some((c, 6));
             }
-            let low = unit(8).filter(|_| rest.get(6..8) == Some("\\u"))?;
-            let c = char::decode_utf16([high, low]).next()?.ok()?;
-            return Some((c, 12));
+            let low = unit(8).filter(|_| rest.get(6..8) == Some("\\u"));
+            let pair = low.and_then(|low| char::decode_utf16([high, low]).next()?.ok());
+            return Some(pair.map_or((char::REPLACEMENT_CHARACTER, 6), |c| (c, 12)));
         }
         b'"' | b'\\' | b'/' => char::from(*rest.as_bytes().get(1)?),
         _ => return None,
