@@ -3,8 +3,7 @@
 #[cfg(feature = "naga")]
 use super::naga::{Refused, TargetLanguage, translate};
 use super::{
-    Composed, NotSafe, Project, ScriptModule, VERTEX, glsl, html, json, module, react, rewrite,
-    three,
+    Composed, NotSafe, Project, ScriptModule, glsl, html, json, module, react, rewrite, three,
 };
 use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::semantic::Pass;
@@ -266,10 +265,25 @@ fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build
         1 => output.with_extension("vert"),
         _ => output.join("pass.vert"),
     };
+    let vertices: Vec<String> = passes.iter().map(|p| p.vertex.clone()).collect();
     let passes = passes.into_iter();
     let passes = passes.map(|p| (p.name, p.slug, p.fragment.into_bytes()));
     let mut files = named(order, passes.collect(), "frag")?;
-    files.push(file(&vertex, VERTEX));
+    let is_one = vertices.windows(2).all(|pair| pair.first() == pair.last());
+    let own: Vec<File> = match is_one {
+        true => vertices
+            .first()
+            .map(|v| file(&vertex, v.as_str()))
+            .into_iter()
+            .collect(),
+        // Each fragment shader has its own beside it.
+        false => {
+            let pairs = files.iter().zip(&vertices);
+            let pairs = pairs.map(|(f, v)| file(&f.path.with_extension("vert"), v.as_str()));
+            pairs.collect()
+        }
+    };
+    files.extend(own);
     Ok(Build { files, remarks })
 }
 

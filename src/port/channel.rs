@@ -240,7 +240,7 @@ mod tests {
         let mut project = Project {
             info: Info::default(),
             passes: vec![ProjectPass::new(Pass::Image, "")],
-            is_export: false,
+            ..Project::default()
         };
         let missing = ChannelOrder::read("0=buffer_a").unwrap();
         assert!(project.put(&missing, None).is_err());

@@ -31,13 +31,14 @@ pub struct Composed {
     keys: Vec<Key>,
 }
 
-/// What of a pass decides what is compiled: its code, who stands around it, and what its channels are.
+/// What of a pass decides what is compiled: what its channels are, its code, and what goes around it.
 #[derive(PartialEq, Eq)]
-struct Key(Pass, Wrapper, Channels, Arc<str>);
+struct Key(Pass, Wrapper, Channels, [Arc<str>; 3]);
 
 impl Key {
     fn of(pass: &ProjectPass) -> Key {
-        Key(pass.kind, pass.wrapper, pass.channels(), pass.code.clone())
+        let texts = [&pass.before, &pass.code, &pass.behind].map(Arc::clone);
+        Key(pass.kind, pass.wrapper, pass.channels(), texts)
     }
 }
 
@@ -88,7 +89,13 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
             files.push(headers.iter().find(|h| (h.0, h.1) == key)?.2);
             files.extend(commons.iter().map(|(_, f)| *f).filter(|f| *f != file));
         }
+        let around = |sources: &mut Sources, text: &Arc<str>| match text.is_empty() {
+            true => Some(None),
+            false => sources.add("", None, Role::Prelude, text.clone()).map(Some),
+        };
+        files.extend(around(&mut sources, &found.before)?);
         files.push(file);
+        files.extend(around(&mut sources, &found.behind)?);
         units.push(PassUnit {
             pass,
             kind: found.kind,
@@ -114,7 +121,11 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
 /// The headers, one for each kind of pass and types of channels.
 fn headers(project: &Project, sources: &mut Sources) -> Option<Vec<(Pass, Channels, FileId)>> {
     let mut headers: Vec<(Pass, Channels, FileId)> = Vec::new();
-    for pass in &project.passes {
+    for pass in project
+        .passes
+        .iter()
+        .filter(|p| p.wrapper == Wrapper::Player)
+    {
         let (kind, channels) = (pass.kind, pass.channels());
         if !headers.iter().any(|h| (h.0, h.1) == (kind, channels)) {
             let text = kind.host().prelude(channels);

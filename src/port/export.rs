@@ -108,6 +108,7 @@ impl Project {
             info: read_info(shader.get("info").unwrap_or(&Value::Null)),
             passes,
             is_export: true,
+            ..Project::default()
         };
         check_passes(&project)?;
         name_buffers(&mut project);
@@ -289,13 +290,12 @@ fn read_input(input: &Value, place: usize, path: &str) -> Result<Option<Input>, 
         return Err(field(format!("{path}.{field_name}"), message));
     }
     Ok(Some(Input {
-        channel: channel as u8,
-        kind,
         id: source_id(kind, &text(input.get("id")), &src),
         sampler: read_sampler(kind, input.get("sampler").unwrap_or(&Value::Null)),
         name: text(input.get("name")),
         src: if urls.is_empty() { src } else { String::new() },
         urls,
+        ..Input::empty(channel as u8, kind)
     }))
 }
 

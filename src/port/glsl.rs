@@ -1,6 +1,6 @@
 //! The shaders alone, as text.
 
-use super::{Composed, Project, credits};
+use super::{Composed, Project, Wrapper, credits};
 use crate::text::{FileId, Role};
 
 /// The vertex shader of every pass: one triangle that covers the picture.
@@ -22,6 +22,8 @@ pub struct GlslPass {
     pub slug: &'static str,
     /// The fragment shader.
     pub fragment: String,
+    /// The vertex shader that goes with it.
+    pub vertex: String,
 }
 
 /// The fragment shader of each pass, in the order of the project.
@@ -31,10 +33,29 @@ pub fn glsl(project: &Project, composed: &Composed) -> Vec<GlslPass> {
         Some(GlslPass {
             name: pass.title(unit.pass),
             slug: pass.slug(),
-            fragment: signed(project, fragment(composed, &unit.files)),
+            fragment: match unit.wrapper {
+                Wrapper::Player => signed(project, fragment(composed, &unit.files)),
+                Wrapper::Own => headed(project, fragment(composed, &unit.files)),
+            },
+            vertex: match pass.bound.vertex.as_str() {
+                "" => VERTEX.to_string(),
+                own => own.to_string(),
+            },
         })
     };
     composed.units.iter().filter_map(pass).collect()
+}
+
+/// Puts who made it before a whole shader, but behind a `#version`, which must come first.
+fn headed(project: &Project, fragment: String) -> String {
+    let lines = credits::lines(project);
+    let credits: String = lines.iter().map(|line| format!("// {line}\n")).collect();
+    match fragment.split_once('\n') {
+        Some((version, rest)) if version.starts_with("#version") => {
+            format!("{version}\n{credits}{rest}")
+        }
+        _ => credits + &fragment,
+    }
 }
 
 /// Puts who made it behind the `#version`, which must come first. As many lines of uniforms are joined,

@@ -171,7 +171,7 @@ impl Project {
         Ok(Project {
             info,
             passes: passes.collect(),
-            is_export: false,
+            ..Project::default()
         })
     }
 }

@@ -1,9 +1,11 @@
 //! What the player is handed: the project as JSON.
 
-use super::whole::{self, Known};
-use super::{Composed, Input, InputKind, OutputId, PassUnit, Project, VERTEX, Wrapper, credits};
-use crate::semantic::Pass;
+use super::{
+    Composed, Control, Input, InputKind, OutputId, Project, ProjectPass, UniformData, VERTEX,
+    Wrapper, credits,
+};
 use crate::semantic::tunable::{Tunable, may_hold_tunables, tunables};
+use crate::semantic::{Pass, Sampler};
 use crate::text::{FileId, Role, SourceFile, Sources};
 use rustc_hash::FxHashSet;
 use serde::Serialize;
@@ -19,6 +21,7 @@ struct Payload<'a> {
     files: Vec<Text<'a>>,
     passes: Vec<PassData<'a>>,
     tunables: Vec<TunableData>,
+    controls: &'a [Control],
 }
 
 #[derive(Serialize)]
@@ -33,21 +36,25 @@ struct PassData<'a> {
     kind: &'static str,
     name: String,
     files: Vec<u32>,
-    inputs: [Option<InputData<'a>>; 4],
+    inputs: Vec<Option<InputData<'a>>>,
     #[serde(flatten)]
-    own: Option<OwnData>,
+    own: Option<OwnData<'a>>,
 }
 
 /// What the player must know of a shader that brings its own uniforms.
 #[derive(Serialize)]
-struct OwnData {
-    vertex: String,
-    uniforms: Vec<Known>,
+struct OwnData<'a> {
+    vertex: &'a str,
+    uniforms: &'a [UniformData],
 }
 
 #[derive(Serialize)]
 struct InputData<'a> {
     kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uniform: Option<&'a str>,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    sampler: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     buffer: Option<usize>,
     filter: &'a str,
@@ -90,6 +97,7 @@ pub(super) fn payload(project: &Project, composed: &Composed) -> String {
             .collect(),
         passes: passes(project, composed),
         tunables: all_tunables(composed),
+        controls: &project.controls,
     };
     // Only maps with other keys than strings, and failing writers, make this fail.
     serde_json::to_string(&payload).unwrap_or_default()
@@ -114,11 +122,14 @@ fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassData<'a>> {
     let drawn_by = |id: &str| {
         let writes = |o: &OutputId| !id.is_empty() && o.0 == id;
         let mut all = running.iter();
-        all.position(|(_, p)| p.kind == Pass::Buffer && p.output.as_ref().is_some_and(writes))
+        all.position(|(_, p)| {
+            matches!(p.kind, Pass::Buffer | Pass::Image) && p.output.as_ref().is_some_and(writes)
+        })
     };
     let draws_cube = running.iter().any(|(_, p)| p.kind == Pass::Cubemap);
     let data = running.iter().map(|(unit, pass)| {
-        let mut inputs = [None, None, None, None];
+        let last = pass.inputs.iter().map(|i| usize::from(i.channel) + 1).max();
+        let mut inputs: Vec<_> = (0..last.unwrap_or(0).max(4)).map(|_| None).collect();
         for input in &pass.inputs {
             if let Some(slot) = inputs.get_mut(input.channel as usize) {
                 *slot = Some(input_data(input, drawn_by(&input.id), draws_cube));
@@ -129,19 +140,16 @@ fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassData<'a>> {
             name: pass.title(unit.pass),
             files: unit.files.iter().map(|f| f.0).collect(),
             inputs,
-            own: own(composed, unit),
+            own: own(pass),
         }
     });
     data.collect()
 }
 
-fn own(composed: &Composed, unit: &PassUnit) -> Option<OwnData> {
-    (unit.wrapper == Wrapper::Own).then(|| {
-        let program = &composed.analysis(unit).program;
-        OwnData {
-            vertex: whole::vertex(program),
-            uniforms: whole::uniforms(program),
-        }
+fn own(pass: &ProjectPass) -> Option<OwnData<'_>> {
+    (pass.wrapper == Wrapper::Own).then(|| OwnData {
+        vertex: &pass.bound.vertex,
+        uniforms: &pass.bound.uniforms,
     })
 }
 
@@ -174,6 +182,11 @@ fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> 
     };
     InputData {
         kind,
+        uniform: input.uniform.as_deref(),
+        sampler: match input.sampler_type {
+            Sampler::Sampler2D | Sampler::SamplerCube | Sampler::Sampler3D => "",
+            other => other.name(),
+        },
         buffer: if is_buffer { buffer } else { None },
         filter: match input.sampler.filter.as_str() {
             word @ ("linear" | "mipmap") => word,

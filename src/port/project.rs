@@ -1,10 +1,11 @@
 //! ShaderToy projects: passes, and what their channels read.
 
+use super::{Bindings, Control, DialectFacts};
 use crate::semantic::{Channels, Pass, Sampler};
 use std::sync::Arc;
 
 /// A ShaderToy project.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Default, Debug)]
 pub struct Project {
     /// Who made it, and what it is called.
     pub info: Info,
@@ -12,6 +13,12 @@ pub struct Project {
     pub passes: Vec<ProjectPass>,
     /// Whether it comes from an export, so that ShaderToy's terms hold and passes have names.
     pub is_export: bool,
+    /// What its whole shaders are written in.
+    pub dialect: Option<&'static DialectFacts>,
+    /// The uniforms that the user sets.
+    pub controls: Vec<Control>,
+    /// What is to be told of how it was read.
+    pub notes: Vec<String>,
 }
 
 /// Who made a project, and what it is called; all of it is text from outside.
@@ -44,6 +51,12 @@ pub struct ProjectPass {
     pub output: Option<OutputId>,
     /// Who declares its uniforms and `main`.
     pub wrapper: Wrapper,
+    /// What goes before the code of a whole shader.
+    pub before: Arc<str>,
+    /// What goes behind it.
+    pub behind: Arc<str>,
+    /// What a whole shader is given.
+    pub bound: Bindings,
     /// Path of its own file, where it has one.
     pub file: Option<String>,
 }
@@ -86,6 +99,11 @@ impl OutputId {
         BUFFERS.get(number).map(|id| OutputId(id.to_string()))
     }
 
+    /// What a buffer of a whole shader is called that its sampler names.
+    pub fn of_dialect(name: &str) -> OutputId {
+        OutputId(format!("own:{name}"))
+    }
+
     /// The number of the buffer that it is.
     pub fn number(&self) -> Option<usize> {
         BUFFERS.iter().position(|id| *id == self.0)
@@ -95,8 +113,12 @@ impl OutputId {
 /// What a channel reads.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Input {
-    /// Number of the channel, 0 to 3.
+    /// Number of the channel; ShaderToy has 0 to 3.
     pub channel: u8,
+    /// The sampler of a whole shader that reads it; `None` for ShaderToy's `iChannel`s.
+    pub uniform: Option<String>,
+    /// The type of that sampler.
+    pub sampler_type: Sampler,
     /// What kind of thing it is.
     pub kind: InputKind,
     /// Its id; for a buffer the [`OutputId`] of the pass.
@@ -198,6 +220,8 @@ impl Input {
     pub fn empty(channel: u8, kind: InputKind) -> Input {
         Input {
             channel,
+            uniform: None,
+            sampler_type: kind.sampler(),
             kind,
             id: String::new(),
             src: String::new(),
@@ -209,7 +233,7 @@ impl Input {
 }
 
 impl Project {
-    /// Whether some pass draws what an id names.
+    /// Whether some pass of a kind draws what an id names.
     pub fn draws(&self, kind: Pass, id: &str) -> bool {
         let mut all = self.passes.iter().filter(|p| p.kind == kind);
         all.any(|p| p.output.as_ref().is_some_and(|o| o.0 == id))
@@ -261,6 +285,9 @@ impl ProjectPass {
             inputs: Vec::new(),
             output: None,
             wrapper: Wrapper::Player,
+            before: Arc::from(""),
+            behind: Arc::from(""),
+            bound: Bindings::default(),
             file: None,
         }
     }
@@ -329,6 +356,7 @@ mod tests {
             info: Info::default(),
             passes: vec![first, second],
             is_export: true,
+            ..Project::default()
         };
         project.share_samplers();
         let all: Vec<_> = project.passes.iter().flat_map(|p| &p.inputs).collect();

@@ -4,7 +4,7 @@
 //! Each is added to the error that it mends, so that the same engine applies these and the fixes that
 //! the errors bring along.
 
-use super::whole::PLACES;
+use super::dialect::PLACES;
 use crate::diagnostic::{Applicability, Diagnostic, Fix, error};
 use crate::semantic::{EntryResult, Program};
 use crate::syntax::TokenKind;
@@ -31,6 +31,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
                 "gl_FragColor" if found.fix.is_none() => output(program),
                 _ => continue,
             },
+            error::INVALID_QUALIFIER => initial(program, found.span),
             error::MAINIMAGE_SIGNATURE => signature(program, found.span),
             error::NOT_CONSTANT if globals.is_none() => {
                 globals = late_values(program, errors);
@@ -78,6 +79,21 @@ fn output(program: &Program) -> Option<Fix> {
         })
         .collect();
     Some(Fix::safe(format!("write to `{color}`"), edits?))
+}
+
+/// The initial value of a uniform, which desktops know: the page has a control that starts there.
+fn initial(program: &Program, at: Span) -> Option<Fix> {
+    let (_, declarator) = globals(program).find(|(qualifiers, d)| {
+        let is_uniform = qualifiers.iter().any(|q| q.kind == QualifierKind::Uniform);
+        is_uniform && d.init.is_some() && program.span(d.extent) == at
+    })?;
+    let sizes = program.tree.arrays(declarator.arrays);
+    let last = sizes
+        .last()
+        .map_or(declarator.ident.token, |s| s.extent.last);
+    let from = span_of(program, last)?.end;
+    let edit = Edit::delete(Span::new(from, at.end));
+    Some(Fix::safe("leave the initial value to the page", vec![edit]))
 }
 
 /// A `varying` of ShaderToy code is an input that no vertex shader of the player writes; where it is

@@ -1,20 +1,21 @@
-//! A shader file as a project of one pass.
+//! A shader file as a project: a pass of ShaderToy, or a whole shader of any dialect.
 
-use super::whole::{Unsupported, inputs};
-use super::{Composed, Info, Input, InputKind, Project, ProjectPass, Wrapper, compose};
+use super::dialect::{
+    self, Clues, DialectFacts, Plan, PlannedPass, bind, dialect_named, recognise,
+};
+use super::{
+    Bindings, Composed, Control, Info, Input, InputKind, Project, ProjectPass, Wrapper, compose,
+};
 use crate::semantic::{
     GuessedKind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels,
 };
-use std::sync::Arc;
 
 /// Why a shader file cannot be ported.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ShaderError {
-    /// It is a whole shader, and needs what no page of ours gives.
-    Unsupported(Unsupported),
-    /// It is WebGL1 code.
-    WebGl1,
-    /// It has none of ShaderToy's entry functions.
+    /// It is a vertex shader.
+    Vertex,
+    /// It has none of ShaderToy's entry functions, and no `main`.
     NoEntry,
     /// It is too large to be addressed.
     TooLarge,
@@ -22,54 +23,81 @@ pub enum ShaderError {
 
 impl std::fmt::Display for ShaderError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            ShaderError::Unsupported(what) => what.fmt(f),
-            ShaderError::WebGl1 => {
-                f.write_str("this is WebGL1 code; `--repair` makes WebGL2 of it")
-            }
+        f.write_str(match self {
+            ShaderError::Vertex => "this is a vertex shader; give the fragment shader",
             ShaderError::NoEntry => {
-                f.write_str("this has no `mainImage`, which every ShaderToy shader has")
+                "this has neither `mainImage`, which every ShaderToy shader has, nor `main`"
             }
-            ShaderError::TooLarge => f.write_str("this is too large"),
-        }
+            ShaderError::TooLarge => "this is too large",
+        })
     }
 }
 
 impl Project {
-    /// A project of one pass: one of ShaderToy's, or a whole WebGL2 fragment shader. Its channels
-    /// are of the types that their lookups need, and empty.
+    /// A project of a shader file. Its channels are of the types that their lookups need, and empty.
     ///
     /// # Errors
     /// Where no page of ours can show it.
     pub fn from_shader(title: &str, code: &str) -> Result<Project, ShaderError> {
-        let mut project = Project::draft(title, code)?;
+        let mut project = Project::draft(title, code, None)?;
         project.resolve("")?;
         Ok(project)
     }
 
-    /// A project of one pass, of whose channels nothing is known yet.
+    /// A project of a shader file, of whose channels nothing is known yet. `dialect` is what the
+    /// user says that it is written in.
     ///
     /// # Errors
     /// Where its text shows that no page of ours can show it.
-    pub fn draft(title: &str, code: &str) -> Result<Project, ShaderError> {
+    pub fn draft(
+        title: &str,
+        code: &str,
+        dialect: Option<&'static DialectFacts>,
+    ) -> Result<Project, ShaderError> {
         let told = guess(code);
         let pass = match told.kind {
-            Some(GuessedKind::ShaderToy(kind)) => ProjectPass::new(kind, code),
-            Some(GuessedKind::Versioned) if told.stage == Some(Stage::Vertex) => {
-                let message = "this is a vertex shader; give the fragment shader".to_string();
-                return Err(ShaderError::Unsupported(Unsupported { line: 0, message }));
-            }
-            Some(GuessedKind::Versioned) => own(code),
-            Some(GuessedKind::WebGl1) => return Err(ShaderError::WebGl1),
-            _ => return Err(ShaderError::NoEntry),
+            Some(GuessedKind::ShaderToy(kind)) => Some(kind),
+            _ => None,
         };
-        Ok(Project::of_pass(title, pass))
+        let clues = Clues::of(code);
+        let recognised = match dialect {
+            Some(dialect) => dialect::Recognised {
+                dialect,
+                signs: Vec::new(),
+                tied: None,
+            },
+            None => recognise(&clues),
+        };
+        let Some(plan) = recognised.dialect.plan else {
+            let kind = pass.ok_or(ShaderError::NoEntry)?;
+            return Ok(Project::of_pass(title, ProjectPass::new(kind, code)));
+        };
+        if !clues.is_shader() {
+            return Err(ShaderError::NoEntry);
+        }
+        if told.stage == Some(Stage::Vertex) {
+            return Err(ShaderError::Vertex);
+        }
+        let mut project = Project::of_plan(title, recognised.dialect, plan(&clues))?;
+        if dialect.is_none() && !recognised.signs.is_empty() {
+            project.notes.insert(0, recognised.told());
+        }
+        Ok(project)
     }
 
-    /// A WebGL1 fragment shader as a project that is to be repaired, under the version of the language
-    /// that it will have. Nothing is asked of it yet: [`Project::draft`] takes what comes of it.
-    pub fn from_webgl1(title: &str, code: &str) -> Project {
-        Project::of_pass(title, own(format!("{VERSION}{code}")))
+    /// A WebGL1 fragment shader as a project that is to be made WebGL2, under the version of the
+    /// language that it will have; `None` where the text is none, or where its host completes it.
+    /// Nothing is asked of it yet: [`Project::draft`] takes what comes of it.
+    pub fn modernized(&self, text: &str) -> Option<Project> {
+        let is_whole = self.dialect.is_some_and(|d| !d.declares) && self.passes.len() == 1;
+        let is_old = is_whole && guess(text).kind == Some(GuessedKind::WebGl1);
+        is_old.then(|| {
+            let pass = ProjectPass {
+                wrapper: Wrapper::Own,
+                ..ProjectPass::new(Pass::Image, format!("{VERSION}{text}"))
+            };
+            Project::of_pass(&self.info.name, pass)
+        })
     }
 
     fn of_pass(title: &str, pass: ProjectPass) -> Project {
@@ -80,8 +108,31 @@ impl Project {
         Project {
             info,
             passes: vec![pass],
-            is_export: false,
+            ..Project::default()
         }
+    }
+
+    fn of_plan(
+        title: &str,
+        dialect: &'static DialectFacts,
+        plan: Plan,
+    ) -> Result<Project, ShaderError> {
+        let mut notes = plan.notes;
+        let mut passes = Vec::new();
+        for planned in plan.passes {
+            passes.push(own(planned, &mut notes)?);
+        }
+        Ok(Project {
+            info: Info {
+                name: title.to_string(),
+                ..Info::default()
+            },
+            passes,
+            dialect: Some(dialect),
+            controls: plan.controls,
+            notes,
+            ..Project::default()
+        })
     }
 
     /// Puts the passes together, and gives the channels of shader files the types that their lookups
@@ -94,16 +145,25 @@ impl Project {
         if self.is_export {
             return Ok(composed);
         }
+        let mut controls = std::mem::take(&mut self.controls);
         for unit in &composed.units {
             let program = &composed.analysis(unit).program;
-            let inputs = match unit.wrapper {
-                Wrapper::Player => channels_used(program, unit.kind),
-                Wrapper::Own => inputs(program).map_err(ShaderError::Unsupported)?,
+            let Some(pass) = self.passes.get_mut(unit.pass) else {
+                continue;
             };
-            if let Some(pass) = self.passes.get_mut(unit.pass) {
-                pass.inputs = inputs;
+            match unit.wrapper {
+                Wrapper::Player => pass.inputs = channels_used(program, unit.kind),
+                Wrapper::Own => {
+                    let facts = self.dialect.or_else(|| dialect_named("webgl"));
+                    let Some(facts) = facts else { continue };
+                    let own = (&pass.inputs[..], &controls[..]);
+                    pass.bound = bind(program, facts, own, pass.output.as_ref());
+                    pass.inputs = pass.bound.inputs.clone();
+                    add_controls(&mut controls, &pass.bound.controls);
+                }
             }
         }
+        self.controls = controls;
         self.renew(composed, path)
     }
 
@@ -117,19 +177,75 @@ impl Project {
             false => compose(self, path).ok_or(ShaderError::TooLarge),
         }
     }
+
+    /// What is to be told of how a shader file was read, and what was made up for it.
+    pub fn remarks(&self) -> Vec<String> {
+        let mut told = self.notes.clone();
+        let quoted = |names: Vec<&str>| format!("`{}`", names.join("`, `"));
+        let names = |of: fn(&Bindings) -> &[String]| {
+            let all = self.passes.iter().flat_map(|p| of(&p.bound));
+            let mut names: Vec<&str> = Vec::new();
+            for name in all {
+                if !names.contains(&name.as_str()) {
+                    names.push(name);
+                }
+            }
+            names
+        };
+        let set = self
+            .controls
+            .iter()
+            .map(|c| c.name.as_str())
+            .collect::<Vec<_>>();
+        let guessed = names(|b| &b.guessed);
+        let zeros = names(|b| &b.zeros);
+        for (names, what) in [
+            (
+                set,
+                "nothing sets these uniforms, so the page has controls for them",
+            ),
+            (
+                guessed,
+                "nothing gives these varyings, so they hold the place in the picture",
+            ),
+            (zeros, "nothing sets these uniforms, so they are zeros"),
+        ] {
+            if !names.is_empty() && self.dialect.is_some() {
+                told.push(format!("{what}: {}", quoted(names)));
+            }
+        }
+        told
+    }
 }
 
 /// What a WebGL2 shader starts with.
 const VERSION: &str = "#version 300 es\n";
 
 /// A pass that is a whole shader.
-fn own(code: impl Into<Arc<str>>) -> ProjectPass {
-    ProjectPass {
-        wrapper: Wrapper::Own,
-        ..ProjectPass::new(Pass::Image, code)
+fn own(planned: PlannedPass, notes: &mut Vec<String>) -> Result<ProjectPass, ShaderError> {
+    let best = dialect::best(planned.candidates).ok_or(ShaderError::TooLarge)?;
+    if let Some(note) = best.note.filter(|n| !notes.contains(n)) {
+        notes.push(note);
     }
+    Ok(ProjectPass {
+        name: planned.name,
+        wrapper: Wrapper::Own,
+        before: best.before,
+        behind: best.behind,
+        inputs: planned.inputs,
+        output: Some(planned.output),
+        ..ProjectPass::new(planned.kind, best.code)
+    })
 }
 
+/// Adds the controls that are new. What a text said of one before it was repaired stays.
+fn add_controls(all: &mut Vec<Control>, more: &[Control]) {
+    for control in more {
+        if !all.iter().any(|c| c.name == control.name) {
+            all.push(control.clone());
+        }
+    }
+}
 /// The channels that code reads, as inputs of the types that its lookups need.
 fn channels_used(program: &Program, kind: Pass) -> Vec<Input> {
     if kind == Pass::Common {

@@ -43,7 +43,11 @@ fn missing_input(project: &Project, pass: &ProjectPass, input: &Input) -> Option
     let (what, stand_in) = match input.kind {
         _ if !input.urls.is_empty() => return None,
         InputKind::Keyboard => return None,
-        InputKind::Buffer if project.draws(Pass::Buffer, &input.id) => return None,
+        InputKind::Buffer
+            if project.draws(Pass::Buffer, &input.id) || project.draws(Pass::Image, &input.id) =>
+        {
+            return None;
+        }
         InputKind::Cubemap
             if input.id == OutputId::CUBE
                 && project.passes.iter().any(|p| p.kind == Pass::Cubemap) =>
@@ -66,13 +70,17 @@ fn missing_input(project: &Project, pass: &ProjectPass, input: &Input) -> Option
         input.kind,
         InputKind::Buffer | InputKind::Webcam | InputKind::Microphone
     );
+    let shown = match &input.uniform {
+        Some(name) => format!("{place} (`{name}`)"),
+        None => place.clone(),
+    };
     let help = if is_file {
         format!("give it with `--channel {place}=FILE`, or drop a file onto the page")
     } else {
         String::new()
     };
     Some(Missing {
-        place,
+        place: shown,
         what,
         stand_in,
         help,

@@ -5,8 +5,8 @@ use super::channels::{GivenOrder, orders};
 use crate::cli::input::{InputFile, read};
 use crate::engine::{Repairs, repair, repair_webgl1};
 use crate::port::{
-    ChannelOrder, ChannelSource, Composed, InputKind, Media, OutputId, PassFile, PassRole, Project,
-    ShaderError, kind_of_file,
+    ChannelOrder, ChannelSource, Composed, DIALECTS, DialectFacts, InputKind, Media, OutputId,
+    PassFile, PassRole, Project, ShaderError, dialect_named, kind_of_file,
 };
 use crate::semantic::Pass;
 use crate::text::kind::Claim;
@@ -43,13 +43,14 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
         [] if args.pass.is_empty() => {
             return Err("give a shader file, a folder or a ShaderToy export".to_string());
         }
-        [one] if args.pass.is_empty() && !one.is_dir() => one_file(one, mode)?,
+        [one] if args.pass.is_empty() && !one.is_dir() => one_file(one, mode, dialect(args)?)?,
         several => (parts(several, &args.pass)?, Repairs::default()),
     };
     let name = name_of(args);
     let wrong = |e: ShaderError| format!("{name}: {e}");
     let mut composed = project.resolve(&name).map_err(wrong)?;
-    if mode == Mode::Repair && repairs.is_empty() {
+    // What a page or a desktop took and WebGL2 does not is mended unasked.
+    if (mode == Mode::Repair || project.dialect.is_some()) && repairs.is_empty() {
         let repaired = repair(&mut project, &composed, &name);
         repairs = repaired.ok_or(wrong(ShaderError::TooLarge))?;
         if !repairs.is_empty() {
@@ -86,6 +87,20 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     })
 }
 
+/// The dialect that the user says the code is written in.
+fn dialect(args: &PortArgs) -> Result<Option<&'static DialectFacts>, String> {
+    let Some(name) = &args.from else {
+        return Ok(None);
+    };
+    let names: Vec<&str> = DIALECTS.iter().map(|d| d.name).collect();
+    dialect_named(name).map(Some).ok_or_else(|| {
+        format!(
+            "--from: `{name}` is no dialect; these are: {}",
+            names.join(", ")
+        )
+    })
+}
+
 /// What is done with code that does not compile.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Mode {
@@ -110,7 +125,11 @@ fn stem(path: &Path) -> String {
         .map_or(String::new(), |s| s.to_string_lossy().into_owned())
 }
 
-fn one_file(path: &Path, mode: Mode) -> Result<(Project, Repairs), String> {
+fn one_file(
+    path: &Path,
+    mode: Mode,
+    from: Option<&'static DialectFacts>,
+) -> Result<(Project, Repairs), String> {
     let name = shown(path);
     let text = read_text(path)?;
     let wrong = |e: String| format!("{name}: {e}");
@@ -123,18 +142,19 @@ fn one_file(path: &Path, mode: Mode) -> Result<(Project, Repairs), String> {
     } else {
         stem(path)
     };
-    match Project::draft(&title, &text) {
-        Ok(project) => Ok((project, Repairs::default())),
-        Err(ShaderError::WebGl1) if mode == Mode::Repair => {
-            let mut draft = Project::from_webgl1(&title, &text);
-            let repairs = repair_webgl1(&mut draft, &name, &text)
-                .ok_or_else(|| wrong("this is too large".to_string()))?;
-            let code = draft.passes.first().map_or("", |p| &*p.code);
-            let project = Project::draft(&title, code).map_err(|e| wrong(e.to_string()))?;
-            Ok((project, repairs))
-        }
-        Err(e) => Err(wrong(e.to_string())),
-    }
+    let draft = |text: &str| {
+        let project = Project::draft(&title, text, from);
+        project.map_err(|e| wrong(e.to_string()))
+    };
+    let project = draft(&text)?;
+    let modern = project.modernized(&text);
+    let Some(mut modern) = modern.filter(|_| mode == Mode::Repair) else {
+        return Ok((project, Repairs::default()));
+    };
+    let repairs = repair_webgl1(&mut modern, &name, &text)
+        .ok_or_else(|| wrong("this is too large".to_string()))?;
+    let code = modern.passes.first().map_or("", |p| &*p.code);
+    Ok((draft(code)?, repairs))
 }
 
 fn read_text(path: &Path) -> Result<String, String> {

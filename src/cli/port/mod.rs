@@ -33,6 +33,10 @@ pub struct PortArgs {
     /// What to make; without it the ending of the output tells
     #[arg(short, long, value_enum, value_name = "TARGET")]
     target: Option<Target>,
+    /// What the code is written in, like `shadertoy`, `glsl-sandbox` or `bonzomatic`; without it the
+    /// code tells. An unknown name shows all
+    #[arg(long, value_name = "DIALECT")]
+    from: Option<String>,
     /// File of a pass, like `image=a.glsl` or `buffer_a=b.glsl`
     #[arg(long, value_name = "PASS=FILE")]
     pass: Vec<String>,
@@ -109,7 +113,19 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
         composed,
         repairs,
     } = load::load(args)?;
-    tell_repairs(&repairs).map_err(|e| e.to_string())?;
+    for remark in project.remarks() {
+        let _ = writeln!(io::stderr(), "note: {remark}");
+    }
+    match args.repair || args.diff || repairs.done.len() < 2 {
+        true => tell_repairs(&repairs).map_err(|e| e.to_string())?,
+        false => {
+            let count = repairs.done.len();
+            let _ = writeln!(
+                io::stderr(),
+                "note: {count} things were mended that WebGL2 does not take; `--diff` shows them"
+            );
+        }
+    }
     let nothing = |code| Made {
         files: Vec::new(),
         code,

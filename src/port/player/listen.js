@@ -24,9 +24,9 @@ function listenToPointer(player, signal) {
     player.poke();
   }, { signal });
   canvas.addEventListener('pointermove', (event) => {
-    if (event.pointerId !== held) return;
-    player.setMouse(...place(event), true);
-    player.poke();
+    if (held !== null && event.pointerId !== held) return;
+    player.mouse.move(...place(event));
+    if (held !== null || player.followsPointer) player.poke();
   }, { signal });
   for (const name of ['pointerup', 'pointercancel', 'lostpointercapture']) {
     canvas.addEventListener(name, (event) => {

@@ -53,6 +53,8 @@ export function mount(canvas, options = {}) {
     setSound: (on) => player.setSound(on),
     /** @param {string} name @param {number} value */
     setTunable: (name, value) => player.setTunable(name, value),
+    /** @param {string} name @param {number[]} numbers */
+    setControl: (name, numbers) => player.setControl(name, numbers),
     /** @param {number} pass @param {number} channel @param {string} url */
     setInput: (pass, channel, url) => player.setInput(pass, channel, '', url),
     dispose: () => {

@@ -9,6 +9,13 @@ class Mouse {
     this.isDown = false;
     /** The button went down since the last frame. */
     this.isClick = false;
+    /** Where the mouse is, pressed or not; null until it has come. @type {{x: number, y: number} | null} */
+    this.place = null;
+  }
+
+  /** @param {number} x pixels from the left @param {number} y pixels from the bottom */
+  hover(x, y) {
+    this.place = { x, y };
   }
 
   /**
@@ -16,6 +23,7 @@ class Mouse {
    * @param {number} y pixels from the bottom
    */
   press(x, y) {
+    this.hover(x, y);
     this.clickX = Math.floor(x);
     this.clickY = Math.floor(y);
     this.x = this.clickX;
@@ -26,6 +34,7 @@ class Mouse {
 
   /** @param {number} x @param {number} y */
   move(x, y) {
+    this.hover(x, y);
     if (!this.isDown) return;
     this.x = Math.floor(x);
     this.y = Math.floor(y);
@@ -40,6 +49,11 @@ class Mouse {
     const z = Math.abs(this.clickX);
     const w = Math.abs(this.clickY);
     return [this.x, this.y, this.isDown ? z : -z, this.isClick ? w : -w];
+  }
+
+  /** Where it is, and whether its button is down. */
+  pointer() {
+    return this.place && { ...this.place, isDown: this.isDown };
   }
 
   endFrame() {

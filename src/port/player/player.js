@@ -1,5 +1,8 @@
 // The player: draws every pass of a project in ShaderToy's order, with ShaderToy's uniforms.
 
+/** Channels have units of their own; whatever else binds a texture uses the one behind them. */
+const SPARE_UNIT = 16;
+
 class Player {
   /**
    * @param {HTMLCanvasElement} canvas
@@ -32,6 +35,10 @@ class Player {
     this.inputs = [];
     /** @type {Map<number, Buffer>} by pass */
     this.buffers = new Map();
+    /** What the user sets, by uniform. */
+    this.controls = new Map(project.controls.map((c) => [c.name, c.value]));
+    /** Whether some uniform shows where the mouse is. */
+    this.followsPointer = project.passes.some((p) => p.uniforms?.some((u) => u.source.startsWith('pointer')));
     /** @type {CubeBuffer | null} */
     this.cube = null;
     /** @type {Sound | null} */
@@ -48,8 +55,7 @@ class Player {
   /** What belongs to the graphics context. */
   #openContext() {
     const gl = this.gl;
-    // The four channels have units of their own; whatever else binds a texture uses the fifth.
-    gl.activeTexture(gl.TEXTURE4);
+    gl.activeTexture(gl.TEXTURE0 + SPARE_UNIT);
     this.canDrawFloats = gl.getExtension('EXT_color_buffer_float') !== null;
     gl.getExtension('OES_texture_float_linear');
     const triangle = new Float32Array([-1, -1, 3, -1, -1, 3]);
@@ -78,10 +84,7 @@ class Player {
 
   async #load() {
     this.inputs = this.project.passes.map((pass) =>
-      Array.from({ length: 4 }, (_, i) => {
-        const data = pass.inputs[i];
-        return data ? openInput(this.gl, data, this.devices) : emptyInput();
-      }),
+      pass.inputs.map((data) => (data ? openInput(this.gl, data, this.devices) : emptyInput())),
     );
     this.#makeTargets();
     await this.compile();
@@ -97,13 +100,15 @@ class Player {
   #makeTargets() {
     const { gl, project } = this;
     project.passes.forEach((pass, i) => {
-      if (pass.kind === 'buffer') {
-        this.buffers.set(i, new Buffer(gl, gl.drawingBufferWidth, gl.drawingBufferHeight));
+      const isRead = project.passes.some((p) => p.inputs.some((input) => input?.kind === 'buffer' && input.buffer === i));
+      if (pass.kind === 'buffer' || (pass.kind === 'image' && isRead)) {
+        const isFloat = !pass.uniforms;
+        this.buffers.set(i, new Buffer(gl, gl.drawingBufferWidth, gl.drawingBufferHeight, isFloat));
       } else if (pass.kind === 'cubemap') {
         this.cube = new CubeBuffer(gl);
       }
     });
-    const needsFloats = this.buffers.size > 0 || this.cube !== null;
+    const needsFloats = [...this.buffers.values()].some((b) => b.isFloat) || this.cube !== null;
     if (needsFloats && !this.canDrawFloats) {
       this.#complain('this device cannot draw into textures of floats, which buffers need');
     }
@@ -154,7 +159,8 @@ class Player {
   /** Draws one frame. @param {{number: number, time: number, delta: number, rate: number}} tick */
   paint(tick) {
     if (this.isDisposed || this.gl.isContextLost()) return;
-    const frame = { ...tick, mouse: this.mouse.value(), date: dateUniform() };
+    const { mouse, controls } = this;
+    const frame = { ...tick, mouse: mouse.value(), pointer: mouse.pointer(), date: dateUniform(), controls };
     if (frame.number === 0) this.#clear();
     this.keyboard.upload();
     this.inputs.flat().forEach((input) => input.update(frame.time));
@@ -199,6 +205,7 @@ class Player {
       gl.viewport(0, 0, width, height);
     }
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    if (program.data.kind === 'image') buffer?.show();
     buffer?.flip(hasMipmaps);
   }
 
@@ -210,7 +217,7 @@ class Player {
    */
   #bindPass(index, program, frame, width, height) {
     program.setFrame(frame, width, height);
-    const channels = [0, 1, 2, 3].map((channel) => this.#bindChannel(index, channel));
+    const channels = program.data.inputs.map((_, channel) => this.#bindChannel(index, channel));
     program.setChannels(channels);
   }
 
@@ -223,11 +230,12 @@ class Player {
     const target = isCube ? gl.TEXTURE_CUBE_MAP : data?.kind === 'volume' ? gl.TEXTURE_3D : gl.TEXTURE_2D;
     const black = isCube ? this.black.cube : data?.kind === 'volume' ? this.black.volume : this.black.flat;
     gl.activeTexture(gl.TEXTURE0 + channel);
-    gl.bindTexture(target, read.texture ?? black);
+    if (data?.sampler) this.black.bind(data.sampler);
+    else gl.bindTexture(target, read.texture ?? black);
     const own = read.texture && data && data.kind !== 'keyboard';
     const sampler = own ? this.samplers.get(data.filter, data.wrap) : this.samplers.get('nearest', 'clamp');
     gl.bindSampler(channel, sampler);
-    gl.activeTexture(gl.TEXTURE4);
+    gl.activeTexture(gl.TEXTURE0 + SPARE_UNIT);
     return read;
   }
 
@@ -381,7 +389,7 @@ class Player {
    */
   drawSound(index, program, offset) {
     program.setBlock(offset);
-    const channels = [0, 1, 2, 3].map((channel) => this.#bindChannel(index, channel));
+    const channels = program.data.inputs.map((_, channel) => this.#bindChannel(index, channel));
     program.setChannels(channels);
     const date = dateUniform();
     this.gl.uniform4f(program.at('iDate'), date[0], date[1], date[2], Math.floor(date[3]));
@@ -406,6 +414,15 @@ class Player {
     if (this.isPlaying) input.play(true);
     this.poke();
     this.#changed();
+  }
+
+  /** Gives a control other numbers. @param {string} name @param {number[]} numbers */
+  setControl(name, numbers) {
+    const control = this.project.controls.find((c) => c.name === name);
+    if (!control || !numbers.every(Number.isFinite)) return;
+    control.value = control.value.map((old, i) => numbers[i] ?? old);
+    this.controls.set(name, control.value);
+    this.poke();
   }
 
   /**

@@ -1,5 +1,48 @@
 // One pass made ready to draw: its program, and where its uniforms lie.
 
+/** How a type of uniform is set, and how many numbers it takes. @type {Record<string, [string, number]>} */
+const SETTERS = {
+  float: ['1fv', 1], vec2: ['2fv', 2], vec3: ['3fv', 3], vec4: ['4fv', 4],
+  int: ['1iv', 1], ivec2: ['2iv', 2], ivec3: ['3iv', 3], ivec4: ['4iv', 4],
+  bool: ['1iv', 1], bvec2: ['2iv', 2], bvec3: ['3iv', 3], bvec4: ['4iv', 4],
+  uint: ['1uiv', 1], uvec2: ['2uiv', 2], uvec3: ['3uiv', 3], uvec4: ['4uiv', 4],
+};
+
+/** What a uniform is given, by its source. @type {Record<string, (f: Frame, w: number, h: number) => number[]>} */
+const SOURCES = {
+  time: (f) => [f.time],
+  milliseconds: (f) => [f.time * 1000],
+  delta: (f) => [f.delta],
+  frame: (f) => [f.number],
+  frameFromOne: (f) => [f.number + 1],
+  frameRate: (f) => [f.rate],
+  sampleRate: () => [44100],
+  date: (f) => f.date,
+  resolution: (_, w, h) => [w, h, 1, 1],
+  resolutionAndPixel: (_, w, h) => [w, h, 1 / w, 1 / h],
+  pixel: (_, w, h) => [1 / w, 1 / h],
+  aspect: (_, w, h) => [w / h],
+  pixelRatio: () => [devicePixelRatio],
+  surfaceSize: (_, w, h) => [w / h, 1],
+  mouse: (f) => f.mouse,
+  pointer: ({ pointer: p }) => [p?.x ?? 0, p?.y ?? 0, p?.isDown ? 1 : 0, 0],
+  pointerUnit: ({ pointer: p }, w, h) => (p ? [p.x / w, p.y / h] : [0.5, 0.5]),
+  pointerUnitDown: ({ pointer: p }, w, h) => (p ? [p.x / w, 1 - p.y / h] : [0.5, 0.5]),
+  pointerUnitZero: ({ pointer: p }, w, h) => (p ? [p.x / w, p.y / h] : [0, 0]),
+  pointerSigned: ({ pointer: p }, w, h) => (p ? [(2 * p.x) / w - 1, (2 * p.y) / h - 1] : [0, 0]),
+  button: ({ pointer: p }) => [p?.isDown ? 1 : 0],
+  spectrum: (f) => madeUpSpectrum(f.time),
+  volume: (f) => [madeUpSpectrum(f.time)[0]],
+  camera: () => [0, 0, 1],
+  nothing: () => [],
+};
+
+/** How loud low, middle and high sounds are that nobody plays. @param {number} time */
+function madeUpSpectrum(time) {
+  const beat = Math.pow(0.5 + 0.5 * Math.sin(6.2831 * time), 4);
+  return [beat, 0.4 + 0.3 * Math.sin(13 * time) * Math.sin(1.7 * time), 0.2 + 0.15 * Math.sin(23 * time)];
+}
+
 class PassProgram {
   /**
    * @param {WebGL2RenderingContext} gl
@@ -12,10 +55,10 @@ class PassProgram {
     this.data = data;
     this.at = uniformLookup(gl, program);
     gl.useProgram(program);
-    for (let channel = 0; channel < 4; channel++) {
-      gl.uniform1i(this.at(`iChannel${channel}`), channel);
+    data.inputs.forEach((input, channel) => {
+      gl.uniform1i(this.at(input?.uniform ?? `iChannel${channel}`), channel);
       gl.uniform1i(this.at(`iCh${channel}.sampler`), channel);
-    }
+    });
     if (!data.uniforms) gl.uniform1f(this.at('iSampleRate'), 44100);
   }
 
@@ -44,25 +87,31 @@ class PassProgram {
    * @param {number} width @param {number} height
    */
   #setOwn(uniforms, frame, width, height) {
-    const { gl, at } = this;
-    /** @type {Record<string, number[]>} */
-    const values = {
-      iResolution: [width, height, 1],
-      iTime: [frame.time],
-      iTimeDelta: [frame.delta],
-      iFrameRate: [frame.rate],
-      iSampleRate: [44100],
-      iMouse: frame.mouse,
-      iDate: frame.date,
-    };
-    for (const { name, means, size } of uniforms) {
-      const value = values[means].slice(0, size);
-      if (size === 1) gl.uniform1fv(at(name), value);
-      else if (size === 2) gl.uniform2fv(at(name), value);
-      else if (size === 3) gl.uniform3fv(at(name), value);
-      else gl.uniform4fv(at(name), value);
+    this.gl.uniform2f(this.at('port_size'), width, height);
+    for (const { name, type, source } of uniforms) {
+      if (source === 'identity') this.#setIdentity(name, type);
+      else if (source === 'control') this.#set(name, type, frame.controls.get(name) ?? []);
+      else this.#set(name, type, SOURCES[source](frame, width, height));
     }
-    gl.uniform1i(at('iFrame'), frame.number);
+  }
+
+  /** Sets a scalar or vector; lanes without a number are 0. @param {string} name @param {string} type @param {number[]} value */
+  #set(name, type, value) {
+    const place = this.at(name);
+    if (!place || !SETTERS[type]) return;
+    const [method, size] = SETTERS[type];
+    const gl = /** @type {Record<string, any>} */ (/** @type {unknown} */ (this.gl));
+    gl[`uniform${method}`](place, Array.from({ length: size }, (_, i) => value[i] ?? 0));
+  }
+
+  /** Sets a matrix to one that changes nothing. @param {string} name @param {string} type mat4, mat2x3 */
+  #setIdentity(name, type) {
+    const place = this.at(name);
+    const [columns, rows = columns] = type.slice(3).split('x').map(Number);
+    if (!place) return;
+    const numbers = Array.from({ length: columns * rows }, (_, i) => (i % rows === Math.floor(i / rows) ? 1 : 0));
+    const gl = /** @type {Record<string, any>} */ (/** @type {unknown} */ (this.gl));
+    gl[`uniformMatrix${type.slice(3)}fv`](place, false, numbers);
   }
 
   /**
@@ -106,6 +155,8 @@ class PassProgram {
  * @property {number} delta seconds since the frame before
  * @property {number} rate frames a second
  * @property {number[]} mouse
+ * @property {{x: number, y: number, isDown: boolean} | null} pointer where the mouse is, if it has come
+ * @property {Map<string, number[]>} controls what the user sets
  * @property {number[]} date
  */
 

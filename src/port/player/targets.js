@@ -1,10 +1,15 @@
 // What passes draw into: pairs of textures, of which one is drawn into while the other is read.
 
-/** A buffer of the size of the canvas, in floats of 32 bits. */
+/** A buffer of the size of the canvas, in floats of 32 bits or, as a canvas, in bytes. */
 class Buffer {
-  /** @param {WebGL2RenderingContext} gl @param {number} width @param {number} height */
-  constructor(gl, width, height) {
+  /**
+   * @param {WebGL2RenderingContext} gl
+   * @param {number} width @param {number} height
+   * @param {boolean} isFloat
+   */
+  constructor(gl, width, height, isFloat) {
     this.gl = gl;
+    this.isFloat = isFloat;
     this.width = width;
     this.height = height;
     /** The texture that readers see. */
@@ -17,7 +22,8 @@ class Buffer {
     const gl = this.gl;
     const texture = /** @type {WebGLTexture} */ (gl.createTexture());
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, this.width, this.height, 0, gl.RGBA, gl.FLOAT, null);
+    const [format, type] = this.isFloat ? [gl.RGBA32F, gl.FLOAT] : [gl.RGBA8, gl.UNSIGNED_BYTE];
+    gl.texImage2D(gl.TEXTURE_2D, 0, format, this.width, this.height, 0, gl.RGBA, type, null);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
@@ -36,6 +42,15 @@ class Buffer {
     const back = this.textures[1 - this.front];
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, back, 0);
     gl.viewport(0, 0, this.width, this.height);
+  }
+
+  /** Shows on the canvas what was drawn; only bytes can be. */
+  show() {
+    const { gl, width, height } = this;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.framebuffer);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
   /** Readers see from now on what was drawn. @param {boolean} hasMipmaps */

@@ -11,6 +11,8 @@
 /**
  * What a channel reads.
  * @typedef {object} InputData
+ * @property {string} [uniform] the sampler that reads it; iChannel0 and so on without it
+ * @property {string} [sampler] the type of that sampler, where no file can feed it: isampler2D
  * @property {string} kind texture, buffer, cubebuffer, cubemap, volume, keyboard, video, webcam,
  *   music or mic
  * @property {number} [buffer] index of the pass that a buffer is drawn by
@@ -30,15 +32,27 @@
  * @property {number[]} files indexes of the texts that are compiled, in order
  * @property {(InputData | null)[]} inputs one for each channel
  * @property {string} [vertex] the vertex shader, where the pass has its own
- * @property {OwnUniform[]} [uniforms] what a pass with its own uniforms calls those of ShaderToy
+ * @property {OwnUniform[]} [uniforms] what is set in a pass that brings its own uniforms
  */
 
 /**
  * A uniform of a shader that brings its own.
  * @typedef {object} OwnUniform
  * @property {string} name
- * @property {string} means what ShaderToy calls it
- * @property {number} size how many numbers it takes
+ * @property {string} type as GLSL writes it
+ * @property {string} source what it is given: a key of SOURCES, identity or control
+ */
+
+/**
+ * A uniform that the user sets.
+ * @typedef {object} ControlData
+ * @property {string} name of the uniform
+ * @property {string} label
+ * @property {string} kind float, int, bool, color, point, vector, choice or event
+ * @property {number[]} value as many numbers as it takes
+ * @property {number[]} [min]
+ * @property {number[]} [max]
+ * @property {{label: string, value: number}[]} [choices]
  */
 
 /**
@@ -67,4 +81,5 @@
  * @property {SourceText[]} files
  * @property {PassData[]} passes in the order of the export
  * @property {TunableData[]} tunables
+ * @property {ControlData[]} controls
  */

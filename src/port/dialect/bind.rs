@@ -1,0 +1,267 @@
+//! What the uniforms, samplers and varyings of a whole shader are given.
+
+use super::DialectFacts;
+use super::feed::{Feed, FeedRow, Texture, TextureRow, USUAL_FEEDS, USUAL_TEXTURES, is_named};
+use super::vertex::vertex;
+use crate::port::{Control, ControlKind, Input, InputKind, OutputId, SamplerSettings};
+use crate::semantic::tunable::range_behind;
+use crate::semantic::{Program, Sampler, Scalar, Storage, Value, Variable, VariableId, channel};
+use serde::Serialize;
+
+/// A uniform that the player sets.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct UniformData {
+    /// Its name in the shader.
+    pub name: String,
+    /// Its type.
+    #[serde(rename = "type")]
+    pub ty: String,
+    /// What it is given.
+    pub source: Feed,
+}
+
+/// What a whole shader is given.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Bindings {
+    /// Its uniforms, samplers aside.
+    pub uniforms: Vec<UniformData>,
+    /// Its samplers, as channels with their names.
+    pub inputs: Vec<Input>,
+    /// What the user sets.
+    pub controls: Vec<Control>,
+    /// The vertex shader.
+    pub vertex: String,
+    /// Uniforms that stay zero, since nothing is known of them.
+    pub zeros: Vec<String>,
+    /// Varyings that hold what their types suggest.
+    pub guessed: Vec<String>,
+}
+
+/// Most textures that every WebGL2 browser binds at once.
+pub const MAX_CHANNELS: u8 = 16;
+
+/// Finds out what a whole shader is to be given. `own` are the inputs and controls that the text
+/// itself describes, `output` is what the pass draws.
+pub(in crate::port) fn bind(
+    program: &Program,
+    dialect: &DialectFacts,
+    own: (&[Input], &[Control]),
+    output: Option<&OutputId>,
+) -> Bindings {
+    let vertex = vertex(program, dialect);
+    let mut bound = Bindings {
+        vertex: vertex.code,
+        guessed: vertex.guessed,
+        ..Bindings::default()
+    };
+    for (variable, id) in program.variables.iter().zip(0..) {
+        let is_declared = variable.token.is_some() && variable.storage == Storage::Uniform;
+        let is_user = program
+            .declared_at(variable)
+            .is_some_and(|s| program.is_user(s));
+        if !is_declared || !(is_user || variable.read) {
+            continue;
+        }
+        match variable.ty.as_sampler() {
+            Some(sampler) => {
+                let name = program.names.text(variable.name);
+                let inputs = inputs_of(name, variable, sampler, dialect, output);
+                for mut input in inputs {
+                    let given = own.0.iter().find(|i| i.uniform == input.uniform);
+                    if let Some(given) = given {
+                        input = given.clone();
+                    }
+                    bound.add(input);
+                }
+            }
+            None => bound.set(program, VariableId(id), variable, dialect, own.1),
+        }
+    }
+    bound
+}
+
+impl Bindings {
+    /// Adds a channel, under its own number where it has one that is free.
+    fn add(&mut self, input: Input) {
+        let is_taken = |n: u8| self.inputs.iter().any(|i| i.channel == n);
+        let wanted = channel(input.uniform.as_deref().unwrap_or(""));
+        let free = || (0..MAX_CHANNELS).find(|n| !is_taken(*n));
+        let channel = wanted.filter(|n| !is_taken(*n)).or_else(free);
+        if let Some(channel) = channel {
+            self.inputs.push(Input { channel, ..input });
+        }
+    }
+
+    fn set(
+        &mut self,
+        program: &Program,
+        id: VariableId,
+        variable: &Variable,
+        dialect: &DialectFacts,
+        own: &[Control],
+    ) {
+        let name = program.names.text(variable.name).to_string();
+        let ty = program.type_name(variable.ty);
+        let is_it = |r: &&FeedRow| is_named(r.name, &name) && r.types.contains(&ty.as_str());
+        let rows = || dialect.feeds.iter().chain(USUAL_FEEDS);
+        let source = match rows().find(is_it) {
+            _ if own.iter().any(|c| c.name == name) => Feed::Control,
+            Some(row) => row.feed,
+            // The player sets these of ShaderToy by their names.
+            None if matches!(name.as_str(), "iChannelTime" | "iChannelResolution") => return,
+            None if variable.ty.is_matrix() && variable.ty.array == 0 => Feed::Identity,
+            None => match variable.read {
+                true => Feed::Control,
+                false => return,
+            },
+        };
+        if source == Feed::Control {
+            let given = own.iter().find(|c| c.name == name).cloned();
+            let colors = self.controls.iter();
+            let colors = colors.filter(|c| c.kind == ControlKind::Color).count();
+            match given.or_else(|| control(program, id, variable, colors)) {
+                Some(control) => self.controls.push(control),
+                None => return self.zeros.push(name),
+            }
+        }
+        self.uniforms.push(UniformData { name, ty, source });
+    }
+}
+
+/// The channels of a sampler, one for each element of an array.
+fn inputs_of(
+    name: &str,
+    variable: &Variable,
+    sampler: Sampler,
+    dialect: &DialectFacts,
+    output: Option<&OutputId>,
+) -> Vec<Input> {
+    let is_it = |r: &&TextureRow| is_named(r.name, name);
+    let rows = dialect.textures.iter().chain(USUAL_TEXTURES);
+    let row = rows.filter(|_| sampler == Sampler::Sampler2D).find(is_it);
+    let kind = match sampler {
+        Sampler::SamplerCube | Sampler::IsamplerCube | Sampler::UsamplerCube => InputKind::Cubemap,
+        Sampler::Sampler3D | Sampler::Isampler3D | Sampler::Usampler3D => InputKind::Volume,
+        _ => InputKind::Texture,
+    };
+    let mut input = Input::empty(0, kind);
+    input.sampler_type = sampler;
+    if let Some(row) = row {
+        input = read_by(row, name, output);
+    }
+    let named = |uniform: String| Input {
+        uniform: Some(uniform),
+        ..input.clone()
+    };
+    match variable.ty.array {
+        0 => vec![named(name.to_string())],
+        size => (0..size.min(u32::from(MAX_CHANNELS)))
+            .map(|i| named(format!("{name}[{i}]")))
+            .collect(),
+    }
+}
+
+/// What a sampler reads of which a row tells it.
+fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
+    let (kind, id) = match row.texture {
+        Texture::File => (InputKind::Texture, String::new()),
+        Texture::Music => (InputKind::Music, String::new()),
+        Texture::LastFrame => (
+            InputKind::Buffer,
+            output.map_or(String::new(), |o| o.0.clone()),
+        ),
+        Texture::Buffer => (InputKind::Buffer, OutputId::of_dialect(name).0),
+    };
+    let mut input = Input::empty(0, kind);
+    input.id = id;
+    input.sampler = SamplerSettings {
+        filter: row.filter.to_string(),
+        wrap: row.wrap.to_string(),
+        vflip: true,
+    };
+    input
+}
+
+/// The control of a uniform of which nothing but its declaration is known; none for arrays and
+/// structs.
+fn control(
+    program: &Program,
+    id: VariableId,
+    variable: &Variable,
+    colors: usize,
+) -> Option<Control> {
+    let name = program.names.text(variable.name);
+    let (scalar, columns, lanes) = variable.ty.numeric()?;
+    if variable.ty.array > 0 || columns > 1 {
+        return None;
+    }
+    let lanes = usize::from(lanes);
+    let kind = match (scalar, lanes) {
+        (Scalar::Bool, _) => ControlKind::Bool,
+        (Scalar::Float, 1) => ControlKind::Float,
+        (Scalar::Int | Scalar::Uint, 1) => ControlKind::Int,
+        (Scalar::Float, 3 | 4) if is_color(name) => ControlKind::Color,
+        _ => ControlKind::Vector,
+    };
+    let mut control = match kind {
+        ControlKind::Color => Control::color(name, lanes, colors),
+        ControlKind::Bool => Control::even(name, kind, lanes, (0.0, 0.0, 1.0)),
+        ControlKind::Int => Control::even(name, kind, lanes, (0.0, 1.0, 10.0)),
+        ControlKind::Float => Control::even(name, kind, lanes, (0.0, 1.0, 2.0)),
+        _ => Control::even(name, kind, lanes, (-1.0, 0.5, 1.0)),
+    };
+    let declared = program.declared_at(variable)?;
+    if let Some((range, _)) = line_end(program, declared).and_then(|s| range_behind(program, s)) {
+        control.min = vec![range.min; lanes];
+        control.max = vec![range.max; lanes];
+        control.value = vec![(range.min + range.max) / 2.0; lanes];
+    }
+    let init = program.declarator_of(id).and_then(|d| d.init);
+    let first: Vec<f64> = init
+        .map_or(&[][..], |e| program.values(e))
+        .iter()
+        .map(number)
+        .collect();
+    if first.len() == lanes {
+        widen(&mut control, &first);
+        control.value = first;
+    }
+    Some(control)
+}
+
+/// Makes room in the range of a control for a value and some more.
+fn widen(control: &mut Control, value: &[f64]) {
+    for ((min, max), value) in control.min.iter_mut().zip(&mut control.max).zip(value) {
+        if *value > *max {
+            *max = 2.0 * value;
+        }
+        if *value < *min {
+            *min = 2.0 * value;
+        }
+    }
+}
+
+/// What stands from a name to the semicolon behind it.
+fn line_end(program: &Program, name: crate::text::Span) -> Option<crate::text::Span> {
+    let file = program.sources.file_at(name.start)?;
+    let rest = file.text.get((name.end - file.base) as usize..)?;
+    let end = rest.find(';')? as u32 + 1;
+    Some(crate::text::Span::new(name.start, name.end + end))
+}
+
+fn number(value: &Value) -> f64 {
+    match *value {
+        Value::Bool(b) => f64::from(u8::from(b)),
+        Value::Int(n) => f64::from(n),
+        Value::Uint(n) => f64::from(n),
+        Value::Float(n) => f64::from(n),
+    }
+}
+
+/// Whether a name says that it is a colour.
+fn is_color(name: &str) -> bool {
+    let name = name.to_ascii_lowercase();
+    ["color", "colour", "tint", "rgb"]
+        .iter()
+        .any(|w| name.contains(w))
+}

@@ -1,0 +1,186 @@
+//! What a text shows of the dialect that it is written in.
+
+use super::complete::{Completion, completions_of};
+use crate::semantic::{Guess, Program, Storage, guess};
+use crate::syntax::{Lexer, RawKind};
+use crate::text::Role;
+use rustc_hash::FxHashSet;
+
+/// A variable that a text declares and something else sets.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Declared {
+    /// Its name.
+    pub name: String,
+    /// Its type, as it is written.
+    pub ty: String,
+}
+
+/// What the `#version` of a text asks for.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum VersionAsked {
+    /// There is none.
+    #[default]
+    Nothing,
+    /// GLSL ES 1.00.
+    Es100,
+    /// GLSL ES 3.00 or a later one for devices.
+    Es300,
+    /// GLSL for desktops, by its number.
+    Desktop(u32),
+}
+
+impl VersionAsked {
+    fn of(line: &str) -> VersionAsked {
+        let mut words = line.split_whitespace();
+        let number = words.next().and_then(|n| n.parse().ok()).unwrap_or(0);
+        match (number, words.next()) {
+            (100, _) => VersionAsked::Es100,
+            (_, Some("es")) | (300, _) => VersionAsked::Es300,
+            (number, _) => VersionAsked::Desktop(number),
+        }
+    }
+}
+
+/// What a text shows.
+pub struct Clues<'t> {
+    /// The text.
+    pub text: &'t str,
+    /// What the `#version` of the text asks for.
+    pub asked: VersionAsked,
+    /// What its words tell of its version and kind.
+    pub guess: Guess,
+    /// The uniforms that it declares, samplers included.
+    pub uniforms: Vec<Declared>,
+    /// The varyings that it declares, and the members of those that are structs.
+    pub inputs: Vec<Declared>,
+    /// Whether it has statements outside of any function, and no function that is called.
+    pub is_body: bool,
+    words: FxHashSet<&'t str>,
+    declared: FxHashSet<String>,
+}
+
+impl<'t> Clues<'t> {
+    /// Reads a text.
+    pub fn of(text: &'t str) -> Clues<'t> {
+        let guess = guess(text);
+        let (words, asked) = words(text);
+        let mut clues = Clues {
+            text,
+            asked,
+            is_body: !guess.has_main && !guess.is_shadertoy() && !words.contains("mainImage"),
+            guess,
+            uniforms: Vec::new(),
+            inputs: Vec::new(),
+            words,
+            declared: FxHashSet::default(),
+        };
+        let completion = completions_of(&clues).into_iter().next_back();
+        let completion = completion.map(|c| match clues.is_body {
+            true => c.in_main(),
+            false => c,
+        });
+        if let Some(checked) = completion.as_ref().and_then(Completion::check) {
+            clues.read(&checked.program);
+        }
+        clues
+    }
+
+    fn read(&mut self, program: &Program) {
+        let is_user = |token| {
+            let span = program.token(token).map(|t| t.span);
+            let file = span.and_then(|s| program.sources.file_at(s.start));
+            file.is_some_and(|f| f.role == Role::User)
+        };
+        for variable in &program.variables {
+            if !variable.token.is_some_and(is_user) {
+                continue;
+            }
+            let name = program.names.text(variable.name).to_string();
+            let ty = program.type_name(variable.ty);
+            self.declared.insert(name.clone());
+            match variable.storage {
+                Storage::Uniform => self.uniforms.push(Declared { name, ty }),
+                Storage::Input => {
+                    let fields = program.struct_of(variable.ty).map(|s| &s.fields);
+                    for field in fields.into_iter().flatten() {
+                        self.inputs.push(Declared {
+                            name: program.names.text(field.name).to_string(),
+                            ty: program.type_name(field.ty),
+                        });
+                    }
+                    self.inputs.push(Declared { name, ty });
+                }
+                _ => {}
+            }
+        }
+        let functions = program.tree.functions.iter();
+        let functions = functions
+            .filter(|f| is_user(f.ident.token))
+            .map(|f| f.ident.name);
+        let macros = program.tokens.macros.iter();
+        let macros = macros.filter(|m| !m.predefined && program.is_user(m.name_span));
+        let names = functions.chain(macros.map(|m| m.name));
+        self.declared
+            .extend(names.map(|n| program.names.text(n).to_string()));
+    }
+
+    /// Whether something in the text could be drawn: it has an entry, or statements outside of any.
+    pub fn is_shader(&self) -> bool {
+        self.guess.kind.is_some() || (self.is_body && !self.declared.is_empty())
+    }
+
+    /// Whether a word stands in the text, comments aside.
+    pub fn has_word(&self, word: &str) -> bool {
+        self.words.contains(word)
+    }
+
+    /// Whether the text declares a name.
+    pub fn declares(&self, name: &str) -> bool {
+        self.declared.contains(name)
+    }
+
+    /// Whether the text uses a name that it does not declare.
+    pub fn is_free(&self, name: &str) -> bool {
+        self.has_word(name) && !self.declares(name)
+    }
+
+    /// The words of the text that pass a test and are not declared.
+    pub fn free_words(&self, wanted: impl Fn(&str) -> bool) -> Vec<&'t str> {
+        let all = self.words.iter().copied();
+        let mut found: Vec<&str> = all.filter(|w| wanted(w) && !self.declares(w)).collect();
+        found.sort_unstable();
+        found
+    }
+
+    /// Whether the text declares a uniform of a name and one of some types.
+    pub fn has_uniform(&self, name: &str, types: &[&str]) -> bool {
+        let is_it = |d: &Declared| d.name == name && types.contains(&d.ty.as_str());
+        self.uniforms.iter().any(is_it)
+    }
+}
+
+/// The words of a text, and what its `#version` asks for.
+fn words(text: &str) -> (FxHashSet<&str>, VersionAsked) {
+    let mut lexer = Lexer::new(text, 0);
+    let mut found = FxHashSet::default();
+    let mut asked = VersionAsked::Nothing;
+    let mut behind_hash = false;
+    loop {
+        let token = lexer.next_token();
+        let (start, end) = (token.span.start as usize, token.span.end as usize);
+        match token.kind {
+            RawKind::End => return (found, asked),
+            RawKind::Whitespace => continue,
+            RawKind::Word => {
+                let word = text.get(start..end).unwrap_or("");
+                if behind_hash && word == "version" && asked == VersionAsked::Nothing {
+                    let line = text.get(end..).and_then(|rest| rest.lines().next());
+                    asked = VersionAsked::of(line.unwrap_or(""));
+                }
+                found.insert(word);
+            }
+            _ => {}
+        }
+        behind_hash = token.kind == RawKind::Hash;
+    }
+}

@@ -1,0 +1,310 @@
+//! What goes around a text, so that a page can compile it: candidates, of which the first that
+//! compiles is taken.
+
+use super::clues::{Clues, VersionAsked};
+use crate::diagnostic::Severity;
+use crate::semantic::builtins::LEGACY_FUNCTIONS;
+use crate::semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
+use crate::syntax::{Lexer, RawKind, Version};
+use crate::text::{Role, Sources};
+use std::sync::Arc;
+
+/// A text, and what goes around it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Completion {
+    /// What goes before the text.
+    pub before: Arc<str>,
+    /// The text; its `#version` and `#extension` lines are comments where something goes before it.
+    pub code: Arc<str>,
+    /// What goes behind it.
+    pub behind: Arc<str>,
+    /// What is to be told of it.
+    pub note: Option<String>,
+}
+
+impl Completion {
+    /// A text as it stands.
+    pub fn bare(text: &str) -> Completion {
+        Completion {
+            before: Arc::from(""),
+            code: Arc::from(text),
+            behind: Arc::from(""),
+            note: None,
+        }
+    }
+
+    /// A text behind a prelude, which brings the `#version`.
+    pub fn behind(before: String, text: &str) -> Completion {
+        Completion {
+            before: Arc::from(before),
+            code: Arc::from(without_first_lines(text)),
+            behind: Arc::from(""),
+            note: None,
+        }
+    }
+
+    /// The same, with something to be told.
+    pub fn told(self, note: impl Into<String>) -> Completion {
+        Completion {
+            note: Some(note.into()),
+            ..self
+        }
+    }
+
+    /// The text as the body of `main`.
+    pub fn in_main(self) -> Completion {
+        Completion {
+            before: Arc::from(format!("{}void main() {{\n", self.before)),
+            behind: Arc::from("}\n"),
+            ..self
+        }
+    }
+
+    /// The same with something behind the text.
+    pub fn with_end(self, behind: &str) -> Completion {
+        Completion {
+            behind: Arc::from(behind),
+            ..self
+        }
+    }
+
+    /// What the browser's compiler would say.
+    pub fn check(&self) -> Option<Checked> {
+        let mut sources = Sources::new();
+        let mut files = Vec::new();
+        for (text, role) in [
+            (&self.before, Role::Prelude),
+            (&self.code, Role::User),
+            (&self.behind, Role::Prelude),
+        ] {
+            if role == Role::User || !text.is_empty() {
+                files.push(sources.add("", None, role, text.clone())?);
+            }
+        }
+        Some(analyze(&Unit {
+            sources: &Arc::new(sources),
+            files: &files,
+            stage: Stage::Fragment,
+            dialect: Dialect::WebGl,
+            infer_channels: false,
+            wholeness: Wholeness::Whole,
+        }))
+    }
+}
+
+/// The first candidate that compiles, or else the one with the fewest errors.
+pub(in crate::port) fn best(candidates: Vec<Completion>) -> Option<Completion> {
+    let mut best: Option<(usize, Completion)> = None;
+    for candidate in candidates {
+        let found = candidate.check()?.diagnostics;
+        let errors = found.iter().filter(|d| d.severity == Severity::Error);
+        let errors = errors.count();
+        if errors == 0 {
+            return Some(candidate);
+        }
+        if best.as_ref().is_none_or(|(least, _)| errors < *least) {
+            best = Some((errors, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
+}
+
+/// How a text that no host completes may be compiled: as it stands, behind the defaults that it
+/// forgot, and as GLSL ES 3.00.
+pub(super) fn completions_of(clues: &Clues) -> Vec<Completion> {
+    completions_behind(clues, "", true)
+}
+
+/// The same, behind what a host declares. `as_it_stands` is false where the host always puts
+/// something before.
+pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) -> Vec<Completion> {
+    let text = clues.text;
+    let old = || Completion::behind(defaults(Version::Es100) + host, text);
+    let new = || Completion::behind(modern(clues) + host, text);
+    let needs = match clues.asked {
+        VersionAsked::Nothing | VersionAsked::Es100 => {
+            "it is compiled as GLSL ES 3.00, as GLSL ES 1.00 does not have all that it uses"
+        }
+        _ => "",
+    };
+    let upgraded = || match needs {
+        "" => new(),
+        note => new().told(note),
+    };
+    let desktop = |number| {
+        new().told(format!(
+            "its `#version {number}` is that of desktops; it is compiled as GLSL ES 3.00"
+        ))
+    };
+    let rest = match clues.asked {
+        VersionAsked::Nothing | VersionAsked::Es100 => vec![old(), upgraded()],
+        VersionAsked::Es300 => vec![new()],
+        VersionAsked::Desktop(number) if number < 130 => vec![
+            old().told(format!(
+                "its `#version {number}` is that of desktops; it is compiled as GLSL ES 1.00"
+            )),
+            desktop(number),
+        ],
+        VersionAsked::Desktop(number) => vec![desktop(number)],
+    };
+    let bare = as_it_stands && !matches!(clues.asked, VersionAsked::Desktop(_));
+    let bare = bare.then(|| Completion::bare(text));
+    bare.into_iter().chain(rest).collect()
+}
+
+/// The version and every default precision.
+pub(super) fn defaults(version: Version) -> String {
+    let (head, types): (_, &[&str]) = match version {
+        Version::Es100 => ("", &["float", "int"]),
+        Version::Es300 => ("#version 300 es\n", &TYPES),
+    };
+    let lines = types.iter().map(|ty| format!("precision highp {ty};\n"));
+    head.to_string() + &lines.collect::<String>()
+}
+
+/// What needs a default precision in GLSL ES 3.00.
+const TYPES: [&str; 15] = [
+    "float",
+    "int",
+    "sampler2D",
+    "samplerCube",
+    "sampler3D",
+    "sampler2DArray",
+    "sampler2DShadow",
+    "samplerCubeShadow",
+    "sampler2DArrayShadow",
+    "isampler2D",
+    "isampler3D",
+    "isamplerCube",
+    "usampler2D",
+    "usampler3D",
+    "usamplerCube",
+];
+
+/// What goes before a text that is compiled as GLSL ES 3.00: the defaults, and the older words that
+/// it uses.
+pub(super) fn modern(clues: &Clues) -> String {
+    let mut text = defaults(Version::Es300);
+    if clues.has_word("varying") {
+        text.push_str("#define varying in\n");
+    }
+    if clues.has_word("gl_FragDepthEXT") {
+        text.push_str("#define gl_FragDepthEXT gl_FragDepth\n");
+    }
+    let declares_output = clues.has_word("out") && clues.guess.is_300;
+    if clues.has_word("gl_FragColor") && !declares_output {
+        text.push_str("out vec4 port_FragColor;\n#define gl_FragColor port_FragColor\n");
+    } else if clues.has_word("gl_FragData") {
+        text.push_str("out vec4 port_FragData[4];\n#define gl_FragData port_FragData\n");
+    }
+    text + &old_lookups(clues)
+}
+
+/// The lookups of GLSL ES 1.00 that a text uses. Where it has a variable called like the function of
+/// today, macros would lead to that.
+fn old_lookups(clues: &Clues) -> String {
+    let mut text = String::new();
+    for (old, new) in LEGACY_FUNCTIONS
+        .iter()
+        .filter(|(old, _)| clues.is_free(old))
+    {
+        if !clues.declares(new) {
+            text.push_str(&format!("#define {old} {new}\n"));
+            continue;
+        }
+        let (sampler, place) = match *old {
+            "textureCube" => ("samplerCube", "vec3"),
+            "texture3D" => ("sampler3D", "vec3"),
+            _ => ("sampler2D", "vec2"),
+        };
+        text.push_str(&format!(
+            "vec4 {old}({sampler} s, {place} p) {{ return {new}(s, p); }}\n\
+             vec4 {old}({sampler} s, {place} p, float b) {{ return {new}(s, p, b); }}\n"
+        ));
+    }
+    text
+}
+
+/// A text whose `#version` and `#extension` lines are comments: what stands before it has its own,
+/// and the language wants them first.
+fn without_first_lines(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 8);
+    let mut from = 0;
+    let mut lexer = Lexer::new(text, 0);
+    let mut hash = None;
+    loop {
+        let token = lexer.next_token();
+        let (start, end) = (token.span.start as usize, token.span.end as usize);
+        match token.kind {
+            RawKind::End => break,
+            RawKind::Hash => hash = Some(start),
+            RawKind::Whitespace => {}
+            RawKind::Word => {
+                let word = text.get(start..end).unwrap_or("");
+                if let Some(at) = hash.filter(|_| matches!(word, "version" | "extension")) {
+                    out.push_str(text.get(from..at).unwrap_or(""));
+                    out.push_str("//");
+                    from = at;
+                }
+                hash = None;
+            }
+            _ => hash = None,
+        }
+    }
+    out.push_str(text.get(from..).unwrap_or(""));
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn first_lines_become_comments() {
+        let text =
+            "#version 410 core\n # extension GL_X : enable\n#define version 1\n// #version\n";
+        assert_eq!(
+            without_first_lines(text),
+            "//#version 410 core\n //# extension GL_X : enable\n#define version 1\n// #version\n"
+        );
+    }
+
+    #[track_caller]
+    fn taken(text: &str) -> Completion {
+        let clues = Clues::of(text);
+        let taken = best(completions_of(&clues)).unwrap();
+        let errors = taken.check().unwrap().diagnostics;
+        assert!(
+            errors.iter().all(|d| d.severity != Severity::Error),
+            "{errors:?}"
+        );
+        taken
+    }
+
+    #[test]
+    fn a_text_stays_as_it_stands_where_it_can() {
+        let text = "precision mediump float;\nvoid main() { gl_FragColor = vec4(1.0); }\n";
+        assert_eq!(taken(text), Completion::bare(text));
+        let text = "#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
+        assert_eq!(taken(text), Completion::bare(text));
+    }
+
+    #[test]
+    fn what_is_missing_goes_before() {
+        let old = taken("uniform float t;\nvoid main() { gl_FragColor = vec4(t); }\n");
+        assert!(old.before.starts_with("precision highp float;"), "{old:?}");
+        let line = taken("\n#version 300 es\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+        assert!(line.before.starts_with("#version 300 es"), "{line:?}");
+        let derived = taken(
+            "#extension GL_OES_standard_derivatives : enable\nprecision mediump float;\n\
+             void main() { gl_FragColor = vec4(dFdx(gl_FragCoord.x)); }\n",
+        );
+        assert!(derived.note.is_some() && derived.before.contains("port_FragColor"));
+        let named = taken(
+            "#extension GL_OES_standard_derivatives : enable\nprecision mediump float;\n\
+             uniform sampler2D texture;\nvarying vec2 v;\n\
+             void main() { gl_FragColor = texture2D(texture, v) + fwidth(v.x); }\n",
+        );
+        assert!(named.before.contains("vec4 texture2D("), "{named:?}");
+    }
+}

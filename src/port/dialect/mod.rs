@@ -1,0 +1,222 @@
+//! The dialects of GLSL that people write: what each site, tool and library declares, completes and
+//! sets, as data, and how a text shows in which it is written.
+//!
+//! A dialect is a file here: the names that it sets and what they mean ([`FeedRow`],
+//! [`TextureRow`], [`VaryingRow`]), what further shows it, and what goes around a text. Texts are
+//! never printed anew: whatever a host puts around them goes before and behind.
+
+mod bind;
+mod clues;
+mod complete;
+mod feed;
+mod glslsandbox;
+mod page;
+mod shadertoy;
+mod vertex;
+
+pub(super) use bind::bind;
+pub use bind::{Bindings, UniformData};
+pub use clues::{Clues, Declared};
+pub use complete::Completion;
+pub(in crate::port) use complete::best;
+pub(super) use feed::PLACES;
+pub use feed::{FeedRow, TextureRow, VaryingRow};
+
+use super::{Control, Input, OutputId};
+use crate::semantic::Pass;
+use feed::is_named;
+use std::fmt;
+
+/// What is known of a dialect.
+pub struct DialectFacts {
+    /// How options name it.
+    pub name: &'static str,
+    /// How people name it.
+    pub title: &'static str,
+    /// What its uniforms are given.
+    pub feeds: &'static [FeedRow],
+    /// What its samplers read.
+    pub textures: &'static [TextureRow],
+    /// What its varyings hold.
+    pub varyings: &'static [VaryingRow],
+    /// Whether its host declares these names, so that a text uses them undeclared.
+    pub declares: bool,
+    /// What else shows it.
+    pub signs: fn(&Clues) -> Vec<Sign>,
+    /// How a text becomes passes; `None` where ShaderToy's player runs it.
+    pub plan: Option<fn(&Clues) -> Plan>,
+}
+
+impl fmt::Debug for DialectFacts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+impl PartialEq for DialectFacts {
+    fn eq(&self, other: &DialectFacts) -> bool {
+        self.name == other.name
+    }
+}
+
+/// Something in a text that shows a dialect.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Sign {
+    /// What it is, as it is told.
+    pub what: String,
+    /// How much it tells; [`ENOUGH`] is enough.
+    pub weight: u8,
+}
+
+impl Sign {
+    /// A sign.
+    pub fn new(what: impl Into<String>, weight: u8) -> Sign {
+        Sign {
+            what: what.into(),
+            weight,
+        }
+    }
+}
+
+/// The passes that a text becomes.
+#[derive(Default)]
+pub struct Plan {
+    /// They, in the order in which they are drawn.
+    pub passes: Vec<PlannedPass>,
+    /// What its head lets the user set.
+    pub controls: Vec<Control>,
+    /// What is to be told.
+    pub notes: Vec<String>,
+}
+
+/// A pass that a text becomes.
+pub struct PlannedPass {
+    /// What it draws.
+    pub kind: Pass,
+    /// Its name.
+    pub name: String,
+    /// What it writes to.
+    pub output: OutputId,
+    /// What may go around the text, the best first.
+    pub candidates: Vec<Completion>,
+    /// What its samplers read, where the text says it; by [`Input::uniform`].
+    pub inputs: Vec<Input>,
+}
+
+impl Plan {
+    /// A picture of one pass.
+    pub fn picture(candidates: Vec<Completion>) -> Plan {
+        Plan {
+            passes: vec![PlannedPass {
+                kind: Pass::Image,
+                name: String::new(),
+                output: OutputId(OutputId::IMAGE.to_string()),
+                candidates,
+                inputs: Vec::new(),
+            }],
+            ..Plan::default()
+        }
+    }
+}
+
+/// All dialects, those with the most of their own first.
+pub static DIALECTS: &[&DialectFacts] = &[&glslsandbox::FACTS, &page::FACTS, &shadertoy::FACTS];
+
+/// The dialect of a name.
+pub fn dialect_named(name: &str) -> Option<&'static DialectFacts> {
+    DIALECTS.iter().copied().find(|d| d.name == name)
+}
+
+/// How much evidence makes a dialect: a name of its own, or two that others use, too.
+pub const ENOUGH: u32 = 2;
+
+/// What was recognised.
+#[derive(Debug)]
+pub struct Recognised {
+    /// The dialect.
+    pub dialect: &'static DialectFacts,
+    /// What shows it, the strongest first.
+    pub signs: Vec<Sign>,
+    /// Another dialect for which as much speaks.
+    pub tied: Option<&'static DialectFacts>,
+}
+
+/// The dialect that a text is written in: the one for which the most speaks.
+pub fn recognise(clues: &Clues) -> Recognised {
+    let mut found: Vec<(u32, &'static DialectFacts, Vec<Sign>)> = Vec::new();
+    for dialect in DIALECTS.iter().copied() {
+        let signs = signs(dialect, clues);
+        let weight = signs.iter().map(|s| u32::from(s.weight)).sum();
+        if weight >= ENOUGH {
+            found.push((weight, dialect, signs));
+        }
+    }
+    // Stable: of those for which as much speaks, the first of the list is taken.
+    found.sort_by_key(|(weight, ..)| std::cmp::Reverse(*weight));
+    let mut found = found.into_iter();
+    let Some((weight, dialect, signs)) = found.next() else {
+        return Recognised {
+            dialect: &page::FACTS,
+            signs: Vec::new(),
+            tied: None,
+        };
+    };
+    let tied = found.next().filter(|(other, ..)| *other == weight);
+    Recognised {
+        dialect,
+        signs,
+        tied: tied.map(|(_, dialect, _)| dialect),
+    }
+}
+
+/// What speaks for a dialect, the strongest first.
+fn signs(dialect: &DialectFacts, clues: &Clues) -> Vec<Sign> {
+    let mut found = (dialect.signs)(clues);
+    let shows = |name: &str, types: &[&str]| {
+        let is_row = |d: &&Declared| is_named(name, &d.name) && types.contains(&d.ty.as_str());
+        let declared = clues.uniforms.iter().chain(&clues.inputs).find(is_row);
+        match declared {
+            Some(d) => Some(d.name.clone()),
+            None if dialect.declares => {
+                let free = clues.free_words(|w| is_named(name, w));
+                free.first().map(|w| w.to_string())
+            }
+            None => None,
+        }
+    };
+    let feeds = dialect.feeds.iter().map(|r| (r.name, r.types, r.weight));
+    let textures = dialect.textures.iter();
+    let textures = textures.map(|r| (r.name, SAMPLERS, r.weight));
+    for (name, types, weight) in feeds.chain(textures).filter(|(.., w)| *w > 0) {
+        found.extend(shows(name, types).map(|n| Sign::new(format!("`{n}`"), weight)));
+    }
+    for row in dialect.varyings.iter().filter(|r| r.weight > 0) {
+        let name = shows(row.name, &[row.ty]);
+        found.extend(name.map(|n| Sign::new(format!("`{n}`"), row.weight)));
+    }
+    found.dedup();
+    found.sort_by_key(|s| std::cmp::Reverse(s.weight));
+    found
+}
+
+/// The types of samplers that hold pictures. Desktops have lines of one dimension, too.
+const SAMPLERS: &[&str] = &["sampler2D", "samplerCube", "sampler3D", "sampler1D"];
+
+impl Recognised {
+    /// What is told of it: what it was taken for, and why.
+    pub fn told(&self) -> String {
+        let title = self.dialect.title;
+        let signs: Vec<&str> = self.signs.iter().map(|s| s.what.as_str()).take(4).collect();
+        let why = match signs.as_slice() {
+            [] => String::new(),
+            signs => format!(", by {}", signs.join(", ")),
+        };
+        let tied = self.tied.map_or(String::new(), |other| {
+            format!(
+                "; as much speaks for {}: `--from {}` insists",
+                other.title, other.name
+            )
+        });
+        format!("read as {title}{why}{tied}")
+    }
+}
