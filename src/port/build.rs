@@ -45,8 +45,8 @@ impl Target {
     /// What the ending of a file's name asks for.
     ///
     /// # Errors
-    /// Where it asks for a language that this program was built without.
-    pub fn of_path(path: &Path) -> Result<Target, NotBuilt> {
+    /// Where it asks for nothing that can be made.
+    pub fn of_path(path: &Path) -> Result<Target, BadEnding> {
         Ok(
             match path.extension().and_then(|e| e.to_str()).unwrap_or("") {
                 "html" | "htm" => Target::Html,
@@ -62,11 +62,30 @@ impl Target {
                 "metal" | "msl" => Target::Msl,
                 #[cfg(not(feature = "naga"))]
                 ending @ ("wgsl" | "spv" | "hlsl" | "metal" | "msl") => {
-                    return Err(NotBuilt(ending.to_string()));
+                    return Err(BadEnding::NotBuilt(ending.to_string()));
                 }
-                _ => Target::Glsl,
+                "" | "frag" | "glsl" | "fs" | "fsh" => Target::Glsl,
+                other => return Err(BadEnding::Unknown(other.to_string())),
             },
         )
+    }
+
+    /// How the names of its files end.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Target::Html => "html",
+            Target::Json => "json",
+            Target::Module | Target::Three | Target::React => "js",
+            Target::Glsl => "frag",
+            #[cfg(feature = "naga")]
+            Target::Wgsl => "wgsl",
+            #[cfg(feature = "naga")]
+            Target::Spirv => "spv",
+            #[cfg(feature = "naga")]
+            Target::Hlsl => "hlsl",
+            #[cfg(feature = "naga")]
+            Target::Msl => "metal",
+        }
     }
 
     /// Whether it is shaders alone, which read nothing themselves.
@@ -78,18 +97,33 @@ impl Target {
     }
 }
 
-/// The ending of a file's name whose language this program was built without.
+/// The ending of a file's name that tells no target.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct NotBuilt(pub String);
+pub enum BadEnding {
+    /// This program was built without its language.
+    NotBuilt(String),
+    /// It is that of something else.
+    Unknown(String),
+}
 
-impl fmt::Display for NotBuilt {
+impl fmt::Display for BadEnding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let NotBuilt(ending) = self;
-        write!(
-            f,
-            "this program was built without the language of `.{ending}` files; build it with \
-             `cargo install --path . --features naga`"
-        )
+        match self {
+            BadEnding::NotBuilt(ending) => write!(
+                f,
+                "this program was built without the language of `.{ending}` files; build it with \
+                 `cargo install --path . --features naga`"
+            ),
+            BadEnding::Unknown(ending) => {
+                write!(f, "nothing is made for the ending `.{ending}`; ")?;
+                f.write_str(match ending.as_str() {
+                    "vert" => "write `-o NAME.frag`, and the vertex shader lies beside it",
+                    "jsx" | "tsx" => "say `--target react`",
+                    "ts" => "say `--target module`; its types lie beside it",
+                    _ => "`.html`, `.js`, `.json` and `.frag` tell the target, or say `--target`",
+                })
+            }
+        }
     }
 }
 
@@ -111,10 +145,30 @@ pub struct Order<'a> {
     pub target: Target,
     /// How plain shaders get their `main`.
     pub main: MainChoice,
-    /// The path of the file, or of the folder for several; files beside it get its name.
-    pub output: Option<&'a Path>,
+    /// Where it goes.
+    pub output: Destination<'a>,
     /// The version of a page that a server shows; it loads itself anew when it hears of another.
     pub version: Option<&'a str>,
+}
+
+/// Where what is made goes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Destination<'a> {
+    /// Nowhere yet: one file without a name.
+    Standard,
+    /// To this file; files beside it get its name.
+    File(&'a Path),
+    /// Into this folder, under names of their own, where it is shaders.
+    Folder(&'a Path),
+}
+
+impl<'a> Destination<'a> {
+    fn path(self) -> &'a Path {
+        match self {
+            Destination::Standard => Path::new(""),
+            Destination::File(path) | Destination::Folder(path) => path,
+        }
+    }
 }
 
 /// A file that is to be written.
@@ -167,7 +221,7 @@ impl fmt::Display for BuildError {
 /// # Errors
 /// Where the project does not go into what was asked for.
 pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Build, BuildError> {
-    let output = order.output.unwrap_or(Path::new(""));
+    let output = order.output.path();
     let one = |text: String| Build::of(vec![file(output, text)]);
     match order.target {
         Target::Html => Ok(one(html(project, composed, order.version))),
@@ -260,10 +314,9 @@ fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build
             }
         }
     }
-    let output = order.output.unwrap_or(Path::new(""));
-    let vertex = match passes.len() {
-        1 => output.with_extension("vert"),
-        _ => output.join("pass.vert"),
+    let vertex = match order.output {
+        Destination::Folder(folder) => folder.join("pass.vert"),
+        other => other.path().with_extension("vert"),
     };
     let vertices: Vec<String> = passes.iter().map(|p| p.vertex.clone()).collect();
     let passes = passes.into_iter();
@@ -287,27 +340,31 @@ fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build
     Ok(Build { files, remarks })
 }
 
-/// One pass becomes the file named; several go into a folder, under names of their own.
+/// One pass may become the file named; several go into a folder, under names of their own.
 fn named(
     order: Order,
     passes: Vec<(String, &'static str, Vec<u8>)>,
     ending: &str,
 ) -> Result<Vec<File>, BuildError> {
-    let output = order.output.unwrap_or(Path::new(""));
-    if passes.len() < 2 {
-        let only = passes.into_iter().map(|(.., text)| file(output, text));
-        return Ok(only.collect());
-    }
-    if order.output.is_none() || output.extension().is_some() {
-        let names = passes.into_iter().map(|p| p.0);
-        return Err(BuildError::NeedsFolder(names.collect()));
-    }
+    let folder = match order.output {
+        Destination::Folder(folder) => folder,
+        other if passes.len() < 2 => {
+            let only = passes
+                .into_iter()
+                .map(|(.., text)| file(other.path(), text));
+            return Ok(only.collect());
+        }
+        _ => {
+            let names = passes.into_iter().map(|p| p.0);
+            return Err(BuildError::NeedsFolder(names.collect()));
+        }
+    };
     let mut files: Vec<File> = Vec::new();
     for (_, slug, text) in passes {
-        let mut path = output.join(format!("{slug}.{ending}"));
+        let mut path = folder.join(format!("{slug}.{ending}"));
         let mut number = 2;
         while files.iter().any(|f| f.path == path) {
-            path = output.join(format!("{slug}_{number}.{ending}"));
+            path = folder.join(format!("{slug}_{number}.{ending}"));
             number += 1;
         }
         files.push(file(&path, text));

@@ -1,5 +1,6 @@
 //! What a user puts onto a channel: `image.0=buffer_a`, `1=photo.jpg,nearest,clamp`, `0=keyboard`.
 
+use super::parts::{near, unknown_pass};
 use super::{Input, InputKind, PassRole, Project, SamplerSettings};
 use crate::semantic::Pass;
 
@@ -42,8 +43,7 @@ impl ChannelOrder {
         let (place, source) = text.split_once('=').ok_or_else(wrong)?;
         let (pass, channel) = match place.rsplit_once('.') {
             Some((pass, channel)) => {
-                let role = PassRole::of_name(pass)
-                    .ok_or_else(|| format!("`{pass}` is no pass; there are {PASSES}"))?;
+                let role = PassRole::of_name(pass).ok_or_else(|| unknown_pass(pass))?;
                 (role, channel)
             }
             None => (PassRole::Image, place),
@@ -87,14 +87,30 @@ impl ChannelOrder {
     }
 }
 
-const PASSES: &str = "`image`, `buffer_a` to `buffer_d`, `cubemap` and `sound`";
+/// The words that name a device.
+const DEVICES: [(&str, InputKind); 3] = [
+    ("keyboard", InputKind::Keyboard),
+    ("webcam", InputKind::Webcam),
+    ("mic", InputKind::Microphone),
+];
+
+/// What to say of a source that is neither a file nor a word.
+pub fn unknown_source(text: &str) -> String {
+    let devices = DEVICES.iter().map(|(word, _)| *word);
+    match near(text, devices.chain(PassRole::ALL.map(PassRole::name))) {
+        Some(word) => format!("there is no file `{text}`; did you mean `{word}`?"),
+        None => format!(
+            "there is no file `{text}`; a channel reads a file, a pass such as `buffer_a`, \
+             `keyboard`, `webcam` or `mic`"
+        ),
+    }
+}
 
 fn source_of(text: &str) -> ChannelSource {
-    match text {
-        "keyboard" => ChannelSource::Device(InputKind::Keyboard),
-        "webcam" => ChannelSource::Device(InputKind::Webcam),
-        "mic" => ChannelSource::Device(InputKind::Microphone),
-        _ => match PassRole::of_name(text) {
+    let device = DEVICES.iter().find(|(word, _)| *word == text);
+    match device {
+        Some((_, kind)) => ChannelSource::Device(*kind),
+        None => match PassRole::of_name(text) {
             Some(role) if !text.contains(['.', '/', '\\']) => ChannelSource::Pass(role),
             _ => ChannelSource::File(text.to_string()),
         },
@@ -106,30 +122,10 @@ fn source_of(text: &str) -> ChannelSource {
 pub struct Media {
     /// Its name.
     pub name: String,
+    /// What it is.
+    pub kind: InputKind,
     /// Its content as `data:` addresses; six for the faces of a cube map.
     pub urls: Vec<String>,
-}
-
-/// The kind of input that a file is, by its ending, with its media type.
-pub fn kind_of_file(path: &str) -> Option<(InputKind, &'static str)> {
-    let ending = path.rsplit_once('.')?.1.to_ascii_lowercase();
-    Some(match ending.as_str() {
-        "png" => (InputKind::Texture, "image/png"),
-        "jpg" | "jpeg" => (InputKind::Texture, "image/jpeg"),
-        "webp" => (InputKind::Texture, "image/webp"),
-        "gif" => (InputKind::Texture, "image/gif"),
-        "avif" => (InputKind::Texture, "image/avif"),
-        "bmp" => (InputKind::Texture, "image/bmp"),
-        "mp4" => (InputKind::Video, "video/mp4"),
-        "webm" => (InputKind::Video, "video/webm"),
-        "ogv" => (InputKind::Video, "video/ogg"),
-        "mp3" => (InputKind::Music, "audio/mpeg"),
-        "ogg" | "oga" => (InputKind::Music, "audio/ogg"),
-        "wav" => (InputKind::Music, "audio/wav"),
-        "flac" => (InputKind::Music, "audio/flac"),
-        "bin" => (InputKind::Volume, "application/octet-stream"),
-        _ => return None,
-    })
 }
 
 impl Project {
@@ -138,17 +134,16 @@ impl Project {
         let (kind, id) = self.source_kind(order, media.as_ref())?;
         let wanted = order.pass;
         let output = wanted.output();
+        let no_pass = self.no_pass(wanted);
         let pass = self
             .passes
             .iter_mut()
             .find(|p| p.kind == wanted.kind() && (p.kind != Pass::Buffer || p.output == output));
-        let pass = pass
-            .filter(|p| p.kind != Pass::Common)
-            .ok_or_else(|| format!("there is no pass `{}`", wanted.name()))?;
+        let pass = pass.filter(|p| p.kind != Pass::Common).ok_or(no_pass)?;
         let old = pass.inputs.iter().rposition(|i| i.channel == order.channel);
         let mut input = match old.map(|at| pass.inputs.remove(at)) {
             // Music of an export stays music, and keeps its sampler.
-            Some(old) if same_texture(old.kind, kind) => Input { kind, ..old },
+            Some(old) if old.kind.takes(kind) => Input { kind, ..old },
             _ => Input::empty(order.channel, kind),
         };
         pass.inputs.retain(|i| i.channel != order.channel);
@@ -181,13 +176,12 @@ impl Project {
         match &order.source {
             ChannelSource::Device(kind) => Ok((*kind, String::new())),
             ChannelSource::File(path) => {
-                let (kind, _) = kind_of_file(path)
-                    .ok_or_else(|| format!("{path}: this is no picture, film, music or volume"))?;
-                let is_cube = media.is_some_and(|m| m.urls.len() == 6);
-                Ok((
-                    if is_cube { InputKind::Cubemap } else { kind },
-                    String::new(),
-                ))
+                let media = media.ok_or_else(|| unknown_source(path))?;
+                let kind = match media.kind {
+                    InputKind::Texture if media.urls.len() == 6 => InputKind::Cubemap,
+                    kind => kind,
+                };
+                Ok((kind, String::new()))
             }
             ChannelSource::Pass(role) => {
                 let id = role.output().map_or(String::new(), |o| o.0);
@@ -197,7 +191,7 @@ impl Project {
                     _ => return Err(format!("no channel can read the pass `{}`", role.name())),
                 };
                 if !self.draws(role.kind(), &id) {
-                    return Err(format!("there is no pass `{}` to read", role.name()));
+                    return Err(self.no_pass(*role));
                 }
                 Ok((kind, id))
             }
@@ -205,10 +199,29 @@ impl Project {
     }
 }
 
-/// Whether two kinds are sampled in the same way, so that one can take the other's place.
-fn same_texture(a: InputKind, b: InputKind) -> bool {
-    use InputKind::{Music, MusicStream};
-    a == b || matches!((a, b), (Music | MusicStream, Music | MusicStream))
+impl Project {
+    /// What to say where a pass is named that the project does not have.
+    fn no_pass(&self, wanted: PassRole) -> String {
+        let drawn = self.passes.iter().filter(|p| p.kind != Pass::Common);
+        let names: Vec<String> = drawn.map(|p| format!("`{}`", p.slug())).collect();
+        format!(
+            "there is no pass `{}`; there is {}",
+            wanted.name(),
+            names.join(", ")
+        )
+    }
+}
+
+impl InputKind {
+    /// Whether a file of another kind can take the place of what a channel of this kind reads.
+    pub fn takes(self, file: InputKind) -> bool {
+        use InputKind::{Cubemap, Music, MusicStream, Texture};
+        self == file
+            || matches!(
+                (self, file),
+                (Cubemap, Texture) | (Music | MusicStream, Music)
+            )
+    }
 }
 
 #[cfg(test)]
@@ -249,6 +262,7 @@ mod tests {
         let order = ChannelOrder::read("0=a.png,linear").unwrap();
         let media = Media {
             name: "a.png".to_string(),
+            kind: InputKind::Texture,
             urls: vec!["data:,".to_string()],
         };
         project.put(&order, Some(media)).unwrap();

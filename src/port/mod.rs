@@ -23,11 +23,14 @@ mod project;
 mod repair;
 mod rewrite;
 mod script;
+mod signature;
 mod single;
 mod supply;
 
-pub use build::{Build, BuildError, File, MainChoice, NotBuilt, Order, Remark, Target, build};
-pub use channel::{ChannelOrder, ChannelSource, Media, kind_of_file};
+pub use build::{
+    BadEnding, Build, BuildError, Destination, File, MainChoice, Order, Remark, Target, build,
+};
+pub use channel::{ChannelOrder, ChannelSource, Media, unknown_source};
 pub use compose::{Composed, PassUnit, compose};
 pub use control::{Control, ControlChoice, ControlKind};
 pub use credits::license_words;
@@ -36,12 +39,13 @@ pub use export::{MAX_EXPORT, ProjectError};
 pub use glsl::{GlslPass, VERTEX, glsl};
 pub use html::{html, waiting_page};
 pub use json::json;
-pub use parts::{PartsError, PassFile, PassRole};
+pub use parts::{PartsError, PassFile, PassRole, unknown_pass};
 pub use project::{
     Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, Wrapper,
 };
 pub use repair::add_repairs;
 pub use rewrite::{NotSafe, rewrite};
 pub use script::{ScriptModule, module, react, three};
+pub use signature::{kind_of_bytes, kind_of_name, why_not};
 pub use single::ShaderError;
 pub use supply::{Missing, missing};

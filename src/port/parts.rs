@@ -88,6 +88,40 @@ impl PassRole {
     }
 }
 
+impl PassRole {
+    /// All there are.
+    pub const ALL: [PassRole; 8] = [
+        PassRole::Image,
+        PassRole::Buffer(0),
+        PassRole::Buffer(1),
+        PassRole::Buffer(2),
+        PassRole::Buffer(3),
+        PassRole::Cubemap,
+        PassRole::Sound,
+        PassRole::Common,
+    ];
+}
+
+/// What to say of a name that is no pass.
+pub fn unknown_pass(name: &str) -> String {
+    match near(name, PassRole::ALL.map(PassRole::name)) {
+        Some(near) => format!("`{name}` is no pass; did you mean `{near}`?"),
+        None => format!(
+            "`{name}` is no pass; there are `image`, `buffer_a` to `buffer_d`, `cubemap`, `sound` \
+             and `common`"
+        ),
+    }
+}
+
+/// The word that somebody meant who wrote another.
+pub(super) fn near<'a>(name: &str, words: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let name = name.to_lowercase();
+    let all = words.into_iter();
+    let all = all.map(|word| (strsim::damerau_levenshtein(word, &name), word));
+    let (distance, word) = all.min()?;
+    (distance <= 1 + name.chars().count() / 4).then_some(word)
+}
+
 /// The words of a name, in lower case: they end at signs, and where a capital follows a small letter.
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];

@@ -54,7 +54,9 @@ fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
     let shown = path.display();
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
-        Err(e) if e.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(e) if matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
+            return Ok(Vec::new());
+        }
         Err(e) => return Err(format!("{shown}: {e}")),
     };
     let at = |start: usize| {

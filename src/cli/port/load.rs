@@ -1,23 +1,17 @@
 //! From paths to a project: shader files, folders, exports, and what goes onto channels.
 
 use super::PortArgs;
-use super::channels::{GivenOrder, orders};
-use crate::cli::input::{InputFile, read};
+use super::channels::{GivenOrder, file_of, orders};
+use super::media::{Carried, is_cube};
+use super::read::{plain_error, read_text, shown};
 use crate::engine::{Repairs, repair, repair_webgl1};
 use crate::port::{
-    ChannelOrder, ChannelSource, Composed, DIALECTS, DialectFacts, InputKind, Media, OutputId,
-    PassFile, PassRole, Project, ShaderError, dialect_named, kind_of_file,
+    ChannelSource, Composed, DIALECTS, DialectFacts, PassFile, PassRole, Project, ShaderError,
+    dialect_named, unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
-use crate::text::kind::Claim;
-use crate::text::{Content, Encoding};
-use base64::Engine;
-use base64::prelude::BASE64_STANDARD;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Largest file that is put into an output, in bytes.
-const MAX_MEDIA: u64 = 64 * 1024 * 1024;
 
 /// Endings of the shader files that a folder is searched for.
 const SHADERS: [&str; 4] = ["glsl", "frag", "fs", "shadertoy"];
@@ -29,6 +23,10 @@ pub(super) struct Loaded {
     pub(super) composed: Composed,
     /// What was repaired in it.
     pub(super) repairs: Repairs,
+    /// The files that were read, which nothing may be written over.
+    pub(super) read: Vec<PathBuf>,
+    /// What there is to say of the files on channels.
+    pub(super) notes: Vec<String>,
 }
 
 /// Reads what the arguments name.
@@ -41,7 +39,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     };
     let (mut project, mut repairs) = match &args.input[..] {
         [] if args.pass.is_empty() => {
-            return Err("give a shader file, a folder or a ShaderToy export".to_string());
+            return Err(USAGE.to_string());
         }
         [one] if args.pass.is_empty() && !one.is_dir() => one_file(one, mode, dialect(args)?)?,
         several => (parts(several, &args.pass)?, Repairs::default()),
@@ -64,18 +62,11 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     {
         return Err(format!("{name}: there is no pass of type `image`"));
     }
+    let mut carried = Carried::new(args.max_media);
     if let Some(folder) = &args.media {
-        find_media(&mut project, folder)?;
+        carried.find(&mut project, folder)?;
     }
-    for GivenOrder { by, order } in &orders {
-        let media = match &order.source {
-            ChannelSource::File(path) => Some(media(Path::new(path), is_cube(&project, order))?),
-            _ => None,
-        };
-        project
-            .put(order, media)
-            .map_err(|e| format!("{by}: {e}"))?;
-    }
+    put(&mut project, &orders, &mut carried)?;
     if args.strict_player {
         project.share_samplers();
     }
@@ -84,6 +75,8 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
         project,
         composed,
         repairs,
+        read: [files_of(args)?, carried.paths().cloned().collect()].concat(),
+        notes: carried.notes(),
     })
 }
 
@@ -101,6 +94,43 @@ fn dialect(args: &PortArgs) -> Result<Option<&'static DialectFacts>, String> {
     })
 }
 
+const USAGE: &str = "give a shader file, a ShaderToy export (.json) or a folder of passes, like \
+                     `shaderport ocean.glsl -o ocean.html`; `-` is standard input, and `--help` tells \
+                     the rest";
+
+/// Carries the orders for channels out.
+fn put(project: &mut Project, orders: &[GivenOrder], carried: &mut Carried) -> Result<(), String> {
+    for GivenOrder { by, order } in orders {
+        let wrong = |e| format!("{by}: {e}");
+        let media = match &order.source {
+            ChannelSource::File(path) if !Path::new(path).exists() => {
+                return Err(wrong(unknown_source(path)));
+            }
+            ChannelSource::File(path) => {
+                let is_cube = is_cube(project, order);
+                Some(carried.read(Path::new(path), is_cube).map_err(wrong)?)
+            }
+            _ => None,
+        };
+        project.put(order, media).map_err(wrong)?;
+    }
+    Ok(())
+}
+
+/// The files of code, and of orders, that the arguments name.
+fn files_of(args: &PortArgs) -> Result<Vec<PathBuf>, String> {
+    let mut files: Vec<PathBuf> = file_of(args).into_iter().collect();
+    for path in &args.input {
+        match path.is_dir() {
+            true => files.extend(in_folder(path)?.into_iter().map(|(_, path)| path)),
+            false => files.push(path.clone()),
+        }
+    }
+    let named = args.pass.iter().filter_map(|text| text.split_once('='));
+    files.extend(named.map(|(_, path)| PathBuf::from(path)));
+    Ok(files)
+}
+
 /// What is done with code that does not compile.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Mode {
@@ -113,11 +143,6 @@ pub(super) fn name_of(args: &PortArgs) -> String {
     args.input
         .first()
         .map_or("passes".to_string(), |path| shown(path))
-}
-
-/// A path with forward slashes.
-fn shown(path: &Path) -> String {
-    path.to_string_lossy().replace('\\', "/")
 }
 
 fn stem(path: &Path) -> String {
@@ -136,6 +161,11 @@ fn one_file(
     if text.trim_start().starts_with(['{', '[']) {
         let project = Project::from_json(&text).map_err(|e| wrong(e.to_string()))?;
         return Ok((project, Repairs::default()));
+    }
+    if text.trim_start().starts_with('<') {
+        return Err(wrong(
+            "this is a page of HTML or XML, and no shader".to_string(),
+        ));
     }
     let title = if name == "-" {
         String::new()
@@ -157,23 +187,6 @@ fn one_file(
     Ok((draft(code)?, repairs))
 }
 
-fn read_text(path: &Path) -> Result<String, String> {
-    let name = shown(path);
-    let is_stdin = path.as_os_str() == "-";
-    let input = InputFile {
-        name: name.clone(),
-        path: (!is_stdin).then(|| path.to_path_buf()),
-        is_explicit: true,
-        claim: Claim::None,
-    };
-    let Content { text, encoding } = read(&input).map_err(|e| format!("{name}: {e}"))?;
-    match encoding {
-        Encoding::Utf16 => Err(format!("{name}: the file is UTF-16; save it as UTF-8")),
-        Encoding::Binary => Err(format!("{name}: the file is no text")),
-        Encoding::Utf8 | Encoding::Damaged(_) => Ok(text),
-    }
-}
-
 /// Several files and folders, and those that `--pass` names, as passes.
 fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     let mut files: Vec<(PassRole, PathBuf)> = Vec::new();
@@ -181,7 +194,8 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
         let (role, path) = text
             .split_once('=')
             .ok_or_else(|| format!("--pass: `{text}` is no pass; write it like `image=FILE`"))?;
-        let role = PassRole::of_name(role).ok_or_else(|| format!("--pass: `{role}` is no pass"))?;
+        let role =
+            PassRole::of_name(role).ok_or_else(|| format!("--pass: {}", unknown_pass(role)))?;
         files.push((role, PathBuf::from(path)));
     }
     for path in paths {
@@ -220,112 +234,52 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     Project::from_parts(&title, parts).map_err(|e| e.to_string())
 }
 
-/// The passes that lie in a folder.
+/// The passes that lie in a folder. Links that lead out of it are refused, since whoever ports a
+/// stranger's folder did not make them.
 fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
-    let wrong = |e: std::io::Error| format!("{}: {e}", shown(folder));
+    let wrong = |e: std::io::Error| format!("{}: {}", shown(folder), plain_error(&e));
+    let root = folder.canonicalize().map_err(wrong)?;
     let mut found = Vec::new();
+    let mut others = Vec::new();
     for entry in fs::read_dir(folder).map_err(wrong)? {
         let path = entry.map_err(wrong)?.path();
-        if is_shader(&path)
-            && let Some(role) = PassRole::of_name(&stem(&path))
-        {
-            found.push((role, path));
+        match PassRole::of_name(&stem(&path)) {
+            Some(role) if is_shader(&path) => {
+                if !path.canonicalize().map_err(wrong)?.starts_with(&root) {
+                    return Err(format!(
+                        "{} leads out of {}; give it with `--pass {}=FILE`",
+                        shown(&path),
+                        shown(folder),
+                        role.name()
+                    ));
+                }
+                found.push((role, path));
+            }
+            _ if is_shader(&path) || path.extension().is_some_and(|e| e == "json") => {
+                others.push(path);
+            }
+            _ => {}
         }
     }
     found.sort();
-    if found.is_empty() {
-        return Err(format!(
-            "{}: no file in it is called like a pass: `image.glsl`, `buffer_a.glsl`, `common.glsl`",
-            shown(folder)
-        ));
+    others.sort();
+    match (found.is_empty(), others.first()) {
+        (false, _) => Ok(found),
+        (true, other) => {
+            let help = other.map_or(String::new(), |path| {
+                format!("; or give a file itself, like {}", shown(path))
+            });
+            Err(format!(
+                "{}: no file in it is called like a pass: `image.glsl`, `buffer_a.glsl`, \
+                 `common.glsl`{help}",
+                shown(folder)
+            ))
+        }
     }
-    Ok(found)
 }
 
 /// Whether a file of a folder may be a pass.
 pub(super) fn is_shader(path: &Path) -> bool {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     SHADERS.contains(&ending) && path.is_file()
-}
-
-/// Whether an order is for a channel that reads a cube map.
-fn is_cube(project: &Project, order: &ChannelOrder) -> bool {
-    project
-        .passes
-        .iter()
-        .filter(|p| {
-            p.kind == order.pass.kind() && p.output == order.pass.output()
-                || order.pass == PassRole::Image && p.kind == Pass::Image
-        })
-        .flat_map(|p| &p.inputs)
-        .any(|i| i.channel == order.channel && i.kind == InputKind::Cubemap)
-}
-
-/// Reads a file that goes onto a channel. The faces of a cube map lie in `NAME`, `NAME_1` to
-/// `NAME_5`; where only the first is there, it is all of them.
-fn media(path: &Path, is_cube: bool) -> Result<Media, String> {
-    let name = shown(path);
-    let (_, kind) = kind_of_file(&name)
-        .ok_or_else(|| format!("{name}: this is no picture, film, music or volume"))?;
-    let first = data_address(path, kind)?;
-    let mut urls = vec![first.clone()];
-    if is_cube {
-        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-        for face in 1..6 {
-            let path = path.with_file_name(format!("{}_{face}.{ending}", stem(path)));
-            let url = if path.is_file() {
-                data_address(&path, kind)?
-            } else {
-                first.clone()
-            };
-            urls.push(url);
-        }
-    }
-    let name = path
-        .file_name()
-        .map_or(name, |n| n.to_string_lossy().into_owned());
-    Ok(Media { name, urls })
-}
-
-fn data_address(path: &Path, kind: &str) -> Result<String, String> {
-    let wrong = |e: std::io::Error| format!("{}: {e}", shown(path));
-    let size = fs::metadata(path).map_err(wrong)?.len();
-    if size > MAX_MEDIA {
-        return Err(format!(
-            "{}: the file has {size} bytes; {MAX_MEDIA} are allowed",
-            shown(path)
-        ));
-    }
-    let bytes = fs::read(path).map_err(wrong)?;
-    Ok(format!(
-        "data:{kind};base64,{}",
-        BASE64_STANDARD.encode(bytes)
-    ))
-}
-
-/// Takes what the export's channels read from a copy of the site's files. Nothing outside the folder
-/// is read, whatever the export says.
-fn find_media(project: &mut Project, folder: &Path) -> Result<(), String> {
-    let wrong = |e: std::io::Error| format!("{}: {e}", shown(folder));
-    let root = folder.canonicalize().map_err(wrong)?;
-    for input in project.passes.iter_mut().flat_map(|p| &mut p.inputs) {
-        let is_drawn = input.kind == InputKind::Buffer || input.id == OutputId::CUBE;
-        if !input.urls.is_empty() || input.src.is_empty() || is_drawn {
-            continue;
-        }
-        let inside = input.src.trim_start_matches('/');
-        let last = inside.rsplit('/').next().unwrap_or(inside);
-        let candidates = [root.join(inside), root.join(last)];
-        let Some(path) = candidates.iter().find_map(|p| p.canonicalize().ok()) else {
-            continue;
-        };
-        if !path.starts_with(&root) {
-            return Err(format!("`{}` leads out of {}", input.src, shown(folder)));
-        }
-        if path.is_file() && kind_of_file(&shown(&path)).is_some() {
-            let found = media(&path, input.kind == InputKind::Cubemap)?;
-            (input.name, input.urls) = (found.name, found.urls);
-        }
-    }
-    Ok(())
 }

@@ -2,10 +2,13 @@
 
 mod channels;
 mod load;
+mod media;
+mod read;
+mod save;
 mod serve;
 mod watch;
 
-use super::output::{Overwrite, diff, write};
+use super::output::{Overwrite, diff};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::engine::{Repairs, repairable};
@@ -13,6 +16,7 @@ use crate::port::{Composed, File, MainChoice, Order, Remark, Target, build, miss
 use crate::report::{Format, Reporter, Summary};
 use clap::Parser;
 use load::Loaded;
+use save::{Place, save};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
@@ -47,6 +51,9 @@ pub struct PortArgs {
     /// Folder with the site's files, such as media/a/x.jpg, to be put into the output
     #[arg(long, value_name = "FOLDER")]
     media: Option<PathBuf>,
+    /// Largest file that goes onto a channel and into the output, like `200M`
+    #[arg(long, value_name = "SIZE", default_value = "64M", value_parser = read::size_of)]
+    max_media: u64,
     /// How plain shaders get their `main`
     #[arg(long, value_enum, default_value_t, value_name = "HOW")]
     main: MainChoice,
@@ -88,19 +95,21 @@ fn port(args: &PortArgs) -> Result<u8, String> {
     if args.watch || args.serve.is_some() {
         return watch::run(args);
     }
-    let Made { files, code } = make(args, None)?;
-    if args.output.is_some() {
-        save(&files, args.overwrite())?;
-    } else if let Some(first) = files.first() {
+    let made = make(args, None)?;
+    if args.is_saved() {
+        save(&made.files, args.overwrite(), &made.read)?;
+    } else if let Some(first) = made.files.first() {
         print(&first.content)?;
     }
-    Ok(code)
+    Ok(made.code)
 }
 
 /// What comes of the arguments.
 struct Made {
     /// What is to be written; empty where the errors forbid it, and where a diff was printed.
     files: Vec<File>,
+    /// The files that it is made of.
+    read: Vec<PathBuf>,
     /// The exit code.
     code: u8,
 }
@@ -112,6 +121,8 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
         project,
         composed,
         repairs,
+        read,
+        notes,
     } = load::load(args)?;
     for remark in project.remarks() {
         let _ = writeln!(io::stderr(), "note: {remark}");
@@ -128,16 +139,18 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
     }
     let nothing = |code| Made {
         files: Vec::new(),
+        read: Vec::new(),
         code,
     };
     if args.diff {
         return print(diff_of(&repairs).as_bytes()).map(|()| nothing(CLEAN));
     }
     let target = args.target()?;
+    let place = Place::of(args.output.as_deref(), target, &project.info.name);
     let order = Order {
         target,
         main: args.main,
-        output: args.output.as_deref(),
+        output: place.output(),
         version,
     };
     let made = build(&project, &composed, order).map_err(|e| e.to_string())?;
@@ -150,13 +163,15 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
         return Ok(nothing(FINDINGS));
     }
     if !target.is_shaders() {
-        for what in missing(&project) {
-            let _ = writeln!(io::stderr(), "note: {what}");
+        let missing = missing(&project).into_iter().map(|what| what.to_string());
+        for note in notes.into_iter().chain(missing) {
+            let _ = writeln!(io::stderr(), "note: {note}");
         }
     }
     let code = if summary.errors > 0 { FINDINGS } else { CLEAN };
     Ok(Made {
         files: made.files,
+        read,
         code,
     })
 }
@@ -168,8 +183,18 @@ impl PortArgs {
         match (self.target, self.serve) {
             (Some(target), _) => Ok(target),
             (None, Some(_)) if self.output.is_none() => Ok(Target::Html),
-            (None, _) => Target::of_path(path).map_err(|e| e.to_string()),
+            // A folder may have any name.
+            (None, _) if path.is_dir() => Ok(Target::of_path(path).unwrap_or(Target::Glsl)),
+            (None, _) if path.as_os_str() == "-" => Ok(Target::Glsl),
+            (None, _) => Target::of_path(path).map_err(|e| format!("-o {}: {e}", path.display())),
         }
+    }
+
+    /// Whether files are written, and not standard output.
+    fn is_saved(&self) -> bool {
+        self.output
+            .as_ref()
+            .is_some_and(|path| path.as_os_str() != "-")
     }
 
     /// Whether a file may be in the way.
@@ -254,19 +279,4 @@ fn report(composed: &Composed, remarks: &[Remark]) -> io::Result<Summary> {
     let mut summary = reporter.finish()?;
     summary.errors += errors;
     Ok(summary)
-}
-
-/// Writes all files, or none where one is in the way.
-fn save(files: &[File], overwrite: Overwrite) -> Result<(), String> {
-    let taken = files.iter().find(|f| f.path.symlink_metadata().is_ok());
-    if let (Overwrite::Never, Some(File { path, .. })) = (overwrite, taken) {
-        return Err(format!(
-            "{} is there already; --force writes over it",
-            path.display()
-        ));
-    }
-    for File { path, content } in files {
-        write(path, content, overwrite).map_err(|e| format!("{}: {e}", path.display()))?;
-    }
-    Ok(())
 }

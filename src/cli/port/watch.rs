@@ -22,7 +22,7 @@ pub(super) fn run(args: &PortArgs) -> Result<u8, String> {
             Err("only a page can be served; leave `--target` away".to_string())
         }
         Some(port) => serve(args, Server::open(port)?),
-        None if args.output.is_none() => {
+        None if !args.is_saved() => {
             Err("say where to write, with `-o FILE`, or `--serve` the page".to_string())
         }
         None => write(args),
@@ -33,13 +33,13 @@ pub(super) fn run(args: &PortArgs) -> Result<u8, String> {
 fn write(args: &PortArgs) -> Result<u8, String> {
     let mut before = look(args);
     let made = make(args, None)?;
-    save(&made.files, args.overwrite())?;
+    save(&made.files, args.overwrite(), &made.read)?;
     loop {
         tell("waiting for changes");
         wait(before, || look(args));
         before = look(args);
         // From here on the output is this run's own, and what cannot be read may be half saved.
-        let saved = make(args, None).and_then(|m| save(&m.files, Overwrite::Allowed));
+        let saved = make(args, None).and_then(|m| save(&m.files, Overwrite::Allowed, &m.read));
         if let Err(message) = saved {
             tell(&message);
         }

@@ -1,0 +1,226 @@
+//! Reading what the arguments name: to a limit, and never waiting in silence.
+
+use crate::text::{Content, Encoding};
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::Path;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread;
+use std::time::Duration;
+
+/// Largest shader or export that is read, in bytes. An export may carry its media.
+const MAX_CODE: u64 = 128 * MIB;
+
+/// Largest shader file, in bytes.
+const MAX_SHADER: usize = 40 * MIB as usize;
+
+const MIB: u64 = 1024 * 1024;
+
+/// How long a pipe or a terminal may give nothing until it is said what is waited for.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// A path with forward slashes.
+pub(super) fn shown(path: &Path) -> String {
+    path.to_string_lossy().replace('\\', "/")
+}
+
+/// The text of a shader or an export; `-` is standard input.
+pub(super) fn read_text(path: &Path) -> Result<String, String> {
+    let name = shown(path);
+    let wrong = |e: String| format!("{name}: {e}");
+    let bytes = match path.as_os_str() == "-" {
+        true => wait_for("standard input", || Ok(io::stdin()))?,
+        false => {
+            let data = fs::metadata(path).map_err(|e| wrong(plain_error(&e)))?;
+            if data.is_dir() {
+                return Err(wrong("this is a folder".to_string()));
+            }
+            let from = path.to_path_buf();
+            match data.is_file() {
+                true => read_to(&mut File::open(path).map_err(|e| wrong(plain_error(&e)))?)
+                    .map_err(|e| wrong(plain_error(&e)))?,
+                false => wait_for(&name, move || File::open(from))?,
+            }
+        }
+    };
+    let text = decode(bytes).map_err(wrong)?;
+    let is_export = text.trim_start().starts_with(['{', '[']);
+    match text.len() {
+        size if size as u64 > MAX_CODE || size > MAX_SHADER && !is_export => Err(wrong(format!(
+            "this has more than {}; that is no shader",
+            size_words(MAX_SHADER as u64)
+        ))),
+        _ => Ok(text),
+    }
+}
+
+/// The bytes of a regular file of at most `limit` bytes.
+pub(super) fn read_media(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
+    let wrong = |e: String| format!("{}: {e}", shown(path));
+    let data = fs::metadata(path).map_err(|e| wrong(plain_error(&e)))?;
+    if !data.is_file() {
+        return Err(wrong("this is no regular file".to_string()));
+    }
+    if data.len() > limit {
+        let (size, most) = (size_words(data.len()), size_words(limit));
+        return Err(wrong(format!(
+            "the file has {size}; at most {most} are put into a page, more with `--max-media SIZE`"
+        )));
+    }
+    fs::read(path).map_err(|e| wrong(plain_error(&e)))
+}
+
+/// What the system says, without the number that it has for it.
+pub(super) fn plain_error(error: &io::Error) -> String {
+    let text = error.to_string();
+    match text.split_once(" (os error") {
+        Some((words, _)) => words.to_string(),
+        None => text,
+    }
+}
+
+/// Reads what may never come, in a thread of its own; says so where nothing comes for a while.
+fn wait_for<R: Read>(
+    name: &str,
+    open: impl FnOnce() -> io::Result<R> + Send + 'static,
+) -> Result<Vec<u8>, String> {
+    let (to, from) = channel();
+    thread::spawn(move || {
+        let read = open().and_then(|mut input| pass_on(&mut input, &to));
+        // Nobody listens any more where the program has ended.
+        let _ = to.send(read.map(|()| Vec::new()));
+    });
+    let mut bytes = Vec::new();
+    let mut is_told = false;
+    loop {
+        match from.recv_timeout(PATIENCE) {
+            Ok(Ok(part)) if part.is_empty() => return Ok(bytes),
+            Ok(Ok(part)) => bytes.extend(part),
+            Ok(Err(e)) => return Err(format!("{name}: {}", plain_error(&e))),
+            Err(RecvTimeoutError::Disconnected) => return Ok(bytes),
+            Err(RecvTimeoutError::Timeout) if !is_told => {
+                is_told = true;
+                let _ = writeln!(
+                    io::stderr(),
+                    "shaderport: waiting for the end of {name}; Ctrl+D ends what is typed, Ctrl+C this"
+                );
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+        }
+        if bytes.len() as u64 > MAX_CODE {
+            return Ok(bytes);
+        }
+    }
+}
+
+/// Sends what can be read, part by part.
+fn pass_on(input: &mut impl Read, to: &Sender<io::Result<Vec<u8>>>) -> io::Result<()> {
+    let mut part = vec![0; MIB as usize];
+    loop {
+        let length = input.read(&mut part)?;
+        let Some(read @ [_, ..]) = part.get(..length) else {
+            return Ok(());
+        };
+        if to.send(Ok(read.to_vec())).is_err() {
+            return Ok(());
+        }
+    }
+}
+
+/// Reads one byte more than is allowed at most, so that too much can be seen.
+fn read_to(file: &mut File) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    file.take(MAX_CODE + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The text that bytes are, without a byte order mark.
+fn decode(bytes: Vec<u8>) -> Result<String, String> {
+    if let Some(text) = utf16(&bytes) {
+        return Ok(text);
+    }
+    let Content { mut text, encoding } = Content::of(bytes);
+    match encoding {
+        Encoding::Binary | Encoding::Utf16 => Err("the file is no text".to_string()),
+        Encoding::Utf8 | Encoding::Damaged(_) => {
+            if text.starts_with('\u{feff}') {
+                text.drain(..'\u{feff}'.len_utf8());
+            }
+            Ok(text)
+        }
+    }
+}
+
+/// UTF-16, as some shells write it, where a byte order mark tells it.
+fn utf16(bytes: &[u8]) -> Option<String> {
+    let (rest, is_little) = match bytes {
+        [0xff, 0xfe, rest @ ..] => (rest, true),
+        [0xfe, 0xff, rest @ ..] => (rest, false),
+        _ => return None,
+    };
+    let pairs = rest.chunks_exact(2).filter_map(|p| p.try_into().ok());
+    let unit = |pair| match is_little {
+        true => u16::from_le_bytes(pair),
+        false => u16::from_be_bytes(pair),
+    };
+    let units: Vec<u16> = pairs.map(unit).collect();
+    Some(String::from_utf16_lossy(&units))
+}
+
+/// A number of bytes, as people say it.
+pub(super) fn size_words(bytes: u64) -> String {
+    match bytes {
+        0..1024 => format!("{bytes} bytes"),
+        1024..MIB => format!("{} KB", bytes.div_ceil(1024)),
+        _ => format!("{:.1} MB", bytes as f64 / MIB as f64).replace(".0 ", " "),
+    }
+}
+
+/// Reads a size like `64M`, `1.5 GB` or `4000`.
+pub(super) fn size_of(text: &str) -> Result<u64, String> {
+    let text = text.trim().to_ascii_lowercase();
+    let text = text.trim_end_matches('b').trim_end_matches('i');
+    let (number, unit) = match text.chars().last() {
+        Some('k') => (text.trim_end_matches('k'), 1024),
+        Some('m') => (text.trim_end_matches('m'), MIB),
+        Some('g') => (text.trim_end_matches('g'), 1024 * MIB),
+        _ => (text, 1),
+    };
+    let number: f64 = number
+        .trim()
+        .parse()
+        .ok()
+        .filter(|n: &f64| n.is_finite() && *n >= 0.0)
+        .ok_or("a size is a number of bytes, or one like `64M` or `1G`")?;
+    Ok((number * unit as f64) as u64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_read_and_said() {
+        assert_eq!(size_of("64M"), Ok(64 * MIB));
+        assert_eq!(size_of("1.5 GiB"), Ok(1536 * MIB));
+        assert_eq!(size_of("12"), Ok(12));
+        assert!(size_of("big").is_err() && size_of("-1").is_err() && size_of("").is_err());
+        assert_eq!(size_words(64 * MIB), "64 MB");
+        assert_eq!(size_words(1500), "2 KB");
+        assert_eq!(size_words(5), "5 bytes");
+    }
+
+    #[test]
+    fn marks_of_encodings_are_no_code() {
+        let all: [&[u8]; 4] = [
+            b"ab",
+            b"\xef\xbb\xbfab",
+            b"\xff\xfea\0b\0",
+            b"\xfe\xff\0a\0b",
+        ];
+        for bytes in all {
+            assert_eq!(decode(bytes.to_vec()), Ok("ab".to_string()));
+        }
+        assert!(decode(b"\0\xff\x01".to_vec()).is_err());
+    }
+}

@@ -1,0 +1,120 @@
+//! Where the output goes, and what it must not write over.
+
+use super::read::plain_error;
+use crate::cli::output::{Overwrite, write};
+use crate::port::{Destination, File, Target};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A path of the command line, as a file or a folder.
+pub(super) enum Place {
+    /// Standard output.
+    Standard,
+    /// One file; others go beside it.
+    File(PathBuf),
+    /// A folder for shaders under names of their own.
+    Folder(PathBuf),
+}
+
+impl Place {
+    /// Where a project of this title goes. A folder is one that is there, or whose name ends in a
+    /// slash; for shaders also one without an ending.
+    pub(super) fn of(path: Option<&Path>, target: Target, title: &str) -> Place {
+        let Some(path) = path.filter(|p| p.as_os_str() != "-") else {
+            return Place::Standard;
+        };
+        let is_folder = path.is_dir() || path.to_string_lossy().ends_with(['/', '\\']);
+        match target.is_shaders() {
+            true if is_folder || path.extension().is_none() => Place::Folder(path.to_path_buf()),
+            false if is_folder => {
+                let name = format!("{}.{}", file_name(title), target.ending());
+                Place::File(path.join(name))
+            }
+            _ => Place::File(path.to_path_buf()),
+        }
+    }
+
+    /// The same for those who make the files.
+    pub(super) fn output(&self) -> Destination<'_> {
+        match self {
+            Place::Standard => Destination::Standard,
+            Place::File(path) => Destination::File(path),
+            Place::Folder(path) => Destination::Folder(path),
+        }
+    }
+}
+
+/// A title as the name of a file.
+fn file_name(title: &str) -> String {
+    let kept = |c: char| c.is_alphanumeric() || c == '-';
+    let words = title.split(|c| !kept(c)).filter(|w| !w.is_empty());
+    let name: String = words.collect::<Vec<_>>().join("_");
+    match name.chars().take(60).collect::<String>() {
+        name if name.is_empty() => "shader".to_string(),
+        name => name,
+    }
+}
+
+/// Writes all files, or none where one is in the way. None takes the place of a file that was `read`.
+pub(super) fn save(files: &[File], overwrite: Overwrite, read: &[PathBuf]) -> Result<(), String> {
+    for (i, File { path, .. }) in files.iter().enumerate() {
+        let shown = path.display();
+        if files.iter().take(i).any(|f| f.path == *path) {
+            return Err(format!(
+                "two files would be written to {shown}; name it like `a.frag`, and the other lies \
+                 beside it"
+            ));
+        }
+        let Ok(there) = path.symlink_metadata() else {
+            continue;
+        };
+        if read.iter().any(|r| is_same(r, path)) {
+            return Err(format!("{shown} is what is read; write to another file"));
+        }
+        if !there.is_file() {
+            let kind = match there.file_type() {
+                kind if kind.is_dir() => "a folder",
+                kind if kind.is_symlink() => "a symbolic link",
+                _ => "a device",
+            };
+            return Err(format!(
+                "{shown} is {kind}, and only regular files are written over; without `-o` it goes to \
+                 standard output"
+            ));
+        }
+        if overwrite == Overwrite::Never {
+            return Err(format!("{shown} is there already; --force writes over it"));
+        }
+    }
+    for File { path, content } in files {
+        let wrong = |e| format!("{}: {}", path.display(), plain_error(&e));
+        write(path, content, overwrite).map_err(wrong)?;
+    }
+    Ok(())
+}
+
+/// Whether two paths lead to the same file, hard links included.
+#[cfg(unix)]
+fn is_same(a: &Path, b: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let id = |path: &Path| fs::metadata(path).map(|m| (m.dev(), m.ino())).ok();
+    id(a).is_some_and(|own| id(b) == Some(own))
+}
+
+#[cfg(not(unix))]
+fn is_same(a: &Path, b: &Path) -> bool {
+    let real = |path: &Path| fs::canonicalize(path).ok();
+    real(a).is_some_and(|own| real(b) == Some(own))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn titles_are_names_of_files() {
+        assert_eq!(file_name("Sea, deep/../blue"), "Sea_deep_blue");
+        assert_eq!(file_name("../"), "shader");
+        assert_eq!(file_name(&"a".repeat(99)).len(), 60);
+    }
+}

@@ -1,0 +1,202 @@
+//! What a file of media is, by its first bytes: names lie, and a browser looks at the bytes too.
+
+use super::InputKind;
+
+/// How many of a file's bytes tell what it is.
+const HEAD: usize = 4096;
+
+/// The kind of input that a file is, with its media type; `None` for what no browser shows or plays.
+pub fn kind_of_bytes(bytes: &[u8]) -> Option<(InputKind, &'static str)> {
+    let head = bytes.get(..HEAD).unwrap_or(bytes);
+    picture(head)
+        .or_else(|| film_or_music(head))
+        .or_else(|| is_volume(bytes).then_some((InputKind::Volume, "application/octet-stream")))
+}
+
+/// The media type that the ending of a file's name tells.
+pub fn kind_of_name(path: &str) -> Option<&'static str> {
+    let ending = path.rsplit_once('.')?.1.to_ascii_lowercase();
+    Some(match ending.as_str() {
+        "png" => "image/png",
+        "jpg" | "jpeg" => "image/jpeg",
+        "webp" => "image/webp",
+        "gif" => "image/gif",
+        "avif" => "image/avif",
+        "bmp" => "image/bmp",
+        "mp4" => "video/mp4",
+        "webm" => "video/webm",
+        "ogv" => "video/ogg",
+        "mp3" => "audio/mpeg",
+        "ogg" | "oga" => "audio/ogg",
+        "wav" => "audio/wav",
+        "flac" => "audio/flac",
+        "bin" => "application/octet-stream",
+        _ => return None,
+    })
+}
+
+fn picture(head: &[u8]) -> Option<(InputKind, &'static str)> {
+    let is_brand = |wanted: &[u8]| brands(head).any(|b| b == wanted);
+    let kind = match head {
+        [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n', ..] => "image/png",
+        [0xff, 0xd8, 0xff, ..] => "image/jpeg",
+        [b'G', b'I', b'F', b'8', b'7' | b'9', b'a', ..] => "image/gif",
+        _ if riff(head) == Some(b"WEBP") => "image/webp",
+        _ if is_brand(b"avif") || is_brand(b"avis") => "image/avif",
+        // The size of the second header, which tells the version of the format.
+        [b'B', b'M', ..]
+            if matches!(
+                head.get(14..18),
+                Some([12 | 40 | 52 | 56 | 64 | 108 | 124, 0, 0, 0])
+            ) =>
+        {
+            "image/bmp"
+        }
+        _ => return None,
+    };
+    Some((InputKind::Texture, kind))
+}
+
+fn film_or_music(head: &[u8]) -> Option<(InputKind, &'static str)> {
+    let has = |word: &[u8]| head.windows(word.len()).any(|w| w == word);
+    let first = brands(head).next();
+    Some(match head {
+        [0x1a, 0x45, 0xdf, 0xa3, ..] if has(b"webm") => (InputKind::Video, "video/webm"),
+        [b'O', b'g', b'g', b'S', ..] if has(b"theora") => (InputKind::Video, "video/ogg"),
+        [b'O', b'g', b'g', b'S', ..] => (InputKind::Music, "audio/ogg"),
+        [b'f', b'L', b'a', b'C', ..] => (InputKind::Music, "audio/flac"),
+        [b'I', b'D', b'3', ..] => (InputKind::Music, "audio/mpeg"),
+        _ if riff(head) == Some(b"WAVE") => (InputKind::Music, "audio/wav"),
+        // Music alone has a brand of its own; pictures of this family were found before.
+        _ if first.is_some_and(|b| b.starts_with(b"M4A")) => (InputKind::Music, "audio/mp4"),
+        _ if first.is_some_and(|b| !PICTURES.contains(&b)) => (InputKind::Video, "video/mp4"),
+        // A frame of MPEG sound: eleven bits that are set, then version, layer, rate and frequency.
+        [0xff, second, third, ..]
+            if second & 0xe6 == 0xe2
+                && second & 0x18 != 0x08
+                && third & 0xf0 != 0xf0
+                && third & 0x0c != 0x0c =>
+        {
+            (InputKind::Music, "audio/mpeg")
+        }
+        [0xff, 0xf1 | 0xf9, ..] => (InputKind::Music, "audio/aac"),
+        _ => return None,
+    })
+}
+
+/// Brands of the family of MP4 that are pictures which browsers do not show.
+const PICTURES: [&[u8]; 6] = [b"heic", b"heix", b"hevc", b"hevx", b"mif1", b"msf1"];
+
+/// What a RIFF file holds.
+fn riff(head: &[u8]) -> Option<&[u8; 4]> {
+    let is_riff = head.starts_with(b"RIFF");
+    head.get(8..12).filter(|_| is_riff)?.try_into().ok()
+}
+
+/// The brands that a file of the family of MP4 names, its own first.
+fn brands(head: &[u8]) -> impl Iterator<Item = &[u8]> {
+    let size = match head.get(..8) {
+        Some([a, b, c, d, b'f', b't', b'y', b'p']) => u32::from_be_bytes([*a, *b, *c, *d]),
+        _ => 0,
+    };
+    let brands = head.get(8..head.len().min(size as usize)).unwrap_or(&[]);
+    // Behind the first stands a version.
+    let others = brands.chunks_exact(4).enumerate();
+    others.filter(|(i, _)| *i != 1).map(|(_, brand)| brand)
+}
+
+/// Whether it is ShaderToy's volume file: a signature, three sizes, the number of components, a layout,
+/// a format (0 for bytes, 10 for floats), and just as much data as that asks for.
+fn is_volume(bytes: &[u8]) -> bool {
+    let size = |at: usize| {
+        let field: Option<[u8; 4]> = bytes.get(at..at + 4).and_then(|b| b.try_into().ok());
+        field.map_or(0, |f| u64::from(u32::from_le_bytes(f)))
+    };
+    let (components, width) = match bytes.get(16..20) {
+        Some([components @ 1..=4, _, 0, 0]) => (*components, 1),
+        Some([components @ 1..=4, _, 10, 0]) => (*components, 4),
+        _ => return false,
+    };
+    let sizes = [size(4), size(8), size(12), u64::from(components), width];
+    let data = sizes.iter().try_fold(1_u64, |all, n| all.checked_mul(*n));
+    data.is_some_and(|data| data > 0 && data.checked_add(20) == Some(bytes.len() as u64))
+}
+
+/// What a file that is no media is, as messages go on behind its name.
+pub fn why_not(bytes: &[u8]) -> &'static str {
+    let head = bytes.get(..HEAD).unwrap_or(bytes);
+    let text = String::from_utf8_lossy(head).to_lowercase();
+    match head {
+        [] => "the file is empty",
+        _ if text.contains("<svg") => {
+            "this is SVG, a document that may hold scripts; save the picture as PNG"
+        }
+        _ if text.trim_start().starts_with("<!doctype") || text.contains("<html") => {
+            "this is a page of HTML, perhaps saved in the place of the file"
+        }
+        [0x1a, 0x45, 0xdf, 0xa3, ..] => "this is Matroska; save the film as WebM or MP4",
+        _ if brands(head).next().is_some() => {
+            "this is HEIC or a relation of it, which browsers do not show; save the picture as PNG"
+        }
+        [b'I', b'I', b'*', 0, ..] | [b'M', b'M', 0, b'*', ..] => {
+            "this is TIFF, which browsers do not show; save the picture as PNG"
+        }
+        _ => "this is no picture, film, music or volume that browsers read",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(bytes: &[u8], expected: Option<&str>) {
+        let found = kind_of_bytes(bytes).map(|(_, kind)| kind);
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn files_are_known_by_their_first_bytes() {
+        check(b"\x89PNG\r\n\x1a\n\0\0", Some("image/png"));
+        check(b"\xff\xd8\xff\xe0", Some("image/jpeg"));
+        check(b"GIF89a", Some("image/gif"));
+        check(b"RIFF\x01\0\0\0WEBPVP8 ", Some("image/webp"));
+        check(b"RIFF\x01\0\0\0WAVEfmt ", Some("audio/wav"));
+        check(b"\0\0\0\x1cftypmif1\0\0\0\0avifmiaf", Some("image/avif"));
+        check(b"\0\0\0\x18ftypmif1\0\0\0\0heic", None);
+        check(b"\0\0\0\x18ftypisom\0\0\x02\0mp41", Some("video/mp4"));
+        check(b"\0\0\0\x18ftypM4A \0\0\x02\0mp42", Some("audio/mp4"));
+        check(b"BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0", Some("image/bmp"));
+        check(b"BMP is a format of pictures", None);
+        check(b"\x1a\x45\xdf\xa3\x01\x42\x82\x84webm", Some("video/webm"));
+        check(b"\x1a\x45\xdf\xa3\x01\x42\x82\x88matroska", None);
+        check(b"OggS\0\x02 \x80theora", Some("video/ogg"));
+        check(b"OggS\0\x02 OpusHead", Some("audio/ogg"));
+        check(b"fLaC", Some("audio/flac"));
+        check(b"ID3\x03", Some("audio/mpeg"));
+        check(b"\xff\xfb\x90\x64", Some("audio/mpeg"));
+        check(b"\xff\xf1\x50\x80", Some("audio/aac"));
+        check(b"\xff\xff\xff\xff", None);
+        check(b"<svg xmlns", None);
+        check(b"", None);
+    }
+
+    #[test]
+    fn a_volume_is_as_long_as_it_says() {
+        let mut volume = b"BIN\0\x02\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\0\0".to_vec();
+        volume.extend([0; 8]);
+        check(&volume, Some("application/octet-stream"));
+        volume.push(0);
+        check(&volume, None);
+        let mut huge = [0xff; 28];
+        huge[16..20].copy_from_slice(&[4, 0, 10, 0]);
+        check(&huge, None);
+    }
+
+    #[test]
+    fn what_is_no_media_is_named() {
+        assert!(why_not(b"<?xml version='1.0'?>\n<svg>").contains("SVG"));
+        assert!(why_not(b"<!DOCTYPE html>").contains("HTML"));
+        assert!(why_not(b"").contains("empty"));
+    }
+}

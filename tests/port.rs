@@ -1,0 +1,266 @@
+//! `shaderport` as an impatient or a careless person runs it: what it reads, what it must not write
+//! over, and what it says.
+#![cfg(unix)]
+
+use insta_cmd::get_cargo_bin;
+use std::fs;
+use std::io::Write;
+use std::os::unix::fs::symlink;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+const CODE: &str =
+    "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p / iResolution.xy); }\n";
+const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+/// A folder with a shader `a.glsl` and a picture `a.png`.
+struct Folder(tempfile::TempDir);
+
+impl Folder {
+    fn new() -> Folder {
+        let folder = Folder(tempfile::tempdir().unwrap());
+        folder.put("a.glsl", CODE);
+        folder.put("a.png", PNG);
+        folder
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn put(&self, name: &str, content: impl AsRef<[u8]>) {
+        let path = self.path(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, content).unwrap();
+    }
+
+    fn command(&self, args: &str) -> Command {
+        let mut command = Command::new(get_cargo_bin("shaderport"));
+        command.current_dir(self.0.path());
+        command.args(args.split_whitespace());
+        command
+    }
+
+    /// Exit code, and what is said without the notes of what is not at hand.
+    fn run(&self, args: &str) -> (Option<i32>, String) {
+        let out = self.command(args).output().unwrap();
+        let said = String::from_utf8(out.stderr).unwrap();
+        let lines = said.lines().filter(|l| !l.contains("and there is none"));
+        let lines: Vec<&str> = lines.collect();
+        (out.status.code(), lines.join("\n"))
+    }
+
+    #[track_caller]
+    fn works(&self, args: &str, said: &str) {
+        assert_eq!(self.run(args), (Some(0), said.to_string()), "{args}");
+    }
+
+    #[track_caller]
+    fn fails(&self, args: &str, said: &str) {
+        let said = format!("shaderport: {said}");
+        assert_eq!(self.run(args), (Some(2), said), "{args}");
+    }
+}
+
+#[test]
+fn an_input_is_never_written_over() {
+    let folder = Folder::new();
+    fs::hard_link(folder.path("a.glsl"), folder.path("hard.glsl")).unwrap();
+    let same = |name: &str| format!("{name} is what is read; write to another file");
+    folder.fails("a.glsl -o ./a.glsl --force", &same("./a.glsl"));
+    folder.fails("a.glsl -o hard.glsl --force", &same("hard.glsl"));
+    folder.fails("--pass image=a.glsl -o a.glsl --force", &same("a.glsl"));
+    let (code, said) = folder.run("a.glsl --channel 0=a.png -t json -o a.png --force");
+    assert_eq!(code, Some(2));
+    assert!(said.ends_with(&same("a.png")), "{said}");
+    folder.put("p/image.frag", CODE);
+    folder.fails("p -o p --force", &same("p/image.frag"));
+    assert_eq!(fs::read_to_string(folder.path("a.glsl")).unwrap(), CODE);
+    assert_eq!(fs::read(folder.path("a.png")).unwrap(), PNG);
+}
+
+#[test]
+fn only_regular_files_are_written_over() {
+    let folder = Folder::new();
+    folder.put("there.html", "there");
+    symlink(folder.path("there.html"), folder.path("link.html")).unwrap();
+    fs::create_dir(folder.path("image.frag")).unwrap();
+    let end = ", and only regular files are written over; without `-o` it goes to standard output";
+    folder.fails(
+        "a.glsl -o link.html --force",
+        &format!("link.html is a symbolic link{end}"),
+    );
+    folder.fails(
+        "a.glsl -t html -o /dev/null --force",
+        &format!("/dev/null is a device{end}"),
+    );
+    folder.fails(
+        "a.glsl -o . --force -t glsl",
+        &format!("./image.frag is a folder{end}"),
+    );
+    assert_eq!(fs::read(folder.path("there.html")).unwrap(), b"there");
+    folder.works("a.glsl -o there.html --force", "");
+}
+
+#[test]
+fn a_folder_is_where_files_get_names() {
+    let folder = Folder::new();
+    folder.works("a.glsl -o shaders", "");
+    folder.works("a.glsl -t html -o pages/", "");
+    folder.works("a.glsl -t json -o pages", "");
+    for file in [
+        "shaders/image.frag",
+        "shaders/pass.vert",
+        "pages/a.html",
+        "pages/a.json",
+    ] {
+        assert!(folder.path(file).is_file(), "{file}");
+    }
+    folder.works("a.glsl -o new/folder/a.html", "");
+    let out = folder.command("a.glsl -o -").output().unwrap();
+    assert!(out.stdout.starts_with(b"#version 300 es\n"));
+}
+
+#[test]
+fn passes_outside_of_their_folder_are_not_read() {
+    let folder = Folder::new();
+    folder.put("p/image.glsl", CODE);
+    folder.put("secret.glsl", "#define SECRET\n");
+    symlink(folder.path("secret.glsl"), folder.path("p/common.glsl")).unwrap();
+    folder.fails(
+        "p -o a.html",
+        "p/common.glsl leads out of p; give it with `--pass common=FILE`",
+    );
+    fs::remove_file(folder.path("p/common.glsl")).unwrap();
+    symlink("image.glsl", folder.path("p/buffer_a.glsl")).unwrap();
+    folder.works("p -o a.html", "");
+}
+
+#[test]
+fn media_are_what_their_bytes_say() {
+    let folder = Folder::new();
+    folder.put("b.png", b"\xff\xd8\xff\xe0");
+    folder.put("c.png", "<svg xmlns='http://www.w3.org/2000/svg'/>");
+    folder.works(
+        "a.glsl --channel 0=b.png -o b.html",
+        "note: b.png holds image/jpeg whatever its name says, and is taken as that\n\
+         note: b.png adds 31 bytes",
+    );
+    let page = fs::read_to_string(folder.path("b.html")).unwrap();
+    assert!(page.contains("data:image/jpeg;base64,/9j/4A=="));
+    folder.fails(
+        "a.glsl --channel 0=c.png -o c.html",
+        "--channel: c.png: this is SVG, a document that may hold scripts; save the picture as PNG",
+    );
+    folder.fails(
+        "a.glsl --channel 0=a.png --max-media 4 -o c.html",
+        "--channel: a.png: the file has 8 bytes; at most 4 bytes are put into a page, more with \
+         `--max-media SIZE`",
+    );
+}
+
+#[test]
+fn wrong_names_are_told_with_the_right_ones() {
+    let folder = Folder::new();
+    let check = |args: &str, said: &str| folder.fails(&format!("{args} -o x.html"), said);
+    check(
+        "a.glsl --channel 0=keybord",
+        "--channel: there is no file `keybord`; did you mean `keyboard`?",
+    );
+    check(
+        "a.glsl --channel bufer_a.0=mic",
+        "--channel: `bufer_a` is no pass; did you mean `buffer_a`?",
+    );
+    check(
+        "a.glsl --channel buffer_a.0=mic",
+        "--channel: there is no pass `buffer_a`; there is `image`",
+    );
+    check(
+        "--pass imag=a.glsl",
+        "--pass: `imag` is no pass; did you mean `image`?",
+    );
+    folder.fails(
+        "a.glsl -o a.vert",
+        "-o a.vert: nothing is made for the ending `.vert`; write `-o NAME.frag`, and the vertex \
+         shader lies beside it",
+    );
+    folder.put("p/other.json", "{}");
+    check(
+        "p",
+        "p: no file in it is called like a pass: `image.glsl`, `buffer_a.glsl`, `common.glsl`; or \
+         give a file itself, like p/other.json",
+    );
+}
+
+#[test]
+fn texts_are_read_in_every_encoding() {
+    let folder = Folder::new();
+    folder.put("bom.glsl", format!("\u{feff}{CODE}"));
+    folder.put("p/image.glsl", format!("\u{feff}{CODE}"));
+    let units = CODE.encode_utf16().flat_map(u16::to_le_bytes);
+    folder.put(
+        "wide.glsl",
+        [0xff, 0xfe].into_iter().chain(units).collect::<Vec<u8>>(),
+    );
+    folder.put(
+        "bom.json",
+        format!("\u{feff} [{{\"renderpass\":[{{\"type\":\"image\",\"code\":{CODE:?}}}]}}]"),
+    );
+    for (i, input) in [
+        "bom.glsl",
+        "p",
+        "--pass image=bom.glsl",
+        "wide.glsl",
+        "bom.json",
+    ]
+    .iter()
+    .enumerate()
+    {
+        folder.works(&format!("{input} -o {i}.html"), "");
+        let page = fs::read_to_string(folder.path(&format!("{i}.html"))).unwrap();
+        assert!(
+            !page.contains('\u{feff}') && !page.contains("\\ufeff"),
+            "{input}"
+        );
+    }
+    folder.put("page.glsl", "<!doctype html>");
+    folder.fails(
+        "page.glsl -o x.html",
+        "page.glsl: this is a page of HTML or XML, and no shader",
+    );
+    folder.fails(
+        "/dev/zero -o x.html",
+        "/dev/zero: this has more than 40 MB; that is no shader",
+    );
+    folder.fails(
+        "p/image.glsl/x -o x.html",
+        "p/image.glsl/x: Not a directory",
+    );
+}
+
+#[test]
+fn it_says_what_it_waits_for() {
+    let folder = Folder::new();
+    let mut command = folder.command("- -t html");
+    let mut running = command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_millis(2_500));
+    running
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(CODE.as_bytes())
+        .unwrap();
+    let out = running.wait_with_output().unwrap();
+    let said = String::from_utf8(out.stderr).unwrap();
+    assert!(
+        said.starts_with("shaderport: waiting for the end of standard input"),
+        "{said}"
+    );
+    assert_eq!(out.status.code(), Some(0));
+}
