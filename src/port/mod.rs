@@ -15,6 +15,7 @@ mod export;
 mod glsl;
 mod html;
 mod json;
+mod media;
 #[cfg(feature = "naga")]
 pub mod naga;
 mod parts;
@@ -39,6 +40,7 @@ pub use export::{MAX_EXPORT, ProjectError};
 pub use glsl::{GlslPass, VERTEX, glsl};
 pub use html::{html, waiting_page};
 pub use json::json;
+pub use media::{Generator, StandIn, add_stand_ins};
 pub use parts::{PartsError, PassFile, PassRole, unknown_pass};
 pub use project::{
     Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, Wrapper,

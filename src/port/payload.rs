@@ -1,7 +1,8 @@
 //! What the player is handed: the project as JSON.
 
+use super::media::is_gray;
 use super::{
-    Composed, Control, Input, InputKind, OutputId, Project, ProjectPass, UniformData, VERTEX,
+    Composed, Control, Generator, Input, InputKind, OutputId, Project, ProjectPass, UniformData, VERTEX,
     Wrapper, credits,
 };
 use crate::semantic::tunable::{Tunable, may_hold_tunables, tunables};
@@ -22,6 +23,15 @@ struct Payload<'a> {
     passes: Vec<PassData<'a>>,
     tunables: Vec<TunableData>,
     controls: &'a [Control],
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    media: Vec<MediaData>,
+}
+
+/// What draws stand-ins.
+#[derive(Serialize)]
+struct MediaData {
+    name: &'static str,
+    text: String,
 }
 
 #[derive(Serialize)]
@@ -66,6 +76,17 @@ struct InputData<'a> {
     name: &'a str,
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
     urls: &'a [String],
+    #[serde(flatten)]
+    stand_in: Option<StandInData>,
+}
+
+/// What is drawn for a file that is not at hand.
+#[derive(Serialize)]
+struct StandInData {
+    #[serde(rename = "standIn")]
+    generator: &'static str,
+    title: &'static str,
+    size: [u32; 3],
 }
 
 #[derive(Serialize)]
@@ -98,6 +119,7 @@ pub(super) fn payload(project: &Project, composed: &Composed) -> String {
         passes: passes(project, composed),
         tunables: all_tunables(composed),
         controls: &project.controls,
+        media: media(project),
     };
     // Only maps with other keys than strings, and failing writers, make this fail.
     serde_json::to_string(&payload).unwrap_or_default()
@@ -162,8 +184,21 @@ fn kind_word(kind: Pass) -> &'static str {
     }
 }
 
-/// Stock textures that the player keeps as one component.
-const GRAY: [&str; 4] = ["Xdf3zn", "4sf3Rn", "4dXGzn", "4sf3Rr"];
+/// The generators that some channel needs, each once.
+fn media(project: &Project) -> Vec<MediaData> {
+    let inputs = project.passes.iter().flat_map(|p| &p.inputs);
+    let mut used: Vec<Generator> = Vec::new();
+    for generator in inputs.filter_map(|i| i.stand_in).map(|s| s.generator) {
+        if !used.contains(&generator) {
+            used.push(generator);
+        }
+    }
+    let data = used.iter().map(|generator| MediaData {
+        name: generator.name,
+        text: generator.fragment(),
+    });
+    data.collect()
+}
 
 fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> InputData<'a> {
     let reads_pass = input.kind == InputKind::Cubemap && draws_cube && input.id == OutputId::CUBE;
@@ -198,9 +233,14 @@ fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> 
             "repeat"
         },
         vflip: input.sampler.vflip,
-        gray: GRAY.contains(&input.id.as_str()),
+        gray: is_gray(input),
         name: &input.name,
         urls: &input.urls,
+        stand_in: input.stand_in.map(|stand_in| StandInData {
+            generator: stand_in.generator.name,
+            title: stand_in.title,
+            size: stand_in.size,
+        }),
     }
 }
 

@@ -1,6 +1,6 @@
 //! ShaderToy projects: passes, and what their channels read.
 
-use super::{Bindings, Control, DialectFacts};
+use super::{Bindings, Control, DialectFacts, StandIn};
 use crate::semantic::{Channels, Pass, Sampler};
 use std::sync::Arc;
 
@@ -131,6 +131,8 @@ pub struct Input {
     pub name: String,
     /// That file as `data:` addresses, six for a cube map; none where no file is at hand.
     pub urls: Vec<String>,
+    /// What is drawn where no file is at hand.
+    pub stand_in: Option<StandIn>,
 }
 
 /// The kinds of input.
@@ -228,6 +230,7 @@ impl Input {
             sampler: SamplerSettings::usual(kind),
             name: String::new(),
             urls: Vec::new(),
+            stand_in: None,
         }
     }
 }

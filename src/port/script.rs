@@ -4,7 +4,7 @@ use super::payload::payload;
 use super::{Composed, Project, credits};
 
 /// The player, in the order in which its files use each other.
-pub(super) const PLAYER: [&str; 15] = [
+pub(super) const PLAYER: [&str; 16] = [
     include_str!("player/types.js"),
     include_str!("player/gl.js"),
     include_str!("player/log.js"),
@@ -13,6 +13,7 @@ pub(super) const PLAYER: [&str; 15] = [
     include_str!("player/keyboard.js"),
     include_str!("player/targets.js"),
     include_str!("player/devices.js"),
+    include_str!("player/media.js"),
     include_str!("player/inputs.js"),
     include_str!("player/program.js"),
     include_str!("player/programs.js"),

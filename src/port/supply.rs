@@ -12,7 +12,7 @@ pub struct Missing {
     /// What it is.
     pub what: String,
     /// What stands in its place.
-    pub stand_in: &'static str,
+    pub stand_in: String,
     /// How to supply it; empty where it cannot be.
     pub help: String,
 }
@@ -29,6 +29,7 @@ impl std::fmt::Display for Missing {
 
 const BLACK: &str = "it is black";
 const SIGNAL: &str = "a made-up spectrum and wave stand for it, as on the site";
+const TUNE: &str = "a tune of our own is played for it";
 
 /// What is missing, in the order of the passes.
 pub fn missing(project: &Project) -> Vec<Missing> {
@@ -54,17 +55,20 @@ fn missing_input(project: &Project, pass: &ProjectPass, input: &Input) -> Option
         {
             return None;
         }
-        InputKind::Buffer => ("no pass draws the buffer that it reads".to_string(), BLACK),
+        InputKind::Buffer => (
+            "no pass draws the buffer that it reads".to_string(),
+            BLACK.to_string(),
+        ),
         InputKind::Webcam => (
             "the camera is asked for on the page".to_string(),
-            "until then it is black",
+            "until then it is black".to_string(),
         ),
         InputKind::Microphone => (
             "the microphone is asked for on the page".to_string(),
-            SIGNAL,
+            SIGNAL.to_string(),
         ),
-        InputKind::Music | InputKind::MusicStream => (lacks("music", input), SIGNAL),
-        kind => (lacks(kind.word(), input), BLACK),
+        InputKind::Music | InputKind::MusicStream => (lacks("music", input), drawn(input)),
+        kind => (lacks(kind.word(), input), drawn(input)),
     };
     let is_file = !matches!(
         input.kind,
@@ -85,6 +89,18 @@ fn missing_input(project: &Project, pass: &ProjectPass, input: &Input) -> Option
         stand_in,
         help,
     })
+}
+
+/// What an input reads instead of its file.
+fn drawn(input: &Input) -> String {
+    let is_music = matches!(input.kind, InputKind::Music | InputKind::MusicStream);
+    match input.stand_in {
+        Some(_) if is_music => TUNE.to_string(),
+        Some(stand_in) if stand_in.title.is_empty() => "something like it is drawn".to_string(),
+        Some(stand_in) => format!("something like `{}` is drawn for it", stand_in.title),
+        None if is_music => SIGNAL.to_string(),
+        None => BLACK.to_string(),
+    }
 }
 
 fn lacks(word: &str, input: &Input) -> String {

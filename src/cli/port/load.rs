@@ -7,7 +7,7 @@ use super::read::{plain_error, read_text, shown};
 use crate::engine::{Repairs, repair, repair_webgl1};
 use crate::port::{
     ChannelSource, Composed, DIALECTS, DialectFacts, PassFile, PassRole, Project, ShaderError,
-    dialect_named, unknown_pass, unknown_source,
+    add_stand_ins, dialect_named, unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
 use std::fs;
@@ -69,6 +69,9 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     put(&mut project, &orders, &mut carried)?;
     if args.strict_player {
         project.share_samplers();
+    }
+    if !args.no_stand_ins {
+        add_stand_ins(&mut project);
     }
     let composed = project.renew(composed, &name).map_err(wrong)?;
     Ok(Loaded {

@@ -54,6 +54,9 @@ pub struct PortArgs {
     /// Largest file that goes onto a channel and into the output, like `200M`
     #[arg(long, value_name = "SIZE", default_value = "64M", value_parser = read::size_of)]
     max_media: u64,
+    /// Leave channels black whose files are not at hand, instead of drawing something like them
+    #[arg(long)]
+    no_stand_ins: bool,
     /// How plain shaders get their `main`
     #[arg(long, value_enum, default_value_t, value_name = "HOW")]
     main: MainChoice,

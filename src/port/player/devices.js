@@ -120,6 +120,66 @@ class Devices {
     };
   }
 
+  /**
+   * Sound that is computed, and repeats.
+   * @param {Promise<Float32Array<ArrayBuffer>[]>} samples of the left and the right
+   * @returns {Signal}
+   */
+  loop(samples) {
+    /** @type {AudioBuffer | null} */
+    let buffer = null;
+    /** @type {AudioBufferSourceNode | null} */
+    let source = null;
+    /** @type {AnalyserNode | null} */
+    let analyser = null;
+    let isPlaying = false;
+    /** When it began, or would have, on the clock of the audio graph. */
+    let begin = 0;
+    /** How far it was when it stopped. */
+    let offset = 0;
+    const seconds = () => (source ? (this.openAudio().currentTime - begin) % (buffer?.duration ?? 1) : offset);
+    const stop = () => {
+      offset = seconds();
+      source?.stop();
+      source?.disconnect();
+      source = null;
+    };
+    const start = async () => {
+      const sides = await samples;
+      const audio = this.openAudio();
+      if (source || !isPlaying) return;
+      if (!buffer) {
+        buffer = audio.createBuffer(2, sides[0].length, 44100);
+        buffer.copyToChannel(sides[0], 0);
+        buffer.copyToChannel(sides[1], 1);
+      }
+      analyser ??= audio.createAnalyser();
+      if (this.output) analyser.connect(this.output);
+      source = audio.createBufferSource();
+      source.buffer = buffer;
+      source.loop = true;
+      source.connect(analyser);
+      source.start(0, offset);
+      begin = audio.currentTime - offset;
+    };
+    return {
+      analyser: () => {
+        if (!this.isAudible || !isPlaying) return null;
+        if (!source) void start();
+        return source && analyser;
+      },
+      time: seconds,
+      play: (isOn) => {
+        isPlaying = isOn;
+        if (!isOn) stop();
+      },
+      rewind: () => {
+        stop();
+        offset = 0;
+      },
+    };
+  }
+
   dispose() {
     this.elements.forEach((e) => e.pause());
     this.streams.forEach((s) => s.getTracks().forEach((t) => t.stop()));

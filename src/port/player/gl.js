@@ -19,10 +19,21 @@ class CompileError extends Error {
  * @returns {StartedProgram}
  */
 function startProgram(gl, project, pass) {
+  return startShaders(gl, pass.vertex ?? project.vertex, passSource(project, pass));
+}
+
+/**
+ * Starts to compile and link two shaders.
+ * @param {WebGL2RenderingContext} gl
+ * @param {string} vertex
+ * @param {string} fragment
+ * @returns {StartedProgram}
+ */
+function startShaders(gl, vertex, fragment) {
   const program = gl.createProgram();
   const shaders = [
-    addShader(gl, program, gl.VERTEX_SHADER, pass.vertex ?? project.vertex),
-    addShader(gl, program, gl.FRAGMENT_SHADER, passSource(project, pass)),
+    addShader(gl, program, gl.VERTEX_SHADER, vertex),
+    addShader(gl, program, gl.FRAGMENT_SHADER, fragment),
   ];
   if (pass.uniforms) gl.bindAttribLocation(program, 0, 'port_pos');
   gl.linkProgram(program);

@@ -22,9 +22,11 @@ const nothing = () => {};
  * @param {WebGL2RenderingContext} gl
  * @param {InputData} data
  * @param {Devices} devices
+ * @param {ReturnType<typeof standInCache>} standIns
  * @returns {Input}
  */
-function openInput(gl, data, devices) {
+function openInput(gl, data, devices, standIns) {
+  if (!data.urls && data.standIn && data.kind !== 'music') return standInInput(data, standIns.get(data));
   switch (data.kind) {
     case 'texture':
       return data.urls ? pictureInput(gl, data, data.urls[0]) : emptyInput();
@@ -38,7 +40,7 @@ function openInput(gl, data, devices) {
       return filmInput(gl, data, devices.camera());
     case 'music':
     case 'mic':
-      return signalInput(gl, data, devices);
+      return signalInput(gl, data, openSignal(gl, data, devices, standIns));
     default:
       return emptyInput();
   }
@@ -204,16 +206,29 @@ function filmInput(gl, data, film) {
 }
 
 /**
+ * What is heard on a channel.
+ * @param {WebGL2RenderingContext} gl
+ * @param {InputData} data
+ * @param {Devices} devices
+ * @param {ReturnType<typeof standInCache>} standIns
+ * @returns {Signal}
+ */
+function openSignal(gl, data, devices, standIns) {
+  if (data.urls || !data.standIn) return devices.signal(data);
+  const drawn = standIns.get(data);
+  return devices.loop(drawn.ready.then(() => standInSound(gl, data, drawn)));
+}
+
+/**
  * Music or a microphone as a texture of 512 x 2: the spectrum, and the wave. Without sound both are
  * made up from the time, as ShaderToy does it.
  * @param {WebGL2RenderingContext} gl
  * @param {InputData} data
- * @param {Devices} devices
+ * @param {Signal} signal
  * @returns {Input}
  */
-function signalInput(gl, data, devices) {
+function signalInput(gl, data, signal) {
   const input = emptyInput();
-  const signal = devices.signal(data);
   const spectrum = new Uint8Array(1024);
   const wave = new Uint8Array(1024);
   input.texture = gl.createTexture();

@@ -47,6 +47,7 @@ class Player {
     this.keyboard = new Keyboard(gl);
     this.samplers = samplerCache(gl);
     this.black = blackTextures(gl);
+    this.standIns = standInCache(gl, project);
     this.ready = this.#load();
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => void this.#reopen());
@@ -77,6 +78,7 @@ class Player {
     this.keyboard = new Keyboard(this.gl);
     this.samplers = samplerCache(this.gl);
     this.black = blackTextures(this.gl);
+    this.standIns = standInCache(this.gl, this.project);
     this.ready = this.#load();
     await this.ready;
     this.restart();
@@ -84,7 +86,7 @@ class Player {
 
   async #load() {
     this.inputs = this.project.passes.map((pass) =>
-      pass.inputs.map((data) => (data ? openInput(this.gl, data, this.devices) : emptyInput())),
+      pass.inputs.map((data) => (data ? openInput(this.gl, data, this.devices, this.standIns) : emptyInput())),
     );
     this.#makeTargets();
     await this.compile();
@@ -406,7 +408,7 @@ class Player {
     const inputs = this.project.passes[pass].inputs;
     const old = inputs[channel] ?? { kind: 'texture', filter: 'mipmap', wrap: 'repeat', vflip: true };
     const data = { ...old, kind: kind ?? old.kind, name, urls: old.kind === 'cubemap' ? Array(6).fill(url) : [url] };
-    const input = openInput(this.gl, data, this.devices);
+    const input = openInput(this.gl, data, this.devices, this.standIns);
     await input.ready;
     this.inputs[pass][channel].dispose();
     this.inputs[pass][channel] = input;
@@ -458,6 +460,7 @@ class Player {
     this.cube?.dispose();
     this.sound?.dispose();
     this.samplers.dispose();
+    this.standIns.dispose();
     this.devices.dispose();
   }
 }

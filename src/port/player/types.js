@@ -22,6 +22,16 @@
  * @property {string[]} [urls] data: or blob: addresses of the file, six for a cube map
  * @property {string} [name] name of the file
  * @property {boolean} [gray] whether only the red component is kept
+ * @property {string} [standIn] which of the project's `media` is drawn where no file is at hand
+ * @property {string} [title] what the site calls the file that it stands for
+ * @property {number[]} [size] width, height and depth of what is drawn
+ */
+
+/**
+ * What draws stand-ins for files.
+ * @typedef {object} MediaData
+ * @property {string} name
+ * @property {string} text a whole fragment shader
  */
 
 /**
@@ -82,4 +92,5 @@
  * @property {PassData[]} passes in the order of the export
  * @property {TunableData[]} tunables
  * @property {ControlData[]} controls
+ * @property {MediaData[]} [media] those that some channel needs
  */

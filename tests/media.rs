@@ -1,0 +1,124 @@
+//! The shaders that draw stand-ins for ShaderToy's files.
+
+use shaderlint::engine::{NoFiles, Options, check};
+use shaderlint::port::{Generator, Project, add_stand_ins, html};
+use std::fs;
+
+/// One input for each file of the site, and one of each kind that is not known.
+fn inputs() -> Vec<String> {
+    let rows = fs::read_to_string("src/port/media/stock.rs").unwrap();
+    let files = rows.lines().filter_map(|line| {
+        let (kind, rest) = line.split_once("file(")?.1.split_once(", [\"")?;
+        Some((kind.to_lowercase(), rest.split('"').next()?.to_string()))
+    });
+    let kinds = ["texture", "cubemap", "volume", "video", "music"];
+    let unknown = kinds.map(|kind| (kind.to_string(), String::new()));
+    let all = files.chain(unknown);
+    all.map(|(kind, id)| format!(r#"{{"type":"{kind}","id":"{id}","channel":0}}"#))
+        .collect()
+}
+
+/// A project whose only pass has these inputs.
+fn project(inputs: &[String]) -> Project {
+    let code = "void mainImage(out vec4 c, vec2 p) { c = texture(iChannel0, p); }";
+    let inputs = inputs.join(",");
+    let pass = format!(r#"{{"type":"image","code":"{code}","inputs":[{inputs}]}}"#);
+    let mut project = Project::from_json(&format!(r#"{{"renderpass":[{pass}]}}"#)).unwrap();
+    add_stand_ins(&mut project);
+    project
+}
+
+fn generators() -> Vec<Generator> {
+    let project = project(&inputs());
+    let inputs = project.passes.iter().flat_map(|p| &p.inputs);
+    let mut all: Vec<Generator> = Vec::new();
+    for generator in inputs.map(|i| i.stand_in.unwrap().generator) {
+        if !all.contains(&generator) {
+            all.push(generator);
+        }
+    }
+    all
+}
+
+/// What is too much for each frame is not for a shader that runs once.
+const COSTLY: [&str; 2] = ["map-inlining", "nested-iterations"];
+
+#[test]
+fn nothing_is_found_in_them() {
+    let all = generators();
+    assert_eq!(all.len(), 30);
+    for generator in all {
+        let (name, text) = (format!("{}.frag", generator.name), generator.fragment());
+        let report = check(&name, &text, &Options::default(), &NoFiles);
+        assert!(report.shaders.len() == 1, "{name} is no shader");
+        let all = report.diagnostics.iter();
+        for finding in all.filter(|f| !COSTLY.contains(&&*f.rule)) {
+            let at = report.sources.text(finding.span);
+            panic!("{name}: {}: {} `{at}`", finding.rule, finding.message);
+        }
+    }
+}
+
+#[test]
+fn every_file_is_used() {
+    let all: String = generators().iter().map(Generator::fragment).collect();
+    for folder in [
+        "src/port/media",
+        "src/port/media/lib",
+        "src/port/media/frame",
+    ] {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|e| e == "glsl") {
+                let text = fs::read_to_string(&path).unwrap();
+                let lines = text.lines().map(str::trim);
+                let code: Vec<_> = lines.filter(|l| !l.starts_with("//")).collect();
+                assert!(all.contains(&code.join("\n")), "{}", path.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn strokes_of_the_font_begin_where_the_table_says() {
+    let text = fs::read_to_string("src/port/media/font.glsl").unwrap();
+    let (strokes, rest) = text.split_once("\n);\n").unwrap();
+    let lines = strokes.lines().filter(|l| l.starts_with("    0x"));
+    let mut begin = vec![0];
+    begin.extend(lines.scan(0, |sum, line| {
+        *sum += line.matches("0x").count();
+        Some(*sum)
+    }));
+    let (table, _) = rest.split_once("\n);\n").unwrap();
+    let numbers = table.lines().skip(2).flat_map(|l| l.split(','));
+    let table: Vec<usize> = numbers.filter_map(|n| n.trim().parse().ok()).collect();
+    assert_eq!(table, begin);
+    assert_eq!(table.len(), 95);
+}
+
+#[test]
+fn a_page_holds_what_it_uses_once() {
+    let used = |ids: &[&str]| {
+        let input = |id: &&str| format!(r#"{{"type":"texture","id":"{id}","channel":0}}"#);
+        let inputs: Vec<String> = ids.iter().map(input).collect();
+        let mut project = project(&inputs);
+        let composed = project.resolve("test").unwrap();
+        html(&project, &composed)
+    };
+    // Both sizes of noise come from one shader.
+    let page = used(&["Xsf3zn", "XdXGzn"]);
+    assert_eq!(page.matches("ivec2(37, 17)").count(), 1);
+    assert_eq!(page.matches("STROKES").count(), 0);
+    let (small, large) = (page.len(), used(&["Xsf3zn", "4dXGzr"]).len());
+    assert!(
+        large - small < 12_000,
+        "the font takes {} bytes",
+        large - small
+    );
+    let without = used(&[]).len();
+    assert!(
+        small - without < 1_500,
+        "noise takes {} bytes",
+        small - without
+    );
+}
