@@ -103,7 +103,7 @@ fn a_page_holds_what_it_uses_once() {
         let inputs: Vec<String> = ids.iter().map(input).collect();
         let mut project = project(&inputs);
         let composed = project.resolve("test").unwrap();
-        html(&project, &composed)
+        html(&project, &composed, None)
     };
     // Both sizes of noise come from one shader.
     let page = used(&["Xsf3zn", "XdXGzn"]);

@@ -6,6 +6,7 @@ import { launch, work } from './browser.js';
 import { corpusTests } from './corpus.js';
 import { fixTests } from './fixes.js';
 import { hostileTests } from './hostile.js';
+import { mediaTests } from './media.js';
 import { moduleTests } from './modules.js';
 import { pageTests } from './page.js';
 import { pixelTests } from './pixels.js';
@@ -17,7 +18,7 @@ const words = process.argv.slice(2);
 const tests = [
   ...unitTests,
   ...pixelTests,
-  ...pageTests,
+  ...pageTests, ...mediaTests,
   ...hostileTests,
   ...fixTests,
   ...moduleTests,
