@@ -2,8 +2,8 @@
 
 use super::media::is_gray;
 use super::{
-    Composed, Control, Generator, Input, InputKind, OutputId, Project, ProjectPass, UniformData, VERTEX,
-    Wrapper, credits,
+    Composed, Control, Generator, Input, InputKind, OutputId, Project, ProjectPass, UniformData,
+    VERTEX, Wrapper, credits,
 };
 use crate::semantic::tunable::{Tunable, may_hold_tunables, tunables};
 use crate::semantic::{Pass, Sampler};

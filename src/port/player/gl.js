@@ -35,7 +35,8 @@ function startShaders(gl, vertex, fragment) {
     addShader(gl, program, gl.VERTEX_SHADER, vertex),
     addShader(gl, program, gl.FRAGMENT_SHADER, fragment),
   ];
-  if (pass.uniforms) gl.bindAttribLocation(program, 0, 'port_pos');
+  // Vertex shaders of 1.00 cannot say where their attribute lies; others have none of this name.
+  gl.bindAttribLocation(program, 0, 'port_pos');
   gl.linkProgram(program);
   return { program, shaders };
 }
