@@ -4,8 +4,14 @@
 //! `INSTA_UPDATE=always cargo test --features naga --test naga` accepts what is written now.
 #![cfg(feature = "naga")]
 
-use shaderlint::port::naga::{Refused, TargetLanguage, translate};
-use shaderlint::port::{Project, compose};
+use shaderlint::port::naga::{
+    FirstRow, LowerOptions, Lowered, Refused, TargetLanguage, lower, translate, write,
+};
+use shaderlint::port::{
+    Destination, MainChoice, Order, Project, Target, compose, translate_shaders, whole_shaders,
+};
+use shaderlint::semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
+use shaderlint::text::{Role, Sources};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -19,7 +25,7 @@ fn written(code: &str, language: TargetLanguage) -> Result<Vec<u8>, Refused> {
     };
     let problems = &composed.analysis(unit).diagnostics;
     assert!(problems.is_empty(), "{problems:?}\n{code}");
-    translate(&project, &composed, unit, language).map(Option::unwrap)
+    translate(&project, &composed, unit, language).map(|made| made.unwrap().text)
 }
 
 fn wgsl(code: &str) -> String {
@@ -152,30 +158,116 @@ fn features_reach_all_languages() {
     }
 }
 
-#[test]
-fn whole_shaders_reach_all_languages() {
-    reaches_all(
+/// Whole shaders of both stages and versions, whatever their uniforms mean.
+const WHOLE: &[(Stage, &str)] = &[
+    (
+        Stage::Fragment,
         "#version 300 es\nprecision highp float;\nuniform vec2 u_resolution;\nin vec2 vUv;\n\
          layout(location = 0) out vec4 color;\nlayout(location = 1) out vec4 depth;\n\
          void main() { color = vec4(vUv / u_resolution, gl_FragCoord.xy); depth = vec4(1.0); \
          gl_FragDepth = 0.5; }\n",
-    );
+    ),
+    (
+        Stage::Fragment,
+        "precision mediump float;\nvarying vec2 v;\nuniform sampler2D maps[2];\n\
+         void main() { gl_FragData[0] = texture2D(maps[1], v) + texture2D(maps[0], gl_PointCoord); }\n",
+    ),
+    (
+        Stage::Vertex,
+        "attribute vec4 at;\nattribute mat3 turn;\nuniform mat4 view;\nvarying vec2 v;\n\
+         void main() { v = (turn * at.xyz).xy; gl_Position = view * at; gl_PointSize = 2.0; }\n",
+    ),
+    (
+        Stage::Vertex,
+        "#version 300 es\nstruct S { float a; mat2 m; };\nuniform S s[2];\nuniform bvec3 flags[3];\n\
+         layout(location = 3) in vec4 at;\nout S passed;\nflat out ivec2 which;\n\
+         void main() { passed = s[gl_InstanceID]; which = ivec2(gl_VertexID, flags[1]); \
+         gl_Position = at * gl_DepthRange.diff; }\n",
+    ),
+    (
+        Stage::Fragment,
+        "#version 300 es\nprecision highp float;\nstruct Light { vec3 at; float power[2]; mat3x2 m; };\n\
+         layout(std140) uniform Lights { Light lights[2]; bool on; mat2 turns[2]; };\n\
+         uniform Other { vec2 p; float a[3]; } others[2];\nuniform struct { sampler2D map; float s; } m;\n\
+         uniform bool flag;\nuniform float weights[3];\nuniform mat2 one;\nuniform vec3 last;\n\
+         out vec4 color;\nvoid main() { int i = int(last.x); Light l = lights[i]; mat2 t = turns[i]; \
+         color = texture(m.map, l.at.xy * m.s) * weights[i] + vec4(one[0], others[1].a[i], t[1].x); \
+         if (flag && on) color.x += lights[1].power[i] + l.m[2].y + others[0].p.y + one[i].x; }\n",
+    ),
+];
+
+#[test]
+fn whole_shaders_reach_all_languages() {
+    for (stage, code) in WHOLE {
+        let checked = checked(*stage, code);
+        for language in TargetLanguage::ALL {
+            whole(&checked, language).unwrap_or_else(|e| panic!("{language:?} {e:?}\n{code}"));
+        }
+    }
+}
+
+#[test]
+fn the_interface_names_what_a_host_feeds() {
+    let shown = |(stage, code): &(Stage, &str), language| {
+        let (lowered, text) = whole(&checked(*stage, code), language).unwrap();
+        let head = String::from_utf8_lossy(&text);
+        let head: Vec<&str> = head.lines().take_while(|l| l.starts_with("//")).collect();
+        let json = serde_json::to_string_pretty(&lowered.interface).unwrap();
+        format!("{}\n{json}\n", head.join("\n"))
+    };
+    let [.., vertex, fragment] = WHOLE else {
+        panic!()
+    };
+    insta::assert_snapshot!(shown(fragment, TargetLanguage::Wgsl));
+    insta::assert_snapshot!(shown(fragment, TargetLanguage::Hlsl));
+    insta::assert_snapshot!(shown(vertex, TargetLanguage::Msl));
+}
+
+#[test]
+fn stages_that_are_given_together_share_the_numbers_of_varyings() {
+    let vertex = "#version 300 es\nin vec4 at;\nout vec3 unused;\nout vec2 b;\nout float a;\n\
+                  void main() { a = at.x; b = at.xy; gl_Position = at; }\n";
+    let fragment = "#version 300 es\nprecision highp float;\nin float a;\nin vec2 b;\nout vec4 c;\n\
+                    void main() { c = vec4(a, b, 1.0); }\n";
+    let file = |path: &str, code: &str| (path.to_string(), code.to_string(), None);
+    let order = Order {
+        target: Target::Wgsl,
+        main: MainChoice::Wrap,
+        output: Destination::Folder(Path::new("out")),
+        version: None,
+        interface: true,
+    };
+    let all = whole_shaders(vec![file("x.vert", vertex), file("x.frag", fragment)]).unwrap();
+    let build = translate_shaders(order, &all).unwrap();
+    let paths: Vec<_> = build
+        .files
+        .iter()
+        .map(|f| f.path.to_str().unwrap())
+        .collect();
+    let expected = [
+        "x.vert.wgsl",
+        "x.frag.wgsl",
+        "x.vert.wgsl.json",
+        "x.frag.wgsl.json",
+    ];
+    assert_eq!(paths, expected.map(|name| format!("out/{name}")));
+    let text = |i: usize| String::from_utf8(build.files[i].content.clone()).unwrap();
+    for stage in [text(0), text(1)] {
+        assert!(stage.contains("@location(1) b: vec2<f32>"), "{stage}");
+        assert!(stage.contains("@location(2) a: f32"), "{stage}");
+    }
+    let alone = whole_shaders(vec![file("x.frag", fragment)]).unwrap();
+    let build = translate_shaders(order, &alone).unwrap();
+    let text = String::from_utf8(build.files[0].content.clone()).unwrap();
+    assert!(text.contains("@location(0) a: f32"), "{text}");
 }
 
 /// What the other languages have no words for, and what is said of it.
-const REFUSED: &[(&str, &str, &str)] = &[
-    (
-        "uniform isampler2D s;",
-        "color = vec4(texture(s, vUv));",
-        "texture(s, vUv)",
-    ),
-    (
-        "uniform Block { vec4 a; } block;",
-        "color = block.a;",
-        "block.a",
-    ),
-    ("", "color = vec4(gl_PointCoord, 0, 1);", "gl_PointCoord"),
-];
+const REFUSED: &[(&str, &str, &str)] = &[(
+    "uniform isampler2D s;",
+    "color = vec4(texture(s, vUv));",
+    "texture(s, vUv)",
+)];
 
 #[test]
 fn what_has_no_counterpart_is_refused_where_it_stands() {
@@ -189,31 +281,44 @@ fn what_has_no_counterpart_is_refused_where_it_stands() {
     }
 }
 
-/// What is said of a shader, and the text that it is said of. Not every such shader is one that a
-/// page can feed, so it is lowered as it is.
+/// What is said of a shader, and the text that it is said of.
 fn refusal(code: &str) -> (Refused, String) {
-    use shaderlint::port::naga::{FirstRow, lower};
-    use shaderlint::semantic::{Dialect, Stage, Unit, Wholeness, analyze};
-    use shaderlint::text::{Role, Sources};
+    let analysis = checked(Stage::Fragment, code);
+    let refused = whole(&analysis, TargetLanguage::Wgsl).err().unwrap();
+    let text = analysis.program.sources.text(refused.span).to_string();
+    (refused, text)
+}
+
+/// A whole shader that compiles.
+fn checked(stage: Stage, code: &str) -> Checked {
     let mut sources = Sources::new();
     let files = [sources.add("", None, Role::User, code).unwrap()];
-    let sources = Arc::new(sources);
-    let analysis = analyze(&Unit {
-        sources: &sources,
+    let checked = analyze(&Unit {
+        sources: &Arc::new(sources),
         files: &files,
-        stage: Stage::Fragment,
+        stage,
         dialect: Dialect::WebGl,
         infer_channels: false,
         wholeness: Wholeness::Whole,
     });
     assert!(
-        analysis.diagnostics.is_empty(),
-        "{:?}",
-        analysis.diagnostics
+        checked.diagnostics.is_empty(),
+        "{:?}\n{code}",
+        checked.diagnostics
     );
-    let refused = lower(&analysis.program, FirstRow::Picture).err().unwrap();
-    let text = sources.text(refused.span).to_string();
-    (refused, text)
+    checked
+}
+
+/// A whole shader in another language.
+fn whole(checked: &Checked, language: TargetLanguage) -> Result<(Lowered, Vec<u8>), Refused> {
+    let options = LowerOptions {
+        language,
+        first_row: FirstRow::Picture,
+        vertex: None,
+    };
+    let lowered = lower(&checked.program, options)?;
+    let text = write(&lowered, &[])?;
+    Ok((lowered, text))
 }
 
 #[test]

@@ -1,7 +1,9 @@
 //! The files of each target, as they are to be written.
 
 #[cfg(feature = "naga")]
-use super::naga::{Refused, TargetLanguage, translate};
+use super::naga::{Refused, TargetLanguage};
+#[cfg(feature = "naga")]
+use super::translated::translated;
 use super::{
     Composed, NotSafe, Project, ScriptModule, glsl, html, json, module, react, rewrite, three,
 };
@@ -88,6 +90,18 @@ impl Target {
         }
     }
 
+    /// The language that naga writes for it.
+    #[cfg(feature = "naga")]
+    pub fn language(self) -> Option<TargetLanguage> {
+        match self {
+            Target::Wgsl => Some(TargetLanguage::Wgsl),
+            Target::Spirv => Some(TargetLanguage::Spirv),
+            Target::Hlsl => Some(TargetLanguage::Hlsl),
+            Target::Msl => Some(TargetLanguage::Msl),
+            _ => None,
+        }
+    }
+
     /// Whether it is shaders alone, which read nothing themselves.
     pub fn is_shaders(self) -> bool {
         !matches!(
@@ -147,6 +161,9 @@ pub struct Order<'a> {
     pub main: MainChoice,
     /// Where it goes.
     pub output: Destination<'a>,
+    /// Whether what a host must know of a shader in another language is written beside it.
+    #[cfg(feature = "naga")]
+    pub interface: bool,
     /// The version of a page that a server shows; it loads itself anew when it hears of another.
     pub version: Option<&'a str>,
 }
@@ -242,13 +259,9 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
         }
         Target::Glsl => shaders(order, project, composed),
         #[cfg(feature = "naga")]
-        Target::Wgsl => translated(order, project, composed, TargetLanguage::Wgsl),
-        #[cfg(feature = "naga")]
-        Target::Spirv => translated(order, project, composed, TargetLanguage::Spirv),
-        #[cfg(feature = "naga")]
-        Target::Hlsl => translated(order, project, composed, TargetLanguage::Hlsl),
-        #[cfg(feature = "naga")]
-        Target::Msl => translated(order, project, composed, TargetLanguage::Msl),
+        Target::Wgsl | Target::Spirv | Target::Hlsl | Target::Msl => {
+            translated(order, project, composed)
+        }
     }
 }
 
@@ -261,39 +274,11 @@ impl Build {
     }
 }
 
-fn file(path: &Path, content: impl Into<Vec<u8>>) -> File {
+pub(super) fn file(path: &Path, content: impl Into<Vec<u8>>) -> File {
     File {
         path: path.to_path_buf(),
         content: content.into(),
     }
-}
-
-/// Each pass in another language; those that have no place there are told of.
-#[cfg(feature = "naga")]
-fn translated(
-    order: Order,
-    project: &Project,
-    composed: &Composed,
-    language: TargetLanguage,
-) -> Result<Build, BuildError> {
-    let mut remarks = Vec::new();
-    let mut passes = Vec::new();
-    for unit in &composed.units {
-        let Some(pass) = project.passes.get(unit.pass) else {
-            continue;
-        };
-        match translate(project, composed, unit, language) {
-            Ok(Some(bytes)) => passes.push((pass.title(unit.pass), pass.slug(), bytes)),
-            // The compiler's own errors are told anyway.
-            Ok(None) => {}
-            Err(refused) => remarks.push(Remark::refused(pass.title(unit.pass), &refused)),
-        }
-    }
-    let files = match remarks.is_empty() {
-        true => named(order, passes, language.ending())?,
-        false => Vec::new(),
-    };
-    Ok(Build { files, remarks })
 }
 
 /// A module and its types beside it.
@@ -320,7 +305,7 @@ fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build
     };
     let vertices: Vec<String> = passes.iter().map(|p| p.vertex.clone()).collect();
     let passes = passes.into_iter();
-    let passes = passes.map(|p| (p.name, p.slug, p.fragment.into_bytes()));
+    let passes = passes.map(|p| (p.name, p.slug.to_string(), p.fragment.into_bytes()));
     let mut files = named(order, passes.collect(), "frag")?;
     let is_one = vertices.windows(2).all(|pair| pair.first() == pair.last());
     let own: Vec<File> = match is_one {
@@ -341,9 +326,9 @@ fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build
 }
 
 /// One pass may become the file named; several go into a folder, under names of their own.
-fn named(
+pub(super) fn named(
     order: Order,
-    passes: Vec<(String, &'static str, Vec<u8>)>,
+    passes: Vec<(String, String, Vec<u8>)>,
     ending: &str,
 ) -> Result<Vec<File>, BuildError> {
     let folder = match order.output {
@@ -399,7 +384,7 @@ impl Remark {
 
     /// A pass that has no form in the language that was asked for.
     #[cfg(feature = "naga")]
-    fn refused(pass: String, reason: &Refused) -> Remark {
+    pub(super) fn refused(pass: String, reason: &Refused) -> Remark {
         Remark {
             pass,
             severity: Severity::Error,

@@ -27,6 +27,8 @@ mod script;
 mod signature;
 mod single;
 mod supply;
+#[cfg(feature = "naga")]
+mod translated;
 
 pub use build::{
     BadEnding, Build, BuildError, Destination, File, MainChoice, Order, Remark, Target, build,
@@ -51,3 +53,5 @@ pub use script::{ScriptModule, module, react, three};
 pub use signature::{kind_of_bytes, kind_of_name, why_not};
 pub use single::ShaderError;
 pub use supply::{Missing, missing};
+#[cfg(feature = "naga")]
+pub use translated::{WholeShader, WholeShaders, translate_shaders, whole_shaders};

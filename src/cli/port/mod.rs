@@ -7,13 +7,16 @@ mod read;
 mod save;
 mod serve;
 mod watch;
+#[cfg(feature = "naga")]
+mod whole;
 
 use super::output::{Overwrite, diff};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::engine::{Repairs, repairable};
-use crate::port::{Composed, File, MainChoice, Order, Remark, Target, build, missing};
+use crate::port::{Composed, Destination, File, MainChoice, Order, Remark, Target, build, missing};
 use crate::report::{Format, Reporter, Summary};
+use crate::text::Sources;
 use clap::Parser;
 use load::Loaded;
 use save::{Place, save};
@@ -57,6 +60,11 @@ pub struct PortArgs {
     /// Leave channels black whose files are not at hand, instead of drawing something like them
     #[arg(long)]
     no_stand_ins: bool,
+    /// Write what a host must know of a WGSL, SPIR-V, HLSL or MSL shader beside it, as FILE.json: the
+    /// places of uniforms, textures, attributes and varyings
+    #[cfg(feature = "naga")]
+    #[arg(long)]
+    interface: bool,
     /// How plain shaders get their `main`
     #[arg(long, value_enum, default_value_t, value_name = "HOW")]
     main: MainChoice,
@@ -120,6 +128,10 @@ struct Made {
 /// Ports what the arguments name, and tells what there is to tell. A page that is served knows its
 /// version by which it hears of the next.
 fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
+    #[cfg(feature = "naga")]
+    if let Some(shaders) = whole::load(args)? {
+        return whole::make(args, &shaders);
+    }
     let Loaded {
         project,
         composed,
@@ -150,14 +162,11 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
     }
     let target = args.target()?;
     let place = Place::of(args.output.as_deref(), target, &project.info.name);
-    let order = Order {
-        target,
-        main: args.main,
-        output: place.output(),
-        version,
-    };
+    let order = args.order(target, place.output(), version);
     let made = build(&project, &composed, order).map_err(|e| e.to_string())?;
-    let summary = report(&composed, &made.remarks).map_err(|e| e.to_string())?;
+    let analyses = composed.units.iter().map(|u| composed.analysis(u));
+    let found = analyses.flat_map(|a| &a.diagnostics);
+    let summary = report(&composed.sources, found, &made.remarks).map_err(|e| e.to_string())?;
     if summary.errors > 0 && !args.repair {
         offer_repair(&composed);
     }
@@ -180,6 +189,23 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
 }
 
 impl PortArgs {
+    /// What is to be made, and how.
+    fn order<'a>(
+        &self,
+        target: Target,
+        output: Destination<'a>,
+        version: Option<&'a str>,
+    ) -> Order<'a> {
+        Order {
+            target,
+            main: self.main,
+            output,
+            version,
+            #[cfg(feature = "naga")]
+            interface: self.interface,
+        }
+    }
+
     /// What to make: what is asked for, else what the ending of the output tells.
     fn target(&self) -> Result<Target, String> {
         let path = self.output.as_deref().unwrap_or(Path::new(""));
@@ -251,19 +277,21 @@ fn is_colored() -> bool {
 }
 
 /// Prints what the browser will say of the passes, and why some could not be made as asked for.
-fn report(composed: &Composed, remarks: &[Remark]) -> io::Result<Summary> {
+fn report<'a>(
+    sources: &Sources,
+    problems: impl Iterator<Item = &'a Diagnostic>,
+    remarks: &[Remark],
+) -> io::Result<Summary> {
     let mut found: Vec<Diagnostic> = Vec::new();
-    for unit in &composed.units {
-        for problem in &composed.analysis(unit).diagnostics {
-            if !found.contains(problem) {
-                found.push(problem.clone());
-            }
+    for problem in problems {
+        if !found.contains(problem) {
+            found.push(problem.clone());
         }
     }
     let mut stderr = io::stderr().lock();
     let mut errors = 0;
     for remark in remarks {
-        if composed.sources.text(remark.span).is_empty() {
+        if sources.text(remark.span).is_empty() {
             let (severity, pass) = (remark.severity.name(), &remark.pass);
             writeln!(stderr, "{severity}: {pass}: {}", remark.message)?;
             errors += usize::from(remark.severity == Severity::Error);
@@ -278,7 +306,7 @@ fn report(composed: &Composed, remarks: &[Remark]) -> io::Result<Summary> {
         });
     }
     let mut reporter = Reporter::new(Format::Human, stderr, is_colored());
-    reporter.file("", &composed.sources, &found)?;
+    reporter.file("", sources, &found)?;
     let mut summary = reporter.finish()?;
     summary.errors += errors;
     Ok(summary)

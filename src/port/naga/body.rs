@@ -1,6 +1,7 @@
 //! The function that is being made: its expressions, variables and blocks.
 
 use super::lower::Lowerer;
+use super::stored::Held;
 use super::types::Sink;
 use super::{Res, Value};
 use crate::ir::OpId;
@@ -11,12 +12,14 @@ use ::naga::{Block, Expression, Handle, Literal, LocalVariable, Statement};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Where a variable of the shader is found in the function.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(super) enum Bound {
     /// It never changes, and this is its value.
     Value(Value),
     /// This points at it.
     Pointer(Value),
+    /// It lies in a buffer of uniforms.
+    Stored(Held),
     /// It is a texture and how that is sampled.
     Sampler {
         /// The texture.

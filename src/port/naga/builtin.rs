@@ -54,7 +54,7 @@ impl Body<'_, '_> {
                 Ok(self.add(Expression::Relational { fun, argument }))
             }
             (Lowering::Bits(kind), &[x]) => Ok(self.cast(x, kind, None)),
-            (Lowering::Special(op), &[x]) => Ok(self.special(op, x, first)),
+            (Lowering::Unusual(op), &[x]) => Ok(self.unusual(op, x, first)),
             (Lowering::Derivative(axis), &[expr]) => self.derivative(axis, expr, first),
             (Lowering::Not, &[expr]) => {
                 let op = UnaryOperator::LogicalNot;
@@ -140,7 +140,7 @@ impl Body<'_, '_> {
 
     /// `isnan`, `isinf` by the bits: WGSL has neither, and others take them for never true. `op`
     /// compares them with those of infinity.
-    fn special(&mut self, op: Op, x: Value, ty: Type) -> Value {
+    fn unusual(&mut self, op: Op, x: Value, ty: Type) -> Value {
         let bits = self.cast(x, ScalarKind::Uint, None);
         let ty = ty.with_scalar(Scalar::Uint);
         let mut word = |bits| {
@@ -184,7 +184,7 @@ enum Lowering {
     /// By the same bits, read as another kind.
     Bits(ScalarKind),
     /// By comparing the bits with those of infinity.
-    Special(Op),
+    Unusual(Op),
     /// By the difference from a neighbour.
     Derivative(Axis),
     /// By an operator on each column.
@@ -237,7 +237,7 @@ fn lowering(function: BuiltinId) -> Lowering {
         B::GreaterThanEqual => Relation(Op::GreaterEqual), B::Equal => Relation(Op::Equal),
         B::NotEqual => Relation(Op::NotEqual), B::Any => Reduction(RelationalFunction::Any),
         B::All => Reduction(RelationalFunction::All), B::Not => Not,
-        B::IsNan => Special(Op::Greater), B::IsInf => Special(Op::Equal),
+        B::IsNan => Unusual(Op::Greater), B::IsInf => Unusual(Op::Equal),
         B::FloatBitsToInt => Bits(ScalarKind::Sint), B::FloatBitsToUint => Bits(ScalarKind::Uint),
         B::IntBitsToFloat | B::UintBitsToFloat => Bits(ScalarKind::Float),
         B::DFdx => Derivative(Axis::X), B::DFdy => Derivative(Axis::Y),

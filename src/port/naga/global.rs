@@ -5,7 +5,7 @@ use super::lower::{Initialisers, Lowerer};
 use super::types::{Sink, compose};
 use super::{Res, Value};
 use crate::ir::Root;
-use crate::semantic::{Constant as Known, Sampler, Scalar, Storage, Type, VariableId};
+use crate::semantic::{Constant as Known, Stage, Storage, Type, VariableId};
 use ::naga::{AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryDecorations, Span};
 
 /// What a variable outside functions is in the module.
@@ -15,17 +15,8 @@ pub(super) enum Global {
     Variable(Handle<GlobalVariable>),
     /// A constant.
     Constant(Handle<Constant>),
-    /// A member of the uniforms.
-    Uniform(u32),
-    /// A texture and how it is sampled.
-    Sampler {
-        /// The texture.
-        image: Handle<GlobalVariable>,
-        /// How it is sampled.
-        sampler: Handle<GlobalVariable>,
-        /// What the shader calls it.
-        kind: Sampler,
-    },
+    /// A member of a buffer of uniforms.
+    Stored(Handle<GlobalVariable>, u32),
 }
 
 impl<'p> Lowerer<'p> {
@@ -37,13 +28,14 @@ impl<'p> Lowerer<'p> {
                 variable.storage,
                 Storage::Global | Storage::Input | Storage::Output
             );
-            let is_used = variable.read || variable.written;
+            // What the next stage reads is there, whether it is set or not.
+            let is_handed_on =
+                variable.storage == Storage::Output && program.stage == Stage::Vertex;
+            let is_used = variable.read || variable.written || is_handed_on;
             if !is_shared || variable.token.is_none() || variable.ty.is_sampler() || !is_used {
                 continue;
             }
-            if let Some(token) = variable.token.and_then(|t| program.token(t)) {
-                self.place = token.span;
-            }
+            self.stand_at_name(variable);
             let id = VariableId(i as u32);
             let name = program.names.text(variable.name);
             let is_constant = variable.is_const && variable.constant.is_known();
@@ -145,16 +137,7 @@ impl Body<'_, '_> {
             Some(Global::Constant(handle)) => {
                 Ok(Bound::Value(self.add(Expression::Constant(handle))))
             }
-            Some(Global::Uniform(member)) => self.uniform(id, member),
-            Some(Global::Sampler {
-                image,
-                sampler,
-                kind,
-            }) => Ok(Bound::Sampler {
-                image: self.add(Expression::GlobalVariable(image)),
-                sampler: self.add(Expression::GlobalVariable(sampler)),
-                kind,
-            }),
+            Some(Global::Stored(buffer, member)) => Ok(self.stored_uniform(id, buffer, member)),
             None => self.unbound(id),
         }
     }
@@ -172,9 +155,7 @@ impl Body<'_, '_> {
                 self.variables.insert(id, bound);
                 Ok(bound)
             }
-            (_, Some(variable)) if variable.token.is_none() => {
-                self.builtin_variable(name.unwrap_or_default())
-            }
+            (_, Some(variable)) if variable.token.is_none() => self.special(id),
             (Some(variable), _) => {
                 let (ty, name) = (program.type_name(variable.ty), name.unwrap_or_default());
                 self.lowerer
@@ -182,31 +163,5 @@ impl Body<'_, '_> {
             }
             _ => self.lowerer.refuse("this variable is not known"),
         }
-    }
-
-    /// A variable of the language, which `fragment_main` fills or hands on.
-    fn builtin_variable(&mut self, name: &str) -> Res<Bound> {
-        const VEC4: Type = Type::vector(Scalar::Float, 4);
-        let found = [
-            ("gl_FragCoord", VEC4),
-            ("gl_FrontFacing", Type::BOOL),
-            ("gl_FragDepth", Type::FLOAT),
-            ("gl_FragColor", VEC4),
-        ];
-        let Some((name, ty)) = found.into_iter().find(|(n, _)| *n == name) else {
-            return self.lowerer.refuse(format!(
-                "`{name}` has no counterpart in the other languages"
-            ));
-        };
-        let handle = match self.lowerer.builtins.get(name) {
-            Some(handle) => *handle,
-            None => {
-                let inner = self.lowerer.ty(ty)?;
-                let handle = self.lowerer.private(name, inner);
-                self.lowerer.builtins.insert(name, handle);
-                handle
-            }
-        };
-        Ok(Bound::Pointer(self.add(Expression::GlobalVariable(handle))))
     }
 }

@@ -2,11 +2,15 @@
 
 use super::body::{Body, Given};
 use super::function::order;
+use super::interface::HostInterface;
+use super::port::{entry_name, stage_name, varyings};
+use super::special::Special;
 use super::types::Sink;
+use super::write::TargetLanguage;
 use super::{Refused, Res, Value};
 use super::{global::Global, uniform::Uniforms};
 use crate::ir::{self, OpId, OpKind};
-use crate::semantic::{Function, FunctionRef, Program, Type, VariableId};
+use crate::semantic::{Function, FunctionRef, Inside, Program, Type, Variable, VariableId};
 use crate::text::Span;
 use ::naga::proc::Layouter;
 use ::naga::{Arena, Expression, Handle, Module};
@@ -22,12 +26,25 @@ pub enum FirstRow {
     Picture,
 }
 
-/// A pass in naga's form.
+/// How a shader is lowered.
+#[derive(Clone, Copy)]
+pub struct LowerOptions<'a> {
+    /// The language that it goes into.
+    pub language: TargetLanguage,
+    /// Where the first row of the picture lies.
+    pub first_row: FirstRow,
+    /// The vertex shader of a fragment shader, where it is known: it numbers the varyings.
+    pub vertex: Option<&'a Program>,
+}
+
+/// A shader in naga's form.
 pub struct Lowered {
+    /// The language that it goes into.
+    pub language: TargetLanguage,
+    /// What a host must know.
+    pub interface: HostInterface,
     /// The form.
     pub(super) module: Module,
-    /// What the host must know: the places of uniforms, textures and samplers.
-    pub(super) legend: Vec<String>,
 }
 
 /// The module that is being made.
@@ -36,16 +53,20 @@ pub(super) struct Lowerer<'p> {
     /// The program, resolved.
     pub(super) form: &'p ir::Module,
     pub(super) origin: FirstRow,
+    pub(super) language: TargetLanguage,
+    /// Varyings that another stage has numbered.
+    pub(super) varyings: &'p [(String, u32)],
     pub(super) module: Module,
     pub(super) layouter: Layouter,
     pub(super) types: FxHashMap<Type, Handle<::naga::Type>>,
     pub(super) globals: FxHashMap<VariableId, Global>,
-    /// Globals by what naga itself calls them, such as `gl_FragCoord`.
-    pub(super) builtins: FxHashMap<&'static str, Handle<::naga::GlobalVariable>>,
+    /// Variables of the language, such as `gl_FragCoord`.
+    pub(super) specials: FxHashMap<&'static str, Special>,
     pub(super) functions: FxHashMap<FunctionRef, Handle<::naga::Function>>,
     /// `inverse` of each size.
     pub(super) inverses: FxHashMap<u8, Handle<::naga::Function>>,
     pub(super) uniforms: Uniforms,
+    pub(super) interface: HostInterface,
     /// By operation: what it gave, in the function that it belongs to.
     given: Vec<Given>,
     /// By variable: how many operations write to it.
@@ -59,21 +80,36 @@ pub(super) struct Lowerer<'p> {
 /// Most expressions of a module; bodies of `switch` that fall through are written out again.
 const MAX_EXPRESSIONS: usize = 1_000_000;
 
-/// Lowers a fragment shader that compiles.
-pub fn lower(program: &Program, origin: FirstRow) -> Result<Lowered, Refused> {
+/// Lowers a shader that compiles.
+///
+/// # Errors
+/// Where the other languages have no words for something.
+pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refused> {
     let form = ir::lower(program);
+    let varyings = options.vertex.map_or(Vec::new(), varyings);
     let mut lowerer = Lowerer {
         program,
         form: &form,
-        origin,
+        origin: options.first_row,
+        language: options.language,
+        varyings: &varyings,
         module: Module::default(),
         layouter: Layouter::default(),
         types: FxHashMap::default(),
         globals: FxHashMap::default(),
-        builtins: FxHashMap::default(),
+        specials: FxHashMap::default(),
         functions: FxHashMap::default(),
         inverses: FxHashMap::default(),
         uniforms: Uniforms::default(),
+        interface: HostInterface {
+            stage: stage_name(program.stage),
+            entry: entry_name(program.stage),
+            buffers: Vec::new(),
+            textures: Vec::new(),
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            notes: Vec::new(),
+        },
         given: vec![Given::default(); form.ops.len()],
         stores: stores(&form),
         place: Span::default(),
@@ -86,10 +122,10 @@ pub fn lower(program: &Program, origin: FirstRow) -> Result<Lowered, Refused> {
         lowerer.function(function)?;
     }
     lowerer.entry(main)?;
-    let legend = lowerer.legend();
     Ok(Lowered {
+        language: options.language,
+        interface: lowerer.interface,
         module: lowerer.module,
-        legend,
     })
 }
 
@@ -115,6 +151,20 @@ impl<'p> Lowerer<'p> {
         if let Some(extent) = origin.extent(&self.program.tree) {
             self.place = self.program.span(extent);
         }
+    }
+
+    /// Says that what is lowered now is what declares a variable.
+    pub(super) fn stand_at_name(&mut self, variable: &Variable) {
+        if let Some(span) = self.program.declared_at(variable) {
+            self.place = span;
+        }
+    }
+
+    /// What lies inside a type.
+    pub(super) fn inside(&self, ty: Type) -> Inside {
+        let structs = &self.program.structs;
+        let of = |id: u16| structs.get(id as usize).map(|s| s.inside);
+        Inside::of(ty, |id| of(id).unwrap_or_default())
     }
 
     /// What an operation gave.

@@ -15,18 +15,23 @@ mod call;
 mod entry;
 mod function;
 mod global;
+mod interface;
 mod known;
 mod lower;
 mod matrix;
 mod op;
 mod place;
+mod port;
 mod region;
+mod special;
+mod stored;
 mod texture;
 mod types;
 mod uniform;
 mod write;
 
-pub use lower::{FirstRow, Lowered, lower};
+pub use interface::{BindSlot, Buffer, BufferMember, HostInterface, Port, Repeated, TexturePair};
+pub use lower::{FirstRow, LowerOptions, Lowered, lower};
 pub use write::{Output, TargetLanguage, write};
 
 use super::{Composed, PassUnit, Project, Wrapper, credits};
@@ -34,13 +39,22 @@ use crate::diagnostic::Severity;
 use crate::semantic::Pass;
 use crate::text::Span;
 
+/// A shader in another language.
+#[derive(Clone, Debug)]
+pub struct TranslatedShader {
+    /// Its text, or its words in SPIR-V.
+    pub text: Output,
+    /// What a host must know of it.
+    pub interface: HostInterface,
+}
+
 /// A pass in another language; `None` where it does not compile.
 pub fn translate(
     project: &Project,
     composed: &Composed,
     unit: &PassUnit,
     language: TargetLanguage,
-) -> Result<Option<Output>, Refused> {
+) -> Result<Option<TranslatedShader>, Refused> {
     let analysis = composed.analysis(unit);
     let is_error = |d: &crate::diagnostic::Diagnostic| d.severity == Severity::Error;
     if analysis.diagnostics.iter().any(is_error) {
@@ -51,8 +65,15 @@ pub fn translate(
         (Pass::Image, _) | (_, Wrapper::Own) => FirstRow::Picture,
         _ => FirstRow::Row,
     };
-    let lowered = lower(&analysis.program, origin)?;
-    write(&lowered, language, &credits::lines(project)).map(Some)
+    let options = LowerOptions {
+        language,
+        first_row: origin,
+        vertex: None,
+    };
+    let lowered = lower(&analysis.program, options)?;
+    let text = write(&lowered, &credits::lines(project))?;
+    let interface = lowered.interface;
+    Ok(Some(TranslatedShader { text, interface }))
 }
 
 /// Why a pass cannot be written in another language.

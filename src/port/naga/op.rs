@@ -111,7 +111,7 @@ impl Body<'_, '_> {
                 if !ty.is_matrix() {
                     return Ok(self.splat(number, ty));
                 }
-                let columns = parts(self.lowerer, ty).into_iter();
+                let columns = parts(self.lowerer.program, ty).into_iter();
                 let columns = columns.map(|column| self.splat(number, column)).collect();
                 self.compose(ty, columns)
             }
@@ -182,7 +182,7 @@ impl Body<'_, '_> {
             let one = self.constant(Type::scalar(scalar), &mut slice::from_ref(one))?;
             return Ok(self.splat(one, ty));
         }
-        let parts = parts(self.lowerer, ty).into_iter();
+        let parts = parts(self.lowerer.program, ty).into_iter();
         let components: Res<Vec<Value>> = parts.map(|part| self.constant(part, values)).collect();
         self.compose(ty, components?)
     }
@@ -338,7 +338,7 @@ impl Body<'_, '_> {
         }
         self.check_limits()?;
         let mut all: Option<Value> = None;
-        for (i, part) in (0..).zip(parts(self.lowerer, ty)) {
+        for (i, part) in (0..).zip(parts(self.lowerer.program, ty)) {
             let (a, b) = (self.part(l, i), self.part(r, i));
             let equal = self.equal(a, b, part)?;
             all = Some(match all {

@@ -1,6 +1,7 @@
 //! Places: naga's pointers, and the components of what they point at.
 
 use super::body::{Body, Bound};
+use super::stored::Held;
 use super::types::{Sink, size};
 use super::{Res, Value};
 use crate::ir::{Access, Lanes, OpId, OpKind, Place, PlaceId, Root};
@@ -9,48 +10,94 @@ use ::naga::{Expression, SwizzleComponent};
 
 /// Where a place is found in the function.
 struct Spot {
-    /// Its value, or what points at it.
-    at: Value,
-    /// Whether it is pointed at.
-    is_pointer: bool,
+    /// What is there.
+    at: At,
     /// The components of it that are meant, where they are not all.
     lanes: Option<Lanes>,
+}
+
+/// What is found at a place.
+#[derive(Clone, Copy)]
+enum At {
+    /// Its value.
+    Value(Value),
+    /// What points at it.
+    Pointer(Value),
+    /// It lies in a buffer.
+    Stored(Held),
 }
 
 impl Body<'_, '_> {
     fn spot(&mut self, place: &Place) -> Res<Spot> {
         let form = self.lowerer.form;
-        let path = form.path(place);
+        let mut path = form.path(place);
         let is_computed = path.iter().any(|a| matches!(a, Access::Computed(_)));
-        let (mut at, is_pointer) = match self.bound(place.variable)? {
-            Bound::Pointer(pointer) => (pointer, true),
+        let mut at = match self.root(place.variable, &mut path)? {
             // Naga takes no column of a matrix by a computed number but from a variable.
             Bound::Value(value) if is_computed && self.has_columns(place.variable) => {
                 let ty = form.variable(place.variable).map_or(Type::ERROR, |v| v.ty);
-                (self.spill(value, ty)?, true)
+                At::Pointer(self.spill(value, ty)?)
             }
-            Bound::Value(value) => (value, false),
+            Bound::Value(value) => At::Value(value),
+            Bound::Pointer(pointer) => At::Pointer(pointer),
+            Bound::Stored(held) => At::Stored(held),
             Bound::Sampler { .. } => return self.lowerer.refuse("a sampler is no value here"),
         };
         let mut lanes = None;
         for access in path {
-            match *access {
-                Access::Member(index) | Access::Element(index) => at = self.part(at, index),
+            at = match *access {
+                Access::Member(index) => match at {
+                    At::Stored(held) => At::Stored(self.held_field(held, index)?),
+                    at => self.step_to(at, |it, base| it.part(base, index)),
+                },
+                Access::Element(index) => self.step_to(at, |it, base| it.part(base, index)),
                 Access::Computed(index) => {
                     let index = self.value(index)?;
-                    at = self.add(Expression::Access { base: at, index });
+                    self.step_to(at, |it, base| it.add(Expression::Access { base, index }))
                 }
                 Access::Lanes(chosen) => match chosen.numbers() {
-                    &[one] => at = self.part(at, one.into()),
-                    _ => lanes = Some(chosen),
+                    &[one] => self.step_to(at, |it, base| it.part(base, one.into())),
+                    _ => {
+                        lanes = Some(chosen);
+                        at
+                    }
                 },
             }
         }
-        Ok(Spot {
-            at,
-            is_pointer,
-            lanes,
-        })
+        Ok(Spot { at, lanes })
+    }
+
+    /// What a place starts from. The first step into a block of several chooses the buffer.
+    fn root(&mut self, id: VariableId, path: &mut &[Access]) -> Res<Bound> {
+        if !self.lowerer.uniforms.instances.contains_key(&id) {
+            return self.bound(id);
+        }
+        let is_array = self
+            .lowerer
+            .form
+            .variable(id)
+            .is_some_and(|v| v.ty.is_array());
+        let number = match (is_array, *path) {
+            (false, _) => 0,
+            (true, [Access::Element(number), rest @ ..]) => {
+                *path = rest;
+                *number
+            }
+            _ => return self.lowerer.refuse("a block is chosen by a constant alone"),
+        };
+        self.block(id, number).map(Bound::Stored)
+    }
+
+    /// A step to a part.
+    fn step_to(&mut self, at: At, step: impl FnOnce(&mut Self, Value) -> Value) -> At {
+        match at {
+            At::Value(value) => At::Value(step(self, value)),
+            At::Pointer(pointer) => At::Pointer(step(self, pointer)),
+            At::Stored(held) => {
+                let inner = step(self, held.at);
+                At::Stored(self.held_part(held, inner))
+            }
+        }
     }
 
     fn has_columns(&self, id: VariableId) -> bool {
@@ -62,9 +109,10 @@ impl Body<'_, '_> {
     /// What stands at a place.
     pub(super) fn read(&mut self, place: PlaceId) -> Res<Value> {
         let spot = self.spot(self.lowerer.form.place(place))?;
-        let value = match spot.is_pointer {
-            true => self.load(spot.at),
-            false => spot.at,
+        let value = match spot.at {
+            At::Value(value) => value,
+            At::Pointer(pointer) => self.load(pointer),
+            At::Stored(held) => self.unpack(held)?,
         };
         Ok(match spot.lanes {
             Some(lanes) => self.swizzle(value, lanes),
@@ -95,13 +143,16 @@ impl Body<'_, '_> {
             return Ok(());
         }
         let value = self.value(value)?;
+        let At::Pointer(to) = spot.at else {
+            return self.lowerer.refuse("nothing can be written here");
+        };
         let Some(lanes) = spot.lanes else {
-            self.store(spot.at, value);
+            self.store(to, value);
             return Ok(());
         };
         for (i, lane) in lanes.numbers().iter().enumerate() {
             let from = self.part(value, i as u32);
-            let to = self.part(spot.at, (*lane).into());
+            let to = self.part(to, (*lane).into());
             self.store(to, from);
         }
         Ok(())

@@ -2,8 +2,9 @@
 
 use super::body::{Body, Bound};
 use super::types::{Sink, texel};
+use super::uniform::Pair;
 use super::{Res, Value};
-use crate::ir::{Lanes, OpId, OpKind};
+use crate::ir::{Access, Lanes, OpId, OpKind};
 use crate::semantic::builtins::{BuiltinKind, Level, Lookup};
 use crate::semantic::{Sampler, Scalar, Type};
 use ::naga::{BinaryOperator as Op, Expression, ImageQuery, MathFunction, SampleLevel, ScalarKind};
@@ -43,20 +44,44 @@ impl Body<'_, '_> {
     /// The texture that an operand is, and how it is sampled.
     pub(super) fn sampler(&mut self, operand: OpId) -> Res<(Value, Value, Sampler)> {
         let form = self.lowerer.form;
-        if let OpKind::Load(place) = form.op(operand).kind
-            && let place = form.place(place)
-            && place.path.len == 0
-            && let Bound::Sampler {
+        let refuse = |it: &mut Self, message: &str| {
+            it.lowerer.stand_at(form.provenance(operand));
+            it.lowerer.refuse(message)
+        };
+        let OpKind::Load(place) = form.op(operand).kind else {
+            return refuse(self, "this is no sampler");
+        };
+        let place = form.place(place);
+        let step = |access: &Access| match access {
+            Access::Member(index) | Access::Element(index) => Some(*index),
+            _ => None,
+        };
+        let path: Option<Vec<u32>> = form.path(place).iter().map(step).collect();
+        let Some(path) = path else {
+            let message = "a sampler can only be chosen by a constant in the other languages";
+            return refuse(self, message);
+        };
+        if let Some(pair) = self.lowerer.uniforms.samplers.get(&(place.variable, path)) {
+            let Pair {
                 image,
                 sampler,
                 kind,
-            } = self.bound(place.variable)?
-        {
+            } = *pair;
+            let image = self.add(Expression::GlobalVariable(image));
+            let sampler = self.add(Expression::GlobalVariable(sampler));
             return Ok((image, sampler, kind));
         }
-        self.lowerer.stand_at(form.provenance(operand));
-        self.lowerer
-            .refuse("only plain samplers are supported, no part of an array or struct")
+        match self.bound(place.variable)? {
+            Bound::Sampler {
+                image,
+                sampler,
+                kind,
+            } if place.path.len == 0 => Ok((image, sampler, kind)),
+            _ => refuse(
+                self,
+                "a sampler travels alone in the other languages, in no array or struct",
+            ),
+        }
     }
 
     /// A call of one of the texture functions.

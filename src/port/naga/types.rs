@@ -2,7 +2,7 @@
 
 use super::lower::Lowerer;
 use super::{Res, Value};
-use crate::semantic::{Base, Sampler, Scalar, Type, Value as Constant};
+use crate::semantic::{Base, Program, Sampler, Scalar, Type, Value as Constant};
 use ::naga::proc::TypeLayout;
 use ::naga::{
     ArraySize, Expression, Handle, ImageClass, ImageDimension, Literal, ScalarKind, Span,
@@ -174,7 +174,7 @@ impl Lowerer<'_> {
     }
 
     /// A struct whose members follow each other as closely as they may.
-    pub(super) fn record(
+    fn record(
         &mut self,
         name: Option<String>,
         members: Vec<(String, Handle<::naga::Type>)>,
@@ -219,7 +219,7 @@ pub(super) fn compose<'p>(
         let found = values.next().copied().and_then(literal);
         return Ok(found.map(|l| sink.add(Expression::Literal(l))));
     }
-    let parts = parts(sink.lowerer(), ty);
+    let parts = parts(sink.lowerer().program, ty);
     let mut components = Vec::new();
     for part in parts {
         match compose(sink, part, values)? {
@@ -232,7 +232,7 @@ pub(super) fn compose<'p>(
 }
 
 /// The types of the parts that a value is composed of.
-pub(super) fn parts(lowerer: &Lowerer, ty: Type) -> Vec<Type> {
+pub(super) fn parts(program: &Program, ty: Type) -> Vec<Type> {
     if ty.is_array() {
         return vec![ty.element(); ty.array as usize];
     }
@@ -247,8 +247,7 @@ pub(super) fn parts(lowerer: &Lowerer, ty: Type) -> Vec<Type> {
             columns,
             rows,
         } => vec![Type::vector(scalar, rows); columns as usize],
-        Base::Struct(_) => lowerer
-            .program
+        Base::Struct(_) => program
             .struct_of(ty)
             .map_or(Vec::new(), |s| s.fields.iter().map(|f| f.ty).collect()),
         _ => Vec::new(),

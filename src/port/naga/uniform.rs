@@ -1,26 +1,50 @@
-//! Uniforms: one struct for the numbers, a texture and a sampler for each sampler.
+//! Uniforms: one buffer for those that stand alone, one for each block, a texture and a sampler for
+//! each sampler.
 
 use super::body::{Body, Bound};
 use super::global::Global;
+use super::interface::{BindSlot, Buffer, BufferMember, HostInterface, TexturePair};
 use super::lower::{FirstRow, Lowerer};
+use super::stored::{Field, Held, Packing, Stored};
 use super::types::{Sink, image};
+use super::write::TargetLanguage;
 use super::{Res, Value};
 use crate::ir::Place;
-use crate::semantic::{Sampler, Scalar, Storage, Type, Variable, VariableId};
+use crate::semantic::{Base, Sampler, Stage, Storage, Type, Variable, VariableId};
 use ::naga::{
     AddressSpace, Expression, GlobalVariable, Handle, MemoryDecorations, ResourceBinding, Span,
     TypeInner,
 };
+use rustc_hash::FxHashMap;
 
-/// The uniforms of a pass.
+/// The uniforms of a shader.
 #[derive(Default)]
 pub(super) struct Uniforms {
-    /// The struct that holds them.
-    pub(super) block: Option<Handle<GlobalVariable>>,
     /// Where the height of the picture stands, of a picture whose rows are turned.
     pub(super) height: Option<Height>,
-    /// What the host must know.
-    legend: Vec<String>,
+    /// How structs and blocks lie in buffers, with the places of their fields.
+    pub(super) records: FxHashMap<Type, (Stored, Vec<Option<Field>>)>,
+    /// The buffer of what stands in no block.
+    own: Option<Handle<GlobalVariable>>,
+    /// By the struct that a block without a name of its own declares: its buffer.
+    blocks: FxHashMap<u16, Handle<GlobalVariable>>,
+    /// By a block with a name of its own: its buffers, one for each element.
+    pub(super) instances: FxHashMap<VariableId, Vec<Handle<GlobalVariable>>>,
+    /// Samplers, by the variable and the numbers of members and elements that lead to them.
+    pub(super) samplers: FxHashMap<(VariableId, Vec<u32>), Pair>,
+    /// The number of the next binding behind those of the samplers.
+    next: u32,
+}
+
+/// A sampler of the shader.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair {
+    /// The texture.
+    pub(super) image: Handle<GlobalVariable>,
+    /// How it is sampled.
+    pub(super) sampler: Handle<GlobalVariable>,
+    /// What the shader calls it.
+    pub(super) kind: Sampler,
 }
 
 /// Where the height of the picture stands among the uniforms.
@@ -32,79 +56,172 @@ pub(super) enum Height {
     Own(u32),
 }
 
-/// How a uniform lies in the struct.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Form {
-    /// As it is.
-    Plain(Type),
-    /// As a number, which is not 0 where it is true.
-    Flag(Type),
-    /// Each element at the start of four numbers, as arrays must lie.
-    Wide(Type),
-}
-
-impl Form {
-    fn of(ty: Type) -> Option<Form> {
-        let (scalar, columns, rows) = ty.element().numeric()?;
-        match (ty.is_array(), scalar) {
-            (false, Scalar::Bool) => Some(Form::Flag(ty.with_scalar(Scalar::Uint))),
-            (true, Scalar::Bool) => None,
-            (true, _) if columns == 1 && rows < 3 => {
-                Some(Form::Wide(Type::vector(scalar, 4).array_of(ty.array)))
-            }
-            // Two rows lie closer together than arrays and structs of the others allow.
-            _ if columns > 1 && rows == 2 => None,
-            _ => Some(Form::Plain(ty)),
-        }
-    }
-
-    fn ty(self) -> Type {
-        match self {
-            Form::Plain(ty) | Form::Flag(ty) | Form::Wide(ty) => ty,
-        }
-    }
+/// The uniforms that stand in no block.
+#[derive(Default)]
+struct Alone {
+    packing: Packing,
+    listed: Vec<BufferMember>,
+    members: Vec<(VariableId, u32)>,
 }
 
 impl<'p> Lowerer<'p> {
-    /// Declares all uniforms that can be; the others are refused where they are used.
+    /// Declares all uniforms, in the order of their declarations: first those in no block, then the
+    /// samplers, then the blocks.
     pub(super) fn declare_uniforms(&mut self) -> Res<()> {
         let program = self.program;
-        let mut members = Vec::new();
-        let mut number = 0;
-        for (i, variable) in program.variables.iter().enumerate() {
-            if variable.storage != Storage::Uniform || variable.token.is_none() {
-                continue;
+        let uniforms = || {
+            let all = (0..).map(VariableId).zip(&program.variables);
+            all.filter(|(_, v)| v.storage == Storage::Uniform && v.token.is_some())
+        };
+        let mut alone = Alone::default();
+        for (id, variable) in uniforms() {
+            self.stand_at_name(variable);
+            let inside = self.inside(variable.ty);
+            if inside.sampler && (variable.ty.element().is_sampler() || variable.read) {
+                let name = program.names.text(variable.name).to_string();
+                self.declare_samplers(id, &mut Vec::new(), &name, variable.ty);
             }
-            let id = VariableId(i as u32);
-            let name = program.names.text(variable.name);
-            if let Some(kind) = variable.ty.as_sampler() {
-                self.declare_sampler(id, name, kind, number);
-                number += 1;
-            } else if let Some(form) = Form::of(variable.ty) {
-                let member = members.len() as u32;
-                if self.tells_size(variable) {
-                    self.uniforms.height = Some(Height::Resolution(member));
-                }
-                members.push((name.to_string(), self.ty(form.ty())?));
-                self.globals.insert(id, Global::Uniform(member));
+            let is_block = matches!(variable.ty.base, Base::Block(_));
+            let is_data = !inside.sampler || (variable.read && !variable.ty.element().is_sampler());
+            if is_data && !is_block && self.block_of(variable).is_none() {
+                self.declare_alone(id, variable, &mut alone)?;
             }
         }
+        self.finish_alone(alone)?;
+        for (id, variable) in uniforms() {
+            self.stand_at_name(variable);
+            if matches!(variable.ty.base, Base::Block(_)) {
+                self.declare_instances(id, variable)?;
+            } else if let Some((block, field)) = self.block_of(variable) {
+                self.declare_field(id, block, field)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn declare_alone(&mut self, id: VariableId, variable: &Variable, alone: &mut Alone) -> Res<()> {
+        let name = self.program.names.text(variable.name);
+        let stored = self.stored(variable.ty)?;
+        let Field { member, offset } = alone.packing.add(self, name, stored)?;
+        self.list(name, variable.ty, offset, &mut alone.listed);
+        alone.members.push((id, member));
+        if self.tells_size(variable) {
+            self.uniforms.height = Some(Height::Resolution(member));
+        }
+        Ok(())
+    }
+
+    /// The buffer of what stands in no block, with the height of the picture where that is needed.
+    fn finish_alone(&mut self, mut alone: Alone) -> Res<()> {
         if self.uniforms.height.is_none() && self.turns_rows() {
-            self.uniforms.height = Some(Height::Own(members.len() as u32));
             let name = self.unused("pictureHeight");
-            self.uniforms.legend.push(format!(
+            let stored = self.stored(Type::FLOAT)?;
+            let Field { member, offset } = alone.packing.add(self, &name, stored)?;
+            self.list(&name, Type::FLOAT, offset, &mut alone.listed);
+            self.uniforms.height = Some(Height::Own(member));
+            self.interface.notes.push(format!(
                 "{name} is the height of the picture in pixels: rows are counted from below"
             ));
-            members.push((name, self.ty(Type::FLOAT)?));
         }
-        if members.is_empty() {
+        if alone.packing.is_empty() {
             return Ok(());
         }
-        let ty = self.record(Some("Uniforms".to_string()), members)?;
-        self.describe(ty);
-        let block = self.resource("uniforms", ty, AddressSpace::Uniform, 0);
-        self.uniforms.block = Some(block);
+        let stored = alone.packing.finish(self, Some("Uniforms".to_string()))?;
+        let name = HostInterface::UNIFORMS;
+        let buffer = self.declare_buffer(name, stored, 0, alone.listed);
+        for (id, member) in alone.members {
+            self.globals.insert(id, Global::Stored(buffer, member));
+        }
+        self.uniforms.own = Some(buffer);
         Ok(())
+    }
+
+    /// The buffers of a block with a name of its own.
+    fn declare_instances(&mut self, id: VariableId, variable: &Variable) -> Res<()> {
+        let block = variable.ty.element();
+        let stored = self.stored(block)?;
+        let mut buffers = Vec::new();
+        for i in 0..variable.ty.array.max(1) {
+            let mut name = self.program.type_name(block);
+            if variable.ty.is_array() {
+                name = format!("{name}[{i}]");
+            }
+            let mut listed = Vec::new();
+            self.list(&name, block, 0, &mut listed);
+            buffers.push(self.declare_block(&name, stored, listed));
+        }
+        self.uniforms.instances.insert(id, buffers);
+        Ok(())
+    }
+
+    /// A member of a block without a name of its own.
+    fn declare_field(&mut self, id: VariableId, block: u16, field: usize) -> Res<()> {
+        let ty = Type::block(block.into());
+        let buffer = match self.uniforms.blocks.get(&block) {
+            Some(buffer) => *buffer,
+            None => {
+                let stored = self.stored(ty)?;
+                let mut listed = Vec::new();
+                // Without a name of its own, nothing stands before the members.
+                self.list("", ty, 0, &mut listed);
+                let name = self.program.type_name(ty);
+                let buffer = self.declare_block(&name, stored, listed);
+                self.uniforms.blocks.insert(block, buffer);
+                buffer
+            }
+        };
+        if let Some(Some(place)) = self.stored_fields(ty).get(field) {
+            let member = place.member;
+            self.globals.insert(id, Global::Stored(buffer, member));
+        }
+        Ok(())
+    }
+
+    fn declare_block(
+        &mut self,
+        name: &str,
+        stored: Stored,
+        listed: Vec<BufferMember>,
+    ) -> Handle<GlobalVariable> {
+        let binding = self.uniforms.next.max(1);
+        self.uniforms.next = binding + 1;
+        self.declare_buffer(name, stored, binding, listed)
+    }
+
+    fn declare_buffer(
+        &mut self,
+        name: &str,
+        stored: Stored,
+        binding: u32,
+        members: Vec<BufferMember>,
+    ) -> Handle<GlobalVariable> {
+        let number = self.interface.buffers.len() as u32;
+        let slot = self.slot(
+            binding,
+            match self.language {
+                TargetLanguage::Hlsl => format!("register(b{binding}, space{})", self.group()),
+                _ => format!("[[buffer({number})]]"),
+            },
+        );
+        self.interface.buffers.push(Buffer {
+            name: name.to_string(),
+            slot,
+            size: stored.size,
+            members,
+        });
+        let written = name.replace(['[', ']'], "_");
+        self.resource(&written, stored.ty, AddressSpace::Uniform, binding)
+    }
+
+    /// The block without a name of its own that declares a uniform, and its number in there.
+    fn block_of(&self, variable: &Variable) -> Option<(u16, usize)> {
+        let token = variable.token?;
+        let structs = (0..).zip(&self.program.structs);
+        let mut found = structs.filter_map(|(id, s)| {
+            let field = s.fields.iter().position(|f| f.token == token)?;
+            Some((id, field))
+        });
+        found.next()
     }
 
     /// Whether a uniform is the one by which ShaderToy's player tells the size of the picture. What
@@ -133,26 +250,84 @@ impl<'p> Lowerer<'p> {
         name
     }
 
-    fn declare_sampler(&mut self, id: VariableId, name: &str, kind: Sampler, number: u32) {
-        let (texture, sampler) = (2 * number + 1, 2 * number + 2);
-        self.uniforms.legend.push(format!(
-            "group 0, binding {texture}: the texture of {name}; binding {sampler}: how it is sampled"
-        ));
-        let ty = self.inner(None, image(kind));
-        let space = AddressSpace::Handle;
-        let image = self.resource(name, ty, space, texture);
-        let comparison = super::types::texel(kind).is_none();
-        let ty = self.inner(None, TypeInner::Sampler { comparison });
-        let space = AddressSpace::Handle;
-        let sampler = self.resource(&format!("{name}Sampler"), ty, space, sampler);
-        self.globals.insert(
-            id,
-            Global::Sampler {
-                image,
-                sampler,
-                kind,
+    /// Declares the samplers in a value of a type.
+    fn declare_samplers(&mut self, id: VariableId, path: &mut Vec<u32>, name: &str, ty: Type) {
+        let program = self.program;
+        if ty.is_array() {
+            for i in 0..ty.array {
+                path.push(i);
+                self.declare_samplers(id, path, &format!("{name}[{i}]"), ty.element());
+                path.pop();
+            }
+        } else if let Some(kind) = ty.as_sampler() {
+            let pair = self.declare_sampler(name, kind);
+            self.uniforms.samplers.insert((id, path.clone()), pair);
+        } else if let Some(found) = program.struct_of(ty) {
+            for (i, field) in (0..).zip(&found.fields) {
+                let inner = format!("{name}.{}", program.names.text(field.name));
+                path.push(i);
+                self.declare_samplers(id, path, &inner, field.ty);
+                path.pop();
+            }
+        }
+    }
+
+    fn declare_sampler(&mut self, name: &str, kind: Sampler) -> Pair {
+        let number = self.interface.textures.len() as u32;
+        let (texture, how) = (2 * number + 1, 2 * number + 2);
+        self.uniforms.next = how + 1;
+        let is_hlsl = self.language == TargetLanguage::Hlsl;
+        let space = self.group();
+        let texture_slot = self.slot(
+            texture,
+            match is_hlsl {
+                true => format!("register(t{texture}, space{space})"),
+                false => format!("[[texture({number})]]"),
             },
         );
+        let sampler_slot = self.slot(
+            how,
+            match is_hlsl {
+                true => format!("entry {how} of nagaGroup{space}SamplerIndexArray"),
+                false => format!("[[sampler({number})]]"),
+            },
+        );
+        self.interface.textures.push(TexturePair {
+            name: name.to_string(),
+            ty: kind.name(),
+            texture: texture_slot,
+            sampler: sampler_slot,
+        });
+        let written = name.replace(['[', ']', '.'], "_");
+        let ty = self.inner(None, image(kind));
+        let image = self.resource(&written, ty, AddressSpace::Handle, texture);
+        let comparison = super::types::texel(kind).is_none();
+        let ty = self.inner(None, TypeInner::Sampler { comparison });
+        let name = format!("{written}Sampler");
+        let sampler = self.resource(&name, ty, AddressSpace::Handle, how);
+        Pair {
+            image,
+            sampler,
+            kind,
+        }
+    }
+
+    /// Where the host binds something; `place` is what HLSL and MSL call that.
+    fn slot(&self, binding: u32, place: String) -> BindSlot {
+        let is_own = matches!(self.language, TargetLanguage::Hlsl | TargetLanguage::Msl);
+        BindSlot {
+            group: self.group(),
+            binding,
+            place: is_own.then_some(place),
+        }
+    }
+
+    /// The group of the stage: one pipeline has both, each with uniforms of its own.
+    fn group(&self) -> u32 {
+        match self.program.stage {
+            Stage::Vertex => 1,
+            Stage::Fragment => 0,
+        }
     }
 
     fn resource(
@@ -162,10 +337,11 @@ impl<'p> Lowerer<'p> {
         space: AddressSpace,
         binding: u32,
     ) -> Handle<GlobalVariable> {
+        let group = self.group();
         let variable = GlobalVariable {
             name: Some(name.to_string()),
             space,
-            binding: Some(ResourceBinding { group: 0, binding }),
+            binding: Some(ResourceBinding { group, binding }),
             ty,
             init: None,
             memory_decorations: MemoryDecorations::empty(),
@@ -174,73 +350,56 @@ impl<'p> Lowerer<'p> {
             .global_variables
             .append(variable, Span::UNDEFINED)
     }
-
-    fn describe(&mut self, ty: Handle<::naga::Type>) {
-        let TypeInner::Struct { members, span } = &self.module.types[ty].inner else {
-            return;
-        };
-        let placed: Vec<String> = members
-            .iter()
-            .map(|m| format!("{} at {}", m.name.as_deref().unwrap_or(""), m.offset))
-            .collect();
-        let first = format!(
-            "group 0, binding 0: the uniforms, {span} bytes: {}",
-            placed.join(", ")
-        );
-        self.uniforms.legend.insert(0, first);
-    }
-
-    /// What the host must know.
-    pub(super) fn legend(&self) -> Vec<String> {
-        self.uniforms.legend.clone()
-    }
 }
 
 impl Body<'_, '_> {
-    /// What points at a member of the uniforms.
-    pub(super) fn uniform_member(&mut self, member: u32) -> Res<Value> {
-        let Some(block) = self.lowerer.uniforms.block else {
-            return self.lowerer.refuse("there are no uniforms");
-        };
-        let base = self.add(Expression::GlobalVariable(block));
-        Ok(self.part(base, member))
+    /// What points at a member of a buffer.
+    fn member_of(&mut self, buffer: Handle<GlobalVariable>, member: u32) -> Value {
+        let base = self.add(Expression::GlobalVariable(buffer));
+        self.part(base, member)
     }
 
     /// A uniform of the shader.
-    pub(super) fn uniform(&mut self, id: VariableId, member: u32) -> Res<Bound> {
+    pub(super) fn stored_uniform(
+        &mut self,
+        id: VariableId,
+        buffer: Handle<GlobalVariable>,
+        member: u32,
+    ) -> Bound {
         let ty = self.lowerer.form.variable(id).map_or(Type::ERROR, |v| v.ty);
-        let pointer = self.uniform_member(member)?;
-        match Form::of(ty) {
-            Some(Form::Plain(_)) => Ok(Bound::Pointer(pointer)),
-            Some(Form::Flag(_)) => {
-                let value = self.load(pointer);
-                Ok(Bound::Value(self.convert(value, Scalar::Bool)))
+        let at = self.member_of(buffer, member);
+        Bound::Stored(Held::new(at, ty))
+    }
+
+    /// A block that has a name of its own, or one of several.
+    pub(super) fn block(&mut self, id: VariableId, number: u32) -> Res<Held> {
+        let found = self.lowerer.uniforms.instances.get(&id);
+        let buffer = found.and_then(|all| all.get(number as usize)).copied();
+        let ty = self.lowerer.form.variable(id).map(|v| v.ty.element());
+        match (buffer, ty) {
+            (Some(buffer), Some(ty)) => {
+                let at = self.add(Expression::GlobalVariable(buffer));
+                Ok(Held::new(at, ty))
             }
-            Some(Form::Wide(wide)) => self.narrow(ty, wide, pointer).map(Bound::Pointer),
-            None => self
-                .lowerer
-                .refuse("a uniform of this type is not supported"),
+            _ => self.lowerer.refuse("this block is not known"),
         }
     }
 
-    /// An array of numbers out of one whose elements take four each.
-    fn narrow(&mut self, ty: Type, wide: Type, pointer: Value) -> Res<Value> {
-        let rows = ty.element().components();
-        let copy = self.local(None, ty)?;
-        for i in 0..wide.array {
-            let from = self.part(pointer, i);
-            let value = self.load(from);
-            let mut parts: Vec<Value> = (0..rows).map(|r| self.part(value, r)).collect();
-            let element = match (parts.pop(), rows) {
-                (Some(only), 1) => only,
-                (last, _) => {
-                    parts.extend(last);
-                    self.compose(ty.element(), parts)?
-                }
-            };
-            let to = self.part(copy, i);
-            self.store(to, element);
-        }
-        Ok(copy)
+    /// The height of the picture in pixels.
+    pub(super) fn height(&mut self) -> Res<Value> {
+        let uniforms = &self.lowerer.uniforms;
+        let (Some(buffer), Some(height)) = (uniforms.own, uniforms.height) else {
+            return self
+                .lowerer
+                .refuse("nothing tells the height of the picture");
+        };
+        let at = match height {
+            Height::Own(member) => self.member_of(buffer, member),
+            Height::Resolution(member) => {
+                let resolution = self.member_of(buffer, member);
+                self.part(resolution, 1)
+            }
+        };
+        Ok(self.load(at))
     }
 }

@@ -1,8 +1,10 @@
 //! Naga's check and its writers.
 
 use super::Refused;
-use super::entry::ENTRY;
+use super::interface::BindSlot;
 use super::lower::Lowered;
+use super::port::stage_name;
+use crate::semantic::Stage;
 use crate::text::Span;
 use ::naga::back::{hlsl, msl, spv, wgsl};
 use ::naga::proc::{BoundsCheckPolicies, BoundsCheckPolicy};
@@ -57,15 +59,15 @@ impl TargetLanguage {
 /// What a file holds.
 pub type Output = Vec<u8>;
 
-/// Checks a pass and writes it. `credits` are the lines that say who made it.
-pub fn write(
-    lowered: &Lowered,
-    language: TargetLanguage,
-    credits: &[String],
-) -> Result<Output, Refused> {
+/// Checks a shader and writes it. `credits` are the lines that say who made it.
+///
+/// # Errors
+/// Where naga, or the language, has no words for something.
+pub fn write(lowered: &Lowered, credits: &[String]) -> Result<Output, Refused> {
+    let language = lowered.language;
     let written = catch_unwind(AssertUnwindSafe(|| {
         let info = check(lowered)?;
-        emit(lowered, &info, language)
+        emit(lowered, &info)
             .map_err(|why| Refused::new(Span::default(), format!("{}: {why}", language.name())))
     }));
     let body = written.unwrap_or_else(|_| {
@@ -76,10 +78,10 @@ pub fn write(
         return Ok(body);
     }
     let mut head = String::new();
-    for line in credits.iter().chain(&lowered.legend) {
+    for line in credits.iter().chain(&lowered.interface.lines(language)) {
         let _ = writeln!(head, "// {line}");
     }
-    if language == TargetLanguage::Wgsl {
+    if language == TargetLanguage::Wgsl && lowered.interface.stage == stage_name(Stage::Fragment) {
         // GLSL leaves the level of detail undefined where not all fragments look it up; WGSL would
         // refuse the shader.
         head.push_str("diagnostic(off, derivative_uniformity);\n\n");
@@ -116,16 +118,18 @@ fn reasons(error: &dyn Error) -> String {
     text
 }
 
-fn emit(lowered: &Lowered, info: &ModuleInfo, language: TargetLanguage) -> Result<Vec<u8>, String> {
+fn emit(lowered: &Lowered, info: &ModuleInfo) -> Result<Vec<u8>, String> {
     let module = &lowered.module;
-    match language {
+    match lowered.language {
         TargetLanguage::Wgsl => wgsl::write_string(module, info, wgsl::WriterFlags::empty())
             .map(String::into_bytes)
             .map_err(|e| reasons(&e)),
         TargetLanguage::Spirv => {
             let options = spv::Options {
                 lang_version: (1, 3),
-                flags: spv::WriterFlags::DEBUG | spv::WriterFlags::LABEL_VARYINGS,
+                flags: spv::WriterFlags::DEBUG
+                    | spv::WriterFlags::LABEL_VARYINGS
+                    | spv::WriterFlags::ADJUST_COORDINATE_SPACE,
                 bounds_check_policies: policies(),
                 force_loop_bounding: false,
                 ..spv::Options::default()
@@ -164,34 +168,36 @@ fn policies() -> BoundsCheckPolicies {
     }
 }
 
-/// Metal counts buffers, textures and samplers each for themselves: the uniforms are buffer 0, the
-/// sampler with number `n` is texture `n` and sampler `n`.
+/// Metal counts buffers, textures and samplers each for themselves, in the order of the interface.
 fn metal(lowered: &Lowered) -> msl::Options {
     let mut resources = msl::EntryPointResources::default();
-    for (_, variable) in lowered.module.global_variables.iter() {
-        let Some(binding) = variable.binding else {
-            continue;
+    let place = |slot: &BindSlot| ::naga::ResourceBinding {
+        group: slot.group,
+        binding: slot.binding,
+    };
+    let interface = &lowered.interface;
+    for (number, buffer) in (0..).zip(&interface.buffers) {
+        let target = msl::BindTarget {
+            buffer: Some(number),
+            ..msl::BindTarget::default()
         };
-        let slot = (binding.binding.saturating_sub(1) / 2) as u8;
-        let target = match binding.binding {
-            0 => msl::BindTarget {
-                buffer: Some(0),
-                ..msl::BindTarget::default()
-            },
-            n if n % 2 == 1 => msl::BindTarget {
-                texture: Some(slot),
-                ..msl::BindTarget::default()
-            },
-            _ => msl::BindTarget {
-                sampler: Some(msl::BindSamplerTarget::Resource(slot)),
-                ..msl::BindTarget::default()
-            },
+        resources.resources.insert(place(&buffer.slot), target);
+    }
+    for (number, texture) in (0..).zip(&interface.textures) {
+        let image = msl::BindTarget {
+            texture: Some(number),
+            ..msl::BindTarget::default()
         };
-        resources.resources.insert(binding, target);
+        resources.resources.insert(place(&texture.texture), image);
+        let sampler = msl::BindTarget {
+            sampler: Some(msl::BindSamplerTarget::Resource(number)),
+            ..msl::BindTarget::default()
+        };
+        resources.resources.insert(place(&texture.sampler), sampler);
     }
     msl::Options {
         lang_version: (2, 0),
-        per_entry_point_map: [(ENTRY.to_string(), resources)].into(),
+        per_entry_point_map: [(interface.entry.to_string(), resources)].into(),
         fake_missing_bindings: false,
         bounds_check_policies: policies(),
         force_loop_bounding: false,

@@ -1,0 +1,48 @@
+//! Whole shaders, which go into the languages of naga as they are, whatever feeds them.
+
+use super::read::{read_text, shown};
+use super::save::Place;
+use super::{Made, PortArgs, report};
+use crate::cli::{CLEAN, FINDINGS};
+use crate::port::{WholeShaders, translate_shaders, whole_shaders};
+use crate::semantic::Stage;
+use std::path::PathBuf;
+
+/// The whole shaders that the arguments name, where they name nothing else and a language is asked
+/// for that takes them as they are.
+pub(super) fn load(args: &PortArgs) -> Result<Option<WholeShaders>, String> {
+    let is_asked = args.repair || args.diff || args.from.is_some();
+    let is_plain = args.pass.is_empty() && args.channel.is_empty() && !is_asked;
+    // What is no regular file is read once, by whoever asks first.
+    let are_files = args.input.iter().all(|path: &PathBuf| path.is_file());
+    if args.target()?.language().is_none() || !is_plain || !are_files {
+        return Ok(None);
+    }
+    let mut files = Vec::new();
+    for path in &args.input {
+        let stage = match path.extension().and_then(|e| e.to_str()) {
+            Some("vert" | "vs" | "vsh") => Some(Stage::Vertex),
+            Some("frag" | "fs" | "fsh") => Some(Stage::Fragment),
+            _ => None,
+        };
+        files.push((shown(path), read_text(path)?, stage));
+    }
+    Ok(whole_shaders(files).filter(|all| !all.shaders.is_empty()))
+}
+
+/// Makes them.
+pub(super) fn make(args: &PortArgs, all: &WholeShaders) -> Result<Made, String> {
+    let target = args.target()?;
+    let name = all.shaders.first().map_or("", |s| &s.path);
+    let place = Place::of(args.output.as_deref(), target, name);
+    let order = args.order(target, place.output(), None);
+    let made = translate_shaders(order, all).map_err(|e| e.to_string())?;
+    let found = all.shaders.iter().flat_map(|s| &s.checked.diagnostics);
+    let summary = report(&all.sources, found, &made.remarks).map_err(|e| e.to_string())?;
+    let (files, code) = match summary.errors {
+        0 => (made.files, CLEAN),
+        _ => (Vec::new(), FINDINGS),
+    };
+    let read = args.input.clone();
+    Ok(Made { files, read, code })
+}

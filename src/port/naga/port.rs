@@ -1,0 +1,203 @@
+//! What passes between a stage and its neighbours: attributes, varyings and outputs, by number.
+
+use super::interface::Port;
+use super::lower::Lowerer;
+use super::types::parts;
+use crate::semantic::{Program, Scalar, Stage, Storage, Type, VariableId};
+use crate::syntax::ast::{DeclKind, Item, List, QualifierKind};
+use ::naga::{Binding, Interpolation};
+use std::collections::BTreeSet;
+
+/// A number or vector of a variable that passes between stages. The languages pass nothing else.
+#[derive(Clone, Debug)]
+pub(super) struct Leaf {
+    /// The variable.
+    pub(super) variable: VariableId,
+    /// The steps into it.
+    pub(super) path: Vec<u32>,
+    /// As WebGL names it.
+    pub(super) name: String,
+    /// Its type.
+    pub(super) ty: Type,
+    /// Its number.
+    pub(super) location: u32,
+}
+
+impl Leaf {
+    /// What a host is told of it.
+    pub(super) fn port(&self, program: &Program) -> Port {
+        Port {
+            name: self.name.clone(),
+            ty: program.type_name(self.ty),
+            location: self.location,
+        }
+    }
+
+    /// The name in the other languages.
+    pub(super) fn word(&self) -> String {
+        self.name.replace(['[', ']', '.'], "_")
+    }
+
+    /// Its place between two stages.
+    pub(super) fn varying(&self, lowerer: &Lowerer) -> Binding {
+        let is_flat = lowerer
+            .form
+            .variable(self.variable)
+            .is_some_and(|v| v.is_flat);
+        let interpolation = match self.ty.scalar_kind() {
+            Some(Scalar::Float) if !is_flat => Interpolation::Perspective,
+            _ => Interpolation::Flat,
+        };
+        location(self.location, Some(interpolation))
+    }
+}
+
+/// A place with a number.
+pub(super) fn location(location: u32, interpolation: Option<Interpolation>) -> Binding {
+    Binding::Location {
+        location,
+        interpolation,
+        sampling: None,
+        blend_src: None,
+        per_primitive: false,
+    }
+}
+
+/// The varyings of a vertex shader with their numbers, by which a fragment shader finds them.
+pub(super) fn varyings(program: &Program) -> Vec<(String, u32)> {
+    let leaves = leaves(program, Storage::Output, &[]);
+    leaves.into_iter().map(|l| (l.name, l.location)).collect()
+}
+
+/// The numbers and vectors of the variables of a kind, in the order of the text. One that another
+/// stage has given a number keeps it, then come those that the text gives.
+pub(super) fn leaves(program: &Program, storage: Storage, known: &[(String, u32)]) -> Vec<Leaf> {
+    let mut all: Vec<Vec<Leaf>> = Vec::new();
+    let mut taken: BTreeSet<u32> = known.iter().map(|(_, location)| *location).collect();
+    let mut free = Vec::new();
+    for (id, qualifiers) in declarations(program) {
+        let Some(variable) = program.variable(id).filter(|v| v.storage == storage) else {
+            continue;
+        };
+        let name = program.names.text(variable.name);
+        let mut inner = Vec::new();
+        split(program, id, name, variable.ty, &mut Vec::new(), &mut inner);
+        let number = |leaf: &Leaf| known.iter().find(|(name, _)| *name == leaf.name);
+        let first = match inner.first().and_then(number) {
+            Some((_, location)) => Some(*location),
+            None => explicit(program, qualifiers),
+        };
+        match first {
+            Some(first) => {
+                number_from(&mut inner, first);
+                taken.extend(inner.iter().map(|l| l.location));
+            }
+            None => free.push(all.len()),
+        }
+        all.push(inner);
+    }
+    let mut next = 0;
+    for i in free {
+        if let Some(inner) = all.get_mut(i) {
+            let count = inner.len() as u32;
+            while (next..next + count).any(|n| taken.contains(&n)) {
+                next += 1;
+            }
+            number_from(inner, next);
+            next += count;
+        }
+    }
+    all.into_iter().flatten().collect()
+}
+
+fn number_from(leaves: &mut [Leaf], first: u32) {
+    for (leaf, location) in leaves.iter_mut().zip(first..) {
+        leaf.location = location;
+    }
+}
+
+/// The numbers and vectors that a value is made of.
+pub(super) fn split(
+    program: &Program,
+    variable: VariableId,
+    name: &str,
+    ty: Type,
+    path: &mut Vec<u32>,
+    into: &mut Vec<Leaf>,
+) {
+    if ty.is_scalar() || ty.is_vector() {
+        into.push(Leaf {
+            variable,
+            path: path.clone(),
+            name: name.to_string(),
+            ty,
+            location: 0,
+        });
+        return;
+    }
+    let found = program.struct_of(ty).filter(|_| !ty.is_array());
+    for (i, part) in (0..).zip(parts(program, ty)) {
+        let field = found.and_then(|s| s.fields.get(i as usize));
+        let inner = match field {
+            Some(field) => format!("{name}.{}", program.names.text(field.name)),
+            None => format!("{name}[{i}]"),
+        };
+        path.push(i);
+        split(program, variable, &inner, part, path, into);
+        path.pop();
+    }
+}
+
+/// The variables that stand at global scope, with their qualifiers, in the order of the text.
+fn declarations(program: &Program) -> Vec<(VariableId, List)> {
+    let mut found = Vec::new();
+    for item in &program.tree.items {
+        let Item::Decl(id) = item else { continue };
+        let Some(decl) = program.tree.decl(*id) else {
+            continue;
+        };
+        let DeclKind::Variables {
+            qualifiers,
+            declarators,
+            ..
+        } = decl.kind
+        else {
+            continue;
+        };
+        let declared = declarators.start as usize..(declarators.start + declarators.len) as usize;
+        let declared = program.declared.get(declared).unwrap_or(&[]);
+        found.extend(declared.iter().flatten().map(|id| (*id, qualifiers)));
+    }
+    found
+}
+
+/// The number of `layout(location = n)`.
+fn explicit(program: &Program, qualifiers: List) -> Option<u32> {
+    let tree = &program.tree;
+    let layouts = tree
+        .qualifiers(qualifiers)
+        .iter()
+        .filter_map(|q| match q.kind {
+            QualifierKind::Layout(entries) => Some(tree.layout(entries)),
+            _ => None,
+        });
+    let mut entries = layouts.flatten();
+    let entry = entries.find(|e| program.names.text(e.ident.name) == "location")?;
+    u32::try_from(entry.value?.value).ok()
+}
+
+/// A stage as hosts know it.
+pub(super) const fn stage_name(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Vertex => "vertex",
+        Stage::Fragment => "fragment",
+    }
+}
+
+/// What the host calls.
+pub(super) const fn entry_name(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Vertex => "vertex_main",
+        Stage::Fragment => "fragment_main",
+    }
+}

@@ -1,0 +1,254 @@
+//! Variables of the language, which the stage gives and takes beside those of the shader.
+
+use super::body::{Body, Bound};
+use super::lower::{FirstRow, Lowerer};
+use super::port::location;
+use super::types::Sink;
+use super::write::TargetLanguage;
+use super::{Res, Value};
+use crate::ir::Access;
+use crate::semantic::{Scalar, Stage, Type, VariableId};
+use ::naga::{BinaryOperator as Op, Binding, BuiltIn, Expression, GlobalVariable, Handle};
+
+/// One of them, in a module.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Special {
+    /// The variable of the shader.
+    id: VariableId,
+    /// Where it is kept while the shader runs.
+    global: Handle<GlobalVariable>,
+}
+
+/// Something that leaves the stage.
+pub(super) struct Leaving {
+    /// Its name.
+    pub(super) name: String,
+    /// Its value.
+    pub(super) value: Value,
+    /// Its type.
+    pub(super) ty: Type,
+    /// Where it goes.
+    pub(super) binding: Binding,
+}
+
+const VEC4: Type = Type::vector(Scalar::Float, 4);
+
+impl Lowerer<'_> {
+    /// Whether points have a size: elsewhere they are one pixel.
+    fn has_points(&self) -> bool {
+        matches!(self.language, TargetLanguage::Spirv | TargetLanguage::Msl)
+    }
+
+    /// Says something once.
+    fn note(&mut self, text: &str) {
+        if !self.interface.notes.iter().any(|n| n == text) {
+            self.interface.notes.push(text.to_string());
+        }
+    }
+
+    /// A variable of the language as one of the module.
+    fn special(&mut self, id: VariableId, name: &'static str, ty: Type) -> Res<Special> {
+        if let Some(found) = self.specials.get(name) {
+            return Ok(*found);
+        }
+        let ty = self.ty(ty)?;
+        let global = self.private(name, ty);
+        let special = Special { id, global };
+        self.specials.insert(name, special);
+        Ok(special)
+    }
+}
+
+impl Body<'_, '_> {
+    /// What a variable of the language is in this function.
+    pub(super) fn special(&mut self, id: VariableId) -> Res<Bound> {
+        let name = self.lowerer.name(id).unwrap_or_default();
+        let ty = self.lowerer.form.variable(id).map_or(Type::ERROR, |v| v.ty);
+        let name = match name {
+            "gl_FragCoord" => "gl_FragCoord",
+            "gl_FrontFacing" => "gl_FrontFacing",
+            "gl_FragDepth" => "gl_FragDepth",
+            "gl_FragColor" => "gl_FragColor",
+            "gl_FragData" => "gl_FragData",
+            "gl_Position" => "gl_Position",
+            "gl_VertexID" => "gl_VertexID",
+            "gl_InstanceID" => "gl_InstanceID",
+            "gl_PointSize" => {
+                if !self.lowerer.has_points() {
+                    self.lowerer
+                        .note("gl_PointSize has no counterpart: points are one pixel");
+                }
+                "gl_PointSize"
+            }
+            "gl_PointCoord" if self.lowerer.has_points() => "gl_PointCoord",
+            "gl_PointCoord" => {
+                self.lowerer
+                    .note("gl_PointCoord is 0.5: points are one pixel");
+                let middle = self.float(0.5);
+                return Ok(Bound::Value(self.splat(middle, ty)));
+            }
+            "gl_DepthRange" => {
+                self.lowerer
+                    .note("gl_DepthRange is that of WebGL from the start: 0 to 1");
+                // The struct has the members that the text speaks of.
+                let program = self.lowerer.program;
+                let fields = program.struct_of(ty).map_or(&[][..], |s| &s.fields);
+                let value = |name: &str| if name == "near" { 0.0 } else { 1.0 };
+                let values = fields.iter().map(|f| value(program.names.text(f.name)));
+                let values = values.map(|v| self.float(v)).collect();
+                return self.compose(ty, values).map(Bound::Value);
+            }
+            other => {
+                let message = format!("`{other}` has no counterpart in the other languages");
+                return self.lowerer.refuse(message);
+            }
+        };
+        let special = self.lowerer.special(id, name, ty)?;
+        Ok(Bound::Pointer(
+            self.add(Expression::GlobalVariable(special.global)),
+        ))
+    }
+
+    /// Takes what the stage gives.
+    pub(super) fn take_specials(&mut self) -> Res<()> {
+        for name in [
+            "gl_FragCoord",
+            "gl_FrontFacing",
+            "gl_PointCoord",
+            "gl_VertexID",
+            "gl_InstanceID",
+        ] {
+            let Some(special) = self.lowerer.specials.get(name).copied() else {
+                continue;
+            };
+            let (argument, ty, binding) = match name {
+                "gl_FragCoord" => ("position", VEC4, BuiltIn::Position { invariant: false }),
+                "gl_FrontFacing" => ("front", Type::BOOL, BuiltIn::FrontFacing),
+                "gl_PointCoord" => ("point", Type::vector(Scalar::Float, 2), BuiltIn::PointCoord),
+                "gl_VertexID" => ("vertex", Type::UINT, BuiltIn::VertexIndex),
+                _ => ("instance", Type::UINT, BuiltIn::InstanceIndex),
+            };
+            let ty = self.lowerer.ty(ty)?;
+            let mut value = self.argument(argument, ty);
+            self.bind(Binding::BuiltIn(binding));
+            match binding {
+                BuiltIn::Position { .. } => value = self.position(value)?,
+                BuiltIn::VertexIndex | BuiltIn::InstanceIndex => {
+                    value = self.convert(value, Scalar::Int);
+                }
+                _ => {}
+            }
+            let to = self.add(Expression::GlobalVariable(special.global));
+            self.store(to, value);
+        }
+        Ok(())
+    }
+
+    /// The position of a pixel as OpenGL has it: rows are counted from below, and the last component
+    /// is the inverse of what Direct3D gives.
+    fn position(&mut self, at: Value) -> Res<Value> {
+        let is_turned = self.lowerer.origin == FirstRow::Picture;
+        let is_inverse = self.lowerer.language == TargetLanguage::Hlsl;
+        if !is_turned && !is_inverse {
+            return Ok(at);
+        }
+        let mut parts: Vec<Value> = (0..4).map(|i| self.part(at, i)).collect();
+        let [_, y, _, w] = &mut parts[..] else {
+            return self.lowerer.refuse("a position has four parts");
+        };
+        if is_turned {
+            let height = self.height()?;
+            *y = self.op(Op::Subtract, height, *y);
+        }
+        if is_inverse {
+            let one = self.float(1.0);
+            *w = self.op(Op::Divide, one, *w);
+        }
+        self.compose(VEC4, parts)
+    }
+
+    /// What leaves the stage beside the variables of the shader.
+    pub(super) fn leaving_specials(&mut self) -> Res<Vec<Leaving>> {
+        let mut found = Vec::new();
+        if self.lowerer.program.stage == Stage::Vertex {
+            found.push(self.leaving_position()?);
+        }
+        for name in ["gl_PointSize", "gl_FragColor", "gl_FragDepth"] {
+            let Some(special) = self.lowerer.specials.get(name).copied() else {
+                continue;
+            };
+            let (ty, binding) = match name {
+                "gl_FragColor" => (VEC4, location(0, None)),
+                "gl_FragDepth" => (Type::FLOAT, Binding::BuiltIn(BuiltIn::FragDepth)),
+                _ if !self.lowerer.has_points() => continue,
+                _ => (Type::FLOAT, Binding::BuiltIn(BuiltIn::PointSize)),
+            };
+            let from = self.add(Expression::GlobalVariable(special.global));
+            let value = self.load(from);
+            found.push(Leaving {
+                name: name.to_string(),
+                value,
+                ty,
+                binding,
+            });
+        }
+        if let Some(special) = self.lowerer.specials.get("gl_FragData").copied() {
+            for i in self.elements_written(special.id) {
+                let all = self.add(Expression::GlobalVariable(special.global));
+                let from = self.part(all, i);
+                let value = self.load(from);
+                found.push(Leaving {
+                    name: format!("gl_FragData[{i}]"),
+                    value,
+                    ty: VEC4,
+                    binding: location(i, None),
+                });
+            }
+        }
+        Ok(found)
+    }
+
+    /// Where the vertex lies; the depth of OpenGL goes from -1, that of the others from 0.
+    fn leaving_position(&mut self) -> Res<Leaving> {
+        let at = match self.lowerer.specials.get("gl_Position").copied() {
+            Some(special) => {
+                let from = self.add(Expression::GlobalVariable(special.global));
+                self.load(from)
+            }
+            None => self.zero(VEC4)?,
+        };
+        let mut parts: Vec<Value> = (0..4).map(|i| self.part(at, i)).collect();
+        let [_, _, z, w] = &mut parts[..] else {
+            return self.lowerer.refuse("a position has four parts");
+        };
+        let sum = self.op(Op::Add, *z, *w);
+        let half = self.float(0.5);
+        *z = self.op(Op::Multiply, sum, half);
+        let value = self.compose(VEC4, parts)?;
+        self.lowerer
+            .note("gl_Position: the depth from -1 to 1 becomes that from 0 to 1");
+        if self.lowerer.language == TargetLanguage::Spirv {
+            self.lowerer
+                .note("gl_Position: y points up as in OpenGL, and is turned for Vulkan");
+        }
+        Ok(Leaving {
+            name: "position".to_string(),
+            value,
+            ty: VEC4,
+            binding: Binding::BuiltIn(BuiltIn::Position { invariant: false }),
+        })
+    }
+
+    /// The elements of an array that are written, as far as they are told by their numbers.
+    fn elements_written(&self, id: VariableId) -> Vec<u32> {
+        let form = self.lowerer.form;
+        let mut found = std::collections::BTreeSet::new();
+        for place in form.places.iter().filter(|p| p.variable == id) {
+            match form.path(place).first() {
+                Some(Access::Element(i)) => _ = found.insert(*i),
+                _ => found.extend(0..form.variable(id).map_or(0, |v| v.ty.array)),
+            }
+        }
+        found.into_iter().collect()
+    }
+}

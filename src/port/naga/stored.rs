@@ -1,0 +1,322 @@
+//! How uniforms lie in buffers: as `std140` says (OpenGL ES 3.0, section 2.12.6.4), which all four
+//! languages can say too, some with room that they do not take by themselves.
+
+use super::body::Body;
+use super::interface::{BufferMember, Repeated};
+use super::lower::Lowerer;
+use super::{Res, Value};
+use crate::ir::Lanes;
+use crate::semantic::{Scalar, Type};
+use ::naga::{ArraySize, Handle, StructMember, TypeInner};
+use std::num::NonZeroU32;
+
+/// A type as it lies in a buffer.
+#[derive(Clone, Copy)]
+pub(super) struct Stored {
+    /// The type.
+    pub(super) ty: Handle<::naga::Type>,
+    /// In bytes.
+    pub(super) size: u32,
+    /// In bytes.
+    align: u32,
+    /// Whether it is a struct, or an array of them: the languages would put it closer.
+    is_record: bool,
+}
+
+/// Where a field of a struct lies.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Field {
+    /// The number of the member.
+    pub(super) member: u32,
+    /// In bytes from the start of the struct.
+    pub(super) offset: u32,
+}
+
+/// What arrays, structs and matrices start at.
+const ROW: u32 = 16;
+
+/// The members of a struct that is being laid out.
+#[derive(Default)]
+pub(super) struct Packing {
+    members: Vec<StructMember>,
+    offset: u32,
+}
+
+impl Packing {
+    /// Puts a member behind the others.
+    pub(super) fn add(&mut self, lowerer: &mut Lowerer, name: &str, stored: Stored) -> Res<Field> {
+        if stored.is_record {
+            self.pad(lowerer)?;
+        }
+        let offset = self.offset.next_multiple_of(stored.align);
+        let member = self.members.len() as u32;
+        self.members.push(StructMember {
+            name: Some(name.to_string()),
+            ty: stored.ty,
+            binding: None,
+            offset,
+        });
+        self.offset = offset.saturating_add(stored.size);
+        Ok(Field { member, offset })
+    }
+
+    /// Fills up to where a struct may start.
+    fn pad(&mut self, lowerer: &mut Lowerer) -> Res<()> {
+        let ty = lowerer.ty(Type::UINT)?;
+        self.offset = self.offset.next_multiple_of(4);
+        while !self.offset.is_multiple_of(ROW) {
+            self.members.push(StructMember {
+                name: Some("padding".to_string()),
+                ty,
+                binding: None,
+                offset: self.offset,
+            });
+            self.offset += 4;
+        }
+        Ok(())
+    }
+
+    /// The struct.
+    pub(super) fn finish(mut self, lowerer: &mut Lowerer, name: Option<String>) -> Res<Stored> {
+        self.pad(lowerer)?;
+        let size = self.offset.max(ROW);
+        let (members, span) = (self.members, size);
+        let ty = lowerer.inner(name, TypeInner::Struct { members, span });
+        Ok(Stored {
+            ty,
+            size,
+            align: ROW,
+            is_record: true,
+        })
+    }
+
+    /// Whether nothing lies in it.
+    pub(super) fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+}
+
+impl Lowerer<'_> {
+    /// How values of a type lie in a buffer.
+    pub(super) fn stored(&mut self, ty: Type) -> Res<Stored> {
+        if ty.is_array() {
+            let element = ty.element();
+            let stored = match element.numeric() {
+                Some((scalar, 1, 1 | 2)) => self.stored(Type::vector(scalar, 4))?,
+                _ => self.stored(element)?,
+            };
+            return self.rows(stored, ty.array);
+        }
+        let Some((scalar, columns, rows)) = ty.numeric() else {
+            return self.stored_record(ty);
+        };
+        let scalar = match scalar {
+            Scalar::Bool => Scalar::Uint,
+            other => other,
+        };
+        match (columns, rows) {
+            (1, _) => Ok(Stored {
+                ty: self.ty(Type::vector(scalar, rows))?,
+                size: 4 * u32::from(rows),
+                align: 4 * u32::from(rows).next_power_of_two(),
+                is_record: false,
+            }),
+            (_, 2) => {
+                let column = self.stored(Type::vector(scalar, 4))?;
+                self.rows(column, columns.into())
+            }
+            _ => Ok(Stored {
+                ty: self.ty(ty)?,
+                size: ROW * u32::from(columns),
+                align: ROW,
+                is_record: false,
+            }),
+        }
+    }
+
+    /// An array, each element of which starts at a row.
+    fn rows(&mut self, element: Stored, count: u32) -> Res<Stored> {
+        let Some(size) = NonZeroU32::new(count).filter(|n| n.get() != Type::UNSIZED) else {
+            return self.refuse("the size of this array is not known");
+        };
+        let stride = element.size.next_multiple_of(ROW);
+        let ty = self.inner(
+            None,
+            TypeInner::Array {
+                base: element.ty,
+                size: ArraySize::Constant(size),
+                stride,
+            },
+        );
+        Ok(Stored {
+            ty,
+            size: stride.saturating_mul(count),
+            align: ROW,
+            is_record: element.is_record,
+        })
+    }
+
+    fn stored_record(&mut self, ty: Type) -> Res<Stored> {
+        if let Some((stored, _)) = self.uniforms.records.get(&ty) {
+            return Ok(*stored);
+        }
+        let program = self.program;
+        let Some(found) = program.struct_of(ty) else {
+            return self.refuse("this has no place among the uniforms");
+        };
+        let mut packing = Packing::default();
+        let mut fields = Vec::new();
+        for field in &found.fields {
+            // What is looked into stands elsewhere.
+            fields.push(match field.ty.is_sampler() {
+                true => None,
+                false => {
+                    let stored = self.stored(field.ty)?;
+                    let name = program.names.text(field.name);
+                    Some(packing.add(self, name, stored)?)
+                }
+            });
+        }
+        if packing.is_empty() {
+            let room = self.stored(Type::UINT)?;
+            packing.add(self, "padding", room)?;
+        }
+        let name = found.name.map(|n| program.names.text(n));
+        let name = format!("{}Layout", name.unwrap_or("Struct"));
+        let stored = packing.finish(self, Some(name))?;
+        self.uniforms.records.insert(ty, (stored, fields));
+        Ok(stored)
+    }
+
+    /// Where the fields of a struct or block lie that was laid out before.
+    pub(super) fn stored_fields(&self, ty: Type) -> &[Option<Field>] {
+        let record = self.uniforms.records.get(&ty);
+        record.map_or(&[], |(_, fields)| fields)
+    }
+
+    /// Names what lies in a buffer.
+    pub(super) fn list(&mut self, name: &str, ty: Type, offset: u32, into: &mut Vec<BufferMember>) {
+        let program = self.program;
+        let element = ty.element();
+        let Some((_, columns, _)) = element.numeric() else {
+            let Some(found) = program.struct_of(element) else {
+                return;
+            };
+            let size = self.uniforms.records.get(&element).map_or(0, |r| r.0.size);
+            for i in 0..ty.array.max(1) {
+                let base = match ty.is_array() {
+                    true => format!("{name}[{i}]"),
+                    false => name.to_string(),
+                };
+                for (n, field) in found.fields.iter().enumerate() {
+                    let place = self.stored_fields(element).get(n).copied().flatten();
+                    if let Some(place) = place {
+                        let own = program.names.text(field.name);
+                        let inner = match base.is_empty() {
+                            true => own.to_string(),
+                            false => format!("{base}.{own}"),
+                        };
+                        let at = offset + i * size + place.offset;
+                        self.list(&inner, field.ty, at, into);
+                    }
+                }
+            }
+            return;
+        };
+        let spread = |count: u32, stride| Repeated { count, stride };
+        into.push(BufferMember {
+            name: name.to_string(),
+            ty: program.type_name(element),
+            offset,
+            array: (ty.is_array()).then(|| spread(ty.array, ROW * u32::from(columns))),
+            columns: (columns > 1).then(|| spread(columns.into(), ROW)),
+        });
+    }
+}
+
+/// A place in a buffer.
+#[derive(Clone, Copy)]
+pub(super) struct Held {
+    /// What points at it.
+    pub(super) at: Value,
+    /// The type of the shader's value there.
+    pub(super) ty: Type,
+    /// Whether that is the first part of four numbers.
+    pub(super) is_wide: bool,
+}
+
+impl Held {
+    /// What lies at a pointer.
+    pub(super) fn new(at: Value, ty: Type) -> Held {
+        Held {
+            at,
+            ty,
+            is_wide: false,
+        }
+    }
+}
+
+impl Body<'_, '_> {
+    /// A field of a struct or block.
+    pub(super) fn held_field(&mut self, held: Held, index: u32) -> Res<Held> {
+        let program = self.lowerer.program;
+        let fields = self.lowerer.stored_fields(held.ty);
+        let place = fields.get(index as usize).copied().flatten();
+        let found = program.struct_of(held.ty);
+        match (place, found.and_then(|s| s.fields.get(index as usize))) {
+            (Some(place), Some(field)) => {
+                let at = self.part(held.at, place.member);
+                Ok(Held::new(at, field.ty))
+            }
+            _ => self.lowerer.refuse("a sampler is no value here"),
+        }
+    }
+
+    /// An element, a column or a component.
+    pub(super) fn held_part(&self, held: Held, at: Value) -> Held {
+        let (ty, is_row) = match held.ty.numeric() {
+            _ if held.ty.is_array() => (held.ty.element(), true),
+            Some((scalar, 2.., rows)) => (Type::vector(scalar, rows), true),
+            Some((scalar, ..)) => (Type::scalar(scalar), false),
+            None => (Type::ERROR, false),
+        };
+        let is_wide = is_row && matches!(ty.numeric(), Some((_, 1, 1 | 2)));
+        Held { at, ty, is_wide }
+    }
+
+    /// The value of the shader that lies at a place.
+    pub(super) fn unpack(&mut self, held: Held) -> Res<Value> {
+        self.check_limits()?;
+        let ty = held.ty;
+        let count = match (ty.is_array(), ty.numeric()) {
+            (true, _) => ty.array,
+            (false, None) => {
+                let fields = self.lowerer.stored_fields(ty).len() as u32;
+                let fields = (0..fields).map(|i| {
+                    let field = self.held_field(held, i)?;
+                    self.unpack(field)
+                });
+                let fields = fields.collect::<Res<Vec<_>>>()?;
+                return self.compose(ty, fields);
+            }
+            (false, Some((_, columns @ 2.., 2))) => columns.into(),
+            (false, Some((scalar, _, rows))) => {
+                let mut value = self.load(held.at);
+                if held.is_wide {
+                    value = self.swizzle(value, Lanes::new(0..rows));
+                }
+                return Ok(match scalar {
+                    Scalar::Bool => self.convert(value, Scalar::Bool),
+                    _ => value,
+                });
+            }
+        };
+        let parts = (0..count).map(|i| {
+            let at = self.part(held.at, i);
+            let part = self.held_part(held, at);
+            self.unpack(part)
+        });
+        let parts = parts.collect::<Res<Vec<_>>>()?;
+        self.compose(ty, parts)
+    }
+}

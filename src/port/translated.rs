@@ -1,0 +1,178 @@
+//! The files of the languages that naga writes: of the passes of a project, and of whole shaders of
+//! both stages, whatever their uniforms mean.
+
+use super::build::{Build, BuildError, File, Order, Remark, file, named};
+use super::naga::{FirstRow, LowerOptions, Refused, TranslatedShader, lower, translate, write};
+use super::{Composed, Project};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::semantic::{Checked, Dialect, GuessedKind, Stage, Unit, Wholeness, analyze, guess};
+use crate::text::{Role, Sources};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Each pass in another language; those that have no place there are told of.
+pub(super) fn translated(
+    order: Order,
+    project: &Project,
+    composed: &Composed,
+) -> Result<Build, BuildError> {
+    let Some(language) = order.target.language() else {
+        return Ok(Build::default());
+    };
+    let mut made = Vec::new();
+    for unit in &composed.units {
+        if let Some(pass) = project.passes.get(unit.pass) {
+            made.push(Made {
+                title: pass.title(unit.pass),
+                slug: pass.slug().to_string(),
+                outcome: translate(project, composed, unit, language),
+            });
+        }
+    }
+    files(order, made)
+}
+
+/// A whole shader, which brings its own uniforms and `main`.
+pub struct WholeShader {
+    /// The path that the user gave.
+    pub path: String,
+    /// Its stage.
+    pub stage: Stage,
+    /// What is known of it.
+    pub checked: Checked,
+}
+
+/// Whole shaders of one program.
+pub struct WholeShaders {
+    /// Their texts.
+    pub sources: Arc<Sources>,
+    /// The shaders.
+    pub shaders: Vec<WholeShader>,
+}
+
+/// Checks shaders, given with path and stage, where all of them are whole: they have a `#version`, or
+/// compile as WebGL1.
+pub fn whole_shaders(files: Vec<(String, String, Option<Stage>)>) -> Option<WholeShaders> {
+    let mut sources = Sources::new();
+    let mut added = Vec::new();
+    for (path, code, stage) in files {
+        let told = guess(&code);
+        let kind = told.kind?;
+        let stage = stage.or(told.stage).unwrap_or(Stage::Fragment);
+        let file = sources.add(path.clone(), None, Role::User, code)?;
+        added.push((path, kind, stage, file));
+    }
+    let sources = Arc::new(sources);
+    let mut shaders = Vec::new();
+    for (path, kind, stage, file) in added {
+        let checked = analyze(&Unit {
+            sources: &sources,
+            files: &[file],
+            stage,
+            dialect: Dialect::WebGl,
+            infer_channels: false,
+            wholeness: Wholeness::Whole,
+        });
+        let is_whole = match kind {
+            GuessedKind::Versioned => true,
+            // What a host completes may look like this too.
+            GuessedKind::WebGl1 => !is_wrong(&checked),
+            _ => false,
+        };
+        if !is_whole {
+            return None;
+        }
+        shaders.push(WholeShader {
+            path,
+            stage,
+            checked,
+        });
+    }
+    Some(WholeShaders { sources, shaders })
+}
+
+fn is_wrong(checked: &Checked) -> bool {
+    let is_error = |d: &Diagnostic| d.severity == Severity::Error;
+    checked.diagnostics.iter().any(is_error)
+}
+
+/// Whole shaders in another language. The varyings of a vertex and a fragment shader that are given
+/// together have the same numbers.
+///
+/// # Errors
+/// Where several shaders are to go into one file.
+pub fn translate_shaders(order: Order, all: &WholeShaders) -> Result<Build, BuildError> {
+    let Some(language) = order.target.language() else {
+        return Ok(Build::default());
+    };
+    let mut vertices = all.shaders.iter().filter(|s| s.stage == Stage::Vertex);
+    let vertex = match (vertices.next(), vertices.next()) {
+        (Some(only), None) => Some(&only.checked.program),
+        _ => None,
+    };
+    let mut made = Vec::new();
+    for shader in &all.shaders {
+        let options = LowerOptions {
+            language,
+            first_row: FirstRow::Picture,
+            vertex,
+        };
+        let outcome = match is_wrong(&shader.checked) {
+            true => Ok(None),
+            false => lower(&shader.checked.program, options).and_then(|lowered| {
+                let text = write(&lowered, &[])?;
+                let interface = lowered.interface;
+                Ok(Some(TranslatedShader { text, interface }))
+            }),
+        };
+        let name = Path::new(&shader.path).file_name();
+        made.push(Made {
+            title: shader.path.clone(),
+            slug: name.map_or(String::new(), |n| n.to_string_lossy().into_owned()),
+            outcome,
+        });
+    }
+    files(order, made)
+}
+
+/// What came of a shader.
+struct Made {
+    title: String,
+    slug: String,
+    outcome: Result<Option<TranslatedShader>, Refused>,
+}
+
+/// The files of all shaders; none where one is refused.
+fn files(order: Order, all: Vec<Made>) -> Result<Build, BuildError> {
+    let mut remarks = Vec::new();
+    let mut passes = Vec::new();
+    let mut interfaces = Vec::new();
+    for made in all {
+        match made.outcome {
+            Ok(Some(done)) => {
+                passes.push((made.title, made.slug, done.text));
+                interfaces.push(done.interface);
+            }
+            // The compiler's own errors are told anyway.
+            Ok(None) => {}
+            Err(refused) => remarks.push(Remark::refused(made.title, &refused)),
+        }
+    }
+    if !remarks.is_empty() {
+        let files = Vec::new();
+        return Ok(Build { files, remarks });
+    }
+    let ending = order.target.language().map_or("", |l| l.ending());
+    let mut files = named(order, passes, ending)?;
+    if order.interface {
+        let told = files.iter().zip(&interfaces).map(|(shader, interface)| {
+            let mut path = shader.path.clone().into_os_string();
+            path.push(".json");
+            let text = serde_json::to_string_pretty(interface).unwrap_or_default();
+            file(Path::new(&path), text + "\n")
+        });
+        let told: Vec<File> = told.collect();
+        files.extend(told);
+    }
+    Ok(Build { files, remarks })
+}
