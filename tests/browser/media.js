@@ -18,17 +18,17 @@ async function show(context, name, width, height, what, sampler, code) {
   return opened;
 }
 
-/** The bytes of an input's texture, by rows from its first. */
-function texels(page) {
-  return page.evaluate(() => {
+/** The bytes of a square of an input's texture, by rows from its first. */
+function texels(page, side = 256) {
+  return page.evaluate((length) => {
     const { gl, inputs } = globalThis.shaderport.player;
-    const { texture, size } = inputs.flat().find((i) => i.texture);
+    const { texture } = inputs.flat().find((i) => i.texture);
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-    const bytes = new Uint8Array(size[0] * size[1] * 4);
-    gl.readPixels(0, 0, size[0], size[1], gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    const bytes = new Uint8Array(length * length * 4);
+    gl.readPixels(0, 0, length, length, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     return Array.from(bytes);
-  });
+  }, side);
 }
 
 const mean = (numbers) => numbers.reduce((a, b) => a + b, 0) / numbers.length;
@@ -127,13 +127,13 @@ async function dithering(context) {
 /** How much lies in slow changes: the spread of the means of blocks, against that of white noise. */
 async function blueNoise(context) {
   const { page } = await show(context, 'blue', 64, 36, ['texture', 'XsBSR3']);
-  const bytes = await texels(page);
-  const values = moved(bytes, 1024, 0);
+  const bytes = await texels(page, 256);
+  const values = moved(bytes, 256, 0);
   const deciles = new Array(8).fill(0);
   values.forEach((v) => deciles[v >> 5]++);
   deciles.forEach((n) => assert.ok(Math.abs(n / values.length - 0.125) < 0.03, `${deciles}`));
-  const sums = new Array(128 * 128).fill(0);
-  values.forEach((v, i) => (sums[(Math.floor(i / 1024) >> 3) * 128 + ((i % 1024) >> 3)] += v / 64));
+  const sums = new Array(32 * 32).fill(0);
+  values.forEach((v, i) => (sums[(Math.floor(i / 256) >> 3) * 32 + ((i % 256) >> 3)] += v / 64));
   assert.ok(spread(sums) < 0.5 * (spread(values) / 8), `${spread(sums)} of ${spread(values) / 8}`);
 }
 

@@ -137,6 +137,50 @@ async function three(context) {
   assert.equal(differences(drawn, expected), 0, 'other pixels than the reference player');
 }
 
+/** What stands for files is the same in three.js as on a page: a texture, a volume and a cube map. */
+async function threeStandIns(context) {
+  const input = (channel, type, id) => ({ id, type, channel, sampler: { filter: 'nearest', wrap: 'repeat', vflip: 'true' } });
+  const code = `void mainImage(out vec4 O, vec2 U) {
+  O = texelFetch(iChannel0, ivec2(U), 0);
+  if (U.x > 20.0) O = vec4(texelFetch(iChannel1, ivec3(U, 3), 0).r);
+  if (U.x > 40.0) O = texture(iChannel2, vec3(U / iResolution.xy - 0.5, 0.3));
+  O.b = iChannelResolution[0].x / 256.0 * O.b;
+}`;
+  const inputs = [input(0, 'texture', 'Xsf3zn'), input(1, 'volume', '4sfGRr'), input(2, 'cubemap', 'XsX3zn')];
+  const toy = { info: {}, renderpass: [{ type: 'image', code, inputs, outputs: [] }] };
+  const file = put('three_media.json', JSON.stringify(toy));
+  shaderport(file, '-t', 'three', '-o', 'three_media.js', '--force');
+  shaderport(file, '-o', 'media_module.js', '--force');
+  const { page, complaints } = await host(context, `
+    import { createShader } from './three_media.js';
+    import { mount } from './media_module.js';
+    import { Camera, Mesh, PlaneGeometry, Scene, WebGLRenderer } from 'three';
+    const canvas = document.querySelector('canvas');
+    const renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
+    renderer.setPixelRatio(1);
+    renderer.setSize(64, 36, false);
+    const shader = createShader();
+    const scene = new Scene();
+    const mesh = new Mesh(new PlaneGeometry(2, 2), shader.material);
+    mesh.frustumCulled = false;
+    scene.add(mesh);
+    shader.update(renderer, { time: 0 });
+    renderer.render(scene, new Camera());
+    const read = (gl) => {
+      const bytes = new Uint8Array(64 * 36 * 4);
+      gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      return Array.from(bytes).map((v, i) => (i % 4 === 3 ? 255 : v));
+    };
+    const drawn = read(renderer.getContext());
+    const other = document.createElement('canvas');
+    await mount(other, { size: [64, 36], paused: true }).renderFrame(0);
+    globalThis.both = [drawn, read(other.getContext('webgl2'))];`);
+  await page.waitForFunction(() => globalThis.both, null, { timeout: 30000 }).catch(() => {});
+  assert.deepEqual(complaints, []);
+  const [drawn, expected] = await page.evaluate(() => globalThis.both);
+  assert.equal(differences(drawn, expected), 0);
+}
+
 async function react(context) {
   const test = named('time, resolution');
   shaderport(put('react.json', JSON.stringify(test.shader)), '-t', 'react', '-o', 'Shader.js', '--force');
@@ -208,5 +252,6 @@ export const moduleTests = [
   { name: 'module: mount draws the same pixels, twice on one page', run: mount },
   { name: 'module: what cannot be done says so or does nothing', run: misuse },
   { name: 'module: three.js draws the same pixels', run: three },
+  { name: 'module: three.js draws the same stand-ins', run: threeStandIns },
   { name: 'module: a React component plays, pauses and goes', run: react },
 ];

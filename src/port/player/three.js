@@ -3,7 +3,8 @@
 import {
   Box2, BufferAttribute, BufferGeometry, Camera, ClampToEdgeWrapping, DataTexture, FloatType, GLSL3,
   LinearFilter, LinearMipmapLinearFilter, Mesh, NearestFilter, RawShaderMaterial, RepeatWrapping,
-  RGBAFormat, Scene, Vector2, Vector3, Vector4, WebGLRenderTarget,
+  RedFormat, RGBAFormat, Scene, Vector2, Vector3, Vector4, WebGL3DRenderTarget, WebGLCubeRenderTarget,
+  WebGLRenderTarget,
 } from 'three';
 
 const VERTEX = `in vec3 position;
@@ -71,6 +72,37 @@ function setBufferSampling(renderer, texture, input) {
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrap);
 }
 
+/** The target for what stands for a file that is not at hand. */
+function standInTarget(input) {
+  const [width, height, depth] = input.size;
+  const options = { depthBuffer: false, format: input.gray ? RedFormat : RGBAFormat };
+  let target = null;
+  if (input.kind === 'cubemap') target = new WebGLCubeRenderTarget(width, options);
+  else if (input.kind === 'volume') target = new WebGL3DRenderTarget(width, height, depth, options);
+  else target = new WebGLRenderTarget(width, height, options);
+  setSampling(target.texture, input);
+  target.texture.wrapR = target.texture.wrapS;
+  return target;
+}
+
+/** What draws it; a film is drawn anew before each frame. */
+function standInMaterial(input) {
+  const { text } = PROJECT.media.find((m) => m.name === input.standIn);
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: VERTEX,
+    fragmentShader: text.replace(/^#version 300 es\n/, ''),
+    uniforms: {
+      size: { value: new Vector2(input.size[0], input.size[1]) },
+      flip: { value: input.vflip },
+      layer: { value: 0 },
+      time: { value: 0 },
+    },
+    depthTest: false,
+    depthWrite: false,
+  });
+}
+
 /** Whether some channel reads a buffer with mipmaps. */
 function hasMipmaps(pass) {
   const reads = (i) => i?.kind === 'buffer' && PROJECT.passes[i.buffer] === pass;
@@ -97,6 +129,50 @@ function makeTargets(renderer, pass, width, height) {
   });
 }
 
+/** Draws what stands for files with the mesh that draws the buffers. */
+function standInPainter(materials, mesh, scene, camera) {
+  const made = new Map();
+
+  /** Draws what stands for an input's file, the first time and whenever it moves. */
+  function textureOf(renderer, input, time) {
+    const known = made.get(input);
+    const own = known ?? { target: standInTarget(input), material: standInMaterial(input) };
+    made.set(input, own);
+    if (known && input.kind !== 'video') return own.target.texture;
+    const { uniforms } = own.material;
+    const layers = input.kind === 'cubemap' ? 6 : input.size[2];
+    uniforms.time.value = time;
+    mesh.material = own.material;
+    for (let layer = 0; layer < layers; layer++) {
+      uniforms.layer.value = layer;
+      renderer.setRenderTarget(own.target, layer);
+      renderer.render(scene, camera);
+    }
+    return own.target.texture;
+  }
+
+  /** Draws those of all passes, and puts them onto their channels. */
+  function draw(renderer, time) {
+    for (const [pass, { uniforms }] of materials) {
+      pass.inputs.forEach((input, channel) => {
+        if (!input?.standIn || input.kind === 'music') return;
+        uniforms[`iChannel${channel}`].value = textureOf(renderer, input, time);
+        if (input.kind !== 'cubemap') uniforms.iChannelResolution.value[channel].fromArray(input.size);
+        if (input.kind === 'video') uniforms.iChannelTime.value[channel] = time;
+      });
+    }
+  }
+
+  function dispose() {
+    made.forEach(({ target, material }) => {
+      target.dispose();
+      material.dispose();
+    });
+  }
+
+  return { draw, dispose };
+}
+
 /**
  * The shader for three.js: `material` paints the Image over whatever mesh it is on, in the
  * coordinates of the screen; `update` sets its uniforms and draws the buffers, before each frame.
@@ -116,6 +192,7 @@ export function createShader() {
   const mesh = new Mesh(triangle);
   mesh.frustumCulled = false;
   scene.add(mesh);
+  const standIns = standInPainter(materials, mesh, scene, camera);
   let frame = 0;
 
   /** Buffers of this size; what lies in the lower left corner of both sizes stays. */
@@ -185,6 +262,7 @@ export function createShader() {
       // What a shader discards stays as it was two frames ago.
       renderer.autoClear = false;
       resize(renderer, w, h);
+      standIns.draw(renderer, time);
       for (const pass of buffers) {
         const pair = targets.get(pass);
         bind(renderer, pass, w, h);
@@ -206,6 +284,7 @@ export function createShader() {
     },
     dispose() {
       materials.forEach((m) => m.dispose());
+      standIns.dispose();
       targets.forEach((pair) => pair.forEach((t) => t.dispose()));
       triangle.dispose();
     },
