@@ -23,6 +23,7 @@ mod payload;
 mod project;
 mod repair;
 mod rewrite;
+mod same;
 mod script;
 mod signature;
 mod single;

@@ -1,16 +1,22 @@
 //! `mainImage` as the `main` of a plain WebGL2 shader: its first parameter becomes the output
 //! variable, its second `gl_FragCoord.xy`.
 //!
-//! That is done only where it draws the same picture; everywhere else the reason is told, and the
-//! pass stays behind the player's header.
+//! That is done only where it is proved to draw the same picture: what comes of it is checked again,
+//! and its `main` compared with what `mainImage` was, operation by operation. Everywhere else the
+//! reason is told, and the pass stays behind the player's header.
 
 use super::glsl::signed;
+use super::same::{Added, Lowered, is_same};
 use super::{Composed, PassUnit, Project, Wrapper};
-use crate::semantic::{Pass, Program, Stage, builtins::Builtins};
-use crate::syntax::ast::{
-    Expr, ExprId, ExprKind, FunctionDecl, Param, QualifierKind, StmtKind, TokenId, TypeBase,
+use crate::ir::lower;
+use crate::semantic::{
+    Dialect, FunctionRef, Pass, Program, Stage, Unit, Wholeness, analyze, builtins::Builtins,
 };
-use crate::text::{Edit, Role, Span, apply_edits};
+use crate::syntax::ast::{
+    Expr, ExprId, ExprKind, Extent, FunctionDecl, Param, QualifierKind, StmtKind, TokenId, TypeBase,
+};
+use crate::text::{Edit, Role, Sources, Span, apply_edits};
+use std::sync::Arc;
 
 /// Why a pass cannot be rewritten.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -46,7 +52,9 @@ pub fn rewrite(project: &Project, composed: &Composed, unit: &PassUnit) -> Resul
     let program = &analysis.program;
     let main = find_main(program)?;
     check_names(program, &main)?;
-    let edits = edits(program, &main, unit.kind)?;
+    let rewriting = Rewriting::of(program, &main, unit.kind)?;
+    let edits = &rewriting.edits;
+    check_macros(program, &main, edits)?;
     let (last, before) = unit
         .files
         .split_last()
@@ -67,10 +75,63 @@ pub fn rewrite(project: &Project, composed: &Composed, unit: &PassUnit) -> Resul
             .all(|e| f.base <= e.span.start && e.span.end <= f.span().end)
     });
     let own = own.ok_or_else(|| not_safe(main.header, "`mainImage` stands in Common"))?;
-    let changed = apply_edits(&own.text, own.base, &edits)
+    let changed = apply_edits(&own.text, own.base, edits)
         .map_err(|_| not_safe(main.header, "its parts overlap"))?;
     text.push_str(&changed);
+    prove(program, &main, &rewriting, &text)?;
     Ok(signed(project, text))
+}
+
+/// Checks what came of it, and compares what it does with what the pass did.
+fn prove(program: &Program, main: &Main, how: &Rewriting, text: &str) -> Result<(), NotSafe> {
+    let mut sources = Sources::new();
+    let file = sources.add("", None, Role::User, text);
+    let file = file.ok_or_else(|| not_safe(main.header, "it is too large"))?;
+    let made = analyze(&Unit {
+        sources: &Arc::new(sources),
+        files: &[file],
+        stage: Stage::Fragment,
+        dialect: Dialect::WebGl,
+        infer_channels: false,
+        wholeness: Wholeness::Whole,
+    });
+    if let Some(problem) = made.diagnostics.first() {
+        let message = format!("what comes of it does not compile: {}", problem.message);
+        return Err(not_safe(main.header, message));
+    }
+    let pass = Lowered {
+        program,
+        module: &lower(program),
+    };
+    let made = Lowered {
+        program: &made.program,
+        module: &lower(&made.program),
+    };
+    let added = Added {
+        color: main.color_name,
+        clears: how.clears,
+        coordinate: how.has_local.then_some(main.coord_name),
+        is_opaque: how.is_opaque,
+    };
+    match main_image(program, main).is_some_and(|image| is_same(&pass, image, &made, &added)) {
+        true => Ok(()),
+        false => Err(not_safe(
+            main.header,
+            "a `main` could not be shown to do the same",
+        )),
+    }
+}
+
+/// `mainImage` among the functions of the shader.
+fn main_image(program: &Program, main: &Main) -> Option<FunctionRef> {
+    let is_it = |id: &FunctionRef| {
+        let function = program.function(*id);
+        let definition = function.and_then(|f| program.tree.function(f.definition?));
+        definition.is_some_and(|d| d.ident.token == main.decl.ident.token)
+    };
+    (0..program.functions.len() as u32)
+        .map(FunctionRef)
+        .find(is_it)
 }
 
 /// What is known of `mainImage`.
@@ -165,21 +226,6 @@ fn check_names(program: &Program, main: &Main) -> Result<(), NotSafe> {
         let message = format!("`{}` is the name of something else too", main.color_name);
         return Err(not_safe(main.header, message));
     }
-    for word in [
-        "main",
-        "void",
-        "gl_FragCoord",
-        "out",
-        "vec4",
-        "vec2",
-        "highp",
-    ] {
-        let macros = &program.tokens.macros;
-        let is_macro = macros.iter().find(|m| program.names.text(m.name) == word);
-        if is_macro.is_some() {
-            return Err(not_safe(main.header, format!("`{word}` is a macro")));
-        }
-    }
     let functions = &program.functions;
     let called = program.calls.iter().find(|c| {
         let callee = functions.get(c.callee.0 as usize);
@@ -195,6 +241,28 @@ fn check_names(program: &Program, main: &Main) -> Result<(), NotSafe> {
     Ok(())
 }
 
+/// What is written anew must not meet a macro, and no line may move where its number is asked for.
+fn check_macros(program: &Program, main: &Main, edits: &[Edit]) -> Result<(), NotSafe> {
+    let words: Vec<&str> = edits
+        .iter()
+        .flat_map(|e| e.text.split(|c: char| !c.is_alphanumeric() && c != '_'))
+        .collect();
+    for definition in &program.tokens.macros {
+        let name = program.names.text(definition.name);
+        if name == "__LINE__" && definition.predefined && definition.uses > 0 {
+            let message = "`__LINE__` would be another number";
+            return Err(not_safe(main.header, message));
+        }
+        if !definition.predefined && words.contains(&name) {
+            return Err(not_safe(
+                definition.name_span,
+                format!("`{name}` is a macro"),
+            ));
+        }
+    }
+    Ok(())
+}
+
 /// The address of the first text of the user.
 fn first_user(program: &Program) -> u32 {
     let files = program.sources.files();
@@ -204,60 +272,96 @@ fn first_user(program: &Program) -> u32 {
         .map_or(0, |f| f.base)
 }
 
-/// The edits that make `mainImage` the `main`.
-fn edits(program: &Program, main: &Main, kind: Pass) -> Result<Vec<Edit>, NotSafe> {
-    let tree = &program.tree;
-    let body = main.decl.body.map(|b| tree.stmt(b));
-    let inside = |extent: crate::syntax::ast::Extent| {
-        body.is_some_and(|b| b.extent.first <= extent.first && extent.last <= b.extent.last)
-    };
-    let mut start = String::new();
-    let mut end = String::new();
-    if kind == Pass::Image {
-        let jump = tree
-            .stmts
-            .iter()
-            .find(|s| matches!(s.kind, StmtKind::Return(_)) && inside(s.extent));
-        if let Some(jump) = jump {
+/// How `mainImage` becomes the `main`.
+struct Rewriting {
+    edits: Vec<Edit>,
+    /// Whether the output is set to zero first.
+    clears: bool,
+    /// Whether there is a variable in the place of the second parameter.
+    has_local: bool,
+    /// Whether the output is made opaque at the end.
+    is_opaque: bool,
+}
+
+impl Rewriting {
+    fn of(program: &Program, main: &Main, kind: Pass) -> Result<Rewriting, NotSafe> {
+        let is_opaque = kind == Pass::Image;
+        let jump = jump_of(program, main);
+        if let (true, Some(jump)) = (is_opaque, jump) {
             let message = "it returns early, and ShaderToy makes the picture opaque at the end";
-            return Err(not_safe(program.span(jump.extent), message));
+            return Err(not_safe(program.span(jump), message));
         }
-        end = format!("    {}.a = 1.0;\n", main.color_name);
+        // A part of the output that is read before it is written is 0, as in a parameter.
+        let clears = !is_only_assigned(program, main)
+            || jump.is_some()
+            || !is_assigned_at_last(program, main);
+        let mut start = String::new();
+        if clears {
+            start.push_str(&format!("\n    {} = vec4(0.0);", main.color_name));
+        }
+        let mut edits = vec![Edit::replace(main.header, "void main()")];
+        let coord = main.coord.ident.map(|i| i.token);
+        let coord = program.variables.iter().find(|v| v.token == coord);
+        let uses = coord.filter(|c| !c.written);
+        let uses = uses.and_then(|_| direct_uses(program, main));
+        let has_local = uses.is_none();
+        for span in uses.into_iter().flatten() {
+            edits.push(Edit::replace(span, "gl_FragCoord.xy"));
+        }
+        if has_local {
+            let name = main.coord_name;
+            start.push_str(&format!("\n    vec2 {name} = gl_FragCoord.xy;"));
+        }
+        if !start.is_empty() {
+            edits.push(Edit::insert(main.open.end, start));
+        }
+        if is_opaque {
+            let end = format!("    {}.a = 1.0;\n", main.color_name);
+            let text = match tree_line_start(program, main.close) {
+                true => end,
+                false => format!("\n{end}"),
+            };
+            edits.push(Edit::insert(main.close.start, text));
+        }
+        Ok(Rewriting {
+            edits,
+            clears,
+            has_local,
+            is_opaque,
+        })
     }
-    let variable = |param: &Param| {
-        let at = param.ident?.token;
-        program.variables.iter().find(|v| v.token == Some(at))
+}
+
+/// A `return` in `mainImage`.
+fn jump_of(program: &Program, main: &Main) -> Option<Extent> {
+    let tree = &program.tree;
+    let body = tree.stmt(main.decl.body?).extent;
+    let mut jumps = tree.stmts.iter().filter(|s| {
+        let extent = s.extent;
+        matches!(s.kind, StmtKind::Return(_))
+            && body.first <= extent.first
+            && extent.last <= body.last
+    });
+    jumps.next().map(|s| s.extent)
+}
+
+/// Whether a statement of the body itself, not of one inside it, gives all of the output a value.
+fn is_assigned_at_last(program: &Program, main: &Main) -> bool {
+    let tree = &program.tree;
+    let token = main.color.ident.map(|i| i.token);
+    let is_color = |id: ExprId| {
+        let variable = program.variable_of(id).and_then(|v| program.variable(v));
+        variable.is_some_and(|v| v.token == token)
     };
-    // A part of the output that is read before it is written is 0, as in a parameter.
-    if !is_only_assigned(program, main) {
-        start.push_str(&format!("\n    {} = vec4(0.0);", main.color_name));
-    }
-    let mut edits = vec![Edit::replace(main.header, "void main()")];
-    match variable(&main.coord) {
-        Some(coord) if !coord.written => match direct_uses(program, main) {
-            Some(uses) => edits.extend(
-                uses.into_iter()
-                    .map(|s| Edit::replace(s, "gl_FragCoord.xy")),
-            ),
-            None => start.push_str(&format!(
-                "\n    vec2 {} = gl_FragCoord.xy;",
-                main.coord_name
-            )),
-        },
-        _ => start.push_str(&format!(
-            "\n    vec2 {} = gl_FragCoord.xy;",
-            main.coord_name
-        )),
-    }
-    if !start.is_empty() {
-        edits.push(Edit::insert(main.open.end, start));
-    }
-    if !end.is_empty() {
-        let line = tree_line_start(program, main.close);
-        let text = if line { end } else { format!("\n{end}") };
-        edits.push(Edit::insert(main.close.start, text));
-    }
-    Ok(edits)
+    let Some(StmtKind::Block(body)) = main.decl.body.map(|b| tree.stmt(b).kind) else {
+        return false;
+    };
+    tree.block(body).iter().any(|id| match tree.stmt(*id).kind {
+        StmtKind::Expr(expr) => {
+            matches!(tree.expr(expr).kind, ExprKind::Assign(None, to, _) if is_color(to))
+        }
+        _ => false,
+    })
 }
 
 /// Whether every use of the output gives all of it a value.
