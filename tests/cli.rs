@@ -367,8 +367,8 @@ fn what_comes_from_outside_cannot_leave_its_element() {
         Some(0)
     );
     let page = folder.read("a.html");
-    assert_eq!(page.matches("<script").count(), 2);
-    assert_eq!(page.matches("</script").count(), 2);
+    assert_eq!(page.matches("<script").count(), 3);
+    assert_eq!(page.matches("</script").count(), 3);
     assert!(!page.contains("<!--") && !page.contains('\u{2028}'));
 }
 

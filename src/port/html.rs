@@ -4,7 +4,7 @@
 //! escaped that could end the element; the policy lets only the page's own script and style in.
 
 use super::payload::payload;
-use super::script::{PLAYER, escape};
+use super::script::{MOUNT, PLAYER, escape};
 use super::{Composed, Project, credits};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -12,12 +12,29 @@ use sha2::{Digest, Sha256};
 
 const PAGE: &str = include_str!("player/page/page.html");
 const STYLE: &str = include_str!("player/page/page.css");
-const PAGE_SCRIPTS: [&str; 4] = [
-    include_str!("player/page/capture.js"),
+const PAGE_SCRIPTS: [&str; 18] = [
+    include_str!("player/page/dom.js"),
+    include_str!("player/page/address.js"),
+    include_str!("player/page/prose.js"),
+    include_str!("player/page/notices.js"),
+    include_str!("player/page/excerpt.js"),
+    include_str!("player/page/errors.js"),
+    include_str!("player/page/highlight.js"),
+    include_str!("player/page/editor.js"),
+    include_str!("player/page/code.js"),
+    include_str!("player/page/controls.js"),
     include_str!("player/page/channels.js"),
+    include_str!("player/page/webm.js"),
+    include_str!("player/page/film.js"),
+    include_str!("player/page/export.js"),
     include_str!("player/page/panel.js"),
+    include_str!("player/page/bar.js"),
+    include_str!("player/page/keys.js"),
     include_str!("player/page/page.js"),
 ];
+
+/// What stands between the player and the page: a module that the page gives away ends here.
+const BORDER: &str = "// The page begins here.\n";
 
 /// What a page does that a server shows.
 const LIVE: &str = include_str!("player/live.js");
@@ -29,7 +46,7 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> St
         None => ("", String::new()),
     };
     let script = format!(
-        "(() => {{\n'use strict';\n{}{}{live}const player = openPage();\n{follow}}})();\n",
+        "(() => {{\n'use strict';\n{}{BORDER}{}{live}const player = openPage();\n{follow}}})();\n",
         PLAYER.concat(),
         PAGE_SCRIPTS.concat()
     );
@@ -47,6 +64,7 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> St
             ("policy", &policy(&script, STYLE, version)),
             ("style", STYLE),
             ("project", &project),
+            ("mount", MOUNT),
             ("script", &script),
         ],
     )
@@ -118,7 +136,7 @@ mod tests {
 
     #[test]
     fn the_page_cannot_end_its_elements() {
-        for text in PAGE_SCRIPTS.iter().chain([&STYLE, &LIVE]) {
+        for text in PAGE_SCRIPTS.iter().chain([&STYLE, &LIVE, &MOUNT]) {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
         }
     }

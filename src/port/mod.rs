@@ -12,6 +12,7 @@ mod control;
 mod credits;
 mod dialect;
 mod export;
+mod findings;
 mod glsl;
 mod html;
 mod json;

@@ -1,5 +1,6 @@
 //! What the player is handed: the project as JSON.
 
+use super::findings::{FindingData, findings};
 use super::media::is_gray;
 use super::{
     Composed, Control, Generator, Input, InputKind, OutputId, Project, ProjectPass, UniformData,
@@ -25,6 +26,8 @@ struct Payload<'a> {
     controls: &'a [Control],
     #[serde(skip_serializing_if = "Vec::is_empty")]
     media: Vec<MediaData>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    findings: Vec<FindingData>,
 }
 
 /// What draws stand-ins.
@@ -120,6 +123,7 @@ pub(super) fn payload(project: &Project, composed: &Composed) -> String {
         tunables: all_tunables(composed),
         controls: &project.controls,
         media: media(project),
+        findings: findings(composed),
     };
     // Only maps with other keys than strings, and failing writers, make this fail.
     serde_json::to_string(&payload).unwrap_or_default()

@@ -23,7 +23,8 @@ pub(super) const PLAYER: [&str; 16] = [
     include_str!("player/listen.js"),
 ];
 
-const MOUNT: &str = include_str!("player/mount.js");
+/// The end of a module, which puts the player on a canvas.
+pub(super) const MOUNT: &str = include_str!("player/mount.js");
 const THREE: &str = include_str!("player/three.js");
 const REACT: &str = include_str!("player/react.js");
 const MOUNT_TYPES: &str = include_str!("player/mount.d.ts");

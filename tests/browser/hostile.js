@@ -43,7 +43,7 @@ void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
   assert.equal(seen.hacked, undefined, 'nothing has run');
   assert.equal(seen.title, words);
   assert.equal(seen.description, short);
-  assert.deepEqual([seen.links, seen.scripts, seen.images, seen.styles, seen.errors], [[], 2, 0, 1, []]);
+  assert.deepEqual([seen.links, seen.scripts, seen.images, seen.styles, seen.errors], [[], 3, 0, 1, []]);
   assert.deepEqual(complaints, []);
 }
 

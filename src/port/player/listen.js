@@ -9,8 +9,8 @@ function listenToPointer(player, signal) {
   /** @param {PointerEvent} event @returns {[number, number]} */
   const place = (event) => {
     const box = canvas.getBoundingClientRect();
-    const x = ((event.clientX - box.left) / box.width) * canvas.width;
-    const y = canvas.height - ((event.clientY - box.top) / box.height) * canvas.height;
+    const x = ((event.clientX - box.left) * canvas.width) / box.width;
+    const y = canvas.height - ((event.clientY - box.top) * canvas.height) / box.height;
     return [x, y];
   };
   /** @type {number | null} the pointer that is the mouse; the others do nothing meanwhile */
@@ -66,7 +66,7 @@ function listenToKeys(player, signal) {
 
 /**
  * Keeps the canvas as large as it is shown, times a scale, in pixels of the device.
- * @param {Player} player @param {() => number} scale @param {AbortSignal} [signal] ends it
+ * @param {Player} player @param {() => number | null} scale null while the size shall stay @param {AbortSignal} [signal] ends it
  * @returns {() => void} call it when the scale has changed
  */
 function fitToElement(player, scale, signal) {
@@ -76,7 +76,10 @@ function fitToElement(player, scale, signal) {
     Math.round(canvas.offsetHeight * devicePixelRatio),
   ];
   let [width, height] = rounded();
-  const apply = () => player.resize(width * scale(), height * scale());
+  const apply = () => {
+    const factor = scale();
+    if (factor !== null) player.resize(width * factor, height * factor);
+  };
   const observer = new ResizeObserver(([entry]) => {
     const box = entry.devicePixelContentBoxSize?.[0];
     [width, height] = box ? [box.inlineSize, box.blockSize] : rounded();

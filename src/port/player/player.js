@@ -376,6 +376,16 @@ class Player {
     void this.sound.play(this.devices, this.clock.time);
   }
 
+  /** What the sound pass plays: the left and the right samples. Null without one. */
+  async samples() {
+    const index = this.project.passes.findIndex((p) => p.kind === 'sound');
+    const program = this.#soundProgram();
+    if (!program) return null;
+    this.sound ??= new Sound(this.gl, (offset) => this.drawSound(index, program, offset));
+    await this.sound.finish();
+    return [this.sound.left, this.sound.right];
+  }
+
   /** The sound pass is another one: what was computed holds no longer. */
   #forgetSound() {
     this.sound?.dispose();

@@ -80,6 +80,24 @@
  */
 
 /**
+ * A place in a text, and what is said of it.
+ * @typedef {object} LabelData
+ * @property {number} file index of the text
+ * @property {number} start offset in it
+ * @property {number} end
+ * @property {string} text
+ */
+
+/**
+ * What the checker says of code that does not compile.
+ * @typedef {object} FindingData
+ * @property {string} rule
+ * @property {string} message
+ * @property {LabelData[]} labels the first is where it is
+ * @property {string[]} notes
+ */
+
+/**
  * A shader with all its passes.
  * @typedef {object} ProjectData
  * @property {string} title
@@ -93,4 +111,5 @@
  * @property {TunableData[]} tunables
  * @property {ControlData[]} controls
  * @property {MediaData[]} [media] those that some channel needs
+ * @property {FindingData[]} [findings] errors, where there are any
  */

@@ -1,4 +1,11 @@
-// Files and devices for channels.
+// Files and devices for channels: a row for each, a word on the picture where one is missing.
+
+const FILE_KINDS = ['texture', 'cubemap', 'volume', 'video', 'music'];
+const FLAT_KINDS = ['texture', 'video', 'music', 'webcam', 'mic', 'keyboard', 'buffer'];
+/** What is asked for, in words. @type {Record<string, string>} */
+const KIND_WORDS = { texture: 'texture', cubemap: 'cube map', volume: 'volume', video: 'film', music: 'music', webcam: 'camera', mic: 'microphone' };
+
+/** @typedef {{pass: number, channel: number}} Slot */
 
 /** @param {File} file @returns {Promise<string>} */
 function dataAddress(file) {
@@ -10,69 +17,189 @@ function dataAddress(file) {
   });
 }
 
-/** @param {Player} player @param {number} pass @param {number} channel @param {File} file */
-async function putFile(player, pass, channel, file) {
-  const isVolume = player.project.passes[pass].inputs[channel]?.kind === 'volume';
-  const url = isVolume ? await dataAddress(file) : URL.createObjectURL(file);
-  try {
-    await player.setInput(pass, channel, file.name, url);
-  } catch {
-    player.errors.push({ pass: '', line: -1, text: `${file.name} cannot be read` });
-  }
-  player.listeners.forEach((listener) => listener());
+/** What a file holds, as its type says. @param {File} file */
+function kindOfFile(file) {
+  if (/\.bin$/i.test(file.name)) return 'volume';
+  return { image: 'texture', video: 'video', audio: 'music' }[file.type.split('/')[0]] ?? null;
 }
 
-const FILE_KINDS = ['texture', 'cubemap', 'volume', 'video', 'music'];
+/** What a file becomes on a channel; null where it does not fit. @param {string} wanted @param {string} found */
+function kindOnChannel(wanted, found) {
+  if (wanted === 'volume' || found === 'volume') return wanted === found ? found : null;
+  if (wanted === 'cubemap') return found === 'texture' ? 'cubemap' : null;
+  return FLAT_KINDS.includes(wanted) ? found : null;
+}
 
-/** A line for each channel that a file or a device can feed. @param {Player} player */
-function showChannels(player) {
-  const box = element('channels', HTMLElement);
-  player.project.passes.forEach((pass, index) => {
-    pass.inputs.forEach((input, channel) => {
-      if (!input || (!FILE_KINDS.includes(input.kind) && !['webcam', 'mic'].includes(input.kind))) return;
-      if (!box.hasChildNodes()) box.append(make('h2', 'Channels'));
-      box.append(channelRow(player, index, channel, input));
+/** The sampler's name. @param {Player} player @param {Slot} slot */
+function channelName(player, { pass, channel }) {
+  const input = player.project.passes[pass].inputs[channel];
+  return input?.uniform ?? `iChannel${channel}`;
+}
+
+/** The channels that a file or a device can feed: those that are meant to be, and empty ones that the code reads. @param {Player} player */
+function openSlots(player) {
+  return player.project.passes.flatMap(({ inputs }, pass) => {
+    const channels = Array.from({ length: Math.max(4, inputs.length) }, (_, channel) => ({ pass, channel }));
+    return channels.filter((slot) => {
+      const input = inputs[slot.channel];
+      return input ? input.kind in KIND_WORDS : isRead(player, slot);
     });
   });
-  const stage = element('stage', HTMLElement);
-  stage.addEventListener('dragover', (event) => event.preventDefault());
-  stage.addEventListener('drop', (event) => {
-    event.preventDefault();
-    const file = event.dataTransfer?.files[0];
-    const image = player.project.passes.findIndex((p) => p.kind === 'image');
-    const channel = player.project.passes[image].inputs.findIndex((i) => i && FILE_KINDS.includes(i.kind));
-    if (file) void putFile(player, image, Math.max(0, channel), file);
+}
+
+/** Whether the compiled code reads a channel. @param {Player} player @param {Slot} slot */
+function isRead(player, slot) {
+  return player.programs[slot.pass]?.at(channelName(player, slot)) instanceof WebGLUniformLocation;
+}
+
+/** Whether nothing is there though the picture needs it. @param {Player} player @param {Slot} slot */
+function isMissing(player, slot) {
+  const input = player.project.passes[slot.pass].inputs[slot.channel];
+  if (input && (input.urls || input.standIn || !['texture', 'cubemap', 'volume', 'video'].includes(input.kind))) return false;
+  return isRead(player, slot);
+}
+
+/** Waits until a film or a piece of music can be played. @param {string} kind @param {string} url */
+function tryToPlay(kind, url) {
+  const player = document.createElement(kind === 'video' ? 'video' : 'audio');
+  return new Promise((resolve, reject) => {
+    player.addEventListener('loadedmetadata', resolve);
+    player.addEventListener('error', reject);
+    player.preload = 'metadata';
+    player.src = url;
   });
 }
 
-/** @param {Player} player @param {number} pass @param {number} channel @param {InputData} input */
-function channelRow(player, pass, channel, input) {
+/** @param {Player} player @param {Slot} slot @param {File} file */
+async function putFile(player, slot, file) {
+  const wanted = player.project.passes[slot.pass].inputs[slot.channel]?.kind ?? 'texture';
+  const found = kindOfFile(file);
+  const kind = found && kindOnChannel(wanted, found);
+  if (!kind) {
+    flash(`${file.name} is not what ${channelName(player, slot)} reads: it wants a ${KIND_WORDS[wanted] ?? 'picture'}`);
+    return;
+  }
+  const url = kind === 'volume' ? await dataAddress(file) : URL.createObjectURL(file);
+  try {
+    if (kind === 'video' || kind === 'music') await tryToPlay(kind, url);
+    await player.setInput(slot.pass, slot.channel, file.name, url, kind);
+  } catch {
+    flash(`${file.name} cannot be read as a ${KIND_WORDS[kind]}`);
+    return;
+  }
+  flash(`${file.name} is on ${channelName(player, slot)}`);
+}
+
+/** Puts files that were dropped where they fit: onto empty channels first. @param {Player} player @param {File[]} files */
+async function putFiles(player, files) {
+  const slots = openSlots(player);
+  const empty = slots.filter((slot) => isMissing(player, slot));
+  for (const file of files) {
+    const found = kindOfFile(file);
+    /** @param {Slot} slot */
+    const fits = ({ pass, channel }) => found && kindOnChannel(player.project.passes[pass].inputs[channel]?.kind ?? 'texture', found);
+    const slot = empty.find(fits) ?? slots.find(fits);
+    if (!found) flash(`${file.name} is neither a picture nor a film, music or a volume`);
+    else if (!slot) flash(`no channel reads ${file.name}`);
+    else {
+      await putFile(player, slot, file);
+      if (empty.includes(slot)) empty.splice(empty.indexOf(slot), 1);
+    }
+  }
+}
+
+/** What a row says of its channel. @param {Player} player @param {Slot} slot */
+function wordsOfSlot(player, slot) {
+  const input = player.project.passes[slot.pass].inputs[slot.channel];
+  if (!input) return 'empty';
+  const word = KIND_WORDS[input.kind] ?? input.kind;
+  if (input.urls) return input.name || word;
+  if (input.standIn) return `stand-in for ${input.title ? `“${input.title}”` : `a ${word}`}`;
+  return isMissing(player, slot) ? `${input.name || word} (missing)` : input.name || word;
+}
+
+/** @param {Player} player @param {Slot} slot */
+function channelRow(player, slot) {
   const row = make('div', '', 'channel');
-  const text = make('span', `${player.project.passes[pass].name} iChannel${channel}: ${input.name || input.kind}`);
-  const button = make('button', FILE_KINDS.includes(input.kind) ? 'file…' : 'allow');
-  /** @param {File | undefined} file */
-  const put = async (file) => {
-    if (!file) return;
-    await putFile(player, pass, channel, file);
-    text.textContent = `${player.project.passes[pass].name} iChannel${channel}: ${file.name}`;
-  };
+  const words = make('span');
+  const { kind } = player.project.passes[slot.pass].inputs[slot.channel] ?? { kind: 'texture' };
+  const name = `${player.project.passes[slot.pass].name} ${channelName(player, slot)}`;
   const chooser = document.createElement('input');
   chooser.type = 'file';
-  chooser.addEventListener('change', () => void put(chooser.files?.[0]));
-  button.addEventListener('click', () => {
-    if (input.kind === 'webcam') void player.devices.openCamera().catch(() => {});
-    else if (input.kind === 'mic') void player.devices.openMicrophone().catch(() => {});
-    else chooser.click();
+  chooser.accept = { volume: '.bin', cubemap: 'image/*' }[kind] ?? 'image/*,video/*,audio/*';
+  chooser.setAttribute('aria-label', `file for ${name}`);
+  chooser.hidden = true;
+  chooser.addEventListener('change', () => {
+    if (chooser.files?.[0]) void putFile(player, slot, chooser.files[0]);
+    chooser.value = '';
   });
+  const isDevice = !FILE_KINDS.includes(kind);
+  const button = makeButton(isDevice ? 'allow' : 'file…', () => {
+    const refuse = () => flash(`the ${KIND_WORDS[kind]} is not to be had`);
+    if (kind === 'webcam') void player.devices.openCamera().then(() => player.poke(), refuse);
+    else if (kind === 'mic') void player.devices.openMicrophone().catch(refuse);
+    else chooser.click();
+  }, isDevice ? `allow the ${KIND_WORDS[kind]}` : `file for ${name}`);
   row.addEventListener('dragover', () => row.classList.add('over'));
   row.addEventListener('dragleave', () => row.classList.remove('over'));
   row.addEventListener('drop', (event) => {
     event.preventDefault();
     event.stopPropagation();
     row.classList.remove('over');
-    void put(event.dataTransfer?.files[0]);
+    const file = event.dataTransfer?.files[0];
+    if (file) void putFile(player, slot, file);
   });
-  row.append(text, button);
-  return row;
+  const text = make('div');
+  text.append(make('b', name), words);
+  row.append(text, button, chooser);
+  const show = () => {
+    words.textContent = wordsOfSlot(player, slot);
+  };
+  return { row, show, choose: () => chooser.click() };
 }
 
+/** Says on the picture which channels are empty. @param {Player} player @param {Slot[]} slots @param {(slot: Slot) => void} choose */
+function tellMissing(player, slots, choose) {
+  const missing = slots.filter((slot) => isMissing(player, slot));
+  if (missing.length === 0) return retract('missing');
+  const names = [...new Set(missing.map((slot) => channelName(player, slot)))];
+  const kinds = missing.map(({ pass, channel }) => KIND_WORDS[player.project.passes[pass].inputs[channel]?.kind ?? 'texture']);
+  const words = names.length === 1 ? `${names[0]} has no ${kinds[0]}: drop a file here` : `${names.slice(0, -1).join(', ')} and ${names[names.length - 1]} are empty: drop files here`;
+  return notify('missing', words, { label: 'choose…', act: () => choose(missing[0]) });
+}
+
+/** A row for each channel, and the picture as a place for files. @param {Player} player */
+function showChannels(player) {
+  const box = element('channels', HTMLElement);
+  /** @type {Map<string, ReturnType<typeof channelRow>>} */
+  const rows = new Map();
+  /** @param {Slot} slot */
+  const key = (slot) => `${slot.pass} ${slot.channel}`;
+  const show = () => {
+    const slots = openSlots(player);
+    for (const slot of slots) if (!rows.has(key(slot))) rows.set(key(slot), channelRow(player, slot));
+    const shown = slots.flatMap((slot) => rows.get(key(slot)) ?? []);
+    shown.forEach((row) => row.show());
+    const nodes = shown.map((row) => row.row);
+    if (nodes.length !== box.children.length - 1) box.replaceChildren(...(nodes.length > 0 ? [make('h2', 'Channels'), ...nodes] : []));
+    showTabs();
+    tellMissing(player, slots, (slot) => rows.get(key(slot))?.choose());
+  };
+  const picture = element('picture', HTMLElement);
+  for (const name of ['dragenter', 'dragover']) {
+    document.addEventListener(name, (event) => {
+      event.preventDefault();
+      picture.classList.add('over');
+    });
+  }
+  document.addEventListener('dragleave', (event) => {
+    if (!event.relatedTarget) picture.classList.remove('over');
+  });
+  document.addEventListener('drop', (event) => {
+    event.preventDefault();
+    picture.classList.remove('over');
+    void putFiles(player, [...(event.dataTransfer?.files ?? [])]);
+  });
+  player.listeners.push(show);
+  show();
+}

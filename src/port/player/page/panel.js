@@ -1,68 +1,161 @@
-// What the page tells of a shader: errors, who made it, sliders.
+// The panel: beside the picture where there is room, a sheet from below on telephones.
 
-/** @param {Player} player */
-function showErrors(player) {
-  const box = element('errors', HTMLElement);
-  player.listeners.push(() => {
-    const { errors, project } = player;
-    box.hidden = errors.length === 0;
-    const nodes = [make('h2', errors.length === 1 ? '1 error' : `${errors.length} errors`)];
-    for (const [i, error] of errors.entries()) {
-      const place = error.line > 0 ? `${error.pass}, line ${error.line}: ` : error.pass ? `${error.pass}: ` : '';
-      nodes.push(make('p', place + error.text));
-      const file = project.files.find((f) => !f.hidden && f.name === error.pass);
-      const line = error.line > 0 ? file?.text.split(/\r\n|\r|\n/)[error.line - 1] : '';
-      const next = errors[i + 1];
-      const isLast = next?.pass !== error.pass || next?.line !== error.line;
-      if (line?.trim() && isLast) nodes.push(make('pre', line));
-    }
-    box.replaceChildren(...nodes);
+const TABS = [
+  { id: 'tune', name: 'Controls' },
+  { id: 'about', name: 'About' },
+  { id: 'code', name: 'Code' },
+  { id: 'export', name: 'Export' },
+];
+
+/** Called when the panel opens, closes or shows something else. @type {(() => void)[]} */
+const panelListeners = [];
+const narrow = matchMedia('(max-width: 700px)');
+/** How large the user has made it; null while nobody has. @type {{width: number | null, height: number}} */
+const panelSize = { width: null, height: 0.5 };
+
+/** @param {string} id */
+function isTabOpen(id) {
+  return !element('panel', HTMLElement).hidden && !element(id, HTMLElement).hidden;
+}
+
+/** Whether this page has a panel at all. */
+function canOpenPanel() {
+  return readAddress().hasBar;
+}
+
+/** Gives the panel its room. */
+function sizePanel() {
+  const app = element('app', HTMLElement);
+  const panel = element('panel', HTMLElement);
+  const [width, height] = [app.clientWidth, app.clientHeight];
+  const usual = isTabOpen('code') ? Math.min(Math.max(0.45 * width, 420), 760) : 340;
+  const sheet = narrow.matches ? panelSize.height * height : Math.min(panelSize.width ?? usual, width - 160);
+  const dock = panel.hidden ? 0 : narrow.matches ? Math.min(sheet, 0.5 * height) : sheet;
+  app.style.setProperty('--sheet', `${Math.round(sheet)}px`);
+  app.style.setProperty('--dock', `${Math.round(dock)}px`);
+}
+
+/** @param {boolean} isOpen */
+function setPanel(isOpen) {
+  const panel = element('panel', HTMLElement);
+  panel.hidden = !isOpen;
+  element('more', HTMLElement).setAttribute('aria-expanded', String(isOpen));
+  sizePanel();
+  panelListeners.forEach((listener) => listener());
+}
+
+function closePanel() {
+  panelSize.height = 0.5;
+  setPanel(false);
+}
+
+/** @param {string} id */
+function openTab(id) {
+  for (const tab of TABS) element(tab.id, HTMLElement).hidden = tab.id !== id;
+  document.querySelectorAll('#tabs button').forEach((button) => {
+    const isSelected = button.getAttribute('aria-controls') === id;
+    button.setAttribute('aria-selected', String(isSelected));
+    button.setAttribute('tabindex', isSelected ? '0' : '-1');
+  });
+  if (canOpenPanel()) setPanel(true);
+}
+
+/** The edge of the panel can be dragged, by keys too. @param {HTMLElement} grip */
+function makeDraggable(grip) {
+  const app = element('app', HTMLElement);
+  /** @type {{at: number, size: number, time: number, last: number} | null} */
+  let drag = null;
+  /** @param {PointerEvent} event */
+  const along = (event) => (narrow.matches ? event.clientY : event.clientX);
+  const size = () => parseFloat(app.style.getPropertyValue('--sheet'));
+  grip.addEventListener('pointerdown', (event) => {
+    event.preventDefault();
+    grip.setPointerCapture(event.pointerId);
+    drag = { at: along(event), size: size(), time: event.timeStamp, last: along(event) };
+  });
+  grip.addEventListener('pointermove', (event) => {
+    if (!drag) return;
+    const now = Math.max(0, drag.size + drag.at - along(event));
+    // Only the sheet moves; the picture gets its room when the drag ends.
+    app.style.setProperty('--sheet', `${now}px`);
+  });
+  const end = () => {
+    if (!drag) return;
+    const now = size();
+    const share = now / app.clientHeight;
+    drag = null;
+    if (narrow.matches && share < 0.3) return closePanel();
+    if (narrow.matches) panelSize.height = share > 0.68 ? 0.9 : 0.5;
+    else if (now < 200) return closePanel();
+    else panelSize.width = Math.max(280, now);
+    return sizePanel();
+  };
+  for (const name of ['pointerup', 'pointercancel', 'lostpointercapture']) grip.addEventListener(name, end);
+  grip.addEventListener('dblclick', () => {
+    panelSize.width = null;
+    sizePanel();
+  });
+  grip.addEventListener('keydown', (event) => {
+    const step = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    if (narrow.matches) {
+      panelSize.height = Math.min(Math.max(panelSize.height + 0.1 * step, 0.2), 0.9);
+    } else panelSize.width = Math.max(280, size() + 40 * step);
+    sizePanel();
   });
 }
 
-/** Who made the shader; all of it is text. @param {ProjectData} project */
-function showCredits(project) {
-  document.title = project.title || 'shader';
-  element('title', HTMLElement).textContent = project.title;
-  element('license', HTMLElement).textContent = project.license;
-  element('description', HTMLElement).textContent = project.description;
-  const credits = element('credits', HTMLElement);
-  if (project.author) credits.append(`by ${project.author}`);
-  if (project.link.startsWith('https://')) {
-    const link = document.createElement('a');
-    link.href = project.link;
-    link.rel = 'noopener noreferrer';
-    link.textContent = project.link;
-    credits.append(project.author ? ', ' : '', link);
-  }
+/** On telephones what the bar has no room for stands in the panel. */
+function placeExtras() {
+  const extras = element('extras', HTMLElement);
+  if (narrow.matches) element('panel', HTMLElement).querySelector('header')?.append(extras);
+  else element('time', HTMLElement).after(extras);
+  sizePanel();
 }
 
-/** A slider for each number that the author left to be tuned. @param {Player} player */
-function showSliders(player) {
-  const box = element('sliders', HTMLElement);
-  const seen = new Set();
-  for (const tunable of player.project.tunables) {
-    if (seen.has(tunable.name)) continue;
-    seen.add(tunable.name);
-    if (seen.size === 1) box.append(make('h2', 'Tunable'));
-    const label = make('label', tunable.name);
-    const value = document.createElement('output');
-    const slider = document.createElement('input');
-    slider.type = 'range';
-    slider.min = String(Math.min(tunable.min, tunable.value));
-    slider.max = String(Math.max(tunable.max, tunable.value));
-    slider.step = tunable.integer ? '1' : 'any';
-    slider.value = String(tunable.value);
-    slider.name = tunable.name;
-    value.value = slider.value;
-    slider.addEventListener('input', () => {
-      const number = Number(Number(slider.value).toPrecision(4));
-      value.value = String(number);
-      void player.setTunable(tunable.name, number);
-    });
-    label.append(value, slider);
-    if (tunable.label) label.append(make('small', tunable.label));
-    box.append(label);
-  }
+/** Whether there is anything to set. */
+function hasControls() {
+  return element('tune', HTMLElement).querySelector('.control, .channel') !== null;
 }
 
+/** Shows the tabs that hold something. */
+function showTabs() {
+  const [tune] = element('tabs', HTMLElement).children;
+  if (tune instanceof HTMLElement) tune.hidden = !hasControls();
+}
+
+/** The tabs, the way in and out, and the edge. */
+function showPanel() {
+  const tabs = element('tabs', HTMLElement);
+  for (const { id, name } of TABS) {
+    const tab = makeButton(name, () => openTab(id));
+    tab.setAttribute('role', 'tab');
+    tab.setAttribute('aria-controls', id);
+    tabs.append(tab);
+  }
+  tabs.addEventListener('keydown', (event) => {
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    const shown = [...tabs.children].filter((tab) => tab instanceof HTMLElement && !tab.hidden);
+    const next = step && shown[(shown.findIndex((tab) => tab === document.activeElement) + step + shown.length) % shown.length];
+    if (!(next instanceof HTMLElement)) return;
+    event.preventDefault();
+    next.focus();
+    next.click();
+  });
+  element('more', HTMLElement).addEventListener('click', () => {
+    if (!element('panel', HTMLElement).hidden) return closePanel();
+    const open = TABS.find(({ id }) => !element(id, HTMLElement).hidden);
+    return openTab(open?.id ?? (hasControls() ? 'tune' : 'about'));
+  });
+  element('close', HTMLElement).addEventListener('click', closePanel);
+  element('panel', HTMLElement).addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || event.target instanceof HTMLTextAreaElement) return;
+    closePanel();
+    element('more', HTMLElement).focus();
+  });
+  makeDraggable(element('grip', HTMLElement));
+  narrow.addEventListener('change', placeExtras);
+  window.addEventListener('resize', sizePanel);
+  placeExtras();
+}

@@ -1,0 +1,112 @@
+//! What the page tells of code that does not compile: the checker's words, which say more than the
+//! browser's.
+
+use super::Composed;
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::text::{Sources, Span};
+use serde::Serialize;
+
+/// More errors than this only come from each other.
+const MAX_FINDINGS: usize = 20;
+
+/// An error, with places as JavaScript counts them.
+#[derive(Serialize, PartialEq, Eq)]
+pub(super) struct FindingData {
+    rule: &'static str,
+    message: String,
+    /// The place itself comes first.
+    labels: Vec<LabelData>,
+    notes: Vec<String>,
+}
+
+/// A place, and what is said of it.
+#[derive(Serialize, PartialEq, Eq)]
+struct LabelData {
+    file: usize,
+    start: usize,
+    end: usize,
+    text: String,
+}
+
+/// The errors of all passes, each once.
+pub(super) fn findings(composed: &Composed) -> Vec<FindingData> {
+    let mut found: Vec<FindingData> = Vec::new();
+    for unit in &composed.units {
+        let all = composed.analysis(unit).diagnostics.iter();
+        for error in all.filter(|d| d.severity == Severity::Error) {
+            let data = finding(&composed.sources, error);
+            if let Some(data) = data.filter(|d| !found.contains(d)) {
+                found.push(data);
+            }
+            if found.len() == MAX_FINDINGS {
+                return found;
+            }
+        }
+    }
+    found
+}
+
+/// An error in the user's text; one that the player's own text is blamed for has no place to show.
+fn finding(sources: &Sources, error: &Diagnostic) -> Option<FindingData> {
+    let mut labels = vec![label(sources, error.span, &error.label)?];
+    let others = error.labels.iter();
+    labels.extend(others.filter_map(|l| label(sources, l.span, &l.message)));
+    let mut notes = error.notes.clone();
+    let fix = error.fix.iter().map(|fix| &fix.title);
+    let unsaid = fix.filter(|title| !error.help.contains(title));
+    notes.extend(
+        error
+            .help
+            .iter()
+            .chain(unsaid)
+            .map(|h| format!("help: {h}")),
+    );
+    Some(FindingData {
+        rule: error.rule,
+        message: error.message.clone(),
+        labels,
+        notes,
+    })
+}
+
+fn label(sources: &Sources, span: Span, text: &str) -> Option<LabelData> {
+    let id = sources.file_id_at(span.start)?;
+    let file = sources.file(id)?;
+    let units = |address: u32| {
+        let before = file.text.get(..(address - file.base) as usize)?;
+        Some(before.encode_utf16().count())
+    };
+    Some(LabelData {
+        file: id.0 as usize,
+        start: units(span.start)?,
+        end: units(span.end)?,
+        text: text.to_string(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::port::{Project, compose};
+
+    #[test]
+    fn errors_have_places_in_utf_16() {
+        let json = r#"{"renderpass":[{"type":"image",
+            "code":"/* 😀 */ void mainImage(out vec4 c, in vec2 f) { c = broken; }"}]}"#;
+        let project = Project::from_json(json).unwrap();
+        let composed = compose(&project, "x.json").unwrap();
+        let found = findings(&composed);
+        assert_eq!(found.len(), 1);
+        let place = &found[0].labels[0];
+        assert_eq!((place.start, place.end), (53, 59));
+    }
+
+    #[test]
+    fn good_code_has_none() {
+        let json = r#"{"renderpass":[{"type":"image",
+            "code":"void mainImage(out vec4 c, in vec2 f) { c = vec4(1.0); }"}]}"#;
+        let project = Project::from_json(json).unwrap();
+        let composed = compose(&project, "x.json").unwrap();
+        assert!(findings(&composed).is_empty());
+    }
+}

@@ -1,0 +1,73 @@
+// Small helpers over the document.
+
+/** @template {HTMLElement} T @param {string} id @param {new () => T} type @returns {T} */
+function element(id, type) {
+  const found = document.getElementById(id);
+  if (!(found instanceof type)) throw new Error(`the page has no ${id}`);
+  return found;
+}
+
+/**
+ * @param {string} tag @param {string} [text] @param {string} [className]
+ * @returns {HTMLElement}
+ */
+function make(tag, text = '', className = '') {
+  const node = document.createElement(tag);
+  node.textContent = text;
+  if (className) node.className = className;
+  return node;
+}
+
+/** @param {string} text @param {() => void} act @param {string} [title] */
+function makeButton(text, act, title = '') {
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.textContent = text;
+  if (title) {
+    button.title = title;
+    button.setAttribute('aria-label', title);
+  }
+  button.addEventListener('click', act);
+  return button;
+}
+
+/** A link to another site; only https: becomes one. @param {string} address @param {string} text */
+function makeLink(address, text) {
+  if (!/^https:\/\/[^\s"<>]+$/i.test(address)) return document.createTextNode(text);
+  const link = document.createElement('a');
+  link.href = address;
+  link.rel = 'noopener noreferrer';
+  link.target = '_blank';
+  link.textContent = text;
+  return link;
+}
+
+/** @param {Blob} blob @param {string} name */
+function save(blob, name) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+/** A name for what is saved: the title in letters that every disk takes. @param {Player} player @param {string} ending */
+function fileName(player, ending) {
+  const words = player.project.title.normalize('NFKD').match(/[\p{L}\p{N}]+/gu) ?? ['shader'];
+  return `${words.join('-').slice(0, 60)}-${player.clock.time.toFixed(2)}s.${ending}`;
+}
+
+/** Puts text where it can be pasted from. @param {string} text */
+async function copy(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    // A frame without the permission still has the older way.
+    const area = document.createElement('textarea');
+    area.value = text;
+    document.body.append(area);
+    area.select();
+    document.execCommand('copy');
+    area.remove();
+  }
+}

@@ -1,0 +1,106 @@
+// A text area in colours. It is as native as any, undo and all; what is seen of its text is painted
+// behind it, and only the lines in view, so that long texts stay quick.
+
+/** Height of a line, as the style has it. */
+const LINE = 20;
+
+/** @typedef {{line: number, words: string}} LineMark lines from 1 */
+
+class Editor {
+  /** @param {string} name @param {(text: string) => void} onInput */
+  constructor(name, onInput) {
+    this.area = document.createElement('textarea');
+    this.area.setAttribute('aria-label', `code of ${name}`);
+    this.area.spellcheck = false;
+    this.area.wrap = 'off';
+    this.area.setAttribute('autocapitalize', 'off');
+    this.area.setAttribute('autocomplete', 'off');
+    this.rows = make('div', '', 'rows');
+    this.numbers = make('div', '', 'numbers');
+    this.node = make('div', '', 'editor');
+    const back = make('div', '', 'back');
+    back.setAttribute('aria-hidden', 'true');
+    back.append(this.rows, this.numbers);
+    this.node.append(back, this.area);
+    /** @type {string[]} */
+    this.lines = [];
+    /** @type {boolean[]} */
+    this.starts = [];
+    /** @type {Map<number, string>} */
+    this.marks = new Map();
+    this.area.addEventListener('input', () => {
+      this.#read();
+      onInput(this.area.value);
+    });
+    this.area.addEventListener('scroll', () => this.paint());
+    this.area.addEventListener('keydown', (event) => this.#key(event));
+    new ResizeObserver(() => this.paint()).observe(this.area);
+  }
+
+  #read() {
+    this.lines = this.area.value.split('\n');
+    this.starts = commentStarts(this.area.value);
+    this.paint();
+  }
+
+  /** Puts another text in, and leaves the cursor where it was. @param {string} text */
+  set(text) {
+    const [start, end] = changed(this.area.value, text);
+    const tail = this.area.value.length - end;
+    if (this.lines.length === 0) this.area.value = text;
+    else this.area.setRangeText(text.slice(start, text.length - tail), start, end, 'preserve');
+    this.#read();
+  }
+
+  /** @param {LineMark[]} marks */
+  mark(marks) {
+    this.marks = new Map(marks.map((m) => [m.line, m.words]));
+    this.paint();
+  }
+
+  /** @param {number} line from 1 @param {number} [column] */
+  goTo(line, column = 0) {
+    const before = this.lines.slice(0, line - 1).reduce((sum, l) => sum + l.length + 1, 0);
+    this.area.focus();
+    this.area.setSelectionRange(before + column, before + column);
+    this.area.scrollTop = Math.max(0, (line - 1) * LINE - this.area.clientHeight / 3);
+    this.paint();
+  }
+
+  /** Paints the lines in view. */
+  paint() {
+    const { scrollTop, scrollLeft, clientHeight } = this.area;
+    const first = Math.max(0, Math.floor(scrollTop / LINE) - 2);
+    const last = Math.min(this.lines.length, Math.ceil((scrollTop + clientHeight) / LINE) + 2);
+    const rows = [];
+    const numbers = [];
+    for (let i = first; i < last; i++) {
+      const words = this.marks.get(i + 1);
+      const row = make('div', '', words === undefined ? '' : 'bad');
+      // A line of many thousand letters is painted as far as a screen may show it.
+      row.append(...colored(this.lines[i].slice(0, 2000), this.starts[i]));
+      if (words) row.append(make('i', `   ${words}`));
+      rows.push(row);
+      numbers.push(make('div', String(i + 1), words === undefined ? '' : 'bad'));
+    }
+    this.rows.replaceChildren(...rows);
+    this.numbers.replaceChildren(...numbers);
+    this.rows.style.transform = `translate(${-scrollLeft}px, ${first * LINE - scrollTop}px)`;
+    this.numbers.style.transform = `translateY(${first * LINE - scrollTop}px)`;
+  }
+
+  /** Tab and Enter indent; what they insert can be undone like what is typed. @param {KeyboardEvent} event */
+  #key(event) {
+    const { area } = this;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
+    if (event.key === 'Tab' && !event.shiftKey) {
+      event.preventDefault();
+      document.execCommand('insertText', false, '  ');
+    } else if (event.key === 'Enter') {
+      const before = area.value.slice(0, area.selectionStart);
+      const [indent] = /^[ \t]*/.exec(before.slice(before.lastIndexOf('\n') + 1)) ?? [''];
+      event.preventDefault();
+      document.execCommand('insertText', false, `\n${indent}`);
+    }
+  }
+}

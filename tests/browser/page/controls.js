@@ -1,0 +1,170 @@
+// Sliders and their kin, and the address that keeps them.
+import assert from 'node:assert/strict';
+import { differences, pixels, port, put } from '../browser.js';
+import { desk, MOVING, openTab, show, wait } from './show.js';
+
+const define = (page, name) => page.evaluate((n) => new RegExp(`#define ${n} (\\S+)`).exec(globalThis.shaderport.player.project.files.find((f) => !f.hidden).text)[1], name);
+const hash = (page) => page.evaluate(() => location.hash);
+
+async function sliders(context) {
+  const { page, complaints } = await show(context, 'sliders', MOVING, '#size=64x36&t=0.3&paused');
+  await openTab(page, 'Controls');
+  assert.deepEqual(await page.$$eval('#sliders [type=range]', (all) => all.map((i) => [i.name, i.min, i.max, i.value])), [
+    ['SPEED', '0.3', '4', '1'],
+    ['STRIPES', '1', '9', '4'],
+  ]);
+  const before = await pixels(page);
+  await page.fill('input[name=STRIPES]', '9');
+  await page.waitForFunction(() => globalThis.shaderport.player.project.files.some((f) => /STRIPES 9 /.test(f.text)));
+  await wait(page, 200);
+  assert.ok(differences(await pixels(page), before) > 0, 'the picture follows the slider');
+  await page.fill('[aria-label="SPEED, number"]', '2.5');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => /SPEED 2\.5/.test(globalThis.shaderport.player.project.files.find((f) => !f.hidden).text));
+  assert.equal(await page.inputValue('input[name=SPEED]'), '2.5');
+  await page.waitForFunction(() => location.hash.includes('u.SPEED=2.5') && location.hash.includes('u.STRIPES=9'));
+  assert.match(await hash(page), /^#size=64x36&t=0\.3&paused&/, 'the rest of the address stays');
+  await page.dblclick('input[name=SPEED]');
+  await page.waitForFunction(() => !location.hash.includes('u.SPEED'));
+  assert.equal(await define(page, 'SPEED'), '1.0');
+  await page.click('[aria-label="reset STRIPES"]');
+  await page.waitForFunction(() => !location.hash.includes('u.STRIPES'));
+  await wait(page, 300);
+  assert.equal(differences(await pixels(page), before), 0, 'all is as it came');
+  assert.deepEqual(complaints, []);
+}
+
+async function restored(context) {
+  const { page, complaints } = await show(context, 'restored', MOVING, '#size=64x36&t=1e308&paused&u.SPEED=3&u.STRIPES=1000&u.NONE=1');
+  await page.waitForFunction(() => /SPEED 3\.0[\s\S]*STRIPES 9 /.test(globalThis.shaderport.player.project.files.find((f) => !f.hidden).text));
+  assert.equal(await page.evaluate(() => globalThis.shaderport.player.clock.time), 3e7);
+  await openTab(page, 'Controls');
+  assert.equal(await page.inputValue('input[name=SPEED]'), '3');
+  await page.evaluate(() => { location.hash = '#size=64x36&t=4&paused&u.SPEED=2'; });
+  await page.waitForFunction(() => globalThis.shaderport.player.clock.time === 4);
+  await page.waitForFunction(() => /SPEED 2\.0/.test(globalThis.shaderport.player.project.files.find((f) => !f.hidden).text));
+  assert.deepEqual(complaints, []);
+}
+
+async function copied(context) {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  const { page } = await show(context, 'copied', MOVING, '#size=64x36&paused&u.SPEED=3');
+  await openTab(page, 'Export');
+  await page.evaluate(() => globalThis.shaderport.seek(12.5));
+  const copy = async (what) => {
+    await page.click(`#export button:text-is("${what}")`);
+    await page.waitForFunction((w) => document.querySelector('#notices').textContent.includes(`${w} copied`), what);
+    return page.evaluate(() => navigator.clipboard.readText());
+  };
+  const link = await copy('link');
+  assert.match(link, /^file:.*copied\.html#size=64x36&paused&u\.SPEED=3&t=12\.50$/);
+  const glsl = await copy('GLSL');
+  assert.match(glsl, /^#version 300 es/);
+  assert.match(glsl, /#define SPEED 3\.0/);
+  const again = await context.newPage();
+  await again.goto(link);
+  await again.evaluate(() => globalThis.shaderport.ready);
+  assert.equal(await again.evaluate(() => globalThis.shaderport.player.clock.time), 12.5);
+  await wait(again, 300);
+  assert.equal(differences(await pixels(again), await pixels(page)), 0, 'the link shows the same');
+  const module = await copy('module');
+  const blank = await context.newPage();
+  const plays = await blank.evaluate(async (text) => {
+    const { mount } = await import(`data:text/javascript;base64,${btoa(Array.from(new TextEncoder().encode(text), (c) => String.fromCharCode(c)).join(''))}`);
+    const shader = mount(document.createElement('canvas'), { size: [64, 36], paused: true });
+    await shader.ready;
+    return shader.errors;
+  }, module);
+  assert.deepEqual(plays, []);
+  assert.match(module, /#define SPEED 3\.0/);
+}
+
+async function scale(context) {
+  const { page } = await show(context, 'scale', MOVING, '#paused');
+  await page.selectOption('#scale', '0.5');
+  assert.equal(await page.evaluate(() => globalThis.shaderport.player.canvas.width), 500);
+  await page.waitForFunction(() => location.hash.includes('scale=0.5'));
+  await page.reload();
+  await page.evaluate(() => globalThis.shaderport.ready);
+  assert.equal(await page.evaluate(() => globalThis.shaderport.player.canvas.width), 500);
+  assert.equal(await page.inputValue('#scale'), '0.5');
+}
+
+/** A page whose project has controls of every kind, and a player that keeps what they set. */
+async function kinds(context) {
+  const address = port(put('kinds.glsl', MOVING), 'kinds');
+  const page = await context.newPage();
+  const errors = [];
+  page.on('pageerror', (e) => errors.push(e.message));
+  await page.addInitScript((controls) => {
+    const parse = JSON.parse;
+    JSON.parse = (text) => {
+      const value = parse(text);
+      return value?.passes ? { ...value, controls } : value;
+    };
+  }, [
+    { name: 'gain', label: 'Gain', kind: 'float', value: [0.5], min: [0], max: [2] },
+    { name: 'count', label: '', kind: 'int', value: [3], min: [1], max: [8] },
+    { name: 'invert', label: '', kind: 'bool', value: [0] },
+    { name: 'tint', label: '', kind: 'color', value: [1, 0.5, 0, 1] },
+    { name: 'spot', label: '', kind: 'point', value: [0.5, 0.5], min: [0, 0], max: [1, 1] },
+    { name: 'axis', label: '', kind: 'vector', value: [0, 1, 0], min: [-1, -1, -1], max: [1, 1, 1] },
+    { name: 'mode', label: '', kind: 'choice', value: [0], choices: [{ label: 'soft', value: 0 }, { label: 'hard', value: 2 }] },
+    { name: 'flash', label: '', kind: 'event', value: [0] },
+  ]);
+  await page.goto(`${address}#size=64x36&paused&u.gain=1.5`);
+  await page.evaluate(() => globalThis.shaderport.ready);
+  const value = (name) => page.evaluate((n) => globalThis.shaderport.player.project.controls.find((c) => c.name === n).value, name);
+  assert.deepEqual(await value('gain'), [1.5]);
+  await openTab(page, 'Controls');
+  await page.check('input[name=invert]');
+  assert.deepEqual(await value('invert'), [1]);
+  await page.fill('input[name=tint]', '#00ff80');
+  assert.deepEqual(await value('tint'), [0, 1, 0.502, 1]);
+  await page.fill('input[name="axis.x"]', '-0.5');
+  assert.deepEqual(await value('axis'), [-0.5, 1, 0]);
+  await page.selectOption('select[name=mode]', '2');
+  assert.deepEqual(await value('mode'), [2]);
+  await page.locator('.pad').scrollIntoViewIfNeeded();
+  const pad = await page.locator('.pad').boundingBox();
+  await page.mouse.click(pad.x + pad.width * 0.25, pad.y + pad.height * 0.25);
+  const [x, y] = await value('spot');
+  assert.ok(Math.abs(x - 0.25) < 0.02 && Math.abs(y - 0.75) < 0.02);
+  await page.click('button[title=flash]');
+  await page.waitForFunction(() => globalThis.shaderport.player.project.controls.find((c) => c.name === 'flash').value[0] === 0);
+  await page.waitForFunction(() => ['u.invert=1', 'u.tint=0,1,0.502,1', 'u.axis=-0.5,1,0', 'u.mode=2'].every((w) => location.hash.includes(w)));
+  await page.click('#sliders > button:text-is("reset all")');
+  assert.deepEqual(await value('tint'), [1, 0.5, 0, 1]);
+  assert.ok(!(await page.isChecked('input[name=invert]')));
+  assert.deepEqual(errors, []);
+}
+
+async function heavy(context) {
+  const code = 'void mainImage(out vec4 O, vec2 U) { float a = 0.0; for (int i = 0; i < 6000; i++) a += sin(float(i) + U.x * iTime); O = vec4(a); }';
+  const { page } = await show(context, 'heavy', code, '');
+  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('heavy'), null, { timeout: 50000 });
+  const box = await page.locator('#play').boundingBox();
+  const sent = await page.evaluate(() => {
+    document.querySelector('#play').addEventListener('click', () => { globalThis.clicked = performance.now(); });
+    return performance.now();
+  });
+  const client = await page.context().newCDPSession(page);
+  for (const type of ['mousePressed', 'mouseReleased']) {
+    await client.send('Input.dispatchMouseEvent', { type, x: box.x + 10, y: box.y + 10, button: 'left', clickCount: 1 });
+  }
+  await page.waitForFunction(() => globalThis.clicked, null, { polling: 50 });
+  const took = (await page.evaluate(() => globalThis.clicked)) - sent;
+  assert.ok(took < 1000, `the controls answered after ${took} ms`);
+  await page.click('.notice button:text-is("draw at ½×")');
+  assert.equal(await page.inputValue('#scale'), '0.5');
+  assert.equal(await page.textContent('#notices'), '');
+}
+
+export const controlTests = [
+  { name: 'page: sliders from tunable numbers', run: sliders, context: desk },
+  { name: 'page: what the address asks for', run: restored, context: desk },
+  { name: 'page: the link, the shader and the module are copied', run: copied, context: desk },
+  { name: 'page: the scale stays in the address', run: scale, context: desk },
+  { name: 'page: controls of every kind', run: kinds, context: desk },
+  { name: 'page: a heavy shader', run: heavy, context: { viewport: { width: 800, height: 500 } } },
+];

@@ -1,0 +1,122 @@
+// Pictures, films, and who made the shader.
+import assert from 'node:assert/strict';
+import { shader } from '../cases.js';
+import { desk, MOVING, openTab, playing, saved, show, time, wait } from './show.js';
+
+async function shot(context) {
+  const { page } = await show(context, 'shot', MOVING, '#t=1.5&paused');
+  const [made] = await Promise.all([page.waitForEvent('download'), page.click('#shot')]);
+  assert.equal(made.suggestedFilename(), 'shot-1.50s.png');
+  const png = await saved(made);
+  assert.equal(png.subarray(1, 4).toString(), 'PNG');
+  assert.ok(png.length > 200);
+}
+
+/** What a browser makes of a film: its size, its length, and how often it can be told apart. */
+function look(page, film) {
+  return page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const video = document.createElement('video');
+    video.muted = true;
+    video.src = URL.createObjectURL(new Blob([bytes], { type: 'video/webm' }));
+    await new Promise((resolve, reject) => {
+      video.onloadeddata = resolve;
+      video.onerror = () => reject(new Error(video.error?.message));
+    });
+    const to = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+    const red = async (at) => {
+      video.currentTime = at;
+      await new Promise((resolve) => { video.onseeked = resolve; });
+      to.drawImage(video, 0, 0, 1, 1, 0, 0, 1, 1);
+      return to.getImageData(0, 0, 1, 1).data[0];
+    };
+    const reds = [await red(0.05), await red(0.55), await red(0.95)];
+    const audio = new OfflineAudioContext(1, 48000, 48000);
+    const sound = await audio.decodeAudioData(bytes.buffer).catch(() => null);
+    const lane = sound?.getChannelData(0) ?? [];
+    let crossings = 0;
+    for (let i = 4800; i < 43200; i++) if (lane[i] < 0 !== lane[i + 1] < 0) crossings++;
+    return { width: video.videoWidth, height: video.videoHeight, duration: video.duration, reds, crossings };
+  }, film.toString('base64'));
+}
+
+async function exactFilm(context) {
+  const toy = shader(
+    { type: 'image', name: 'Image', inputs: [], outputs: [], code: 'void mainImage(out vec4 O, vec2 U) { O = vec4(clamp(iTime, 0.0, 1.0), 0.0, 0.0, 1.0); }' },
+    { type: 'sound', name: '', inputs: [], outputs: [], code: 'vec2 mainSound(in int s, float t) { return vec2(0.5 * sin(6.2831 * 440.0 * t)); }' },
+  );
+  toy.info.name = 'A film: "x" / é';
+  const { page, complaints } = await show(context, 'film', toy, '#t=3&paused');
+  await openTab(page, 'Export');
+  await page.fill('[name=seconds]', '1');
+  await page.selectOption('[name=rate]', '30');
+  await page.selectOption('[name=size]', '1280x720');
+  await page.check('[name="from start"]');
+  const before = await page.evaluate(() => document.querySelector('canvas').width);
+  const [made] = await Promise.all([page.waitForEvent('download'), page.click('#export button:text-is("record")')]);
+  assert.match(made.suggestedFilename(), /^A-film-x-e.*-3\.00s\.webm$/);
+  const seen = await look(page, await saved(made));
+  assert.deepEqual([seen.width, seen.height], [1280, 720]);
+  assert.ok(Math.abs(seen.duration - 1) < 0.05, `it lasts ${seen.duration} s`);
+  for (const [i, at] of [0.05, 0.55, 0.95].entries()) assert.ok(Math.abs(seen.reds[i] - 255 * at) < 16, `red is ${seen.reds[i]} at ${at} s`);
+  // 440 Hz over 0.8 s cross zero 704 times.
+  assert.ok(Math.abs(seen.crossings - 704) < 12, `its sound crosses zero ${seen.crossings} times`);
+  assert.equal(await page.evaluate(() => document.querySelector('canvas').width), before, 'the picture has its size again');
+  assert.equal(await time(page), 3);
+  assert.deepEqual(complaints, []);
+}
+
+async function stopped(context) {
+  const { page } = await show(context, 'stopped', MOVING, '#scale=0.25');
+  await page.click('#record');
+  assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'true');
+  await openTab(page, 'Export');
+  await page.waitForFunction(() => document.querySelector('progress').value > 0.02);
+  const [film] = await Promise.all([page.waitForEvent('download'), page.click('#record')]);
+  assert.match(film.suggestedFilename(), /^stopped-[\d.]+s\.(webm|mp4)$/);
+  assert.ok((await saved(film)).length > 1000, 'the film has frames');
+  assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'false');
+  await wait(page, 100);
+  assert.ok(await playing(page), 'it plays on');
+}
+
+async function liveFilm(context) {
+  const { page } = await show(context, 'live', MOVING, '#scale=0.25');
+  await page.evaluate(() => { delete globalThis.VideoEncoder; });
+  await openTab(page, 'Export');
+  await page.fill('[name=seconds]', '1');
+  const [made] = await Promise.all([page.waitForEvent('download'), page.click('#export button:text-is("record")')]);
+  assert.ok((await saved(made)).length > 1000, 'without an encoder it is filmed as time goes by');
+}
+
+async function words(context) {
+  const toy = shader({ type: 'image', name: 'Image', inputs: [], outputs: [], code: 'void mainImage(out vec4 O, vec2 U) { O = vec4(1.0); }' });
+  toy.info.description = 'a &lt;b&gt; &amp; c &eacute; [b]bold [i]both[/i][/b] [url=https://a.test/x?y=1&amp;z]there[/url] [url]https://b.test[/url], [img]https://c.test/p.png[/img] see https://d.test/q. [url=javascript:alert(1)]no[/url] [url=http://plain.test]old[/url] a[1] [/b] [code]x < y[/code]';
+  const { page, complaints } = await show(context, 'words', toy, '#paused');
+  await openTab(page, 'About');
+  const seen = await page.evaluate(() => {
+    const box = document.querySelector('#description');
+    return {
+      text: box.textContent,
+      links: [...box.querySelectorAll('a')].map((a) => [a.href, a.textContent, a.rel]),
+      marks: [...box.querySelectorAll('strong, em, code')].map((n) => [n.localName, n.textContent]),
+    };
+  });
+  assert.equal(seen.text, 'a <b> & c é bold both there https://b.test, https://c.test/p.png see https://d.test/q. no old a[1] [/b] x < y');
+  assert.deepEqual(seen.links, [
+    ['https://a.test/x?y=1&z', 'there', 'noopener noreferrer'],
+    ['https://b.test/', 'https://b.test', 'noopener noreferrer'],
+    ['https://c.test/p.png', 'https://c.test/p.png', 'noopener noreferrer'],
+    ['https://d.test/q', 'https://d.test/q', 'noopener noreferrer'],
+  ]);
+  assert.deepEqual(seen.marks, [['strong', 'bold both'], ['em', 'both'], ['code', 'x < y']]);
+  assert.deepEqual(complaints, []);
+}
+
+export const exportTests = [
+  { name: 'page: a picture is saved', run: shot, context: desk },
+  { name: 'page: a film, frame by frame and with its sound', run: exactFilm, context: desk, seconds: 120 },
+  { name: 'page: a film that is stopped', run: stopped, context: desk },
+  { name: 'page: a film as time goes by', run: liveFilm, context: desk },
+  { name: 'page: descriptions are text and links', run: words, context: desk },
+];

@@ -1,0 +1,93 @@
+// Fingers and keys.
+import assert from 'node:assert/strict';
+import { pixels } from '../browser.js';
+import { desk, MOVING, phone, playing, show, time, wait } from './show.js';
+
+const mouse = (page) => page.evaluate(() => globalThis.shaderport.player.mouse.value());
+
+async function fingers(context) {
+  const { page } = await show(context, 'fingers', MOVING, '#paused');
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([id, x, y]) => ({ id, x, y })) });
+  const height = await page.evaluate(() => document.querySelector('canvas').clientHeight);
+  await touch('touchStart', [1, 100, 200]);
+  await touch('touchMove', [1, 120, 210]);
+  await touch('touchStart', [1, 120, 210], [2, 300, 50]);
+  await touch('touchMove', [1, 120, 210], [2, 310, 60]);
+  await wait(page, 60);
+  assert.deepEqual((await mouse(page)).slice(0, 3), [120, height - 210, 100], 'the second finger does nothing');
+  await touch('touchMove', [1, 121, 210]);
+  await wait(page, 60);
+  assert.ok((await mouse(page))[2] > 0, 'nor does it end what the first one does');
+  await touch('touchEnd');
+  await wait(page, 60);
+  assert.ok((await mouse(page))[2] < 0);
+}
+
+async function lostCapture(context) {
+  const { page } = await show(context, 'capture_lost', MOVING, '#paused');
+  await page.mouse.move(200, 200);
+  await page.mouse.down();
+  assert.ok((await mouse(page))[2] > 0);
+  await page.evaluate(() => {
+    const canvas = document.querySelector('canvas');
+    for (let id = 0; id < 10; id++) if (canvas.hasPointerCapture(id)) canvas.releasePointerCapture(id);
+  });
+  await page.mouse.move(220, 210);
+  await page.waitForFunction(() => globalThis.shaderport.player.mouse.value()[2] < 0, null, { timeout: 5000 });
+  await page.mouse.up();
+}
+
+async function shortcuts(context) {
+  const { page, complaints } = await show(context, 'shortcuts', MOVING, '#size=64x36&t=2&paused');
+  await page.click('canvas');
+  await page.keyboard.press(' ');
+  assert.ok(await playing(page), 'space plays, with the focus on the picture too');
+  await page.keyboard.press(' ');
+  assert.ok(!(await playing(page)));
+  await page.evaluate(() => globalThis.shaderport.seek(2));
+  const before = await pixels(page);
+  await page.keyboard.press('ArrowRight');
+  assert.ok(Math.abs((await time(page)) - 2 - 1 / 60) < 1e-9, 'a frame on');
+  assert.notDeepEqual(await pixels(page), before);
+  await page.keyboard.press('ArrowLeft');
+  assert.ok(Math.abs((await time(page)) - 2) < 1e-9, 'a frame back');
+  await page.keyboard.press(' ');
+  await page.keyboard.press('ArrowRight');
+  assert.ok((await time(page)) >= 7, 'five seconds on');
+  await page.keyboard.press('r');
+  assert.ok((await time(page)) < 2, 'restart');
+  const [shot] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('s')]);
+  assert.match(shot.suggestedFilename(), /^shortcuts-[\d.]+s\.png$/);
+  await page.keyboard.press('?');
+  assert.match(await page.textContent('#keys'), /space.*play or pause.*full screen/);
+  await page.keyboard.press('Escape');
+  assert.ok(!(await page.isVisible('#keys')));
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => document.fullscreenElement !== null);
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => document.fullscreenElement === null);
+  assert.deepEqual(complaints, []);
+}
+
+async function keysOfTheShader(context) {
+  const code = 'void mainImage(out vec4 O, vec2 U) { O = vec4(texelFetch(iChannel0, ivec2(32, 0), 0).x); }';
+  const { page } = await show(context, 'own_keys', code, '#size=32x18&paused', '--channel', '0=keyboard');
+  await page.focus('canvas');
+  await page.keyboard.down(' ');
+  assert.equal((await pixels(page))[0], 255, 'the key is the shader\'s');
+  assert.ok(!(await playing(page)));
+  await page.keyboard.up(' ');
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press(' ');
+  assert.ok(await playing(page), 'elsewhere it is the page\'s');
+  await page.keyboard.press('?');
+  assert.match(await page.textContent('#keys'), /reads the keyboard/);
+}
+
+export const inputTests = [
+  { name: 'page: a second finger is no mouse', run: fingers, context: phone },
+  { name: 'page: a pointer that is lost lets go', run: lostCapture, context: desk },
+  { name: 'page: shortcuts', run: shortcuts, context: desk },
+  { name: 'page: keys go to a shader that reads them', run: keysOfTheShader, context: desk },
+];

@@ -1,0 +1,74 @@
+// Files for channels.
+import assert from 'node:assert/strict';
+import { pixels } from '../browser.js';
+import { shader } from '../cases.js';
+import { desk, drop, openTab, picture, show, wait } from './show.js';
+
+const READER = 'void mainImage(out vec4 O, vec2 U) { O = texture(iChannel0, U / iResolution.xy); }';
+const png = async (page, name) => ({ name, type: 'image/png', base64: await picture(page) });
+
+async function missing(context) {
+  const { page, complaints } = await show(context, 'missing', READER, '#size=32x32&paused', '--no-stand-ins');
+  assert.match(await page.textContent('#notices'), /iChannel0 has no texture: drop a file here/);
+  await openTab(page, 'Controls');
+  assert.match(await page.textContent('#channels'), /Image iChannel0texture \(missing\)/);
+  await drop(page, '#picture', { name: 'notes.txt', type: 'text/plain', base64: btoa('hello') });
+  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('notes.txt is neither'));
+  await drop(page, '#picture', { name: 'bad.png', type: 'image/png', base64: btoa('hello') });
+  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('bad.png cannot be read as a texture'));
+  await drop(page, '#picture', await png(page, 'four.png'));
+  await page.waitForFunction(() => document.querySelector('#channels').textContent.includes('four.png'));
+  assert.ok(!(await page.textContent('#notices')).includes('drop a file'), 'nothing is missing any more');
+  assert.notEqual(Math.max(...(await pixels(page)).filter((_, i) => i % 4 === 0)), 0);
+  assert.deepEqual(complaints, []);
+}
+
+async function onARow(context) {
+  const input = (channel) => ({ id: `x${channel}`, type: 'texture', channel, sampler: { filter: 'nearest', wrap: 'clamp', vflip: 'true' } });
+  const toy = shader({
+    type: 'image', name: 'Image', outputs: [], inputs: [input(0), input(1)],
+    code: 'void mainImage(out vec4 O, vec2 U) { O = texture(iChannel0, U) + texture(iChannel1, U / iResolution.xy); }',
+  });
+  const { page } = await show(context, 'rows', toy, '#size=32x32&paused');
+  await openTab(page, 'Controls');
+  const rows = page.locator('.channel');
+  const count = await rows.count();
+  assert.equal(count, 2);
+  await drop(page, '.channel:last-of-type', await png(page, 'second.png'));
+  await page.waitForFunction(() => [...document.querySelectorAll('.channel')].at(-1).textContent.includes('second.png'));
+  assert.ok(!(await rows.first().textContent()).includes('second.png'), 'only its row is renamed');
+  assert.ok(await page.evaluate(() => globalThis.shaderport.player.inputs[0][1].isLoaded));
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), rows.first().locator('button').click()]);
+  await chooser.setFiles({ name: 'first.png', mimeType: 'image/png', buffer: Buffer.from(await picture(page), 'base64') });
+  await page.waitForFunction(() => document.querySelector('.channel').textContent.includes('first.png'));
+}
+
+async function dismissed(context) {
+  const { page } = await show(context, 'dismissed', READER, '#size=32x32&paused', '--no-stand-ins');
+  await page.click('.notice [aria-label=dismiss]');
+  assert.equal(await page.textContent('#notices'), '');
+  await page.evaluate(() => globalThis.shaderport.player.setSound(false));
+  await wait(page, 50);
+  assert.equal(await page.textContent('#notices'), '', 'it does not come again');
+}
+
+async function standIn(context) {
+  const { page } = await show(context, 'stand_in', READER, '#size=32x32&paused');
+  assert.equal(await page.textContent('#notices'), '', 'what is drawn in its place is not missing');
+  await openTab(page, 'Controls');
+  assert.match(await page.textContent('.channel'), /stand-in for/);
+}
+
+async function unread(context) {
+  const { page } = await show(context, 'unread', 'void mainImage(out vec4 O, vec2 U) { O = vec4(1.0); }', '#size=32x32&paused');
+  assert.equal(await page.textContent('#notices'), '');
+  assert.equal(await page.locator('.channel').count(), 0, 'channels that nothing reads are no channels');
+}
+
+export const mediaTests = [
+  { name: 'page: what is missing is said on the picture', run: missing, context: desk },
+  { name: 'page: a file for a row', run: onARow, context: desk },
+  { name: 'page: a notice that is taken away', run: dismissed, context: desk },
+  { name: 'page: a stand-in is called one', run: standIn, context: desk },
+  { name: 'page: no words where nothing is missing', run: unread, context: desk },
+];
