@@ -366,6 +366,20 @@ fn what_a_call_hands_out_starts_at_zero() {
     assert!(!of("vec2 g = f; c = g.xyxy; c += 1.0;").contains(cleared));
 }
 
+#[test]
+fn texels_outside_are_zero() {
+    let text =
+        wgsl("void mainImage(out vec4 c, in vec2 f) { c = texelFetch(iChannel0, ivec2(f), 0); }");
+    for part in [
+        "fn texelFetch_sampler2D(image: texture_2d<f32>, at: vec2<i32>, level: i32)",
+        "if all((vec2<u32>(at) < ",
+        "return vec4<f32>();",
+        "= texelFetch_sampler2D(iChannel0_, ",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+}
+
 /// What WGSL's compilers would work out, and refuse: nothing that they could is left in the text.
 #[test]
 fn constants_that_come_to_nothing_are_left_to_the_run() {

@@ -10,7 +10,9 @@ use super::write::TargetLanguage;
 use super::{Refused, Res, Value};
 use super::{global::Global, uniform::Uniforms};
 use crate::ir::{self, OpId, OpKind};
-use crate::semantic::{Function, FunctionRef, Inside, Program, Type, Variable, VariableId};
+use crate::semantic::{
+    Function, FunctionRef, Inside, Program, Sampler, Type, Variable, VariableId,
+};
 use crate::text::Span;
 use ::naga::proc::Layouter;
 use ::naga::{Arena, Expression, Handle, Module};
@@ -65,6 +67,8 @@ pub(super) struct Lowerer<'p> {
     pub(super) functions: FxHashMap<FunctionRef, Handle<::naga::Function>>,
     /// `inverse` of each size.
     pub(super) inverses: FxHashMap<u8, Handle<::naga::Function>>,
+    /// What reads a texel, by the kind of texture.
+    pub(super) fetches: FxHashMap<Sampler, Handle<::naga::Function>>,
     pub(super) uniforms: Uniforms,
     pub(super) interface: HostInterface,
     /// By operation: what it gave, in the function that it belongs to.
@@ -100,6 +104,7 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
         specials: FxHashMap::default(),
         functions: FxHashMap::default(),
         inverses: FxHashMap::default(),
+        fetches: FxHashMap::default(),
         uniforms: Uniforms::default(),
         interface: HostInterface {
             stage: stage_name(program.stage),

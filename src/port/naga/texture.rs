@@ -1,13 +1,16 @@
 //! Looking into textures.
 
 use super::body::{Body, Bound};
-use super::types::{Sink, texel};
+use super::types::{Sink, image, texel};
 use super::uniform::Pair;
 use super::{Res, Value};
 use crate::ir::{Access, Lanes, OpId, OpKind};
 use crate::semantic::builtins::{BuiltinKind, Level, Lookup};
 use crate::semantic::{Sampler, Scalar, Type};
-use ::naga::{BinaryOperator as Op, Expression, ImageQuery, MathFunction, SampleLevel, ScalarKind};
+use ::naga::{
+    BinaryOperator as Op, Block, Expression, Handle, ImageQuery, Literal, MathFunction,
+    RelationalFunction, SampleLevel, ScalarKind, Statement,
+};
 
 /// What a sampler asks of the coordinates.
 struct Shape {
@@ -94,7 +97,7 @@ impl Body<'_, '_> {
         match (kind, rest) {
             (BuiltinKind::Size, &[lod]) => self.texture_size(image, lod, &shape),
             (BuiltinKind::Lookup(lookup), &[at, lod, ..]) if lookup.level == Level::Fetch => {
-                self.fetch(image, at, lod, rest.get(2).copied(), &shape)
+                self.fetch(image, at, lod, rest.get(2).copied(), sampled)
             }
             (BuiltinKind::Lookup(lookup), &[at, ref more @ ..]) => {
                 if matches!(texel(sampled), Some(ScalarKind::Sint | ScalarKind::Uint)) {
@@ -130,26 +133,90 @@ impl Body<'_, '_> {
         at: OpId,
         lod: OpId,
         offset: Option<OpId>,
-        shape: &Shape,
+        kind: Sampler,
     ) -> Res<Value> {
-        let at = self.value(at)?;
-        let level = Some(self.value(lod)?);
-        let (mut coordinate, array_index) = if shape.is_layered {
-            (self.swizzle(at, Lanes::new(0..2)), Some(self.part(at, 2)))
-        } else {
-            (at, None)
-        };
+        let at_ty = self.lowerer.form.ty(at);
+        let mut at = self.value(at)?;
+        let level = self.value(lod)?;
         if let Some(offset) = offset {
-            let offset = self.value(offset)?;
-            coordinate = self.op(Op::Add, coordinate, offset);
+            let offset = self.offset_of(offset, at_ty)?;
+            at = self.op(Op::Add, at, offset);
         }
-        Ok(self.add(Expression::ImageLoad {
-            image,
-            coordinate,
-            array_index,
-            sample: None,
-            level,
-        }))
+        let function = match self.lowerer.fetches.get(&kind) {
+            Some(found) => *found,
+            None => {
+                let made = fetch(self, kind)?;
+                self.lowerer.fetches.insert(kind, made);
+                made
+            }
+        };
+        match self.call(function, vec![image, at, level], texel_ty(kind)) {
+            Some(value) => Ok(value),
+            None => self.lowerer.refuse("this texture cannot be read"),
+        }
+    }
+
+    /// An offset, for coordinates of a type: the layer stays.
+    fn offset_of(&mut self, offset: OpId, at: Type) -> Res<Value> {
+        let ty = self.lowerer.form.ty(offset);
+        let value = self.value(offset)?;
+        if ty == at {
+            return Ok(value);
+        }
+        let layer = self.zero(Type::INT)?;
+        self.compose(at, vec![value, layer])
+    }
+
+    /// The level of a texture that is nearest to a number, as in WebGL.
+    fn nearest_level(&mut self, image: Value, level: Value) -> Res<Value> {
+        let query = ImageQuery::NumLevels;
+        let levels = self.add(Expression::ImageQuery { image, query });
+        let levels = self.convert(levels, Scalar::Int);
+        let one = self.add(Expression::Literal(Literal::I32(1)));
+        let last = self.op(Op::Subtract, levels, one);
+        let first = self.zero(Type::INT)?;
+        let level = self.math(MathFunction::Max, &[level, first]);
+        Ok(self.math(MathFunction::Min, &[level, last]))
+    }
+
+    /// Returns the texel of a texture where there is one.
+    fn texel_inside(&mut self, image: Value, at: Value, level: Value, shape: &Shape) -> Res<()> {
+        let (coordinate, array_index) = match shape.is_layered {
+            true => (self.swizzle(at, Lanes::new(0..2)), Some(self.part(at, 2))),
+            false => (at, None),
+        };
+        let level = Some(level);
+        let query = ImageQuery::Size { level };
+        let size = self.add(Expression::ImageQuery { image, query });
+        // What lies below zero is a large number without a sign.
+        let unsigned = self.convert(coordinate, Scalar::Uint);
+        let argument = self.op(Op::Less, unsigned, size);
+        let fun = RelationalFunction::All;
+        let mut condition = self.add(Expression::Relational { fun, argument });
+        if let Some(layer) = array_index {
+            let query = ImageQuery::NumLayers;
+            let layers = self.add(Expression::ImageQuery { image, query });
+            let layer = self.convert(layer, Scalar::Uint);
+            let is_there = self.op(Op::Less, layer, layers);
+            condition = self.op(Op::LogicalAnd, condition, is_there);
+        }
+        let accept = self.nested(|it| {
+            let texel = it.add(Expression::ImageLoad {
+                image,
+                coordinate,
+                array_index,
+                sample: None,
+                level,
+            });
+            it.push(Statement::Return { value: Some(texel) });
+            Ok(())
+        })?;
+        self.push(Statement::If {
+            condition,
+            accept,
+            reject: Block::new(),
+        });
+        Ok(())
     }
 
     fn sample(
@@ -239,4 +306,40 @@ impl Body<'_, '_> {
         let depth = shape.is_shadow.then(|| self.part(at, next));
         (coordinate, layer, depth)
     }
+}
+
+/// What a texel of a texture is.
+fn texel_ty(kind: Sampler) -> Type {
+    let scalar = match texel(kind) {
+        Some(ScalarKind::Sint) => Scalar::Int,
+        Some(ScalarKind::Uint) => Scalar::Uint,
+        _ => Scalar::Float,
+    };
+    Type::vector(scalar, 4)
+}
+
+/// The function that reads a texel of a kind of texture.
+fn fetch(body: &mut Body, kind: Sampler) -> Res<Handle<::naga::Function>> {
+    let shape = Shape::of(kind);
+    let size = shape.size + u8::from(shape.is_layered);
+    let image_ty = body.lowerer.inner(None, image(kind));
+    let at_ty = body.lowerer.ty(Type::vector(Scalar::Int, size))?;
+    let level_ty = body.lowerer.ty(Type::INT)?;
+    let ty = texel_ty(kind);
+    let result = body.lowerer.ty(ty)?;
+    let mut fetch = Body::new(body.lowerer, &format!("texelFetch_{}", kind.name()));
+    let image = fetch.argument("image", image_ty);
+    let at = fetch.argument("at", at_ty);
+    let level = fetch.argument("level", level_ty);
+    fetch.function.result = Some(::naga::FunctionResult {
+        ty: result,
+        binding: None,
+    });
+    let level = fetch.nearest_level(image, level)?;
+    fetch.texel_inside(image, at, level, &shape)?;
+    // Outside there is nothing, as in WebGL.
+    let value = Some(fetch.zero(ty)?);
+    fetch.push(Statement::Return { value });
+    let function = fetch.finish();
+    body.lowerer.define(function)
 }
