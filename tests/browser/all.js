@@ -13,6 +13,7 @@ import { pixelTests } from './pixels.js';
 import { serveTests } from './serve.js';
 import { unitTests } from './units.js';
 import { verdictTests } from './verdicts.js';
+import { webgpuTests } from './webgpu.js';
 
 const words = process.argv.slice(2);
 const tests = [
@@ -25,6 +26,7 @@ const tests = [
   ...serveTests,
   ...verdictTests,
   ...corpusTests(),
+  ...webgpuTests(),
 ];
 const wanted = tests.filter((t) => words.length === 0 || words.some((w) => t.name.includes(w)));
 
