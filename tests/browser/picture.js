@@ -3,7 +3,7 @@ import path from 'node:path';
 import { launch, port, top } from './browser.js';
 
 const running = await launch();
-const context = await running.browser.newContext({ viewport: { width: 740, height: 400 }, colorScheme: 'dark' });
+const context = await running.browser.newContext({ viewport: { width: 960, height: 520 }, colorScheme: 'dark' });
 const page = await context.newPage();
 page.setDefaultTimeout(300000);
 await page.goto(`${port(path.join(top, 'corpus/templates/terrain.glsl'), 'terrain')}#t=9&paused`);
