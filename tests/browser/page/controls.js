@@ -140,7 +140,7 @@ async function kinds(context) {
 }
 
 async function heavy(context) {
-  const code = 'void mainImage(out vec4 O, vec2 U) { float a = 0.0; for (int i = 0; i < 6000; i++) a += sin(float(i) + U.x * iTime); O = vec4(a); }';
+  const code = 'void mainImage(out vec4 O, vec2 U) { float a = 0.0; for (int i = 0; i < 2000; i++) a += sin(float(i) + U.x * iTime); O = vec4(a); }';
   const { page } = await show(context, 'heavy', code, '');
   await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('heavy'), null, { timeout: 50000 });
   const box = await page.locator('#play').boundingBox();

@@ -140,8 +140,8 @@ function watchSpeed(player) {
   const look = (/** @type {number} */ now) => {
     times = player.isPlaying && document.visibilityState === 'visible' && last > 0 ? [...times, (now - last) / 1000] : [];
     last = player.isPlaying ? now : 0;
-    if (times.length < 6) return requestAnimationFrame(look);
-    const usual = times.slice(2).sort((a, b) => a - b)[2];
+    if (times.length < 4) return requestAnimationFrame(look);
+    const usual = times.slice(1).sort((a, b) => a - b)[1];
     const next = scale.options[scale.selectedIndex - 1];
     if (usual > SLOW && next && !scale.hidden) {
       notify('slow', `this shader is heavy here: ${(1 / usual).toFixed(1)} frames a second`, {
