@@ -47,8 +47,8 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> St
     };
     let script = format!(
         "(() => {{\n'use strict';\n{}{BORDER}{}{live}const player = openPage();\n{follow}}})();\n",
-        PLAYER.concat(),
-        PAGE_SCRIPTS.concat()
+        without_comments(&PLAYER.concat()),
+        without_comments(&PAGE_SCRIPTS.concat())
     );
     let title = match project.info.name.as_str() {
         "" => "shader",
@@ -68,6 +68,22 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> St
             ("script", &script),
         ],
     )
+}
+
+/// A script without the lines that are comments, which are a quarter of it and for whoever works on
+/// the player. What looks like one inside a template literal would go too; there is none.
+fn without_comments(script: &str) -> String {
+    let mut out = String::with_capacity(script.len());
+    let mut in_block = false;
+    for line in script.split_inclusive('\n') {
+        let text = line.trim();
+        in_block |= text.starts_with("/**");
+        if !in_block && !text.starts_with("//") {
+            out.push_str(line);
+        }
+        in_block &= !text.ends_with("*/");
+    }
+    out
 }
 
 /// Puts values into the places `{{name}}` of a template; what a value holds is never looked at.
@@ -138,6 +154,25 @@ mod tests {
     fn the_page_cannot_end_its_elements() {
         for text in PAGE_SCRIPTS.iter().chain([&STYLE, &LIVE, &MOUNT]) {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
+        }
+    }
+
+    #[test]
+    fn comments_stay_out_of_the_page() {
+        let script =
+            "// a\n/** b */\nlet x = 1; // c\n  /**\n   * d\n   */\n  x /* e */ = '/** f */';\n";
+        let left = "let x = 1; // c\n  x /* e */ = '/** f */';\n";
+        assert_eq!(without_comments(script), left);
+    }
+
+    /// A line inside a literal may begin like a comment.
+    #[test]
+    fn no_literal_of_the_page_goes_on_in_the_next_line() {
+        for script in PLAYER.iter().chain(&PAGE_SCRIPTS) {
+            for line in without_comments(script).lines() {
+                let ticks = line.matches('`').count() - line.matches("\\`").count();
+                assert!(ticks.is_multiple_of(2), "{line}");
+            }
         }
     }
 
