@@ -13,6 +13,8 @@ pub struct PassUnit {
     pub kind: Pass,
     /// Who declares what stands around its code.
     pub wrapper: Wrapper,
+    /// The stage that it is for.
+    pub stage: Stage,
     /// Header, Commons and code, in the order in which they are compiled.
     pub files: Vec<FileId>,
     /// What came of checking it, once that was asked for.
@@ -49,7 +51,7 @@ impl Composed {
             analyze(&Unit {
                 sources: &self.sources,
                 files: &unit.files,
-                stage: Stage::Fragment,
+                stage: unit.stage,
                 dialect: match unit.wrapper {
                     Wrapper::Player => Dialect::ShaderToy(unit.kind),
                     Wrapper::Own => Dialect::WebGl,
@@ -100,6 +102,7 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
             pass,
             kind: found.kind,
             wrapper: found.wrapper,
+            stage: found.stage,
             files,
             checked: OnceLock::new(),
         });

@@ -11,6 +11,7 @@ mod compose;
 mod control;
 mod credits;
 mod dialect;
+mod draw;
 mod export;
 mod findings;
 mod glsl;
@@ -39,7 +40,8 @@ pub use channel::{ChannelOrder, ChannelSource, Media, unknown_source};
 pub use compose::{Composed, PassUnit, compose};
 pub use control::{Control, ControlChoice, ControlKind};
 pub use credits::license_words;
-pub use dialect::{Bindings, DIALECTS, DialectFacts, UniformData, dialect_named};
+pub use dialect::{Bindings, DIALECTS, DialectFacts, TextsBeside, UniformData, dialect_named};
+pub use draw::{PassDraw, SizeTerm};
 pub use export::{MAX_EXPORT, ProjectError};
 pub use glsl::{GlslPass, VERTEX, glsl};
 pub use html::{html, waiting_page};
@@ -47,7 +49,7 @@ pub use json::json;
 pub use media::{Generator, StandIn, add_stand_ins};
 pub use parts::{PartsError, PassFile, PassRole, unknown_pass};
 pub use project::{
-    Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, Wrapper,
+    Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, SignalForm, Wrapper,
 };
 pub use repair::add_repairs;
 pub use rewrite::{NotSafe, rewrite};

@@ -3,11 +3,11 @@
 use super::findings::{FindingData, findings};
 use super::media::is_gray;
 use super::{
-    Composed, Control, Generator, Input, InputKind, OutputId, Project, ProjectPass, UniformData,
-    VERTEX, Wrapper, credits,
+    Composed, Control, Generator, Input, InputKind, OutputId, Project, ProjectPass, SizeTerm,
+    UniformData, VERTEX, Wrapper, credits,
 };
 use crate::semantic::tunable::{Tunable, may_hold_tunables, tunables};
-use crate::semantic::{Pass, Sampler};
+use crate::semantic::{Pass, Sampler, Stage};
 use crate::text::{FileId, Role, SourceFile, Sources};
 use rustc_hash::FxHashSet;
 use serde::Serialize;
@@ -59,6 +59,16 @@ struct PassData<'a> {
 struct OwnData<'a> {
     vertex: &'a str,
     uniforms: &'a [UniformData],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    size: Option<&'a [SizeTerm; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    into: Option<&'a str>,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    float: bool,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    quad: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fragment: Option<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -75,6 +85,8 @@ struct InputData<'a> {
     vflip: bool,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     gray: bool,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    form: &'static str,
     #[serde(skip_serializing_if = "str::is_empty")]
     name: &'a str,
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
@@ -173,9 +185,22 @@ fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassData<'a>> {
 }
 
 fn own(pass: &ProjectPass) -> Option<OwnData<'_>> {
-    (pass.wrapper == Wrapper::Own).then(|| OwnData {
-        vertex: &pass.bound.vertex,
+    let partner = pass.draw.partner.as_deref();
+    let (vertex, fragment) = match pass.stage {
+        Stage::Fragment => (partner.unwrap_or(&pass.bound.vertex), None),
+        Stage::Vertex => ("", partner),
+    };
+    (pass.wrapper == Wrapper::Own).then_some(OwnData {
+        vertex,
         uniforms: &pass.bound.uniforms,
+        size: pass.draw.size.as_ref(),
+        into: match pass.kind {
+            Pass::Buffer => pass.output.as_ref().map(|o| o.0.as_str()),
+            _ => None,
+        },
+        float: pass.draw.is_float,
+        quad: pass.stage == Stage::Fragment && partner.is_some(),
+        fragment,
     })
 }
 
@@ -238,6 +263,7 @@ fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> 
         },
         vflip: input.sampler.vflip,
         gray: is_gray(input),
+        form: input.signal.word(),
         name: &input.name,
         urls: &input.urls,
         stand_in: input.stand_in.map(|stand_in| StandInData {

@@ -1,7 +1,7 @@
 //! ShaderToy projects: passes, and what their channels read.
 
-use super::{Bindings, Control, DialectFacts, StandIn};
-use crate::semantic::{Channels, Pass, Sampler};
+use super::{Bindings, Control, DialectFacts, PassDraw, StandIn};
+use crate::semantic::{Channels, Pass, Sampler, Stage};
 use std::sync::Arc;
 
 /// A ShaderToy project.
@@ -15,10 +15,14 @@ pub struct Project {
     pub is_export: bool,
     /// What its whole shaders are written in.
     pub dialect: Option<&'static DialectFacts>,
+    /// How many of the controls the text itself describes: the first ones.
+    pub described: usize,
     /// The uniforms that the user sets.
     pub controls: Vec<Control>,
     /// What is to be told of how it was read.
     pub notes: Vec<String>,
+    /// The texts that it asks for beside its own, by their paths from its folder.
+    pub wanted: Vec<String>,
 }
 
 /// Who made a project, and what it is called; all of it is text from outside.
@@ -57,6 +61,10 @@ pub struct ProjectPass {
     pub behind: Arc<str>,
     /// What a whole shader is given.
     pub bound: Bindings,
+    /// The stage that the code is for.
+    pub stage: Stage,
+    /// How a whole shader is drawn.
+    pub draw: PassDraw,
     /// Path of its own file, where it has one.
     pub file: Option<String>,
 }
@@ -127,12 +135,39 @@ pub struct Input {
     pub src: String,
     /// How it is sampled.
     pub sampler: SamplerSettings,
+    /// How sound lies in its texture.
+    pub signal: SignalForm,
     /// Name of the file that the user gave for it.
     pub name: String,
     /// That file as `data:` addresses, six for a cube map; none where no file is at hand.
     pub urls: Vec<String>,
     /// What is drawn where no file is at hand.
     pub stand_in: Option<StandIn>,
+}
+
+/// How sound lies in a texture.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SignalForm {
+    /// Its spectrum, and above that its wave, in the red component.
+    Both,
+    /// Its spectrum alone, in gray.
+    Spectrum,
+    /// Its wave alone, in gray.
+    Wave,
+    /// Its spectrum at the bottom and above that those of the frames before, in all components.
+    History,
+}
+
+impl SignalForm {
+    /// As the player calls it.
+    pub const fn word(self) -> &'static str {
+        match self {
+            SignalForm::Both => "",
+            SignalForm::Spectrum => "spectrum",
+            SignalForm::Wave => "wave",
+            SignalForm::History => "history",
+        }
+    }
 }
 
 /// The kinds of input.
@@ -228,6 +263,7 @@ impl Input {
             id: String::new(),
             src: String::new(),
             sampler: SamplerSettings::usual(kind),
+            signal: SignalForm::Both,
             name: String::new(),
             urls: Vec::new(),
             stand_in: None,
@@ -291,6 +327,8 @@ impl ProjectPass {
             before: Arc::from(""),
             behind: Arc::from(""),
             bound: Bindings::default(),
+            stage: Stage::Fragment,
+            draw: PassDraw::default(),
             file: None,
         }
     }

@@ -1,7 +1,7 @@
 //! A shader file as a project: a pass of ShaderToy, or a whole shader of any dialect.
 
 use super::dialect::{
-    self, Clues, DialectFacts, Plan, PlannedPass, bind, dialect_named, recognise,
+    self, Clues, DialectFacts, Plan, PlannedPass, TextsBeside, bind, dialect_named, recognise,
 };
 use super::{
     Bindings, Composed, Control, Info, Input, InputKind, Project, ProjectPass, Wrapper, compose,
@@ -54,12 +54,26 @@ impl Project {
         code: &str,
         dialect: Option<&'static DialectFacts>,
     ) -> Result<Project, ShaderError> {
+        Project::draft_beside(title, code, dialect, &TextsBeside::new())
+    }
+
+    /// The same of a text that others stand beside: those that it still asks for are in
+    /// [`Project::wanted`].
+    ///
+    /// # Errors
+    /// Where its text shows that no page of ours can show it.
+    pub fn draft_beside(
+        title: &str,
+        code: &str,
+        dialect: Option<&'static DialectFacts>,
+        beside: &TextsBeside,
+    ) -> Result<Project, ShaderError> {
         let told = guess(code);
         let pass = match told.kind {
             Some(GuessedKind::ShaderToy(kind)) => Some(kind),
             _ => None,
         };
-        let clues = Clues::of(code);
+        let clues = Clues::beside(code, title, beside);
         let recognised = match dialect {
             Some(dialect) => dialect::Recognised {
                 dialect,
@@ -72,13 +86,15 @@ impl Project {
             let kind = pass.ok_or(ShaderError::NoEntry)?;
             return Ok(Project::of_pass(title, ProjectPass::new(kind, code)));
         };
-        if !clues.is_shader() {
+        let plan = plan(&clues);
+        if !clues.is_shader() && !plan.is_description {
             return Err(ShaderError::NoEntry);
         }
-        if told.stage == Some(Stage::Vertex) {
+        let draws_vertices = plan.draws.iter().any(|d| d.has_vertices);
+        if told.stage == Some(Stage::Vertex) && !draws_vertices {
             return Err(ShaderError::Vertex);
         }
-        let mut project = Project::of_plan(title, recognised.dialect, plan(&clues))?;
+        let mut project = Project::of_plan(title, recognised.dialect, plan)?;
         if dialect.is_none() && !recognised.signs.is_empty() {
             project.notes.insert(0, recognised.told());
         }
@@ -119,18 +135,28 @@ impl Project {
     ) -> Result<Project, ShaderError> {
         let mut notes = plan.notes;
         let mut passes = Vec::new();
+        let mut draws = plan.draws.into_iter();
         for planned in plan.passes {
-            passes.push(own(planned, &mut notes)?);
+            let pass = own(planned, &mut notes)?;
+            passes.push(ProjectPass {
+                draw: draws.next().unwrap_or_default(),
+                ..pass
+            });
         }
+        let credit = plan.credit.unwrap_or_default();
         Ok(Project {
             info: Info {
                 name: title.to_string(),
+                author: credit.author,
+                description: credit.description,
                 ..Info::default()
             },
             passes,
             dialect: Some(dialect),
+            described: plan.controls.len(),
             controls: plan.controls,
             notes,
+            wanted: plan.wanted,
             ..Project::default()
         })
     }
@@ -157,7 +183,8 @@ impl Project {
                     let facts = self.dialect.or_else(|| dialect_named("webgl"));
                     let Some(facts) = facts else { continue };
                     let own = (&pass.inputs[..], &controls[..]);
-                    pass.bound = bind(program, facts, own, pass.output.as_ref());
+                    let partner = pass.draw.partner.as_deref();
+                    pass.bound = bind(program, facts, own, pass.output.as_ref(), partner);
                     pass.inputs = pass.bound.inputs.clone();
                     add_controls(&mut controls, &pass.bound.controls);
                 }
@@ -195,6 +222,7 @@ impl Project {
         let set = self
             .controls
             .iter()
+            .skip(self.described)
             .map(|c| c.name.as_str())
             .collect::<Vec<_>>();
         let guessed = names(|b| &b.guessed);
@@ -232,6 +260,7 @@ fn own(planned: PlannedPass, notes: &mut Vec<String>) -> Result<ProjectPass, Sha
         wrapper: Wrapper::Own,
         before: best.before,
         behind: best.behind,
+        stage: best.stage,
         inputs: planned.inputs,
         output: Some(planned.output),
         ..ProjectPass::new(planned.kind, best.code)

@@ -4,6 +4,7 @@
 import { rmSync } from 'node:fs';
 import { launch, work } from './browser.js';
 import { corpusTests } from './corpus.js';
+import { dialectTests } from './dialects.js';
 import { fixTests } from './fixes.js';
 import { hostileTests } from './hostile.js';
 import { mediaTests } from './media.js';
@@ -19,7 +20,9 @@ const words = process.argv.slice(2);
 const tests = [
   ...unitTests,
   ...pixelTests,
-  ...pageTests, ...mediaTests,
+  ...mediaTests,
+  ...pageTests,
+  ...dialectTests,
   ...hostileTests,
   ...fixTests,
   ...moduleTests,

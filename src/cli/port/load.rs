@@ -1,6 +1,7 @@
 //! From paths to a project: shader files, folders, exports, and what goes onto channels.
 
 use super::PortArgs;
+use super::beside::{draft_beside, folder_of};
 use super::channels::{GivenOrder, file_of, orders};
 use super::media::{Carried, is_cube};
 use super::read::{plain_error, read_text, shown};
@@ -65,6 +66,11 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     let mut carried = Carried::new(args.max_media);
     if let Some(folder) = &args.media {
         carried.find(&mut project, folder)?;
+    }
+    if let (Some(_), Some(path)) = (project.dialect, args.input.first())
+        && path.as_os_str() != "-"
+    {
+        carried.find(&mut project, folder_of(path))?;
     }
     put(&mut project, &orders, &mut carried)?;
     if args.strict_player {
@@ -165,7 +171,7 @@ fn one_file(
         let project = Project::from_json(&text).map_err(|e| wrong(e.to_string()))?;
         return Ok((project, Repairs::default()));
     }
-    if text.trim_start().starts_with('<') {
+    if text.trim_start().starts_with('<') && !text.contains("<pipeline") {
         return Err(wrong(
             "this is a page of HTML or XML, and no shader".to_string(),
         ));
@@ -176,8 +182,9 @@ fn one_file(
         stem(path)
     };
     let draft = |text: &str| {
-        let project = Project::draft(&title, text, from);
-        project.map_err(|e| wrong(e.to_string()))
+        draft_beside(path, |beside| {
+            Project::draft_beside(&title, text, from, beside).map_err(|e| wrong(e.to_string()))
+        })
     };
     let project = draft(&text)?;
     let modern = project.modernized(&text);

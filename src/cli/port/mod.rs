@@ -1,5 +1,6 @@
 //! `shaderport`.
 
+mod beside;
 mod channels;
 mod load;
 mod media;

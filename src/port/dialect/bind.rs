@@ -2,10 +2,12 @@
 
 use super::DialectFacts;
 use super::feed::{Feed, FeedRow, Texture, TextureRow, USUAL_FEEDS, USUAL_TEXTURES, is_named};
-use super::vertex::vertex;
+use super::vertex::{Vertex, vertex};
 use crate::port::{Control, ControlKind, Input, InputKind, OutputId, SamplerSettings};
 use crate::semantic::tunable::range_behind;
-use crate::semantic::{Program, Sampler, Scalar, Storage, Value, Variable, VariableId, channel};
+use crate::semantic::{
+    Program, Sampler, Scalar, Stage, Storage, Value, Variable, VariableId, channel,
+};
 use serde::Serialize;
 
 /// A uniform that the player sets.
@@ -41,14 +43,19 @@ pub struct Bindings {
 pub const MAX_CHANNELS: u8 = 16;
 
 /// Finds out what a whole shader is to be given. `own` are the inputs and controls that the text
-/// itself describes, `output` is what the pass draws.
+/// itself describes, `output` is what the pass draws, `partner` the other shader of the pair where
+/// the text brings it.
 pub(in crate::port) fn bind(
     program: &Program,
     dialect: &DialectFacts,
     own: (&[Input], &[Control]),
     output: Option<&OutputId>,
+    partner: Option<&str>,
 ) -> Bindings {
-    let vertex = vertex(program, dialect);
+    let vertex = match program.stage {
+        Stage::Fragment => vertex(program, dialect),
+        Stage::Vertex => Vertex::default(),
+    };
     let mut bound = Bindings {
         vertex: vertex.code,
         guessed: vertex.guessed,
@@ -59,7 +66,11 @@ pub(in crate::port) fn bind(
         let is_user = program
             .declared_at(variable)
             .is_some_and(|s| program.is_user(s));
-        if !is_declared || !(is_user || variable.read) {
+        // Another shader of the pair may read what its host declares.
+        let is_read = is_user
+            || variable.read
+            || partner.is_some_and(|text| reads(text, program.names.text(variable.name)));
+        if !is_declared || !is_read {
             continue;
         }
         match variable.ty.as_sampler() {
@@ -78,6 +89,12 @@ pub(in crate::port) fn bind(
         }
     }
     bound
+}
+
+/// Whether a word stands in a text.
+fn reads(text: &str, word: &str) -> bool {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    text.split(|c| !is_part(c)).any(|w| w == word)
 }
 
 impl Bindings {

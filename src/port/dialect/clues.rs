@@ -1,5 +1,6 @@
 //! What a text shows of the dialect that it is written in.
 
+use super::TextsBeside;
 use super::complete::{Completion, completions_of};
 use crate::semantic::{Guess, Program, Storage, guess};
 use crate::syntax::{Lexer, RawKind};
@@ -45,6 +46,10 @@ impl VersionAsked {
 pub struct Clues<'t> {
     /// The text.
     pub text: &'t str,
+    /// What its file is called, without ending; empty where it has none.
+    pub name: &'t str,
+    /// The texts beside it that have been read.
+    pub beside: &'t TextsBeside,
     /// What the `#version` of the text asks for.
     pub asked: VersionAsked,
     /// What its words tell of its version and kind.
@@ -60,12 +65,20 @@ pub struct Clues<'t> {
 }
 
 impl<'t> Clues<'t> {
-    /// Reads a text.
+    /// Reads a text that stands alone.
     pub fn of(text: &'t str) -> Clues<'t> {
+        static NOTHING: TextsBeside = TextsBeside::new();
+        Clues::beside(text, "", &NOTHING)
+    }
+
+    /// Reads a text with others beside it.
+    pub fn beside(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
         let guess = guess(text);
         let (words, asked) = words(text);
         let mut clues = Clues {
             text,
+            name,
+            beside,
             asked,
             is_body: !guess.has_main && !guess.is_shadertoy() && !words.contains("mainImage"),
             guess,

@@ -20,6 +20,8 @@ pub struct Completion {
     pub behind: Arc<str>,
     /// What is to be told of it.
     pub note: Option<String>,
+    /// The stage that it is for.
+    pub stage: Stage,
 }
 
 impl Completion {
@@ -30,6 +32,7 @@ impl Completion {
             code: Arc::from(text),
             behind: Arc::from(""),
             note: None,
+            stage: Stage::Fragment,
         }
     }
 
@@ -40,6 +43,15 @@ impl Completion {
             code: Arc::from(without_first_lines(text)),
             behind: Arc::from(""),
             note: None,
+            stage: Stage::Fragment,
+        }
+    }
+
+    /// The same as a vertex shader.
+    pub fn for_vertices(self) -> Completion {
+        Completion {
+            stage: Stage::Vertex,
+            ..self
         }
     }
 
@@ -84,7 +96,7 @@ impl Completion {
         Some(analyze(&Unit {
             sources: &Arc::new(sources),
             files: &files,
-            stage: Stage::Fragment,
+            stage: self.stage,
             dialect: Dialect::WebGl,
             infer_channels: false,
             wholeness: Wholeness::Whole,

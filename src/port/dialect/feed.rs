@@ -22,6 +22,8 @@ pub enum Feed {
     SampleRate,
     /// Year, month from 0, day, seconds since midnight.
     Date,
+    /// Year, month from 1, day, seconds since midnight.
+    DateFromOne,
     /// Width and height in pixels, then the ratio of a pixel's sides.
     Resolution,
     /// Width and height in pixels, then what a pixel measures in the picture.
@@ -52,6 +54,8 @@ pub enum Feed {
     Spectrum,
     /// How loud the sound is.
     Volume,
+    /// Width and height of the texture that holds the spectra of the last frames.
+    HistorySize,
     /// The place of a camera that looks at the picture: (0, 0, 1).
     Camera,
     /// A matrix that changes nothing.

@@ -10,9 +10,15 @@ mod clues;
 mod complete;
 mod feed;
 mod glslsandbox;
+mod isf;
 mod page;
+#[cfg(feature = "cli")]
+mod shadered;
 mod shadertoy;
+mod synthclipse;
 mod vertex;
+mod vertexshaderart;
+mod vscode;
 
 pub(super) use bind::bind;
 pub use bind::{Bindings, UniformData};
@@ -22,10 +28,12 @@ pub(in crate::port) use complete::best;
 pub(super) use feed::PLACES;
 pub use feed::{FeedRow, TextureRow, VaryingRow};
 
-use super::{Control, Input, OutputId};
+use super::{Control, Input, InputKind, OutputId, PassDraw, SamplerSettings};
 use crate::semantic::Pass;
 use feed::is_named;
+use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::Arc;
 
 /// What is known of a dialect.
 pub struct DialectFacts {
@@ -85,8 +93,28 @@ pub struct Plan {
     pub passes: Vec<PlannedPass>,
     /// What its head lets the user set.
     pub controls: Vec<Control>,
+    /// How they are drawn, where that is not usual: as many as there are passes, or none.
+    pub draws: Vec<PassDraw>,
     /// What is to be told.
     pub notes: Vec<String>,
+    /// The texts beside it that it asks for, and that have not been read.
+    pub wanted: Vec<String>,
+    /// What the head calls it, and who made it.
+    pub credit: Option<Credit>,
+    /// Whether the text is the description of a project, and no shader.
+    pub is_description: bool,
+}
+
+/// Texts beside a text, by their paths from its folder; `None` where there is no such file.
+pub type TextsBeside = BTreeMap<String, Option<Arc<str>>>;
+
+/// What a text's head tells of its author.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Credit {
+    /// Who made it.
+    pub author: String,
+    /// What they say of it.
+    pub description: String,
 }
 
 /// A pass that a text becomes.
@@ -119,8 +147,65 @@ impl Plan {
     }
 }
 
+impl PlannedPass {
+    /// A pass that draws into a buffer of a name.
+    pub fn buffer(name: &str, candidates: Vec<Completion>) -> PlannedPass {
+        PlannedPass {
+            kind: Pass::Buffer,
+            name: name.to_string(),
+            output: OutputId::of_dialect(name),
+            candidates,
+            inputs: Vec::new(),
+        }
+    }
+
+    /// The picture: what a buffer holds, as it is.
+    pub fn copy_of(name: &str) -> PlannedPass {
+        let code = "precision highp float;\nuniform sampler2D port_buffer;\nuniform vec2 resolution;\n\
+            void main() {\n    gl_FragColor = texture2D(port_buffer, gl_FragCoord.xy / resolution);\n}\n";
+        PlannedPass {
+            kind: Pass::Image,
+            name: "Picture".to_string(),
+            output: OutputId(OutputId::IMAGE.to_string()),
+            candidates: vec![Completion::bare(code)],
+            inputs: vec![read_buffer("port_buffer", name)],
+        }
+    }
+}
+
+/// What a sampler reads of a buffer of a name.
+fn read_buffer(uniform: &str, buffer: &str) -> Input {
+    Input {
+        id: OutputId::of_dialect(buffer).0,
+        ..sampled(uniform, InputKind::Buffer, ("linear", "clamp"))
+    }
+}
+
+/// What a sampler reads, and with which filter and wrap.
+fn sampled(uniform: &str, kind: InputKind, how: (&str, &str)) -> Input {
+    Input {
+        uniform: Some(uniform.to_string()),
+        sampler: SamplerSettings {
+            filter: how.0.to_string(),
+            wrap: how.1.to_string(),
+            vflip: kind != InputKind::Cubemap,
+        },
+        ..Input::empty(0, kind)
+    }
+}
+
 /// All dialects, those with the most of their own first.
-pub static DIALECTS: &[&DialectFacts] = &[&glslsandbox::FACTS, &page::FACTS, &shadertoy::FACTS];
+pub static DIALECTS: &[&DialectFacts] = &[
+    #[cfg(feature = "cli")]
+    &shadered::FACTS,
+    &synthclipse::FACTS,
+    &vscode::FACTS,
+    &vertexshaderart::FACTS,
+    &isf::FACTS,
+    &glslsandbox::FACTS,
+    &page::FACTS,
+    &shadertoy::FACTS,
+];
 
 /// The dialect of a name.
 pub fn dialect_named(name: &str) -> Option<&'static DialectFacts> {

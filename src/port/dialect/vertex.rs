@@ -6,6 +6,7 @@ use crate::semantic::{Program, Scalar, Storage, Type, Variable};
 use crate::syntax::Version;
 
 /// A vertex shader, and the varyings of which nothing is known.
+#[derive(Default)]
 pub(super) struct Vertex {
     pub(super) code: String,
     /// Their names.

@@ -19,7 +19,9 @@ class CompileError extends Error {
  * @returns {StartedProgram}
  */
 function startProgram(gl, project, pass) {
-  return startShaders(gl, pass.vertex ?? project.vertex, passSource(project, pass));
+  const own = passSource(project, pass);
+  if (pass.fragment) return startShaders(gl, own, pass.fragment);
+  return startShaders(gl, pass.vertex ?? project.vertex, own);
 }
 
 /**
@@ -37,6 +39,7 @@ function startShaders(gl, vertex, fragment) {
   ];
   // Vertex shaders of 1.00 cannot say where their attribute lies; others have none of this name.
   gl.bindAttribLocation(program, 0, 'port_pos');
+  gl.bindAttribLocation(program, 1, 'vertexId');
   gl.linkProgram(program);
   return { program, shaders };
 }
@@ -124,6 +127,36 @@ function samplerCache(gl) {
   };
   const dispose = () => made.forEach((s) => gl.deleteSampler(s));
   return { get, dispose };
+}
+
+/** Most vertices that a shader is run for. */
+const MAX_VERTICES = 100000;
+
+/** @param {WebGL2RenderingContext} gl @param {number} place @param {number} lanes @param {Float32Array} data */
+function fillAttribute(gl, place, lanes, data) {
+  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+  gl.enableVertexAttribArray(place);
+  gl.vertexAttribPointer(place, lanes, gl.FLOAT, false, 0, 0);
+}
+
+/**
+ * Draws numbered vertices over a background. Controls say how many, in which color, and as what: the
+ * numbers of `port_mode` are WebGL's.
+ * @param {WebGL2RenderingContext} gl
+ * @param {Map<string, number[]>} controls
+ */
+function drawVertices(gl, controls) {
+  const [mode, count, background] = ['port_mode', 'vertexCount', 'background'].map((name) => controls.get(name) ?? []);
+  const [r = 0, g = 0, b = 0, a = 1] = background;
+  gl.enable(gl.DEPTH_TEST);
+  gl.enable(gl.BLEND);
+  gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+  gl.clearColor(r, g, b, a);
+  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  gl.drawArrays(mode[0] ?? gl.LINES, 0, Math.min(MAX_VERTICES, Math.max(0, Math.floor(count[0] ?? 0))));
+  gl.disable(gl.DEPTH_TEST);
+  gl.disable(gl.BLEND);
 }
 
 /** One for each type of channel. @param {WebGL2RenderingContext} gl */

@@ -40,7 +40,9 @@ function openInput(gl, data, devices, standIns) {
       return filmInput(gl, data, devices.camera());
     case 'music':
     case 'mic':
-      return signalInput(gl, data, openSignal(gl, data, devices, standIns));
+      return data.form
+        ? formInput(gl, data, openSignal(gl, data, devices, standIns))
+        : signalInput(gl, data, openSignal(gl, data, devices, standIns));
     default:
       return emptyInput();
   }
@@ -250,6 +252,52 @@ function signalInput(gl, data, signal) {
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 512, 1, gl.RED, gl.UNSIGNED_BYTE, spectrum);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 1, 512, 1, gl.RED, gl.UNSIGNED_BYTE, wave);
     if (data.filter === 'mipmap') gl.generateMipmap(gl.TEXTURE_2D);
+  };
+  input.play = signal.play;
+  input.rewind = signal.rewind;
+  input.dispose = () => gl.deleteTexture(input.texture);
+  return input;
+}
+
+/** How many frames the history of the spectrum has. */
+const HISTORY_ROWS = 240;
+const SIGNAL_WIDTH = 512;
+
+/**
+ * Music or a microphone as a texture of one of them: the spectrum, the wave, or the spectra of the last
+ * frames, the newest at the bottom.
+ * @param {WebGL2RenderingContext} gl
+ * @param {InputData} data
+ * @param {Signal} signal
+ * @returns {Input}
+ */
+function formInput(gl, data, signal) {
+  const input = emptyInput();
+  const [spectrum, wave] = [new Uint8Array(1024), new Uint8Array(1024)];
+  const hasHistory = data.form === 'history';
+  const rows = hasHistory ? HISTORY_ROWS : 1;
+  const texels = new Uint8Array(4 * SIGNAL_WIDTH * rows);
+  input.texture = gl.createTexture();
+  input.size = [SIGNAL_WIDTH, rows, 1];
+  input.isLoaded = true;
+  input.update = (time) => {
+    const analyser = signal.analyser();
+    if (analyser) {
+      analyser.getByteFrequencyData(spectrum);
+      analyser.getByteTimeDomainData(wave);
+    } else {
+      makeUpSignal(time, spectrum, wave);
+    }
+    input.time = analyser ? signal.time() : 10 + time;
+    const values = data.form === 'wave' ? wave : spectrum;
+    texels.copyWithin(4 * SIGNAL_WIDTH, 0);
+    for (let i = 0; i < SIGNAL_WIDTH; i++) {
+      texels.fill(values[i], 4 * i, 4 * i + 4);
+      if (!hasHistory) texels[4 * i + 3] = 255;
+    }
+    gl.bindTexture(gl.TEXTURE_2D, input.texture);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, SIGNAL_WIDTH, rows, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
   };
   input.play = signal.play;
   input.rewind = signal.rewind;

@@ -9,10 +9,11 @@ class Player {
    * @param {ProjectData} project
    */
   constructor(canvas, project) {
+    const hasVertices = project.passes.some((p) => p.fragment);
     const gl = canvas.getContext('webgl2', {
       alpha: false,
-      antialias: false,
-      depth: false,
+      antialias: hasVertices,
+      depth: hasVertices,
       stencil: false,
       preserveDrawingBuffer: true,
       powerPreference: 'high-performance',
@@ -59,11 +60,12 @@ class Player {
     gl.activeTexture(gl.TEXTURE0 + SPARE_UNIT);
     this.canDrawFloats = gl.getExtension('EXT_color_buffer_float') !== null;
     gl.getExtension('OES_texture_float_linear');
-    const triangle = new Float32Array([-1, -1, 3, -1, -1, 3]);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, triangle, gl.STATIC_DRAW);
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
+    const triangle = [-1, -1, 3, -1, -1, 3];
+    const corners = [-1, -1, 1, -1, -1, 1, -1, 1, 1, -1, 1, 1];
+    fillAttribute(gl, 0, 2, new Float32Array([...triangle, ...corners]));
+    if (this.project.passes.some((p) => p.fragment)) {
+      fillAttribute(gl, 1, 1, Float32Array.from({ length: MAX_VERTICES }, (_, i) => i));
+    }
     gl.disable(gl.DITHER);
     return new Programs(gl, this.project);
   }
@@ -104,8 +106,9 @@ class Player {
     project.passes.forEach((pass, i) => {
       const isRead = project.passes.some((p) => p.inputs.some((input) => input?.kind === 'buffer' && input.buffer === i));
       if (pass.kind === 'buffer' || (pass.kind === 'image' && isRead)) {
-        const isFloat = !pass.uniforms;
-        this.buffers.set(i, new Buffer(gl, gl.drawingBufferWidth, gl.drawingBufferHeight, isFloat));
+        const first = this.#drawnInto(i);
+        const isFloat = pass.float || !pass.uniforms;
+        this.buffers.set(i, this.buffers.get(first) ?? new Buffer(gl, ...this.#passSize(i), isFloat));
       } else if (pass.kind === 'cubemap') {
         this.cube = new CubeBuffer(gl);
       }
@@ -143,8 +146,25 @@ class Player {
     if (this.canvas.width === w && this.canvas.height === h) return;
     this.canvas.width = w;
     this.canvas.height = h;
-    this.buffers.forEach((buffer, i) => buffer.resize(w, h, this.#hasMipmaps(i)));
+    this.buffers.forEach((buffer, i) => buffer.resize(...this.#passSize(i), this.#hasMipmaps(i)));
     if (!this.isPlaying && this.programs.some(Boolean)) this.paint(this.clock.frozen());
+  }
+
+  /** The first of the passes that draw into the same buffer. @param {number} pass index */
+  #drawnInto(pass) {
+    const { into } = this.project.passes[pass];
+    return into ? this.project.passes.findIndex((p) => p.into === into) : pass;
+  }
+
+  /** The width and height of what a pass draws into. @param {number} pass index @returns {[number, number]} */
+  #passSize(pass) {
+    const { drawingBufferWidth: width, drawingBufferHeight: height } = this.gl;
+    const { size } = this.project.passes[pass];
+    if (!size) return [width, height];
+    /** @type {Record<string, number>} */
+    const canvas = { $WIDTH: width, $HEIGHT: height };
+    const valueOf = (/** @type {string} */ name) => canvas[name] ?? this.controls.get(name)?.[0] ?? 0;
+    return [pixels(sizeOf(size[0], valueOf)), pixels(sizeOf(size[1], valueOf))];
   }
 
   /** Whether some channel reads a pass with mipmaps. @param {number} pass index */
@@ -197,16 +217,18 @@ class Player {
       this.cube?.flip(hasMipmaps);
       return;
     }
-    const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
-    this.#bindPass(index, program, frame, width, height);
+    const [width, height] = this.#passSize(index);
     const buffer = this.buffers.get(index);
+    buffer?.resize(width, height, hasMipmaps);
+    this.#bindPass(index, program, frame, width, height);
     if (buffer) {
       buffer.bind();
     } else {
       gl.bindFramebuffer(gl.FRAMEBUFFER, null);
       gl.viewport(0, 0, width, height);
     }
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    if (program.data.fragment) drawVertices(gl, this.controls);
+    else gl.drawArrays(gl.TRIANGLES, program.data.quad ? 3 : 0, program.data.quad ? 6 : 3);
     if (program.data.kind === 'image') buffer?.show();
     buffer?.flip(hasMipmaps);
   }

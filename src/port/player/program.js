@@ -18,6 +18,7 @@ const SOURCES = {
   frameRate: (f) => [f.rate],
   sampleRate: () => [44100],
   date: (f) => f.date,
+  dateFromOne: ({ date: [year, month, ...rest] }) => [year, month + 1, ...rest],
   resolution: (_, w, h) => [w, h, 1, 1],
   resolutionAndPixel: (_, w, h) => [w, h, 1 / w, 1 / h],
   pixel: (_, w, h) => [1 / w, 1 / h],
@@ -33,6 +34,7 @@ const SOURCES = {
   button: ({ pointer: p }) => [p?.isDown ? 1 : 0],
   spectrum: (f) => madeUpSpectrum(f.time),
   volume: (f) => [madeUpSpectrum(f.time)[0]],
+  historySize: () => [SIGNAL_WIDTH, HISTORY_ROWS],
   camera: () => [0, 0, 1],
   nothing: () => [],
 };

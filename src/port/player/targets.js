@@ -1,6 +1,32 @@
 // What passes draw into: pairs of textures, of which one is drawn into while the other is read.
 
-/** A buffer of the size of the canvas, in floats of 32 bits or, as a canvas, in bytes. */
+/** What sizes are made of that Math does not have. @type {Record<string, (...n: number[]) => number>} */
+const SIZE_FUNCTIONS = {
+  add: (a, b) => a + b,
+  subtract: (a, b) => a - b,
+  multiply: (a, b) => a * b,
+  divide: (a, b) => a / b,
+  modulo: (a, b) => a % b,
+};
+
+/** @param {SizeTerm} term @param {(name: string) => number} valueOf @returns {number} */
+function sizeOf(term, valueOf) {
+  if (typeof term === 'number') return term;
+  if (typeof term === 'string') return valueOf(term);
+  const [name, terms] = term;
+  const math = /** @type {Record<string, any>} */ (/** @type {unknown} */ (Math));
+  return (SIZE_FUNCTIONS[name] ?? math[name])(...terms.map((t) => sizeOf(t, valueOf)));
+}
+
+/** Largest side of a buffer with a size of its own. */
+const MAX_SIDE = 8192;
+
+/** A whole number of pixels. @param {number} size */
+function pixels(size) {
+  return Math.min(MAX_SIDE, Math.max(1, Math.floor(size) || 1));
+}
+
+/** A buffer, in floats of 32 bits or, as a canvas, in bytes. */
 class Buffer {
   /**
    * @param {WebGL2RenderingContext} gl
@@ -76,6 +102,7 @@ class Buffer {
    * @param {number} width @param {number} height @param {boolean} hasMipmaps
    */
   resize(width, height, hasMipmaps) {
+    if (width === this.width && height === this.height) return;
     const gl = this.gl;
     const old = this.textures;
     const kept = [Math.min(width, this.width), Math.min(height, this.height)];

@@ -22,6 +22,7 @@
  * @property {string[]} [urls] data: or blob: addresses of the file, six for a cube map
  * @property {string} [name] name of the file
  * @property {boolean} [gray] whether only the red component is kept
+ * @property {string} [form] how sound lies in its texture: spectrum, wave or history; both without it
  * @property {string} [standIn] which of the project's `media` is drawn where no file is at hand
  * @property {string} [title] what the site calls the file that it stands for
  * @property {number[]} [size] width, height and depth of what is drawn
@@ -43,6 +44,17 @@
  * @property {(InputData | null)[]} inputs one for each channel
  * @property {string} [vertex] the vertex shader, where the pass has its own
  * @property {OwnUniform[]} [uniforms] what is set in a pass that brings its own uniforms
+ * @property {[SizeTerm, SizeTerm]} [size] what it draws into, where that has not the canvas's size
+ * @property {string} [into] what it draws into, where other passes do, too
+ * @property {boolean} [float] whether it draws into floats
+ * @property {boolean} [quad] whether its vertex shader wants the corners of the picture
+ * @property {string} [fragment] the fragment shader, where the texts are a vertex shader that is run for
+ *   numbered vertices
+ */
+
+/**
+ * A number, a name (`$WIDTH`, `$HEIGHT` or a control), or a function and what it is given.
+ * @typedef {number | string | [string, any[]]} SizeTerm
  */
 
 /**

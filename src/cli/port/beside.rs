@@ -1,0 +1,104 @@
+//! The texts that stand beside one and that it asks for: what it includes, its buffers, its vertex
+//! shader.
+
+use super::read::{read_text, shown};
+use crate::port::{Project, TextsBeside};
+use std::path::{Path, PathBuf};
+
+/// Most texts that one is made of.
+const MAX_TEXTS: usize = 256;
+
+/// Reads a text again with those beside it until it asks for no more.
+pub(super) fn draft_beside(
+    path: &Path,
+    draft: impl Fn(&TextsBeside) -> Result<Project, String>,
+) -> Result<Project, String> {
+    let mut beside = TextsBeside::new();
+    loop {
+        let project = draft(&beside)?;
+        if project.wanted.iter().all(|path| beside.contains_key(path)) {
+            return Ok(project);
+        }
+        read_wanted(path, &project.wanted, &mut beside)
+            .map_err(|e| format!("{}: {e}", shown(path)))?;
+    }
+}
+
+/// Reads the texts that one asks for. Nothing outside its folder is read, whatever it says.
+fn read_wanted(path: &Path, wanted: &[String], texts: &mut TextsBeside) -> Result<(), String> {
+    let folder = folder_of(path);
+    let root = folder.canonicalize();
+    let is_stdin = path.as_os_str() == "-";
+    for asked in wanted {
+        if texts.len() >= MAX_TEXTS {
+            return Err(format!("it is made of more than {MAX_TEXTS} files"));
+        }
+        let found = match &root {
+            Ok(root) if !is_stdin => root.join(asked).canonicalize().ok(),
+            _ => None,
+        };
+        let is_inside = |file: &PathBuf| root.as_ref().is_ok_and(|root| file.starts_with(root));
+        let text = match found {
+            Some(file) if !is_inside(&file) => {
+                return Err(format!("`{asked}` leads out of {}", shown(folder)));
+            }
+            Some(file) if file.is_file() => Some(read_text(&folder.join(asked))?.into()),
+            _ => None,
+        };
+        texts.insert(asked.clone(), text);
+    }
+    Ok(())
+}
+
+/// The folder that a file lies in.
+pub(super) fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    /// Drafts a shader that includes a file; gives what is told, or what is wrong.
+    fn draft(folder: &Path, include: &str) -> Result<Vec<String>, String> {
+        let code = format!(
+            "#include \"{include}\"\nvoid mainImage(out vec4 c, in vec2 p) {{ c = vec4(1.0); }}\n"
+        );
+        let path = folder.join("in/x.glsl");
+        fs::write(&path, &code).unwrap();
+        let draft = |beside: &TextsBeside| {
+            Project::draft_beside("x", &code, None, beside).map_err(|e| e.to_string())
+        };
+        draft_beside(&path, draft).map(|project| project.notes)
+    }
+
+    #[test]
+    fn only_texts_of_the_folder_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir_all(folder.path().join("in/deep")).unwrap();
+        fs::write(
+            folder.path().join("in/deep/a.glsl"),
+            "#include \"b.glsl\"\n",
+        )
+        .unwrap();
+        fs::write(
+            folder.path().join("in/deep/b.glsl"),
+            "const float B = 1.0;\n",
+        )
+        .unwrap();
+        fs::write(folder.path().join("secret.glsl"), "no").unwrap();
+        let told = draft(folder.path(), "deep/a.glsl").unwrap();
+        assert_eq!(told.len(), 1, "{told:?}");
+        let missing = draft(folder.path(), "gone.glsl").unwrap();
+        assert!(
+            missing.contains(&"`gone.glsl` is not there".to_string()),
+            "{missing:?}"
+        );
+        let out = draft(folder.path(), "deep/../../secret.glsl").unwrap_err();
+        assert!(out.contains("`../secret.glsl` leads out of"), "{out}");
+    }
+}

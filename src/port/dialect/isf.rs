@@ -1,0 +1,646 @@
+//! ISF, the Interactive Shader Format: a comment that holds a JSON object, then a fragment shader.
+//!
+//! Source: the specification (README.md of mrRay/ISF_Spec), and `src/ISFParser.js` and
+//! `src/ISFRenderer.js` of interactive-shader-format 2.9.0. What the host declares is the linter's
+//! preset `isf`; the object adds a uniform for each of INPUTS, each PASSES target and each image of
+//! IMPORTED. The text is compiled once for each of PASSES, with PASSINDEX counting them; what a pass
+//! draws can be read by those behind it. A file of the same name with the ending `.vs` is the vertex
+//! shader, which the host runs for the four corners of the picture. ISF 1 lists PERSISTENT_BUFFERS
+//! in a place of their own. Images are linear and clamped, the month is counted from 1, and
+//! without a range a `float` goes from 0 to 1.
+
+use super::clues::VersionAsked;
+use super::complete::{defaults, modern};
+use super::feed::{COMMON, Feed, OWN, feed, varying};
+use super::{
+    Clues, Completion, Credit, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled,
+};
+use crate::host::preset;
+use crate::port::{
+    Control, ControlChoice, ControlKind, Input, InputKind, OutputId, PassDraw, SignalForm, SizeTerm,
+};
+use crate::semantic::{Pass, Stage};
+use crate::syntax::Version;
+use serde_json::{Map, Value};
+use std::sync::Arc;
+
+pub(super) static FACTS: DialectFacts = DialectFacts {
+    name: "isf",
+    title: "ISF",
+    feeds: &[
+        feed("RENDERSIZE", &["vec2"], Feed::Resolution, OWN),
+        feed("TIME", &["float"], Feed::Time, COMMON),
+        feed("TIMEDELTA", &["float"], Feed::Delta, COMMON),
+        feed("FRAMEINDEX", &["int"], Feed::Frame, COMMON),
+        feed("DATE", &["vec4"], Feed::DateFromOne, COMMON),
+    ],
+    textures: &[],
+    varyings: &[
+        varying("isf_FragNormCoord", "vec2", "port_place", OWN),
+        varying("isf_FragCoord", "vec2", "port_place * port_size", COMMON),
+    ],
+    declares: true,
+    signs,
+    plan: Some(plan),
+};
+
+fn signs(clues: &Clues) -> Vec<Sign> {
+    let mut found = Vec::new();
+    if head(clues.text).is_some_and(|text| KEYS.iter().any(|key| text.contains(key))) {
+        found.push(Sign::new("its head, a JSON object with `INPUTS`", 3 * OWN));
+    }
+    for word in ["vv_FragNormCoord", "IMG_NORM_PIXEL", "IMG_THIS_PIXEL"] {
+        if clues.is_free(word) {
+            found.push(Sign::new(format!("`{word}`"), OWN));
+        }
+    }
+    found
+}
+
+/// The keys of a head that no other format has.
+const KEYS: [&str; 3] = ["\"INPUTS\"", "\"ISFVSN\"", "\"PASSES\""];
+
+/// The JSON object of a head, as it is written.
+pub(super) fn head(text: &str) -> Option<&str> {
+    let text = text.trim_start_matches('\u{feff}').trim_start();
+    let (inside, _) = text.strip_prefix("/*")?.split_once("*/")?;
+    let inside = inside.trim_matches(|c: char| c.is_whitespace() || c == '*');
+    inside.starts_with('{').then_some(inside)
+}
+
+/// The object of a head. Commas too many and line breaks in strings are forgiven.
+pub(super) fn object(head: &str) -> Result<Map<String, Value>, String> {
+    let strict = serde_json::from_str(head);
+    let read = strict.or_else(|error| serde_json::from_str(&relaxed(head)).map_err(|_| error));
+    read.map_err(|e| format!("the JSON object of its head cannot be read: {e}"))
+}
+
+/// JSON without the commas before an end, and with blanks for the signs that strings may not hold.
+fn relaxed(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut in_string = false;
+    let mut is_escaped = false;
+    for (at, c) in text.char_indices() {
+        let rest = text.get(at + c.len_utf8()..).unwrap_or("").trim_start();
+        match c {
+            ',' if !in_string && rest.starts_with([']', '}']) => continue,
+            c if in_string && c.is_control() => out.push(' '),
+            c => out.push(c),
+        }
+        in_string ^= c == '"' && !is_escaped;
+        is_escaped = in_string && c == '\\' && !is_escaped;
+    }
+    out
+}
+
+/// What a head describes.
+#[derive(Default)]
+struct Head {
+    /// The declarations that it makes.
+    declared: String,
+    /// What its samplers read.
+    inputs: Vec<Input>,
+    controls: Vec<Control>,
+    passes: Vec<Target>,
+    notes: Vec<String>,
+    credit: Credit,
+}
+
+/// A pass of a head.
+#[derive(Default)]
+struct Target {
+    name: Option<String>,
+    draw: PassDraw,
+}
+
+fn plan(clues: &Clues) -> Plan {
+    let head = match head(clues.text).map(object) {
+        Some(Ok(object)) => Head::of(&object),
+        Some(Err(note)) => Head {
+            notes: vec![note],
+            ..Head::default()
+        },
+        None => Head::default(),
+    };
+    let mut plan = Plan {
+        notes: head.notes.clone(),
+        credit: Some(head.credit.clone()),
+        ..Plan::default()
+    };
+    let vertex = vertex_beside(clues, &mut plan);
+    let usual = [Target::default()];
+    let targets = match head.passes.as_slice() {
+        [] => &usual,
+        passes => passes,
+    };
+    for (index, target) in targets.iter().enumerate() {
+        let is_last = index + 1 == targets.len();
+        let candidates = vec![completion(clues, &head, index)];
+        let mut pass = match &target.name {
+            Some(name) => PlannedPass::buffer(name, candidates),
+            // The passes behind it draw over it.
+            None if !is_last => continue,
+            None => PlannedPass {
+                kind: Pass::Image,
+                name: String::new(),
+                output: OutputId(OutputId::IMAGE.to_string()),
+                candidates,
+                inputs: Vec::new(),
+            },
+        };
+        pass.inputs.clone_from(&head.inputs);
+        plan.passes.push(pass);
+        plan.draws.push(PassDraw {
+            partner: vertex.map(|text| vertex_shader(text, &head, index)),
+            ..target.draw.clone()
+        });
+        if let Some(name) = target.name.as_deref().filter(|_| is_last) {
+            plan.passes.push(PlannedPass::copy_of(name));
+            plan.draws.push(PassDraw::default());
+        }
+    }
+    plan.controls = head.controls;
+    plan
+}
+
+/// The vertex shader beside the text, where the text has varyings that only that can set.
+fn vertex_beside<'c>(clues: &Clues<'c>, plan: &mut Plan) -> Option<&'c str> {
+    let is_own = |name: &str| !["isf_FragNormCoord", "isf_FragCoord"].contains(&name);
+    if clues.name.is_empty() || !clues.inputs.iter().any(|d| is_own(&d.name)) {
+        return None;
+    }
+    let path = format!("{}.vs", clues.name);
+    match clues.beside.get(&path) {
+        Some(text) => text.as_deref(),
+        None => {
+            plan.wanted.push(path);
+            None
+        }
+    }
+}
+
+/// The text behind what the host declares.
+fn completion(clues: &Clues, head: &Head, index: usize) -> Completion {
+    let mut before = modern(clues);
+    if !clues.has_word("varying") {
+        before.push_str("#define varying in\n");
+    }
+    before.push_str(&declarations(head, index));
+    before.push_str(LOOKUPS);
+    for input in &head.inputs {
+        let name = input.uniform.as_deref().unwrap_or("");
+        for (word, value) in [
+            ("imgSize", format!("IMG_SIZE({name})")),
+            ("imgRect", "vec4(0.0, 0.0, 1.0, 1.0)".to_string()),
+            ("flip", "false".to_string()),
+            ("normTexCoord", "isf_FragNormCoord".to_string()),
+            ("texCoord", "isf_FragCoord".to_string()),
+        ] {
+            let word = format!("_{name}_{word}");
+            if clues.has_word(&word) {
+                before.push_str(&format!("#define {word} {value}\n"));
+            }
+        }
+    }
+    let completion = Completion::behind(before, clues.text);
+    match clues.asked {
+        VersionAsked::Desktop(number) => completion.told(format!(
+            "its `#version {number}` is that of desktops; it is compiled as GLSL ES 3.00"
+        )),
+        _ => completion,
+    }
+}
+
+/// What the host declares in both stages.
+fn declarations(head: &Head, index: usize) -> String {
+    format!(
+        "{}#define PASSINDEX {index}\n{}",
+        host(Stage::Fragment),
+        head.declared
+    )
+}
+
+/// What the preset declares.
+fn host(stage: Stage) -> String {
+    let text = preset("isf").map_or(String::new(), |p| p.declarations(stage == Stage::Vertex));
+    let lines = text.lines().filter(|line| !line.is_empty());
+    lines.fold(String::new(), |text, line| text + line + "\n")
+}
+
+/// What the preset only declares.
+const LOOKUPS: &str = "\
+vec2 IMG_SIZE(sampler2D image) { return vec2(textureSize(image, 0)); }\n\
+vec4 IMG_NORM_PIXEL(sampler2D image, vec2 place) { return texture(image, place); }\n\
+vec4 IMG_PIXEL(sampler2D image, vec2 pixel) { return texture(image, pixel / IMG_SIZE(image)); }\n\
+vec4 IMG_THIS_PIXEL(sampler2D image) { return texture(image, isf_FragNormCoord); }\n\
+vec4 IMG_THIS_NORM_PIXEL(sampler2D image) { return texture(image, isf_FragNormCoord); }\n\
+vec4 VVSAMPLER_2DBYNORM(sampler2D image, vec4 rect, vec2 size, bool flip, vec2 place) { return texture(image, place); }\n\
+vec4 VVSAMPLER_2DBYPIXEL(sampler2D image, vec4 rect, vec2 size, bool flip, vec2 pixel) { return texture(image, pixel / size); }\n";
+
+/// The vertex shader of a text beside it.
+fn vertex_shader(text: &str, head: &Head, index: usize) -> Arc<str> {
+    let text = Completion::behind(String::new(), text).code;
+    Arc::from(format!(
+        "{}#define attribute in\n#define varying out\n#define position port_pos\n{}\
+         #define PASSINDEX {index}\n{}varying vec2 isf_FragCoord;\n{text}\n\
+         void isf_vertShaderInit() {{\n    gl_Position = vec4(port_pos, 0.0, 1.0);\n    \
+         isf_FragNormCoord = 0.5 + 0.5 * port_pos;\n    \
+         isf_FragCoord = isf_FragNormCoord * RENDERSIZE;\n    \
+         isf_fragCoord = floor(isf_FragCoord);\n}}\n",
+        defaults(Version::Es300),
+        host(Stage::Vertex),
+        head.declared,
+    ))
+}
+
+impl Head {
+    fn of(object: &Map<String, Value>) -> Head {
+        let mut head = Head {
+            credit: Credit {
+                author: text_of(object, "CREDIT").unwrap_or_default(),
+                description: text_of(object, "DESCRIPTION").unwrap_or_default(),
+            },
+            ..Head::default()
+        };
+        for input in list(object, "INPUTS") {
+            head.input(input);
+        }
+        for (name, path) in imported(object.get("IMPORTED")) {
+            let mut input = sampled(&name, InputKind::Texture, ("linear", "clamp"));
+            input.src = path;
+            head.sampler(input);
+        }
+        let old = persistent(object.get("PERSISTENT_BUFFERS"));
+        for pass in list(object, "PASSES") {
+            head.pass(pass, &old);
+        }
+        for name in head.targets() {
+            head.sampler(read_buffer(&name, &name));
+        }
+        head
+    }
+
+    /// The names of the buffers, each once.
+    fn targets(&self) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for name in self.passes.iter().filter_map(|p| p.name.as_ref()) {
+            if !names.contains(name) {
+                names.push(name.clone());
+            }
+        }
+        names
+    }
+
+    fn sampler(&mut self, input: Input) {
+        let name = input.uniform.as_deref().unwrap_or("");
+        self.declared
+            .push_str(&format!("uniform sampler2D {name};\n"));
+        self.inputs.push(input);
+    }
+
+    fn input(&mut self, input: &Map<String, Value>) {
+        let Some(name) = text_of(input, "NAME").filter(|n| is_identifier(n)) else {
+            self.notes
+                .push("one of its `INPUTS` has no name that GLSL can use".to_string());
+            return;
+        };
+        let kind = text_of(input, "TYPE").unwrap_or_default();
+        let signal = match kind.as_str() {
+            "image" => {
+                let input = sampled(&name, InputKind::Texture, ("linear", "clamp"));
+                return self.sampler(input);
+            }
+            "audio" => Some(SignalForm::Wave),
+            "audioFFT" => Some(SignalForm::Spectrum),
+            _ => None,
+        };
+        if let Some(signal) = signal {
+            let input = sampled(&name, InputKind::Music, ("linear", "clamp"));
+            return self.sampler(Input { signal, ..input });
+        }
+        let Some((ty, mut control)) = control(&name, &kind, input) else {
+            let note =
+                format!("its input `{name}` is of the type `{kind}`, which ISF 2 does not have");
+            return self.notes.push(note);
+        };
+        if let Some(label) = text_of(input, "LABEL").filter(|l| !l.is_empty()) {
+            control.label = label;
+        }
+        self.declared.push_str(&format!("uniform {ty} {name};\n"));
+        self.controls.push(control);
+    }
+
+    fn pass(&mut self, pass: &Map<String, Value>, old: &[(String, Map<String, Value>)]) {
+        let name = text_of(pass, "TARGET").filter(|n| is_identifier(n));
+        let other = name
+            .as_ref()
+            .and_then(|name| old.iter().find(|(own, _)| own == name));
+        let get = |key| {
+            pass.get(key)
+                .or_else(|| other.and_then(|(_, o)| o.get(key)))
+        };
+        let mut sizes = [("WIDTH", "$WIDTH"), ("HEIGHT", "$HEIGHT")].map(|(key, usual)| {
+            let text = match get(key) {
+                Some(Value::String(text)) => text.clone(),
+                Some(Value::Number(number)) => number.to_string(),
+                _ => usual.to_string(),
+            };
+            let read = SizeTerm::read(&text);
+            let term = read.unwrap_or_else(|rest| {
+                self.notes.push(format!(
+                    "the size `{text}` of a pass cannot be read at `{rest}`, so it is that of the picture"
+                ));
+                SizeTerm::Name(usual.to_string())
+            });
+            (term, usual)
+        });
+        let is_usual = sizes
+            .iter()
+            .all(|(term, usual)| *term == SizeTerm::Name(usual.to_string()));
+        let size = (name.is_some() && !is_usual).then(|| {
+            let mut take = |i: usize| {
+                let slot = sizes.get_mut(i).map(|(term, _)| term);
+                slot.map_or(SizeTerm::Number(1.0), |term| {
+                    std::mem::replace(term, SizeTerm::Number(1.0))
+                })
+            };
+            [take(0), take(1)]
+        });
+        self.passes.push(Target {
+            draw: PassDraw {
+                size,
+                is_float: get("FLOAT").is_some_and(is_true),
+                ..PassDraw::default()
+            },
+            name,
+        });
+    }
+}
+
+/// The control of an input, and the type of its uniform.
+fn control(name: &str, kind: &str, input: &Map<String, Value>) -> Option<(&'static str, Control)> {
+    let value = |key: &str| input.get(key).map(numbers).filter(|n| !n.is_empty());
+    let (ty, kind, lanes, usual): (_, _, _, (f64, f64)) = match kind {
+        "float" => ("float", ControlKind::Float, 1, (0.0, 1.0)),
+        "bool" => ("bool", ControlKind::Bool, 1, (0.0, 1.0)),
+        "event" => ("bool", ControlKind::Event, 1, (0.0, 1.0)),
+        "long" => ("int", ControlKind::Int, 1, (0.0, 10.0)),
+        "color" => ("vec4", ControlKind::Color, 4, (0.0, 1.0)),
+        "point2D" => ("vec2", ControlKind::Point, 2, (0.0, 1.0)),
+        _ => return None,
+    };
+    let mut control = Control::even(name, kind, lanes, (usual.0, usual.0, usual.1));
+    if kind == ControlKind::Color {
+        control.value = vec![1.0; lanes];
+    }
+    if kind == ControlKind::Int {
+        control.choices = choices(input);
+        if !control.choices.is_empty() {
+            control.kind = ControlKind::Choice;
+        }
+    }
+    let has_range = !control.min.is_empty();
+    for (key, lanes) in [("MIN", &mut control.min), ("MAX", &mut control.max)] {
+        let given = value(key).filter(|_| has_range).unwrap_or_default();
+        for (lane, given) in lanes.iter_mut().zip(given.iter().cycle()) {
+            *lane = *given;
+        }
+    }
+    let first = value("DEFAULT").or_else(|| value("IDENTITY"));
+    match first {
+        Some(first) => {
+            for (lane, first) in control.value.iter_mut().zip(first) {
+                *lane = first;
+            }
+        }
+        None if kind == ControlKind::Float || kind == ControlKind::Point => {
+            control.value = middle(&control);
+        }
+        None => {}
+    }
+    for (lane, value) in control.value.iter().enumerate() {
+        if let Some(min) = control.min.get_mut(lane) {
+            *min = min.min(*value);
+        }
+        if let Some(max) = control.max.get_mut(lane) {
+            *max = max.max(*value);
+        }
+    }
+    Some((ty, control))
+}
+
+fn middle(control: &Control) -> Vec<f64> {
+    let ends = control.min.iter().zip(&control.max);
+    ends.map(|(min, max)| (min + max) / 2.0).collect()
+}
+
+/// The values of a menu with their labels.
+fn choices(input: &Map<String, Value>) -> Vec<ControlChoice> {
+    let values = input.get("VALUES").map(numbers).unwrap_or_default();
+    let labels = input.get("LABELS").and_then(Value::as_array);
+    let label = |i: usize, value: f64| match labels.and_then(|l| l.get(i)) {
+        Some(Value::String(text)) => text.clone(),
+        Some(other) => other.to_string(),
+        None => value.to_string(),
+    };
+    let values = values.into_iter().enumerate();
+    values
+        .map(|(i, value)| ControlChoice {
+            label: label(i, value),
+            value,
+        })
+        .collect()
+}
+
+/// The numbers of a value: one, or those of a list.
+fn numbers(value: &Value) -> Vec<f64> {
+    match value {
+        Value::Bool(b) => vec![f64::from(u8::from(*b))],
+        Value::Number(n) => n.as_f64().into_iter().collect(),
+        Value::String(text) => text.trim().parse().into_iter().collect(),
+        Value::Array(all) => all.iter().flat_map(numbers).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Whether a value says yes; old heads write 1.
+fn is_true(value: &Value) -> bool {
+    match value {
+        Value::String(text) => matches!(text.as_str(), "true" | "YES" | "1"),
+        value => numbers(value).first().is_some_and(|n| *n > 0.0),
+    }
+}
+
+fn text_of(object: &Map<String, Value>, key: &str) -> Option<String> {
+    object.get(key).and_then(Value::as_str).map(str::to_string)
+}
+
+/// The objects of a list.
+fn list<'o>(
+    object: &'o Map<String, Value>,
+    key: &str,
+) -> impl Iterator<Item = &'o Map<String, Value>> + use<'o> {
+    let all = object.get(key).and_then(Value::as_array);
+    all.into_iter().flatten().filter_map(Value::as_object)
+}
+
+/// The images that a head imports, by name: an object of objects, or a list of them.
+fn imported(value: Option<&Value>) -> Vec<(String, String)> {
+    let path = |item: &Value| item.get("PATH").and_then(Value::as_str).map(str::to_string);
+    match value {
+        Some(Value::Object(all)) => all
+            .iter()
+            .filter(|(name, _)| is_identifier(name))
+            .filter_map(|(name, item)| Some((name.clone(), path(item)?)))
+            .collect(),
+        Some(Value::Array(all)) => all
+            .iter()
+            .filter_map(|item| {
+                let name = item.get("NAME")?.as_str()?.to_string();
+                is_identifier(&name).then_some((name, path(item)?))
+            })
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The buffers that ISF 1 lists, by name: a list of names, or an object of objects.
+fn persistent(value: Option<&Value>) -> Vec<(String, Map<String, Value>)> {
+    match value {
+        Some(Value::Object(all)) => all
+            .iter()
+            .map(|(name, item)| (name.clone(), item.as_object().cloned().unwrap_or_default()))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Whether GLSL takes a name.
+pub(super) fn is_identifier(name: &str) -> bool {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    name.starts_with(|c: char| is_part(c) && !c.is_ascii_digit())
+        && name.chars().all(is_part)
+        && !name.starts_with("gl_")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::port::Project;
+    use crate::port::dialect::recognise;
+
+    #[track_caller]
+    fn known(text: &str) -> &'static str {
+        recognise(&Clues::of(text)).dialect.name
+    }
+
+    #[test]
+    fn a_text_is_known_by_its_head_or_by_its_words() {
+        let main = "void main() { gl_FragColor = vec4(1.0); }";
+        assert_eq!(known(&format!("/*{{\"INPUTS\": []}}*/ {main}")), "isf");
+        assert_eq!(
+            known(&format!("/*\n{{ \"ISFVSN\": \"2\" }}\n*/\n{main}")),
+            "isf"
+        );
+        assert_eq!(
+            known("void main() { gl_FragColor = vec4(isf_FragNormCoord, 0.0, 1.0); }"),
+            "isf"
+        );
+        assert_eq!(known(&format!("/*{{ \"speed\": 1 }}*/ {main}")), "webgl");
+        assert_eq!(known(&format!("/* about \"INPUTS\" */ {main}")), "webgl");
+        assert_eq!(
+            known(
+                "uniform vec2 RENDER; uniform float TIME; void main() { gl_FragColor = vec4(TIME); }"
+            ),
+            "webgl"
+        );
+    }
+
+    #[test]
+    fn heads_that_are_almost_json_are_read() {
+        let read = object("{\"A\": [1, 2,],\n \"B\": \"two\nlines, ]\",}").unwrap();
+        assert_eq!(read.len(), 2);
+        assert_eq!(read["B"], "two lines, ]");
+        assert!(object("{\"A\": }").is_err());
+    }
+
+    fn project(text: &str) -> Project {
+        let mut project = Project::draft("x", text, None).unwrap();
+        project.resolve("x").unwrap();
+        project
+    }
+
+    #[test]
+    fn inputs_become_controls_and_channels() {
+        let project = project(
+            r#"/*{"INPUTS": [
+            {"NAME": "a", "TYPE": "float", "MIN": -1, "MAX": 3},
+            {"NAME": "b", "TYPE": "long", "VALUES": [4, 9], "LABELS": ["four", "nine"], "DEFAULT": 9},
+            {"NAME": "c", "TYPE": "color", "DEFAULT": [1, 0.5, 0, 1]},
+            {"NAME": "d", "TYPE": "event"}, {"NAME": "e f", "TYPE": "bool"},
+            {"NAME": "p", "TYPE": "point2D", "DEFAULT": [2, 0.5]},
+            {"NAME": "sound", "TYPE": "audioFFT"}, {"NAME": "i", "TYPE": "image"}]}*/
+            void main() { gl_FragColor = IMG_NORM_PIXEL(i, p) + IMG_PIXEL(sound, vec2(a)); }"#,
+        );
+        let said: Vec<String> = project
+            .controls
+            .iter()
+            .map(|c| {
+                format!(
+                    "{} {:?} {:?} {:?} {:?}",
+                    c.name, c.kind, c.min, c.value, c.max
+                )
+            })
+            .collect();
+        assert_eq!(
+            said,
+            [
+                "a Float [-1.0] [1.0] [3.0]",
+                "b Choice [0.0] [9.0] [10.0]",
+                "c Color [0.0, 0.0, 0.0, 0.0] [1.0, 0.5, 0.0, 1.0] [1.0, 1.0, 1.0, 1.0]",
+                "d Event [] [0.0] []",
+                "p Point [0.0, 0.0] [2.0, 0.5] [2.0, 1.0]",
+            ]
+        );
+        let inputs = &project.passes[0].inputs;
+        let said: Vec<_> = inputs.iter().map(|i| (i.kind, i.signal)).collect();
+        assert_eq!(
+            said,
+            [
+                (InputKind::Music, SignalForm::Spectrum),
+                (InputKind::Texture, SignalForm::Both)
+            ]
+        );
+        assert_eq!(project.notes.len(), 2, "{:?}", project.notes);
+    }
+
+    #[test]
+    fn passes_draw_into_their_targets() {
+        let project = project(
+            r#"/*{"INPUTS": [], "PASSES": [{"TARGET": "a", "WIDTH": "$WIDTH/2", "FLOAT": true}, {},
+            {"TARGET": "b", "PERSISTENT": true}]}*/
+            void main() { gl_FragColor = IMG_THIS_PIXEL(a) + IMG_THIS_PIXEL(b) + float(PASSINDEX); }"#,
+        );
+        let said: Vec<_> = project
+            .passes
+            .iter()
+            .map(|p| {
+                (
+                    p.name.as_str(),
+                    p.kind,
+                    p.draw.size.is_some(),
+                    p.draw.is_float,
+                )
+            })
+            .collect();
+        assert_eq!(
+            said,
+            [
+                ("a", Pass::Buffer, true, true),
+                ("b", Pass::Buffer, false, false),
+                ("Picture", Pass::Image, false, false)
+            ]
+        );
+        assert!(project.passes[1].before.contains("#define PASSINDEX 2"));
+    }
+}

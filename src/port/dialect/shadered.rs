@@ -1,0 +1,366 @@
+//! SHADERed: projects in XML, whose shader passes lie in files beside them.
+//!
+//! Source: the files that SHADERed's ShaderToy import writes (dfranx/PluginShadertoy), and
+//! `Names.cpp` and `SystemVariableManager.cpp` of dfranx/SHADERed. A pass runs a vertex and a pixel
+//! shader over its items; `ScreenQuadNDC` covers the picture. It draws into the render texture that it
+//! names, or into the window. `<variable>` says what a uniform holds: a value of the system, or
+//! numbers. An object is bound to a pass by a slot, which is the number of the sampler among those
+//! that the pixel shader declares.
+
+use super::complete::completions_of;
+use super::feed::{COMMON, Feed, feed};
+use super::vscode::{joined, quoted};
+use super::{Clues, Completion, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled};
+use crate::port::{Control, ControlKind, Input, InputKind, OutputId, PassDraw};
+use crate::semantic::Pass;
+use roxmltree::{Document, Node};
+use std::sync::Arc;
+
+const NUMBER: &[&str] = &["float"];
+const FOUR: &[&str] = &["vec4"];
+const PLACE: &[&str] = &["vec2"];
+
+/// Uniforms that hold a value of the system are given the name of that value, behind [`SYSTEM`].
+pub(super) static FACTS: DialectFacts = DialectFacts {
+    name: "shadered",
+    title: "SHADERed",
+    feeds: &[
+        feed("port_sys_Time", NUMBER, Feed::Time, COMMON),
+        feed("port_sys_TimeDelta", NUMBER, Feed::Delta, COMMON),
+        feed("port_sys_FrameIndex", &["int", "uint"], Feed::Frame, COMMON),
+        feed("port_sys_ViewportSize", PLACE, Feed::Resolution, COMMON),
+        feed(
+            "port_sys_MousePosition",
+            PLACE,
+            Feed::PointerUnitZero,
+            COMMON,
+        ),
+        feed("port_sys_Mouse", FOUR, Feed::PointerUnitZero, COMMON),
+        feed("port_sys_MouseButton", FOUR, Feed::Mouse, COMMON),
+        feed("port_sys_CameraPosition", FOUR, Feed::Camera, COMMON),
+        feed("port_sys_CameraPosition3", &["vec3"], Feed::Camera, COMMON),
+    ],
+    textures: &[],
+    varyings: &[],
+    declares: true,
+    signs,
+    plan: Some(plan),
+};
+
+const SYSTEM: &str = "port_sys_";
+
+fn signs(clues: &Clues) -> Vec<Sign> {
+    let text = clues.text.trim_start_matches('\u{feff}').trim_start();
+    match text.starts_with('<') && text.contains("<pipeline") {
+        true => vec![Sign::new("its `<pipeline>`", u8::MAX)],
+        false => Vec::new(),
+    }
+}
+
+fn plan(clues: &Clues) -> Plan {
+    let mut plan = Plan {
+        is_description: true,
+        ..Plan::default()
+    };
+    let text = clues.text.trim_start_matches('\u{feff}').trim_start();
+    let document = match Document::parse(text) {
+        Ok(document) => document,
+        Err(error) => {
+            plan.notes
+                .push(format!("it cannot be read as XML: {error}"));
+            return plan;
+        }
+    };
+    let project = document.root_element();
+    let mut maker = Maker {
+        clues,
+        project,
+        plan,
+    };
+    let passes = child(project, "pipeline")
+        .into_iter()
+        .flat_map(|p| children(p, "pass"));
+    for pass in passes {
+        maker.pass(pass);
+    }
+    finish(&mut maker.plan);
+    maker.plan
+}
+
+/// Makes the last pass that draws into the window the picture; without one, the last buffer is shown.
+fn finish(plan: &mut Plan) {
+    let is_window = |p: &PlannedPass| p.kind == Pass::Image;
+    let windows = plan.passes.iter().filter(|p| is_window(p)).count();
+    if windows > 1 {
+        let note = "several passes draw into the window; the last one is shown";
+        plan.notes.push(note.to_string());
+    }
+    let last = plan.passes.iter().rposition(is_window);
+    let mut index = 0;
+    plan.passes.retain(|p| {
+        index += 1;
+        !is_window(p) || Some(index - 1) == last
+    });
+    if last.is_none()
+        && let Some(name) = plan.passes.last().map(|p| p.name.clone())
+    {
+        plan.passes.push(PlannedPass::copy_of(&name));
+    }
+    let floats = plan.passes.iter().map(|p| PassDraw {
+        is_float: p.kind == Pass::Buffer,
+        ..PassDraw::default()
+    });
+    plan.draws = floats.collect();
+}
+
+fn child<'d>(node: Node<'d, 'd>, name: &str) -> Option<Node<'d, 'd>> {
+    node.children().find(|n| n.has_tag_name(name))
+}
+
+fn children<'d>(node: Node<'d, 'd>, name: &'static str) -> impl Iterator<Item = Node<'d, 'd>> {
+    node.children().filter(move |n| n.has_tag_name(name))
+}
+
+struct Maker<'c, 't, 'd> {
+    clues: &'c Clues<'t>,
+    project: Node<'d, 'd>,
+    plan: Plan,
+}
+
+/// Deepest chain of files that include each other.
+const MAX_DEPTH: usize = 16;
+
+impl<'d> Maker<'_, '_, 'd> {
+    fn tell(&mut self, note: String) {
+        if !self.plan.notes.contains(&note) {
+            self.plan.notes.push(note);
+        }
+    }
+
+    fn pass(&mut self, pass: Node<'d, 'd>) {
+        let name = pass.attribute("name").unwrap_or("");
+        let kind = pass.attribute("type").unwrap_or("shader");
+        if pass.attribute("active") == Some("false") {
+            return;
+        }
+        if kind != "shader" {
+            return self.tell(format!(
+                "the pass `{name}` is not drawn: it is of the type `{kind}`"
+            ));
+        }
+        if !self.covers_picture(pass, name) {
+            return self.tell(format!(
+                "the pass `{name}` is not drawn: no quad of it covers the picture"
+            ));
+        }
+        let shader = children(pass, "shader").find(|s| s.attribute("type") == Some("ps"));
+        let path = shader.and_then(|s| s.attribute("path")).unwrap_or("");
+        let is_foreign = [".hlsl", ".rs", ".slang", ".lua"]
+            .iter()
+            .any(|e| path.ends_with(e));
+        if is_foreign {
+            return self.tell(format!(
+                "the pass `{name}` is not drawn: `{path}` is not GLSL"
+            ));
+        }
+        let Some(code) = self.load(&joined("", path), 0) else {
+            return;
+        };
+        let inner = Clues::of(&code);
+        let variables = self.variables(pass);
+        let candidates = completions_of(&inner)
+            .into_iter()
+            .map(|c| behind(c, &variables));
+        let target = child(pass, "rendertexture").and_then(|t| t.attribute("name"));
+        let candidates = candidates.collect();
+        let mut planned = match target.filter(|t| !t.is_empty()) {
+            Some(target) => PlannedPass::buffer(target, candidates),
+            None => PlannedPass {
+                kind: Pass::Image,
+                name: name.to_string(),
+                output: OutputId(OutputId::IMAGE.to_string()),
+                candidates,
+                inputs: Vec::new(),
+            },
+        };
+        let samplers: Vec<&str> = inner
+            .uniforms
+            .iter()
+            .filter(|u| u.ty.starts_with("sampler"))
+            .map(|u| u.name.as_str())
+            .collect();
+        planned.inputs = self.inputs(name, &samplers);
+        self.plan.passes.push(planned);
+    }
+
+    /// Whether a pass has a quad that covers the picture; what else it draws is told.
+    fn covers_picture(&mut self, pass: Node<'d, 'd>, name: &str) -> bool {
+        let items = child(pass, "items")
+            .into_iter()
+            .flat_map(|i| children(i, "item"));
+        let mut covers = false;
+        for item in items {
+            let kind = child(item, "type").and_then(|t| t.text()).unwrap_or("");
+            let is_geometry = item.attribute("type") == Some("geometry");
+            match kind.trim() {
+                "ScreenQuadNDC" | "ScreenQuad" | "Rectangle" if is_geometry => covers = true,
+                other => {
+                    let what = item.attribute("type").unwrap_or("item");
+                    self.tell(format!(
+                        "`{other}` ({what}) of the pass `{name}` is not drawn"
+                    ));
+                }
+            }
+        }
+        covers
+    }
+
+    /// The text of a file, with what it includes. What is not read yet is asked for.
+    fn load(&mut self, path: &str, depth: usize) -> Option<String> {
+        let text = match self.clues.beside.get(path) {
+            Some(Some(text)) => text.clone(),
+            Some(None) => {
+                self.tell(format!("`{path}` is not there"));
+                return None;
+            }
+            None => {
+                self.plan.wanted.push(path.to_string());
+                return None;
+            }
+        };
+        let mut code = String::with_capacity(text.len());
+        for line in text.split_inclusive('\n') {
+            let file = line
+                .trim_start()
+                .strip_prefix('#')
+                .and_then(|l| l.trim_start().strip_prefix("include"))
+                .and_then(|rest| {
+                    let angled = rest.split_once('<').and_then(|(_, r)| r.split_once('>'));
+                    angled.map(|(file, _)| file).or_else(|| quoted(rest))
+                });
+            match file {
+                Some(file) if depth < MAX_DEPTH => {
+                    code.push_str(&format!("//{line}"));
+                    let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+                    let direct = joined(folder, file);
+                    let is_missing = self.clues.beside.get(&direct).is_some_and(Option::is_none);
+                    let file = if is_missing { joined("", file) } else { direct };
+                    code.push_str(&self.load(&file, depth + 1).unwrap_or_default());
+                    code.push('\n');
+                }
+                _ => code.push_str(line),
+            }
+        }
+        Some(code)
+    }
+
+    /// The macros that give uniforms the names of what the system sets; those that hold numbers become
+    /// controls.
+    fn variables(&mut self, pass: Node<'d, 'd>) -> String {
+        let mut macros = String::new();
+        let all = child(pass, "variables")
+            .into_iter()
+            .flat_map(|v| children(v, "variable"));
+        for variable in all {
+            let name = variable.attribute("name").unwrap_or("");
+            let system = variable.attribute("system").filter(|s| *s != "None");
+            if let Some(system) = system {
+                macros.push_str(&format!("#define {name} {SYSTEM}{system}\n"));
+                continue;
+            }
+            let control = control(name, variable);
+            let is_new = |c: &Control| !self.plan.controls.iter().any(|own| own.name == c.name);
+            if let Some(control) = control.filter(is_new) {
+                self.plan.controls.push(control);
+            }
+        }
+        macros
+    }
+
+    /// What the samplers of a pass read, by the slots to which objects are bound.
+    fn inputs(&mut self, pass: &str, samplers: &[&str]) -> Vec<Input> {
+        let mut inputs = Vec::new();
+        let objects = child(self.project, "objects");
+        for object in objects.into_iter().flat_map(|o| children(o, "object")) {
+            let kind = object.attribute("type").unwrap_or("");
+            let bound = children(object, "bind").filter(|b| b.attribute("name") == Some(pass));
+            for bind in bound {
+                let slot: Option<usize> = bind.attribute("slot").and_then(|s| s.parse().ok());
+                let Some(sampler) = slot.and_then(|s| samplers.get(s)) else {
+                    continue;
+                };
+                let path = object.attribute("path").unwrap_or("");
+                let file = |kind| Input {
+                    src: joined("", path),
+                    ..sampled(sampler, kind, ("linear", "repeat"))
+                };
+                match kind {
+                    "rendertexture" => {
+                        let name = object.attribute("name").unwrap_or("");
+                        inputs.push(read_buffer(sampler, name));
+                    }
+                    "texture" => inputs.push(file(InputKind::Texture)),
+                    "cubemap" => inputs.push(file(InputKind::Cubemap)),
+                    "texture3d" => inputs.push(file(InputKind::Volume)),
+                    "audio" => inputs.push(file(InputKind::Music)),
+                    other => self.tell(format!("`{sampler}` is empty: it reads a `{other}`")),
+                }
+            }
+        }
+        inputs
+    }
+}
+
+/// A text with macros before it. One that stood alone needs its `#version` before them.
+fn behind(completion: Completion, macros: &str) -> Completion {
+    if macros.is_empty() {
+        return completion;
+    }
+    let mut before = completion.before.to_string();
+    if before.is_empty() {
+        let version = completion
+            .code
+            .lines()
+            .find(|l| l.trim_start().starts_with("#version"));
+        before = version.map_or(String::new(), |v| format!("{}\n", v.trim()));
+        let bare = Completion::behind(before + macros, &completion.code);
+        return Completion {
+            note: completion.note,
+            ..bare
+        };
+    }
+    Completion {
+        before: Arc::from(before + macros),
+        ..completion
+    }
+}
+
+/// The control of a variable that holds numbers.
+fn control(name: &str, variable: Node) -> Option<Control> {
+    let ty = variable.attribute("type").unwrap_or("float");
+    let lanes = match ty.chars().last().and_then(|c| c.to_digit(10)) {
+        Some(lanes @ 2..=4) if !ty.contains('x') => lanes as usize,
+        Some(_) => return None,
+        None => 1,
+    };
+    let values = variable.descendants().filter(|n| n.has_tag_name("value"));
+    let values = values.filter_map(|v| v.text()?.trim().parse::<f64>().ok());
+    let kind = match (ty.trim_end_matches(|c: char| c.is_ascii_digit()), lanes) {
+        ("bool", 1) => ControlKind::Bool,
+        ("int", 1) => ControlKind::Int,
+        ("float", 1) => ControlKind::Float,
+        _ => ControlKind::Vector,
+    };
+    let value: Vec<f64> = values.chain([0.0; 4]).take(lanes).collect();
+    let control = Control::even(name, kind, lanes, (0.0, 0.0, 1.0));
+    let ends = |end: fn(f64) -> f64| match control.min.is_empty() {
+        true => Vec::new(),
+        false => value.iter().map(|v| end(*v)).collect(),
+    };
+    Some(Control {
+        min: ends(|v| (2.0 * v).min(0.0)),
+        max: ends(|v| (2.0 * v).max(1.0)),
+        value,
+        ..control
+    })
+}

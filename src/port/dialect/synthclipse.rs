@@ -1,0 +1,232 @@
+//! Synthclipse: whole fragment shaders whose comments say how their uniforms are set.
+//!
+//! Source: the user guide of Synthclipse (synthclipse.sourceforge.net/user_guide/fragx: commands,
+//! uniform_controls, build_in_uniforms, file_types). A declaration of a uniform may end with
+//! `//! slider[min, value, max]`, `islider[...]`, `checkbox[true]`, `color[r, g, b]`, with `a` or
+//! `minA, a, maxA` before or behind it, `combobox[index, "name", ...]` or a texture; other comments
+//! `//! <...>` name presets, groups and post processing.
+
+use super::complete::completions_of;
+use super::feed::{COMMON, Feed, OWN, USUAL, feed};
+use super::vscode::{numbers, quoted};
+use super::{Clues, DialectFacts, Plan, Sign, sampled};
+use crate::port::{Control, ControlChoice, ControlKind, Input, InputKind};
+
+const MOUSE: &[&str] = &["vec4"];
+const NUMBER: &[&str] = &["float"];
+const PLANE: &[&str] = &["vec2"];
+
+pub(super) static FACTS: DialectFacts = DialectFacts {
+    name: "synthclipse",
+    title: "Synthclipse",
+    feeds: &[
+        feed("synth_Mouse", MOUSE, Feed::Mouse, OWN),
+        feed("synth_LMouse", MOUSE, Feed::Mouse, OWN),
+        feed("synth_RMouse", MOUSE, Feed::Nothing, OWN),
+        feed("synth_MMouse", MOUSE, Feed::Nothing, OWN),
+        feed("synth_Resolution", PLANE, Feed::Resolution, OWN),
+        feed("synth_Time", NUMBER, Feed::Time, OWN),
+        feed("synth_Center", PLANE, Feed::Nothing, OWN),
+        feed("synth_Zoom", NUMBER, Feed::Aspect, USUAL),
+        feed("synth_ViewMatrix", &["mat4"], Feed::Identity, OWN),
+        feed("synth_ProjectionMatrix", &["mat4"], Feed::Identity, OWN),
+        feed("synth_NormalMatrix", &["mat3"], Feed::Identity, OWN),
+        feed("pixelSize", PLANE, Feed::Pixel, COMMON),
+        feed("time", NUMBER, Feed::Time, COMMON),
+        feed("iGlobalTime", NUMBER, Feed::Time, COMMON),
+    ],
+    textures: &[],
+    varyings: &[],
+    declares: false,
+    signs,
+    plan: Some(plan),
+};
+
+fn signs(clues: &Clues) -> Vec<Sign> {
+    let described = commands(clues.text).next();
+    let sign = described.map(|c| Sign::new(format!("`//! {}[...]`", c.word), 2 * OWN));
+    sign.into_iter().collect()
+}
+
+/// What a comment says of a uniform.
+struct Command<'t> {
+    ty: &'t str,
+    name: &'t str,
+    word: &'t str,
+    /// What stands in its brackets.
+    inside: &'t str,
+}
+
+const WORDS: [&str; 7] = [
+    "slider", "islider", "checkbox", "color", "combobox", "texture", "sampler",
+];
+
+/// The declarations with a command, each on a line.
+fn commands(text: &str) -> impl Iterator<Item = Command<'_>> {
+    text.lines().filter_map(|line| {
+        let (code, comment) = line.split_once("//!").or_else(|| line.split_once("/*!"))?;
+        let mut words = code.trim().strip_suffix(';')?.split_whitespace();
+        if words.next()? != "uniform" {
+            return None;
+        }
+        let mut words = words.filter(|w| !["lowp", "mediump", "highp"].contains(w));
+        let (ty, name) = (words.next()?, words.next()?);
+        let (word, rest) = comment.trim_start().split_once('[')?;
+        let (inside, _) = rest.rsplit_once(']')?;
+        WORDS.contains(&word.trim()).then_some(Command {
+            ty,
+            name,
+            word: word.trim(),
+            inside,
+        })
+    })
+}
+
+fn plan(clues: &Clues) -> Plan {
+    let mut plan = Plan::picture(completions_of(clues));
+    for command in commands(clues.text) {
+        let input = texture(&command);
+        match (control(&command), input, plan.passes.first_mut()) {
+            (Some(control), ..) => plan.controls.push(control),
+            (_, Some(input), Some(pass)) => pass.inputs.push(input),
+            _ => plan.notes.push(format!(
+                "`{}[{}]` of `{}` cannot be read",
+                command.word, command.inside, command.name
+            )),
+        }
+    }
+    if clues.text.contains("<post-processing") || clues.text.contains("<postprocessing") {
+        let note = "its post processing is not run: the first of the two shaders is shown";
+        plan.notes.push(note.to_string());
+    }
+    plan
+}
+
+/// What a sampler reads.
+fn texture(command: &Command) -> Option<Input> {
+    let kind = match command.ty {
+        "sampler2D" => InputKind::Texture,
+        "samplerCube" => InputKind::Cubemap,
+        "sampler3D" => InputKind::Volume,
+        _ => return None,
+    };
+    let mut input = sampled(command.name, kind, ("linear", "repeat"));
+    input.src = quoted(command.inside).unwrap_or("").to_string();
+    Some(input)
+}
+
+fn control(command: &Command) -> Option<Control> {
+    let lanes = match command.ty {
+        "float" | "int" | "bool" => 1,
+        ty => ty
+            .chars()
+            .last()?
+            .to_digit(10)
+            .filter(|n| (2..=4).contains(n))? as usize,
+    };
+    let parts: Vec<Vec<f64>> = top_level(command.inside).map(numbers).collect();
+    let (name, all) = (command.name, parts.concat());
+    match (command.word, parts.as_slice()) {
+        ("checkbox", _) => {
+            let value = f64::from(u8::from(command.inside.trim() == "true"));
+            let range = (0.0, value, 1.0);
+            Some(Control::even(name, ControlKind::Bool, lanes, range))
+        }
+        ("color", _) => {
+            let color = match all.as_slice() {
+                [r, g, b] => vec![*r, *g, *b],
+                [r, g, b, a] | [_, a, _, r, g, b] => vec![*r, *g, *b, *a],
+                _ => return None,
+            };
+            let mut control = Control::color(name, lanes, 0);
+            control.value = color.into_iter().chain([1.0]).take(lanes).collect();
+            (control.value.len() == lanes).then_some(control)
+        }
+        ("combobox", _) => {
+            let labels = command.inside.split('"').skip(1).step_by(2);
+            let choices = labels.zip(0..).map(|(label, i)| ControlChoice {
+                label: label.to_string(),
+                value: f64::from(i),
+            });
+            let range = (0.0, *all.first()?, 10.0);
+            Some(Control {
+                choices: choices.collect(),
+                ..Control::even(name, ControlKind::Choice, 1, range)
+            })
+        }
+        ("slider" | "islider", [min, value, max]) => {
+            let kind = match (command.word, lanes) {
+                ("islider", 1) => ControlKind::Int,
+                (_, 1) => ControlKind::Float,
+                _ => ControlKind::Vector,
+            };
+            let spread = |of: &[f64]| {
+                let all = of.iter().copied().cycle().take(lanes);
+                all.collect::<Vec<f64>>()
+            };
+            let control = Control {
+                min: spread(min),
+                value: spread(value),
+                max: spread(max),
+                ..Control::even(name, kind, lanes, (0.0, 0.0, 1.0))
+            };
+            (control.value.len() == lanes).then_some(control)
+        }
+        _ => None,
+    }
+}
+
+/// The parts between commas that stand in no parentheses.
+fn top_level(text: &str) -> impl Iterator<Item = &str> {
+    let mut depth = 0_usize;
+    text.split(move |c| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        c == ',' && depth == 0
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(line: &str, expected: &str) {
+        let read = commands(line).next().and_then(|c| control(&c));
+        let said = read.map_or("none".to_string(), |c| {
+            format!("{:?} {:?} {:?} {:?}", c.kind, c.min, c.value, c.max)
+        });
+        assert_eq!(said, expected, "{line}");
+    }
+
+    #[test]
+    fn commands_are_read() {
+        check(
+            "uniform float Gamma; //! slider[0.1, 2.2, 10]",
+            "Float [0.1] [2.2] [10.0]",
+        );
+        check(
+            "uniform int n; //! islider[0, 5, 11]",
+            "Int [0.0] [5.0] [11.0]",
+        );
+        check("uniform bool On; //! checkbox[true]", "Bool [] [1.0] []");
+        check(
+            "uniform vec3 c; //! color[0.1, 0.2, .3]",
+            "Color [0.0, 0.0, 0.0] [0.1, 0.2, 0.3] [1.0, 1.0, 1.0]",
+        );
+        check(
+            "uniform vec4 c; //! color[0.2, 0.59, 0.6, 0.7, 0.8, 0.9]",
+            "Color [0.0, 0.0, 0.0, 0.0] [0.7, 0.8, 0.9, 0.59] [1.0, 1.0, 1.0, 1.0]",
+        );
+        check(
+            "uniform vec2 p; //! slider[(-1, -2), (0, 0.5), (1, 2)]",
+            "Vector [-1.0, -2.0] [0.0, 0.5] [1.0, 2.0]",
+        );
+        check("uniform float x; //! slider[1, 2]", "none");
+        check("uniform float x; // slider[1, 2, 3]", "none");
+        check("float x = 1.0; //! slider[1, 2, 3]", "none");
+    }
+}

@@ -1,0 +1,727 @@
+//! VS Code Shader Toy: ShaderToy's names, and directives that say what channels read.
+//!
+//! Source: README.md, `src/bufferprovider.ts`, `src/glsl_extension_grammar.txt`,
+//! `src/extensions/preamble_extension.ts` and `keyboard/keyboard_shader_extension.ts` of
+//! stevensona/shader-toy. The host declares ten channels and compiles for WebGL2 with the functions
+//! of both versions; a `main` is added where there is `mainImage` and none. What a channel names is
+//! another shader, `self` or a file; pictures are linear and repeated unless `::MagFilter`,
+//! `::MinFilter` and `::WrapMode` say otherwise, and buffers hold floats.
+
+use super::complete::modern;
+use super::feed::{COMMON, Feed, OWN, feed};
+use super::isf::is_identifier;
+use super::{Clues, Completion, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled};
+use crate::port::{Control, ControlKind, Input, InputKind, OutputId, PassDraw, kind_of_name};
+use crate::semantic::Pass;
+use crate::syntax::{Lexer, RawKind};
+
+pub(super) static FACTS: DialectFacts = DialectFacts {
+    name: "vscode-shader-toy",
+    title: "VS Code Shader Toy",
+    feeds: &[feed("iMouseButton", &["vec4"], Feed::Button, COMMON)],
+    textures: &[],
+    varyings: &[],
+    declares: true,
+    signs,
+    plan: Some(plan),
+};
+
+fn signs(clues: &Clues) -> Vec<Sign> {
+    let all = directives(clues.text);
+    let sign = |d: &Directive| match d.word {
+        // Other tools include files, too, but no text of ShaderToy's does.
+        "include" => clues.has_word("mainImage").then_some(OWN + 1),
+        _ => Some(3 * OWN),
+    };
+    let mut found: Vec<Sign> = Vec::new();
+    for directive in &all {
+        if let Some(weight) = sign(directive)
+            && found.is_empty()
+        {
+            found.push(Sign::new(format!("`#{}`", directive.word), weight));
+        }
+    }
+    found
+}
+
+/// A line of the host's.
+struct Directive<'t> {
+    /// Where its `#` stands.
+    start: usize,
+    /// Where the line ends.
+    end: usize,
+    word: &'t str,
+    /// What stands behind the word.
+    rest: &'t str,
+}
+
+/// The lines of a text that are the host's.
+fn directives(text: &str) -> Vec<Directive<'_>> {
+    let mut lexer = Lexer::new(text, 0);
+    let mut found: Vec<Directive> = Vec::new();
+    let mut hash = None;
+    loop {
+        let token = lexer.next_token();
+        let (start, end) = (token.span.start as usize, token.span.end as usize);
+        match token.kind {
+            RawKind::End => return found,
+            RawKind::Whitespace => {}
+            RawKind::Hash => hash = Some(start),
+            RawKind::Word => {
+                let word = text.get(start..end).unwrap_or("");
+                if let Some(at) = hash.take().filter(|_| is_ours(word)) {
+                    let rest = text.get(end..).and_then(|t| t.lines().next()).unwrap_or("");
+                    found.push(Directive {
+                        start: at,
+                        end: end + rest.len(),
+                        word,
+                        rest,
+                    });
+                }
+            }
+            _ => hash = None,
+        }
+    }
+}
+
+fn is_ours(word: &str) -> bool {
+    const WORDS: [&str; 6] = [
+        "include",
+        "iUniform",
+        "iKeyboard",
+        "iVertex",
+        "iFirstPersonControls",
+        "StrictCompatibility",
+    ];
+    WORDS.contains(&word) || channel_of(word).is_some()
+}
+
+fn channel_of(word: &str) -> Option<u8> {
+    let number = word.strip_prefix("iChannel")?;
+    number.parse().ok().filter(|n| *n < 10)
+}
+
+/// What the directives of a shader and of what it includes say.
+#[derive(Default)]
+struct Told {
+    channels: Vec<Channel>,
+    /// The declarations of its own uniforms.
+    declared: String,
+    controls: Vec<Control>,
+    has_keyboard: bool,
+    is_strict: bool,
+}
+
+/// What is said of a channel.
+#[derive(Clone, Default)]
+struct Channel {
+    number: u8,
+    source: String,
+    filter: Option<&'static str>,
+    wrap: Option<&'static str>,
+    is_cube: bool,
+}
+
+/// A shader, and those that it reads.
+struct Maker<'c, 't> {
+    clues: &'c Clues<'t>,
+    plan: Plan,
+    /// The files of the shaders that are passes, or become some.
+    seen: Vec<String>,
+}
+
+/// Deepest chain of files that include each other.
+const MAX_DEPTH: usize = 16;
+
+fn plan(clues: &Clues) -> Plan {
+    let mut maker = Maker {
+        clues,
+        plan: Plan::default(),
+        seen: Vec::new(),
+    };
+    maker.shader("", clues.text);
+    let plan = &mut maker.plan;
+    let is_read = |name: &str| {
+        let id = OutputId::of_dialect(name).0;
+        let mut inputs = plan.passes.iter().flat_map(|p| &p.inputs);
+        inputs.any(|i| i.id == id)
+    };
+    // The picture, where some pass reads it as it was a frame ago, is a buffer, and then shown.
+    match (is_read(""), plan.passes.last_mut()) {
+        (true, _) => {
+            plan.passes.push(PlannedPass::copy_of(""));
+            plan.draws.push(PassDraw::default());
+        }
+        (false, Some(last)) => {
+            last.kind = Pass::Image;
+            last.name = String::new();
+            last.output = OutputId(OutputId::IMAGE.to_string());
+        }
+        _ => {}
+    }
+    maker.plan
+}
+
+impl Maker<'_, '_> {
+    /// Adds the shader of a file, behind those that it reads.
+    fn shader(&mut self, path: &str, text: &str) {
+        self.seen.push(path.to_string());
+        let mut told = Told::default();
+        let code = self.expand(path, text, &mut told, 0);
+        let inputs = told.channels.iter().filter_map(|c| self.input(path, c));
+        let inputs: Vec<Input> = inputs.collect();
+        let mut pass = PlannedPass::buffer(path, vec![completion(&code, &told)]);
+        pass.inputs = inputs;
+        if told.has_keyboard {
+            let keys = sampled("iKeyboard", InputKind::Keyboard, ("nearest", "clamp"));
+            pass.inputs.push(keys);
+        }
+        self.plan.passes.push(pass);
+        self.plan.draws.push(PassDraw {
+            is_float: true,
+            ..PassDraw::default()
+        });
+        for control in told.controls {
+            if !self.plan.controls.iter().any(|c| c.name == control.name) {
+                self.plan.controls.push(control);
+            }
+        }
+    }
+
+    /// A text with its directives as comments, and with what it includes.
+    fn expand(&mut self, path: &str, text: &str, told: &mut Told, depth: usize) -> String {
+        let mut code = String::with_capacity(text.len());
+        let mut from = 0;
+        for directive in directives(text) {
+            if directive.start < from {
+                continue;
+            }
+            code.push_str(text.get(from..directive.start).unwrap_or(""));
+            code.push_str("//");
+            code.push_str(text.get(directive.start..directive.end).unwrap_or(""));
+            from = directive.end;
+            if directive.word == "include" {
+                code.push('\n');
+                code.push_str(&self.include(path, directive.rest, told, depth));
+            } else {
+                self.obey(&directive, told);
+            }
+        }
+        code + text.get(from..).unwrap_or("")
+    }
+
+    fn include(&mut self, path: &str, rest: &str, told: &mut Told, depth: usize) -> String {
+        let name = quoted(rest).unwrap_or("");
+        match self.load(path, name) {
+            Some(_) if depth == MAX_DEPTH => {
+                self.tell(format!("`{name}` includes itself"));
+                String::new()
+            }
+            Some((file, text)) => self.expand(&file, &text, told, depth + 1),
+            None => String::new(),
+        }
+    }
+
+    /// The file of a name in a text, and what it holds. What is not read yet is asked for.
+    fn load(&mut self, path: &str, name: &str) -> Option<(String, std::sync::Arc<str>)> {
+        let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let mut candidates = vec![joined(folder, name)];
+        if !folder.is_empty() {
+            candidates.push(joined("", name));
+        }
+        for file in candidates {
+            match self.clues.beside.get(&file) {
+                Some(Some(text)) => return Some((file, text.clone())),
+                Some(None) => {}
+                None => {
+                    self.plan.wanted.push(file);
+                    return None;
+                }
+            }
+        }
+        self.tell(format!("`{name}` is not there"));
+        None
+    }
+
+    fn tell(&mut self, note: String) {
+        if !self.plan.notes.contains(&note) {
+            self.plan.notes.push(note);
+        }
+    }
+
+    /// Takes what a directive says.
+    fn obey(&mut self, directive: &Directive, told: &mut Told) {
+        match directive.word {
+            "iUniform" => match uniform(directive.rest) {
+                Some((line, control)) => {
+                    told.declared.push_str(&line);
+                    told.controls.push(control);
+                }
+                None => self.tell(format!("`#iUniform{}` cannot be read", directive.rest)),
+            },
+            "iKeyboard" => told.has_keyboard = true,
+            "StrictCompatibility" => told.is_strict = true,
+            "iFirstPersonControls" => {
+                self.tell(
+                    "`#iFirstPersonControls` has no effect: `iViewMatrix` stays as it is"
+                        .to_string(),
+                );
+            }
+            "iVertex" => {
+                self.tell("`#iVertex` has no effect: the picture is drawn whole".to_string())
+            }
+            word => {
+                if let Some(number) = channel_of(word) {
+                    told.set(number, directive.rest);
+                }
+            }
+        }
+    }
+
+    /// What a channel reads.
+    fn input(&mut self, path: &str, channel: &Channel) -> Option<Input> {
+        let uniform = format!("iChannel{}", channel.number);
+        let source = channel.source.as_str();
+        let is_remote = source.starts_with("http://") || source.starts_with("https://");
+        let file = source.split_once("://").map_or(source, |(_, file)| file);
+        let media = kind_of_name(file).and_then(|ty| ty.split('/').next());
+        let usual = match media {
+            _ if channel.is_cube => Some(InputKind::Cubemap),
+            Some("image") => Some(InputKind::Texture),
+            Some("video") => Some(InputKind::Video),
+            Some("audio") => Some(InputKind::Music),
+            Some(_) => Some(InputKind::Volume),
+            None if is_remote => Some(InputKind::Texture),
+            None => None,
+        };
+        let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let mut input = match usual {
+            Some(kind) => Input {
+                src: match is_remote {
+                    true => source.to_string(),
+                    false => joined(folder, file),
+                },
+                ..sampled(&uniform, kind, ("linear", "repeat"))
+            },
+            None => read_buffer(&uniform, &self.buffer(path, file)?),
+        };
+        if let Some(filter) = channel.filter {
+            input.sampler.filter = filter.to_string();
+        }
+        if let Some(wrap) = channel.wrap {
+            input.sampler.wrap = wrap.to_string();
+        }
+        Some(input)
+    }
+
+    /// The buffer that a name in a text means; its shader becomes a pass.
+    fn buffer(&mut self, path: &str, name: &str) -> Option<String> {
+        if name == "self" {
+            return Some(path.to_string());
+        }
+        let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let direct = joined(folder, name);
+        let is_root = |file: &str| {
+            let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+            !self.clues.name.is_empty() && stem == self.clues.name
+        };
+        if is_root(&direct) {
+            return Some(String::new());
+        }
+        let (file, text) = self.load(path, name)?;
+        if !self.seen.contains(&file) {
+            self.shader(&file, &text);
+        }
+        Some(file)
+    }
+}
+
+impl Told {
+    /// Takes a setting of a channel.
+    fn set(&mut self, number: u8, rest: &str) {
+        if !self.channels.iter().any(|c| c.number == number) {
+            self.channels.push(Channel {
+                number,
+                ..Channel::default()
+            });
+        }
+        let mut all = self.channels.iter_mut();
+        if let Some(channel) = all.find(|c| c.number == number) {
+            channel.set(rest);
+        }
+    }
+}
+
+impl Channel {
+    /// Takes what stands behind the number: a source, or `::` and a setting.
+    fn set(&mut self, rest: &str) {
+        let value = quoted(rest).unwrap_or("");
+        let Some(setting) = rest.trim_start().strip_prefix("::") else {
+            self.source = value.replace('\\', "/");
+            return;
+        };
+        let filter = match value {
+            v if v.contains("MipMap") => "mipmap",
+            v if v.starts_with("Nearest") => "nearest",
+            _ => "linear",
+        };
+        if setting.starts_with("MinFilter") {
+            self.filter = Some(filter);
+        } else if setting.starts_with("MagFilter") {
+            // One word stands for both: that of the smaller picture, where that has mipmaps.
+            self.filter = self.filter.filter(|f| *f == "mipmap").or(Some(filter));
+        } else if setting.starts_with("WrapMode") {
+            self.wrap = Some(if value == "Clamp" { "clamp" } else { "repeat" });
+        } else if setting.starts_with("Type") {
+            self.is_cube = value == "CubeMap";
+        }
+    }
+}
+
+/// What stands between quotes, or else the word.
+pub(super) fn quoted(text: &str) -> Option<&str> {
+    let at = text.find(['"', '\''])?;
+    let quote = text.get(at..)?.chars().next()?;
+    let inside = text.get(at + 1..)?;
+    inside.split_once(quote).map(|(inside, _)| inside.trim())
+}
+
+/// A path from a folder, without `.` and with as few `..` as it can do with.
+pub(super) fn joined(folder: &str, path: &str) -> String {
+    let path = path.replace('\\', "/");
+    let mut parts: Vec<&str> = Vec::new();
+    for part in folder.split('/').chain(path.split('/')) {
+        match part {
+            "" | "." => {}
+            ".." if parts.last().is_some_and(|p| *p != "..") => {
+                parts.pop();
+            }
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+/// The declaration and the control of `float x = 1.0 in { 0.0, 2.0 } step 0.1`.
+fn uniform(text: &str) -> Option<(String, Control)> {
+    let text = text.split("//").next()?.trim().trim_end_matches(';');
+    let (ty, rest) = text.split_once(char::is_whitespace)?;
+    let (text, _) = rest.split_once(" step ").unwrap_or((rest, ""));
+    let (text, range) = match text.split_once('{').or_else(|| text.split_once('[')) {
+        Some((text, range)) => (text.trim_end().trim_end_matches("in"), Some(range)),
+        None => (text, None),
+    };
+    let (name, value) = text.split_once('=').unwrap_or((text, ""));
+    let name = name.trim();
+    let (ty, kind, lanes) = match ty {
+        "float" => (ty, ControlKind::Float, 1),
+        "int" => (ty, ControlKind::Int, 1),
+        "bool" => (ty, ControlKind::Bool, 1),
+        "color3" => ("vec3", ControlKind::Color, 3),
+        "color4" => ("vec4", ControlKind::Color, 4),
+        "vec2" | "ivec2" => (ty, ControlKind::Vector, 2),
+        "vec3" | "ivec3" => (ty, ControlKind::Vector, 3),
+        "vec4" | "ivec4" => (ty, ControlKind::Vector, 4),
+        _ => return None,
+    };
+    if !is_identifier(name) {
+        return None;
+    }
+    let ends: Vec<Vec<f64>> = range.map(in_range).unwrap_or_default();
+    let lane = |all: &[f64], i: usize| all.get(i).or(all.first()).copied();
+    let first = numbers(value);
+    let mut control = Control::even(name, kind, lanes, (0.0, 0.0, 1.0));
+    for i in 0..lanes {
+        let min = ends.first().and_then(|all| lane(all, i));
+        let max = ends.get(1).and_then(|all| lane(all, i));
+        let value = lane(&first, i).or(min).unwrap_or(0.0);
+        let usual = match kind {
+            ControlKind::Color => (0.0, 1.0),
+            _ => (value.min(0.0), (2.0 * value).max(1.0)),
+        };
+        for (list, number) in [
+            (&mut control.value, value),
+            (&mut control.min, min.unwrap_or(usual.0)),
+            (&mut control.max, max.unwrap_or(usual.1)),
+        ] {
+            if let Some(slot) = list.get_mut(i) {
+                *slot = number;
+            }
+        }
+    }
+    Some((format!("uniform {ty} {name};\n"), control))
+}
+
+/// The two ends of a range, each as many numbers as it has.
+fn in_range(text: &str) -> Vec<Vec<f64>> {
+    let mut depth = 0_usize;
+    let at = text.find(|c| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        c == ',' && depth == 0
+    });
+    let (min, max) = text
+        .split_at_checked(at.unwrap_or(text.len()))
+        .unwrap_or((text, ""));
+    vec![numbers(min), numbers(max.trim_start_matches(','))]
+}
+
+/// The numbers of a value: `1.0`, `vec2(1, 2)`, `true`.
+pub(super) fn numbers(text: &str) -> Vec<f64> {
+    if text.trim() == "true" {
+        return vec![1.0];
+    }
+    let inside = text.split_once('(').map_or(text, |(_, inside)| inside);
+    let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '+');
+    let words = inside.split(|c| !is_part(c)).filter(|w| !w.is_empty());
+    words
+        .filter_map(|w| w.trim_end_matches('f').parse().ok())
+        .collect()
+}
+
+/// A shader behind what the host declares.
+fn completion(code: &str, told: &Told) -> Completion {
+    let clues = Clues::of(code);
+    let mut before = modern(&clues);
+    before.push_str(HOST);
+    for number in 0..10 {
+        let name = format!("iChannel{number}");
+        let is_cube = told
+            .channels
+            .iter()
+            .any(|c| c.number == number && c.is_cube);
+        let ty = if is_cube { "samplerCube" } else { "sampler2D" };
+        if clues.has_word(&name) {
+            before.push_str(&format!("uniform {ty} {name};\n"));
+        }
+    }
+    before.push_str(&told.declared);
+    if told.has_keyboard {
+        before.push_str(&keyboard(&clues));
+    }
+    if clues.guess.has_main && !told.is_strict || !clues.has_word("mainImage") {
+        return Completion::behind(before, code);
+    }
+    let color = match clues.has_word("gl_FragColor") {
+        true => "gl_FragColor",
+        false => {
+            before.push_str("out vec4 port_FragColor;\n");
+            "port_FragColor"
+        }
+    };
+    let end = format!("\nvoid main() {{\n    mainImage({color}, gl_FragCoord.xy);\n}}\n");
+    Completion::behind(before, code).with_end(&end)
+}
+
+/// What the host declares.
+const HOST: &str = "uniform vec3 iResolution;\nuniform float iTime;\nuniform float iTimeDelta;\n\
+uniform float iFrameRate;\nuniform int iFrame;\nuniform vec4 iDate;\nuniform vec3 \
+iChannelResolution[10];\nuniform vec4 iMouse;\nuniform vec4 iMouseButton;\nuniform float \
+iSampleRate;\nuniform mat4 iViewMatrix;\n#define iGlobalTime iTime\n#define iGlobalFrame iFrame\n\
+#define SHADER_TOY\n";
+
+/// The functions of keys, and the constants that a text uses. Which key was let go in this frame is
+/// not known.
+fn keyboard(clues: &Clues) -> String {
+    let mut text = "uniform sampler2D iKeyboard;\n".to_string();
+    for (name, row) in [("Down", 0), ("Pressed", 1), ("Toggled", 2)] {
+        text.push_str(&format!(
+            "bool isKey{name}(int key) {{ return texelFetch(iKeyboard, ivec2(key, {row}), 0).r > 0.0; }}\n"
+        ));
+    }
+    text.push_str("bool isKeyReleased(int key) { return false; }\n");
+    for word in clues.free_words(|w| w.starts_with("Key_")) {
+        if let Some(code) = word.strip_prefix("Key_").and_then(key_code) {
+            text.push_str(&format!("const int {word} = {code};\n"));
+        }
+    }
+    text
+}
+
+/// JavaScript's number of a key.
+fn key_code(name: &str) -> Option<u32> {
+    const NAMED: &[(&str, u32)] = &[
+        ("Backspace", 8),
+        ("Tab", 9),
+        ("Enter", 13),
+        ("Shift", 16),
+        ("Ctrl", 17),
+        ("Alt", 18),
+        ("Pause", 19),
+        ("Caps", 20),
+        ("Escape", 27),
+        ("Space", 32),
+        ("PageUp", 33),
+        ("PageDown", 34),
+        ("End", 35),
+        ("Home", 36),
+        ("LeftArrow", 37),
+        ("UpArrow", 38),
+        ("RightArrow", 39),
+        ("DownArrow", 40),
+        ("Insert", 45),
+        ("Delete", 46),
+        ("LeftWindow", 91),
+        ("RightWindows", 92),
+        ("Select", 93),
+        ("NumpadMultiply", 106),
+        ("NumpadAdd", 107),
+        ("NumpadSubtract", 109),
+        ("NumpadPeriod", 110),
+        ("NumpadDivide", 111),
+        ("NumLock", 144),
+        ("ScrollLock", 145),
+        ("SemiColon", 186),
+        ("Equal", 187),
+        ("Comma", 188),
+        ("Dash", 189),
+        ("Period", 190),
+        ("ForwardSlash", 191),
+        ("GraveAccent", 192),
+        ("OpenBracket", 219),
+        ("BackSlash", 220),
+        ("CloseBraket", 221),
+        ("SingleQuote", 222),
+    ];
+    let named = NAMED.iter().find(|(own, _)| *own == name);
+    if let Some((_, code)) = named {
+        return Some(*code);
+    }
+    let number = |prefix: &str| name.strip_prefix(prefix)?.parse::<u32>().ok();
+    match name.as_bytes() {
+        [sign @ (b'A'..=b'Z' | b'0'..=b'9')] => Some(u32::from(*sign)),
+        _ => number("Numpad")
+            .filter(|n| *n < 10)
+            .map(|n| 96 + n)
+            .or_else(|| {
+                number("F")
+                    .filter(|n| (1..=12).contains(n))
+                    .map(|n| 111 + n)
+            }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> String {
+        match uniform(text) {
+            Some((line, c)) => format!("{line}{:?} {:?} {:?} {:?}", c.kind, c.value, c.min, c.max),
+            None => "none".to_string(),
+        }
+    }
+
+    #[test]
+    fn uniforms_are_read() {
+        assert_eq!(
+            read(" float x = 1.0 in { 0.0, 5.0 } step 0.2 // how much"),
+            "uniform float x;\nFloat [1.0] [0.0] [5.0]"
+        );
+        assert_eq!(
+            read("color3 c = color3(1.0, 0.5, 0)"),
+            "uniform vec3 c;\nColor [1.0, 0.5, 0.0] [0.0, 0.0, 0.0] [1.0, 1.0, 1.0]"
+        );
+        assert_eq!(
+            read("vec2 p in { vec2(-1.0, -2), vec2(1.0) }"),
+            "uniform vec2 p;\nVector [-1.0, -2.0] [-1.0, -2.0] [1.0, 1.0]"
+        );
+        assert_eq!(
+            read("int n = 3 in [1, 9]"),
+            "uniform int n;\nInt [3.0] [1.0] [9.0]"
+        );
+        assert_eq!(read("mat3 m = mat3(1.0)"), "none");
+        assert_eq!(read("float 9x = 1.0"), "none");
+    }
+
+    #[test]
+    fn paths_are_joined() {
+        assert_eq!(joined("a/b", "../c.glsl"), "a/c.glsl");
+        assert_eq!(joined("", "./c.glsl"), "c.glsl");
+        assert_eq!(joined("a", "..\\..\\c.glsl"), "../c.glsl");
+    }
+
+    #[test]
+    fn keys_have_javascripts_numbers() {
+        let codes = ["A", "9", "LeftArrow", "F12", "Numpad3", "Foo"].map(key_code);
+        assert_eq!(
+            codes,
+            [Some(65), Some(57), Some(37), Some(123), Some(99), None]
+        );
+    }
+
+    #[test]
+    fn directives_in_comments_are_none() {
+        let text = "// #iChannel0 \"a\"\n/* #iUniform float x */\n# iChannel1 \"file://b.glsl\"\n#iChannel12 \"c\"\n#define iChannel2 3\n";
+        let words: Vec<_> = directives(text).iter().map(|d| d.word).collect();
+        assert_eq!(words, ["iChannel1"]);
+    }
+
+    #[test]
+    fn it_is_known_by_its_directives() {
+        let known = |text: &str| {
+            crate::port::dialect::recognise(&Clues::of(text))
+                .dialect
+                .name
+        };
+        let image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
+        let main = "void main() { gl_FragColor = vec4(1.0); }";
+        assert_eq!(
+            known(&format!("#iChannel0 \"self\"\n{image}")),
+            "vscode-shader-toy"
+        );
+        assert_eq!(known(&format!("#iKeyboard\n{main}")), "vscode-shader-toy");
+        assert_eq!(
+            known(&format!("#include \"a.glsl\"\n{image}")),
+            "vscode-shader-toy"
+        );
+        assert_ne!(
+            known(&format!("#include \"a.glsl\"\n{main}")),
+            "vscode-shader-toy"
+        );
+        assert_eq!(
+            known(&format!("// #iChannel0 \"self\"\n{image}")),
+            "shadertoy"
+        );
+    }
+
+    #[test]
+    fn shaders_beside_become_passes() {
+        let text = "#iChannel0 \"file://./a/b.glsl\"\n#iChannel1 \"self\"\nvoid mainImage(out vec4 c, in vec2 p) \
+            { c = texture(iChannel0, p) + texture(iChannel1, p); }";
+        let mut beside = super::super::TextsBeside::new();
+        let asked = plan(&Clues::beside(text, "x", &beside)).wanted;
+        assert_eq!(asked, ["a/b.glsl"]);
+        let buffer =
+            "#include \"c.glsl\"\nvoid main() { gl_FragColor = vec4(C, iTime, 0.0, 1.0); }";
+        beside.insert("a/b.glsl".to_string(), Some(buffer.into()));
+        beside.insert("a/c.glsl".to_string(), Some("const float C = 0.5;".into()));
+        let plan = plan(&Clues::beside(text, "x", &beside));
+        assert!(
+            plan.wanted.is_empty() && plan.notes.is_empty(),
+            "{:?}",
+            plan.notes
+        );
+        let names: Vec<_> = plan
+            .passes
+            .iter()
+            .map(|p| (p.name.as_str(), p.kind))
+            .collect();
+        // The picture reads itself: it is a buffer, which is shown.
+        assert_eq!(
+            names,
+            [
+                ("a/b.glsl", Pass::Buffer),
+                ("", Pass::Buffer),
+                ("Picture", Pass::Image)
+            ]
+        );
+        for pass in &plan.passes {
+            let errors = pass.candidates[0].check().unwrap().diagnostics;
+            assert!(errors.is_empty(), "{errors:?}");
+        }
+    }
+}
