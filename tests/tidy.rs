@@ -35,7 +35,15 @@ const LAYERS: [(&str, &[&str]); 13] = [
     ),
     (
         "port",
-        &["text", "diagnostic", "syntax", "semantic", "ir", "flow"],
+        &[
+            "text",
+            "host",
+            "diagnostic",
+            "syntax",
+            "semantic",
+            "ir",
+            "flow",
+        ],
     ),
     ("report", &["text", "diagnostic"]),
     (
