@@ -35,7 +35,7 @@ pub struct ControlChoice {
 
 /// A uniform that the user sets.
 #[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Control {
+pub struct UniformControl {
     /// The uniform.
     pub name: String,
     /// What people call it.
@@ -63,16 +63,21 @@ const PALETTE: [[f64; 3]; 4] = [
     [0.15, 0.65, 0.5],
 ];
 
-impl Control {
+impl UniformControl {
     /// A control with the same value and range in all lanes.
-    pub fn even(name: &str, kind: ControlKind, lanes: usize, range: (f64, f64, f64)) -> Control {
+    pub fn even(
+        name: &str,
+        kind: ControlKind,
+        lanes: usize,
+        range: (f64, f64, f64),
+    ) -> UniformControl {
         let (min, value, max) = range;
         let has_range = !matches!(kind, ControlKind::Bool | ControlKind::Event);
         let ends = |end| match has_range {
             true => vec![end; lanes],
             false => Vec::new(),
         };
-        Control {
+        UniformControl {
             name: name.to_string(),
             label: name.to_string(),
             kind,
@@ -84,9 +89,9 @@ impl Control {
     }
 
     /// A colour; `number` counts the colours before it.
-    pub fn color(name: &str, lanes: usize, number: usize) -> Control {
+    pub fn color(name: &str, lanes: usize, number: usize) -> UniformControl {
         let color = PALETTE.get(number % PALETTE.len()).unwrap_or(&[1.0; 3]);
-        let mut control = Control::even(name, ControlKind::Color, lanes, (0.0, 1.0, 1.0));
+        let mut control = UniformControl::even(name, ControlKind::Color, lanes, (0.0, 1.0, 1.0));
         for (value, own) in control.value.iter_mut().zip(color) {
             *value = *own;
         }

@@ -38,7 +38,7 @@ pub use build::{
 };
 pub use channel::{ChannelOrder, ChannelSource, Media, unknown_source};
 pub use compose::{Composed, PassUnit, compose};
-pub use control::{Control, ControlChoice, ControlKind};
+pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
 pub use dialect::{Bindings, DIALECTS, DialectFacts, TextsBeside, UniformData, dialect_named};
 pub use draw::{PassDraw, SizeTerm};

@@ -3,8 +3,8 @@
 use super::findings::{FindingData, findings};
 use super::media::is_gray;
 use super::{
-    Composed, Control, Generator, Input, InputKind, OutputId, Project, ProjectPass, SizeTerm,
-    UniformData, VERTEX, Wrapper, credits,
+    Composed, Generator, Input, InputKind, OutputId, Project, ProjectPass, SizeTerm,
+    UniformControl, UniformData, VERTEX, Wrapper, credits,
 };
 use crate::semantic::tunable::{Tunable, may_hold_tunables, tunables};
 use crate::semantic::{Pass, Sampler, Stage};
@@ -23,7 +23,7 @@ struct Payload<'a> {
     files: Vec<Text<'a>>,
     passes: Vec<PassData<'a>>,
     tunables: Vec<TunableData>,
-    controls: &'a [Control],
+    controls: &'a [UniformControl],
     #[serde(skip_serializing_if = "Vec::is_empty")]
     media: Vec<MediaData>,
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -1,6 +1,6 @@
 //! ShaderToy projects: passes, and what their channels read.
 
-use super::{Bindings, Control, DialectFacts, PassDraw, StandIn};
+use super::{Bindings, DialectFacts, PassDraw, StandIn, UniformControl};
 use crate::semantic::{Channels, Pass, Sampler, Stage};
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ pub struct Project {
     /// How many of the controls the text itself describes: the first ones.
     pub described: usize,
     /// The uniforms that the user sets.
-    pub controls: Vec<Control>,
+    pub controls: Vec<UniformControl>,
     /// What is to be told of how it was read.
     pub notes: Vec<String>,
     /// The texts that it asks for beside its own, by their paths from its folder.

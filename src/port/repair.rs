@@ -32,6 +32,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
                 _ => continue,
             },
             error::INVALID_QUALIFIER => initial(program, found.span),
+            error::INVALID_LAYOUT => layout(program, found.span),
             error::MAINIMAGE_SIGNATURE => signature(program, found.span),
             error::NOT_CONSTANT if globals.is_none() => {
                 globals = late_values(program, errors);
@@ -79,6 +80,18 @@ fn output(program: &Program) -> Option<Fix> {
         })
         .collect();
     Some(Fix::safe(format!("write to `{color}`"), edits?))
+}
+
+/// A `layout` that desktops take and WebGL2 does not: both stages find each other by names there.
+fn layout(program: &Program, at: Span) -> Option<Fix> {
+    let all = globals(program).flat_map(|(qualifiers, _)| qualifiers);
+    let found = all
+        .filter(|q| matches!(q.kind, QualifierKind::Layout(_)))
+        .find(|q| program.span(q.extent).contains(at))?;
+    let next = span_of(program, found.extent.last + 1)?;
+    let gone = Span::new(program.span(found.extent).start, next.start);
+    let is_whole = program.is_direct(found.extent);
+    is_whole.then(|| Fix::safe("leave the `layout` away", vec![Edit::delete(gone)]))
 }
 
 /// The initial value of a uniform, which desktops know: the page has a control that starts there.
@@ -222,9 +235,8 @@ struct LateValue {
 /// not where the value gives an array its size.
 fn late_value(program: &Program, main: &FunctionDecl, of: &Declarator) -> Option<LateValue> {
     let tree = &program.tree;
-    if !program.is_direct(of.extent) {
-        return None;
-    }
+    // A value may come through macros; its ends may not.
+    span_of(program, of.extent.first).and(span_of(program, of.extent.last))?;
     let sizes = tree.arrays(of.arrays);
     if sizes.iter().any(|s| s.size.is_none()) {
         return None;

@@ -4,7 +4,8 @@ use super::dialect::{
     self, Clues, DialectFacts, Plan, PlannedPass, TextsBeside, bind, dialect_named, recognise,
 };
 use super::{
-    Bindings, Composed, Control, Info, Input, InputKind, Project, ProjectPass, Wrapper, compose,
+    Bindings, Composed, Info, Input, InputKind, Project, ProjectPass, UniformControl, Wrapper,
+    compose,
 };
 use crate::semantic::{
     GuessedKind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels,
@@ -268,7 +269,7 @@ fn own(planned: PlannedPass, notes: &mut Vec<String>) -> Result<ProjectPass, Sha
 }
 
 /// Adds the controls that are new. What a text said of one before it was repaired stays.
-fn add_controls(all: &mut Vec<Control>, more: &[Control]) {
+fn add_controls(all: &mut Vec<UniformControl>, more: &[UniformControl]) {
     for control in more {
         if !all.iter().any(|c| c.name == control.name) {
             all.push(control.clone());

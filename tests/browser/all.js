@@ -25,7 +25,7 @@ const tests = [
   ...dialectTests,
   ...hostileTests,
   ...fixTests,
-  ...moduleTests,
+  ...moduleTests, ...dialectTests,
   ...serveTests,
   ...verdictTests,
   ...corpusTests(),

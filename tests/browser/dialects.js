@@ -50,6 +50,23 @@ function drawTest(dialect, file) {
   return { name, run };
 }
 
+/** A control changes the picture without compiling anything. */
+async function controlsAreUniforms(context) {
+  const { address } = convert(path.join(FOLDER, 'three/gradient.glsl'), 'dialect-control');
+  const { page } = await open(context, address);
+  await page.evaluate(() => globalThis.shaderport.ready);
+  await frame(page, 1);
+  const before = await frame(page, 1);
+  const kinds = await page.evaluate(() => globalThis.shaderport.player.project.controls.map((c) => `${c.name} ${c.kind}`));
+  assert.deepEqual(kinds, ['uColorA color', 'uColorB color']);
+  await page.evaluate(() => {
+    globalThis.shaderport.player.setControl('uColorA', [0, 0, 0]);
+    globalThis.shaderport.player.setControl('uColorB', [0, 0, 0]);
+  });
+  assert.ok(colors(before) > 1);
+  assert.equal(colors(await frame(page, 1)), 1);
+}
+
 /** The files of a dialect that are ported; folders in it, and vertex shaders of ISF, belong to them. */
 const filesOf = (dialect) =>
   fs.readdirSync(path.join(FOLDER, dialect), { withFileTypes: true })
@@ -59,4 +76,7 @@ const filesOf = (dialect) =>
 
 const files = fs.readdirSync(FOLDER).sort().flatMap((dialect) => filesOf(dialect).map((file) => [dialect, file]));
 
-export const dialectTests = files.map(([dialect, file]) => drawTest(dialect, file));
+export const dialectTests = [
+  ...files.map(([dialect, file]) => drawTest(dialect, file)),
+  { name: 'dialect-controls', run: controlsAreUniforms },
+];

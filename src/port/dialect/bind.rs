@@ -3,7 +3,7 @@
 use super::DialectFacts;
 use super::feed::{Feed, FeedRow, Texture, TextureRow, USUAL_FEEDS, USUAL_TEXTURES, is_named};
 use super::vertex::{Vertex, vertex};
-use crate::port::{Control, ControlKind, Input, InputKind, OutputId, SamplerSettings};
+use crate::port::{ControlKind, Input, InputKind, OutputId, SamplerSettings, UniformControl};
 use crate::semantic::tunable::range_behind;
 use crate::semantic::{
     Program, Sampler, Scalar, Stage, Storage, Value, Variable, VariableId, channel,
@@ -30,7 +30,7 @@ pub struct Bindings {
     /// Its samplers, as channels with their names.
     pub inputs: Vec<Input>,
     /// What the user sets.
-    pub controls: Vec<Control>,
+    pub controls: Vec<UniformControl>,
     /// The vertex shader.
     pub vertex: String,
     /// Uniforms that stay zero, since nothing is known of them.
@@ -48,7 +48,7 @@ pub const MAX_CHANNELS: u8 = 16;
 pub(in crate::port) fn bind(
     program: &Program,
     dialect: &DialectFacts,
-    own: (&[Input], &[Control]),
+    own: (&[Input], &[UniformControl]),
     output: Option<&OutputId>,
     partner: Option<&str>,
 ) -> Bindings {
@@ -73,7 +73,7 @@ pub(in crate::port) fn bind(
         if !is_declared || !is_read {
             continue;
         }
-        match variable.ty.as_sampler() {
+        match variable.ty.element().as_sampler() {
             Some(sampler) => {
                 let name = program.names.text(variable.name);
                 let inputs = inputs_of(name, variable, sampler, dialect, output);
@@ -115,7 +115,7 @@ impl Bindings {
         id: VariableId,
         variable: &Variable,
         dialect: &DialectFacts,
-        own: &[Control],
+        own: &[UniformControl],
     ) {
         let name = program.names.text(variable.name).to_string();
         let ty = program.type_name(variable.ty);
@@ -206,7 +206,7 @@ fn control(
     id: VariableId,
     variable: &Variable,
     colors: usize,
-) -> Option<Control> {
+) -> Option<UniformControl> {
     let name = program.names.text(variable.name);
     let (scalar, columns, lanes) = variable.ty.numeric()?;
     if variable.ty.array > 0 || columns > 1 {
@@ -221,11 +221,11 @@ fn control(
         _ => ControlKind::Vector,
     };
     let mut control = match kind {
-        ControlKind::Color => Control::color(name, lanes, colors),
-        ControlKind::Bool => Control::even(name, kind, lanes, (0.0, 0.0, 1.0)),
-        ControlKind::Int => Control::even(name, kind, lanes, (0.0, 1.0, 10.0)),
-        ControlKind::Float => Control::even(name, kind, lanes, (0.0, 1.0, 2.0)),
-        _ => Control::even(name, kind, lanes, (-1.0, 0.5, 1.0)),
+        ControlKind::Color => UniformControl::color(name, lanes, colors),
+        ControlKind::Bool => UniformControl::even(name, kind, lanes, (0.0, 0.0, 1.0)),
+        ControlKind::Int => UniformControl::even(name, kind, lanes, (0.0, 1.0, 10.0)),
+        ControlKind::Float => UniformControl::even(name, kind, lanes, (0.0, 1.0, 2.0)),
+        _ => UniformControl::even(name, kind, lanes, (-1.0, 0.5, 1.0)),
     };
     let declared = program.declared_at(variable)?;
     if let Some((range, _)) = line_end(program, declared).and_then(|s| range_behind(program, s)) {
@@ -247,7 +247,7 @@ fn control(
 }
 
 /// Makes room in the range of a control for a value and some more.
-fn widen(control: &mut Control, value: &[f64]) {
+fn widen(control: &mut UniformControl, value: &[f64]) {
     for ((min, max), value) in control.min.iter_mut().zip(&mut control.max).zip(value) {
         if *value > *max {
             *max = 2.0 * value;
@@ -281,4 +281,61 @@ fn is_color(name: &str) -> bool {
     ["color", "colour", "tint", "rgb"]
         .iter()
         .any(|w| name.contains(w))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::port::Project;
+
+    const CODE: &str = "#version 300 es\nprecision highp float;\nuniform vec2 u_resolution;\n\
+        uniform float gain; // how strong (0.5~4.5)\nuniform vec3 baseColor;\nuniform mat4 turn;\n\
+        uniform float unused;\nuniform float weights[3];\nuniform sampler2D maps[2];\n\
+        uniform samplerCube iChannel1;\nin vec2 vUv;\nout vec4 c;\nvoid main() {\n\
+        c = turn * vec4(baseColor * gain * weights[1], 1.0) + texture(maps[0], vUv / u_resolution)\n\
+        + texture(iChannel1, vec3(1.0));\n}\n";
+
+    #[test]
+    fn everything_is_given_something() {
+        let project = Project::from_shader("", CODE).unwrap();
+        let bound = &project.passes[0].bound;
+        let sources: Vec<(&str, Feed)> = bound
+            .uniforms
+            .iter()
+            .map(|u| (u.name.as_str(), u.source))
+            .collect();
+        assert_eq!(
+            sources,
+            [
+                ("u_resolution", Feed::Resolution),
+                ("gain", Feed::Control),
+                ("baseColor", Feed::Control),
+                ("turn", Feed::Identity),
+            ]
+        );
+        let gain = &project.controls[0];
+        assert_eq!((&gain.min[..], &gain.max[..]), (&[0.5][..], &[4.5][..]));
+        assert_eq!(project.controls[1].kind, ControlKind::Color);
+        assert_eq!(bound.zeros, ["weights"]);
+        let inputs: Vec<(u8, Option<&str>)> = bound
+            .inputs
+            .iter()
+            .map(|i| (i.channel, i.uniform.as_deref()))
+            .collect();
+        let named = [
+            (0, Some("maps[0]")),
+            (1, Some("maps[1]")),
+            (2, Some("iChannel1")),
+        ];
+        assert_eq!(inputs, named);
+    }
+
+    #[test]
+    fn an_initial_value_is_where_a_control_starts() {
+        let code = "#version 330\nuniform float a = 3.5;\nuniform bool b = true;\nout vec4 c;\n\
+            void main() { c = vec4(b ? a : 0.0); }\n";
+        let project = Project::from_shader("", code).unwrap();
+        let values: Vec<&[f64]> = project.controls.iter().map(|c| &c.value[..]).collect();
+        assert_eq!(values, [&[3.5][..], &[1.0][..]]);
+    }
 }

@@ -9,7 +9,7 @@ use rustc_hash::FxHashSet;
 
 /// A variable that a text declares and something else sets.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Declared {
+pub struct Interfacing {
     /// Its name.
     pub name: String,
     /// Its type, as it is written.
@@ -55,11 +55,12 @@ pub struct Clues<'t> {
     /// What its words tell of its version and kind.
     pub guess: Guess,
     /// The uniforms that it declares, samplers included.
-    pub uniforms: Vec<Declared>,
+    pub uniforms: Vec<Interfacing>,
     /// The varyings that it declares, and the members of those that are structs.
-    pub inputs: Vec<Declared>,
+    pub inputs: Vec<Interfacing>,
     /// Whether it has statements outside of any function, and no function that is called.
     pub is_body: bool,
+    has_output: bool,
     words: FxHashSet<&'t str>,
     declared: FxHashSet<String>,
 }
@@ -84,6 +85,7 @@ impl<'t> Clues<'t> {
             guess,
             uniforms: Vec::new(),
             inputs: Vec::new(),
+            has_output: false,
             words,
             declared: FxHashSet::default(),
         };
@@ -112,16 +114,17 @@ impl<'t> Clues<'t> {
             let ty = program.type_name(variable.ty);
             self.declared.insert(name.clone());
             match variable.storage {
-                Storage::Uniform => self.uniforms.push(Declared { name, ty }),
+                Storage::Output => self.has_output = true,
+                Storage::Uniform => self.uniforms.push(Interfacing { name, ty }),
                 Storage::Input => {
                     let fields = program.struct_of(variable.ty).map(|s| &s.fields);
                     for field in fields.into_iter().flatten() {
-                        self.inputs.push(Declared {
+                        self.inputs.push(Interfacing {
                             name: program.names.text(field.name).to_string(),
                             ty: program.type_name(field.ty),
                         });
                     }
-                    self.inputs.push(Declared { name, ty });
+                    self.inputs.push(Interfacing { name, ty });
                 }
                 _ => {}
             }
@@ -140,6 +143,20 @@ impl<'t> Clues<'t> {
     /// Whether something in the text could be drawn: it has an entry, or statements outside of any.
     pub fn is_shader(&self) -> bool {
         self.guess.kind.is_some() || (self.is_body && !self.declared.is_empty())
+    }
+
+    /// Whether it takes chunks of another library in: `#include <common>`.
+    pub fn has_include(&self) -> bool {
+        let mut lines = self.text.lines().map(str::trim_start);
+        lines.any(|l| {
+            l.strip_prefix("#include")
+                .is_some_and(|r| r.trim_start().starts_with('<'))
+        })
+    }
+
+    /// Whether it declares what it writes to.
+    pub fn declares_output(&self) -> bool {
+        self.has_output
     }
 
     /// Whether a word stands in the text, comments aside.
@@ -167,7 +184,7 @@ impl<'t> Clues<'t> {
 
     /// Whether the text declares a uniform of a name and one of some types.
     pub fn has_uniform(&self, name: &str, types: &[&str]) -> bool {
-        let is_it = |d: &Declared| d.name == name && types.contains(&d.ty.as_str());
+        let is_it = |d: &Interfacing| d.name == name && types.contains(&d.ty.as_str());
         self.uniforms.iter().any(is_it)
     }
 }

@@ -40,7 +40,7 @@ impl Completion {
     pub fn behind(before: String, text: &str) -> Completion {
         Completion {
             before: Arc::from(before),
-            code: Arc::from(without_first_lines(text)),
+            code: Arc::from(with_struct_inputs(&without_first_lines(text))),
             behind: Arc::from(""),
             note: None,
             stage: Stage::Fragment,
@@ -203,14 +203,31 @@ pub(super) fn modern(clues: &Clues) -> String {
     if clues.has_word("gl_FragDepthEXT") {
         text.push_str("#define gl_FragDepthEXT gl_FragDepth\n");
     }
-    let declares_output = clues.has_word("out") && clues.guess.is_300;
-    if clues.has_word("gl_FragColor") && !declares_output {
+    if clues.has_word("gl_FragColor") && !clues.declares_output() {
         text.push_str("out vec4 port_FragColor;\n#define gl_FragColor port_FragColor\n");
     } else if clues.has_word("gl_FragData") {
         text.push_str("out vec4 port_FragData[4];\n#define gl_FragData port_FragData\n");
     }
-    text + &old_lookups(clues)
+    text.push_str(&old_lookups(clues));
+    if clues.has_word("sampler1D") {
+        text.push_str(LINES);
+    }
+    text
 }
+
+/// Textures of one dimension, which desktops have, are the first lines of those of two.
+const LINES: &str = "#define sampler1D sampler2D\n\
+    vec4 port_texture(sampler2D s, vec2 p) { return texture(s, p); }\n\
+    vec4 port_texture(sampler2D s, vec2 p, float b) { return texture(s, p, b); }\n\
+    vec4 port_texture(sampler2D s, float p) { return texture(s, vec2(p, 0.25)); }\n\
+    vec4 port_texture(sampler2D s, float p, float b) { return texture(s, vec2(p, 0.25), b); }\n\
+    vec4 port_texture(sampler3D s, vec3 p) { return texture(s, p); }\n\
+    vec4 port_texture(samplerCube s, vec3 p) { return texture(s, p); }\n\
+    vec4 port_fetch(sampler2D s, ivec2 p, int l) { return texelFetch(s, p, l); }\n\
+    vec4 port_fetch(sampler2D s, int p, int l) {\n    \
+    int w = textureSize(s, l).x;\n    \
+    return texelFetch(s, ivec2(w < 1024 ? p * w / 1024 : p, 0), l);\n}\n\
+    #define texture port_texture\n#define texelFetch port_fetch\n";
 
 /// The lookups of GLSL ES 1.00 that a text uses. Where it has a variable called like the function of
 /// today, macros would lead to that.
@@ -238,7 +255,7 @@ fn old_lookups(clues: &Clues) -> String {
 }
 
 /// A text whose `#version` and `#extension` lines are comments: what stands before it has its own,
-/// and the language wants them first.
+/// and the language wants them first. What it would include is not at hand.
 fn without_first_lines(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 8);
     let mut from = 0;
@@ -253,7 +270,8 @@ fn without_first_lines(text: &str) -> String {
             RawKind::Whitespace => {}
             RawKind::Word => {
                 let word = text.get(start..end).unwrap_or("");
-                if let Some(at) = hash.filter(|_| matches!(word, "version" | "extension")) {
+                let is_first = matches!(word, "version" | "extension" | "include");
+                if let Some(at) = hash.filter(|_| is_first) {
                     out.push_str(text.get(from..at).unwrap_or(""));
                     out.push_str("//");
                     from = at;
@@ -261,6 +279,50 @@ fn without_first_lines(text: &str) -> String {
                 hash = None;
             }
             _ => hash = None,
+        }
+    }
+    out.push_str(text.get(from..).unwrap_or(""));
+    out
+}
+
+/// A text whose input blocks, which GLSL ES 3.00 has not, are inputs of structs:
+/// `in VertexData { vec2 uv; } data;`.
+fn with_struct_inputs(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 32);
+    let mut from = 0;
+    let mut lexer = Lexer::new(text, 0);
+    // What was read of a block: where `in` stands, its name, and where its brace was closed.
+    let mut word: Option<(usize, usize)> = None;
+    let mut block: Option<(usize, usize, &str)> = None;
+    let mut is_open = false;
+    loop {
+        let token = lexer.next_token();
+        let (start, end) = (token.span.start as usize, token.span.end as usize);
+        let own = text.get(start..end).unwrap_or("");
+        match token.kind {
+            RawKind::End => break,
+            RawKind::Whitespace | RawKind::Newline => continue,
+            RawKind::LineComment | RawKind::BlockComment => continue,
+            RawKind::Word if own == "in" && !is_open => (word, block) = (Some((start, end)), None),
+            RawKind::Word if block.is_none() => {
+                block = word.take().map(|(start, end)| (start, end, own));
+            }
+            _ => match (own, block) {
+                ("{", Some((start, end, _))) => {
+                    out.push_str(text.get(from..start).unwrap_or(""));
+                    out.push_str("struct");
+                    from = end;
+                    is_open = true;
+                }
+                ("}", Some((_, _, name))) if is_open => {
+                    out.push_str(text.get(from..end).unwrap_or(""));
+                    out.push_str(&format!("; in {name}"));
+                    from = end;
+                    (is_open, block, word) = (false, None, None);
+                }
+                _ if !is_open => (word, block) = (None, None),
+                _ => {}
+            },
         }
     }
     out.push_str(text.get(from..).unwrap_or(""));

@@ -69,7 +69,7 @@ pub enum Feed {
 /// What a uniform of a name and one of some types means.
 #[derive(Clone, Copy, Debug)]
 pub struct FeedRow {
-    /// The name; a `#` at its end stands for a number.
+    /// The name; a `#` in it stands for a number.
     pub name: &'static str,
     /// The types that it may have.
     pub types: &'static [&'static str],
@@ -116,7 +116,7 @@ pub enum Texture {
 /// What a sampler of a name reads, and how.
 #[derive(Clone, Copy, Debug)]
 pub struct TextureRow {
-    /// The name; a `#` at its end stands for a number.
+    /// The name; a `#` in it stands for a number.
     pub name: &'static str,
     /// What it reads.
     pub texture: Texture,
@@ -172,14 +172,15 @@ pub(super) const fn varying(
     }
 }
 
-/// Whether a name is that of a row.
+/// Whether a name is that of a row, whose `#` stands for a number.
 pub(super) fn is_named(row: &str, name: &str) -> bool {
-    match row.strip_suffix('#') {
-        Some(stem) => name
-            .strip_prefix(stem)
-            .is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit())),
-        None => row == name,
-    }
+    let Some((before, behind)) = row.split_once('#') else {
+        return row == name;
+    };
+    let number = name
+        .strip_prefix(before)
+        .and_then(|n| n.strip_suffix(behind));
+    number.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }
 
 /// Names of varyings that are taken for the place in the picture, from 0 to 1.

@@ -17,7 +17,8 @@ use super::{
 };
 use crate::host::preset;
 use crate::port::{
-    Control, ControlChoice, ControlKind, Input, InputKind, OutputId, PassDraw, SignalForm, SizeTerm,
+    ControlChoice, ControlKind, Input, InputKind, OutputId, PassDraw, SignalForm, SizeTerm,
+    UniformControl,
 };
 use crate::semantic::{Pass, Stage};
 use crate::syntax::Version;
@@ -100,7 +101,7 @@ struct Head {
     declared: String,
     /// What its samplers read.
     inputs: Vec<Input>,
-    controls: Vec<Control>,
+    controls: Vec<UniformControl>,
     passes: Vec<Target>,
     notes: Vec<String>,
     credit: Credit,
@@ -378,7 +379,11 @@ impl Head {
 }
 
 /// The control of an input, and the type of its uniform.
-fn control(name: &str, kind: &str, input: &Map<String, Value>) -> Option<(&'static str, Control)> {
+fn control(
+    name: &str,
+    kind: &str,
+    input: &Map<String, Value>,
+) -> Option<(&'static str, UniformControl)> {
     let value = |key: &str| input.get(key).map(numbers).filter(|n| !n.is_empty());
     let (ty, kind, lanes, usual): (_, _, _, (f64, f64)) = match kind {
         "float" => ("float", ControlKind::Float, 1, (0.0, 1.0)),
@@ -389,7 +394,7 @@ fn control(name: &str, kind: &str, input: &Map<String, Value>) -> Option<(&'stat
         "point2D" => ("vec2", ControlKind::Point, 2, (0.0, 1.0)),
         _ => return None,
     };
-    let mut control = Control::even(name, kind, lanes, (usual.0, usual.0, usual.1));
+    let mut control = UniformControl::even(name, kind, lanes, (usual.0, usual.0, usual.1));
     if kind == ControlKind::Color {
         control.value = vec![1.0; lanes];
     }
@@ -429,7 +434,7 @@ fn control(name: &str, kind: &str, input: &Map<String, Value>) -> Option<(&'stat
     Some((ty, control))
 }
 
-fn middle(control: &Control) -> Vec<f64> {
+fn middle(control: &UniformControl) -> Vec<f64> {
     let ends = control.min.iter().zip(&control.max);
     ends.map(|(min, max)| (min + max) / 2.0).collect()
 }

@@ -6,29 +6,35 @@
 //! never printed anew: whatever a host puts around them goes before and behind.
 
 mod bind;
+mod bonzomatic;
+mod bookofshaders;
 mod clues;
 mod complete;
 mod feed;
 mod glslsandbox;
 mod isf;
+mod kodelife;
+mod kodi;
 mod page;
 #[cfg(feature = "cli")]
 mod shadered;
 mod shadertoy;
 mod synthclipse;
+mod three;
+mod twigl;
 mod vertex;
 mod vertexshaderart;
 mod vscode;
 
 pub(super) use bind::bind;
 pub use bind::{Bindings, UniformData};
-pub use clues::{Clues, Declared};
+pub use clues::{Clues, Interfacing};
 pub use complete::Completion;
 pub(in crate::port) use complete::best;
 pub(super) use feed::PLACES;
 pub use feed::{FeedRow, TextureRow, VaryingRow};
 
-use super::{Control, Input, InputKind, OutputId, PassDraw, SamplerSettings};
+use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
 use crate::semantic::Pass;
 use feed::is_named;
 use std::collections::BTreeMap;
@@ -92,7 +98,7 @@ pub struct Plan {
     /// They, in the order in which they are drawn.
     pub passes: Vec<PlannedPass>,
     /// What its head lets the user set.
-    pub controls: Vec<Control>,
+    pub controls: Vec<UniformControl>,
     /// How they are drawn, where that is not usual: as many as there are passes, or none.
     pub draws: Vec<PassDraw>,
     /// What is to be told.
@@ -203,6 +209,12 @@ pub static DIALECTS: &[&DialectFacts] = &[
     &vertexshaderart::FACTS,
     &isf::FACTS,
     &glslsandbox::FACTS,
+    &bonzomatic::FACTS,
+    &bookofshaders::FACTS,
+    &kodelife::FACTS,
+    &twigl::FACTS,
+    &three::FACTS,
+    &kodi::FACTS,
     &page::FACTS,
     &shadertoy::FACTS,
 ];
@@ -258,7 +270,7 @@ pub fn recognise(clues: &Clues) -> Recognised {
 fn signs(dialect: &DialectFacts, clues: &Clues) -> Vec<Sign> {
     let mut found = (dialect.signs)(clues);
     let shows = |name: &str, types: &[&str]| {
-        let is_row = |d: &&Declared| is_named(name, &d.name) && types.contains(&d.ty.as_str());
+        let is_row = |d: &&Interfacing| is_named(name, &d.name) && types.contains(&d.ty.as_str());
         let declared = clues.uniforms.iter().chain(&clues.inputs).find(is_row);
         match declared {
             Some(d) => Some(d.name.clone()),
@@ -303,5 +315,97 @@ impl Recognised {
             )
         });
         format!("read as {title}{why}{tied}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The dialect that a text is taken for.
+    #[track_caller]
+    fn check(text: &str, dialect: &str) {
+        let found = recognise(&Clues::of(text));
+        assert_eq!(found.dialect.name, dialect, "{:?}\n{text}", found.signs);
+        assert_eq!(found.tied, None, "{text}");
+    }
+
+    #[test]
+    fn names_of_its_own_make_a_dialect() {
+        let old = |head: &str| {
+            format!("precision mediump float;\n{head}\nvoid main() {{ gl_FragColor = vec4(1.0); }}")
+        };
+        check(
+            &old("uniform float time; uniform vec2 resolution;"),
+            "glsl-sandbox",
+        );
+        check(&old("varying vec2 surfacePosition;"), "glsl-sandbox");
+        check(
+            &old("uniform float u_time; uniform vec2 u_resolution;"),
+            "book-of-shaders",
+        );
+        check(
+            &old("uniform float time; uniform vec3 spectrum;"),
+            "kodelife",
+        );
+        check(&old("varying vec2 vUv; uniform float uTime;"), "three");
+        check(&old("uniform vec2 r; uniform float t;"), "twigl");
+        check(
+            "void main() { gl_FragColor = vec4(vUv, cameraPosition.xy); }",
+            "three",
+        );
+        check(
+            "#version 410 core\nuniform float fGlobalTime;\nout vec4 c;\nvoid main() { c = vec4(fGlobalTime); }",
+            "bonzomatic",
+        );
+        check("o=vec4(FC.xy/r,sin(t),1);", "twigl");
+        check("void main(){o=vec4(gl_FragCoord.xy/r,sin(t),1);}", "twigl");
+    }
+
+    #[test]
+    fn common_names_make_none() {
+        let image = |body: &str| format!("void mainImage(out vec4 o, in vec2 u) {{ {body} }}");
+        check(
+            &image("float time = iTime; vec2 resolution = iResolution.xy; o = vec4(time);"),
+            "shadertoy",
+        );
+        check(
+            &image("float t = iTime; vec2 r = iResolution.xy; o = vec4(u / r, t, 1);"),
+            "shadertoy",
+        );
+        check(
+            "#define R iResolution\n#define T iTime\nvoid mainImage(out vec4 o, vec2 u) { o = vec4(u / R.xy, T, 1); }",
+            "shadertoy",
+        );
+        check(
+            "uniform float time;\nvoid main() { gl_FragColor = vec4(time); }",
+            "webgl",
+        );
+        check(
+            "uniform int time; uniform vec4 resolution;\nvoid main() { gl_FragColor = resolution; }",
+            "webgl",
+        );
+        check(
+            "void main() { float r = 1.0, t = 2.0; gl_FragColor = vec4(r, t, 0.0, 1.0); }",
+            "webgl",
+        );
+        check(
+            "varying vec2 vUv;\nvoid main() { gl_FragColor = vec4(vUv, 0.0, 1.0); }",
+            "webgl",
+        );
+    }
+
+    #[test]
+    fn every_row_names_types_of_glsl() {
+        use crate::syntax::TypeWord;
+        for dialect in DIALECTS {
+            for ty in dialect.feeds.iter().flat_map(|r| r.types) {
+                let element = ty.split('[').next().unwrap_or(ty);
+                assert!(TypeWord::named(element).is_some(), "{}: {ty}", dialect.name);
+            }
+            let varyings = dialect.varyings.iter();
+            assert!(varyings.clone().all(|r| TypeWord::named(r.ty).is_some()));
+            assert_eq!(dialect_named(dialect.name), Some(*dialect));
+        }
     }
 }

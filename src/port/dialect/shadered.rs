@@ -11,7 +11,7 @@ use super::complete::completions_of;
 use super::feed::{COMMON, Feed, feed};
 use super::vscode::{joined, quoted};
 use super::{Clues, Completion, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled};
-use crate::port::{Control, ControlKind, Input, InputKind, OutputId, PassDraw};
+use crate::port::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl};
 use crate::semantic::Pass;
 use roxmltree::{Document, Node};
 use std::sync::Arc;
@@ -269,7 +269,8 @@ impl<'d> Maker<'_, '_, 'd> {
                 continue;
             }
             let control = control(name, variable);
-            let is_new = |c: &Control| !self.plan.controls.iter().any(|own| own.name == c.name);
+            let is_new =
+                |c: &UniformControl| !self.plan.controls.iter().any(|own| own.name == c.name);
             if let Some(control) = control.filter(is_new) {
                 self.plan.controls.push(control);
             }
@@ -336,7 +337,7 @@ fn behind(completion: Completion, macros: &str) -> Completion {
 }
 
 /// The control of a variable that holds numbers.
-fn control(name: &str, variable: Node) -> Option<Control> {
+fn control(name: &str, variable: Node) -> Option<UniformControl> {
     let ty = variable.attribute("type").unwrap_or("float");
     let lanes = match ty.chars().last().and_then(|c| c.to_digit(10)) {
         Some(lanes @ 2..=4) if !ty.contains('x') => lanes as usize,
@@ -352,12 +353,12 @@ fn control(name: &str, variable: Node) -> Option<Control> {
         _ => ControlKind::Vector,
     };
     let value: Vec<f64> = values.chain([0.0; 4]).take(lanes).collect();
-    let control = Control::even(name, kind, lanes, (0.0, 0.0, 1.0));
+    let control = UniformControl::even(name, kind, lanes, (0.0, 0.0, 1.0));
     let ends = |end: fn(f64) -> f64| match control.min.is_empty() {
         true => Vec::new(),
         false => value.iter().map(|v| end(*v)).collect(),
     };
-    Some(Control {
+    Some(UniformControl {
         min: ends(|v| (2.0 * v).min(0.0)),
         max: ends(|v| (2.0 * v).max(1.0)),
         value,

@@ -10,7 +10,7 @@ use super::complete::completions_of;
 use super::feed::{COMMON, Feed, OWN, USUAL, feed};
 use super::vscode::{numbers, quoted};
 use super::{Clues, DialectFacts, Plan, Sign, sampled};
-use crate::port::{Control, ControlChoice, ControlKind, Input, InputKind};
+use crate::port::{ControlChoice, ControlKind, Input, InputKind, UniformControl};
 
 const MOUSE: &[&str] = &["vec4"];
 const NUMBER: &[&str] = &["float"];
@@ -115,7 +115,7 @@ fn texture(command: &Command) -> Option<Input> {
     Some(input)
 }
 
-fn control(command: &Command) -> Option<Control> {
+fn control(command: &Command) -> Option<UniformControl> {
     let lanes = match command.ty {
         "float" | "int" | "bool" => 1,
         ty => ty
@@ -130,7 +130,7 @@ fn control(command: &Command) -> Option<Control> {
         ("checkbox", _) => {
             let value = f64::from(u8::from(command.inside.trim() == "true"));
             let range = (0.0, value, 1.0);
-            Some(Control::even(name, ControlKind::Bool, lanes, range))
+            Some(UniformControl::even(name, ControlKind::Bool, lanes, range))
         }
         ("color", _) => {
             let color = match all.as_slice() {
@@ -138,7 +138,7 @@ fn control(command: &Command) -> Option<Control> {
                 [r, g, b, a] | [_, a, _, r, g, b] => vec![*r, *g, *b, *a],
                 _ => return None,
             };
-            let mut control = Control::color(name, lanes, 0);
+            let mut control = UniformControl::color(name, lanes, 0);
             control.value = color.into_iter().chain([1.0]).take(lanes).collect();
             (control.value.len() == lanes).then_some(control)
         }
@@ -149,9 +149,9 @@ fn control(command: &Command) -> Option<Control> {
                 value: f64::from(i),
             });
             let range = (0.0, *all.first()?, 10.0);
-            Some(Control {
+            Some(UniformControl {
                 choices: choices.collect(),
-                ..Control::even(name, ControlKind::Choice, 1, range)
+                ..UniformControl::even(name, ControlKind::Choice, 1, range)
             })
         }
         ("slider" | "islider", [min, value, max]) => {
@@ -164,11 +164,11 @@ fn control(command: &Command) -> Option<Control> {
                 let all = of.iter().copied().cycle().take(lanes);
                 all.collect::<Vec<f64>>()
             };
-            let control = Control {
+            let control = UniformControl {
                 min: spread(min),
                 value: spread(value),
                 max: spread(max),
-                ..Control::even(name, kind, lanes, (0.0, 0.0, 1.0))
+                ..UniformControl::even(name, kind, lanes, (0.0, 0.0, 1.0))
             };
             (control.value.len() == lanes).then_some(control)
         }

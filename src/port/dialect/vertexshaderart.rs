@@ -13,7 +13,9 @@ use super::complete::{best, defaults, modern};
 use super::feed::{COMMON, Feed, OWN, feed};
 use super::isf::{head, object};
 use super::{Clues, Completion, DialectFacts, Plan, Sign, sampled};
-use crate::port::{Control, ControlChoice, ControlKind, Input, InputKind, PassDraw, SignalForm};
+use crate::port::{
+    ControlChoice, ControlKind, Input, InputKind, PassDraw, SignalForm, UniformControl,
+};
 use crate::syntax::Version;
 use serde_json::{Map, Value};
 use std::sync::Arc;
@@ -139,7 +141,7 @@ const MODES: [(&str, f64); 7] = [
 ];
 
 /// The site's settings.
-fn controls(settings: &Map<String, Value>) -> Vec<Control> {
+fn controls(settings: &Map<String, Value>) -> Vec<UniformControl> {
     let given = |keys: [&str; 2]| keys.into_iter().find_map(|key| settings.get(key));
     let count = given(["vertexCount", "POINT_COUNT"]).and_then(Value::as_f64);
     let range = (
@@ -154,17 +156,17 @@ fn controls(settings: &Map<String, Value>) -> Vec<Control> {
     let known = MODES.iter().find(|(name, _)| *name == mode);
     let background = settings.get("BACKGROUND_COLOR").and_then(Value::as_array);
     let lanes = background.into_iter().flatten().filter_map(Value::as_f64);
-    let mut color = Control::color("background", 4, 0);
+    let mut color = UniformControl::color("background", 4, 0);
     color.value = lanes.chain([0.0, 0.0, 0.0, 1.0]).take(4).collect();
     if background.is_none_or(|b| b.len() != 4) {
         color.value = vec![0.0, 0.0, 0.0, 1.0];
     }
     vec![
-        Control {
+        UniformControl {
             label: "vertices".to_string(),
-            ..Control::even("vertexCount", ControlKind::Int, 1, range)
+            ..UniformControl::even("vertexCount", ControlKind::Int, 1, range)
         },
-        Control {
+        UniformControl {
             label: "drawn as".to_string(),
             value: vec![known.map_or(1.0, |(_, number)| *number)],
             choices: MODES
@@ -174,7 +176,7 @@ fn controls(settings: &Map<String, Value>) -> Vec<Control> {
                     value: *value,
                 })
                 .collect(),
-            ..Control::even("port_mode", ControlKind::Choice, 1, (0.0, 1.0, 6.0))
+            ..UniformControl::even("port_mode", ControlKind::Choice, 1, (0.0, 1.0, 6.0))
         },
         color,
     ]

@@ -11,7 +11,9 @@ use super::complete::modern;
 use super::feed::{COMMON, Feed, OWN, feed};
 use super::isf::is_identifier;
 use super::{Clues, Completion, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled};
-use crate::port::{Control, ControlKind, Input, InputKind, OutputId, PassDraw, kind_of_name};
+use crate::port::{
+    ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name,
+};
 use crate::semantic::Pass;
 use crate::syntax::{Lexer, RawKind};
 
@@ -107,7 +109,7 @@ struct Told {
     channels: Vec<Channel>,
     /// The declarations of its own uniforms.
     declared: String,
-    controls: Vec<Control>,
+    controls: Vec<UniformControl>,
     has_keyboard: bool,
     is_strict: bool,
 }
@@ -403,7 +405,7 @@ pub(super) fn joined(folder: &str, path: &str) -> String {
 }
 
 /// The declaration and the control of `float x = 1.0 in { 0.0, 2.0 } step 0.1`.
-fn uniform(text: &str) -> Option<(String, Control)> {
+fn uniform(text: &str) -> Option<(String, UniformControl)> {
     let text = text.split("//").next()?.trim().trim_end_matches(';');
     let (ty, rest) = text.split_once(char::is_whitespace)?;
     let (text, _) = rest.split_once(" step ").unwrap_or((rest, ""));
@@ -430,7 +432,7 @@ fn uniform(text: &str) -> Option<(String, Control)> {
     let ends: Vec<Vec<f64>> = range.map(in_range).unwrap_or_default();
     let lane = |all: &[f64], i: usize| all.get(i).or(all.first()).copied();
     let first = numbers(value);
-    let mut control = Control::even(name, kind, lanes, (0.0, 0.0, 1.0));
+    let mut control = UniformControl::even(name, kind, lanes, (0.0, 0.0, 1.0));
     for i in 0..lanes {
         let min = ends.first().and_then(|all| lane(all, i));
         let max = ends.get(1).and_then(|all| lane(all, i));

@@ -258,7 +258,7 @@ class Player {
     else gl.bindTexture(target, read.texture ?? black);
     const own = read.texture && data && data.kind !== 'keyboard';
     const sampler = own ? this.samplers.get(data.filter, data.wrap) : this.samplers.get('nearest', 'clamp');
-    gl.bindSampler(channel, sampler);
+    gl.bindSampler(channel, data?.sampler ? null : sampler);
     gl.activeTexture(gl.TEXTURE0 + SPARE_UNIT);
     return read;
   }

@@ -1,0 +1,44 @@
+//! Bonzomatic, the live coding tool of demo parties.
+//!
+//! Source: the default shader of Gargaj/Bonzomatic and its README. Texts are `#version 410 core` and
+//! declare all that they use; the spectra are textures of one dimension, which WebGL has not: they are
+//! lines of textures of two. `texFFTIntegrated` grows without end in the tool, and does not here.
+
+use super::complete::completions_behind;
+use super::feed::{COMMON, Feed, OWN, Texture, USUAL, feed, texture};
+use super::{Clues, DialectFacts, Plan};
+
+pub(super) static FACTS: DialectFacts = DialectFacts {
+    name: "bonzomatic",
+    title: "Bonzomatic",
+    feeds: &[
+        feed("fGlobalTime", &["float"], Feed::Time, OWN),
+        feed("v2Resolution", &["vec2"], Feed::Resolution, OWN),
+        feed("fFrameTime", &["float"], Feed::Delta, OWN),
+        feed("iFrameIndex", &["int", "float"], Feed::Frame, USUAL),
+    ],
+    textures: &[
+        texture("texFFT", Texture::Music, "linear", "clamp", OWN),
+        texture("texFFTSmoothed", Texture::Music, "linear", "clamp", OWN),
+        texture("texFFTIntegrated", Texture::Music, "linear", "clamp", OWN),
+        texture(
+            "texPreviousFrame",
+            Texture::LastFrame,
+            "linear",
+            "clamp",
+            OWN,
+        ),
+        texture("texChecker", Texture::File, "mipmap", "repeat", USUAL),
+        texture("texNoise", Texture::File, "mipmap", "repeat", USUAL),
+        texture("texRevision", Texture::File, "mipmap", "repeat", USUAL),
+        texture("texTex#", Texture::File, "mipmap", "repeat", COMMON),
+    ],
+    varyings: &[],
+    declares: false,
+    signs: |_| Vec::new(),
+    plan: Some(plan),
+};
+
+fn plan(clues: &Clues) -> Plan {
+    Plan::picture(completions_behind(clues, "", true))
+}

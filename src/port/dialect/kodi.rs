@@ -1,0 +1,48 @@
+//! Kodi's add-on visualization.shadertoy: ShaderToy code as it was in its first years.
+//!
+//! Source: the preset `kodi` (`src/host/presets/kodi.glsl`). Its texts look like ShaderToy's, so only
+//! `--from` tells them.
+
+use super::complete::completions_behind;
+use super::feed::{COMMON, Texture, texture};
+use super::{Clues, DialectFacts, Plan};
+use crate::host::preset;
+
+pub(super) static FACTS: DialectFacts = DialectFacts {
+    name: "kodi",
+    title: "Kodi",
+    feeds: &[],
+    textures: &[
+        texture("iChannel0", Texture::Music, "linear", "clamp", COMMON),
+        texture("iChannel#", Texture::File, "mipmap", "repeat", COMMON),
+    ],
+    varyings: &[],
+    declares: true,
+    signs: |_| Vec::new(),
+    plan: Some(plan),
+};
+
+fn plan(clues: &Clues) -> Plan {
+    let host = preset("kodi").map_or(String::new(), |p| p.declarations(false));
+    // The extension is there in GLSL ES 3.00, and not to be had in 1.00 on a WebGL2 page.
+    let host: String = host
+        .lines()
+        .filter(|line| !line.starts_with("#extension"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let names = match clues.has_word("iTime") {
+        true => "#define iTime iGlobalTime\n",
+        false => "",
+    };
+    let all = completions_behind(clues, &format!("{host}{names}"), false);
+    let main = "\nvoid main() {\n    mainImage(gl_FragColor, gl_FragCoord.xy);\n}\n";
+    let new =
+        "\nout vec4 port_Color;\nvoid main() {\n    mainImage(port_Color, gl_FragCoord.xy);\n}\n";
+    let ended = all
+        .into_iter()
+        .map(|c| match c.before.starts_with("#version 300") {
+            true => c.with_end(new),
+            false => c.with_end(main),
+        });
+    Plan::picture(ended.collect())
+}
