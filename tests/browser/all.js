@@ -25,7 +25,7 @@ const tests = [
   ...dialectTests,
   ...hostileTests,
   ...fixTests,
-  ...moduleTests, ...dialectTests,
+  ...moduleTests,
   ...serveTests,
   ...verdictTests,
   ...corpusTests(),
