@@ -5,6 +5,7 @@ use proptest::test_runner::FileFailurePersistence;
 use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, Unread, check, mend};
 use shaderlint::lint::{Allow, Settings};
+use shaderlint::port::{Project, json};
 use shaderlint::rules::RULES;
 use shaderlint::syntax::tokenize;
 use shaderlint::text::{Role, Sources};
@@ -117,6 +118,69 @@ fn count_errors(found: &Option<Report>) -> usize {
     all.filter(|d| d.severity == Severity::Error).count()
 }
 
+/// An export with something of everything, in which pieces are put in the place of others.
+const EXPORT: &str = r#"[{"ver":"0.1","info":{"id":"abcdef","name":"n","username":"u","tags":["t"]},
+"renderpass":[{"inputs":[{"id":"4dXGR8","filepath":"/media/a.png","type":"buffer","channel":0,
+"sampler":{"filter":"linear","wrap":"clamp","vflip":"true"}},{"id":257,"ctype":"texture","src":"/b.png","channel":"1"}],
+"outputs":[{"id":"4dfGRr","channel":0}],"code":"void mainImage(out vec4 c, in vec2 p) {\\n c = vec4(0);\\n}","name":"Image","type":"image"},
+{"inputs":[],"outputs":[{"id":257}],"code":"","name":"Buf A","type":"buffer"}]}]"#;
+
+const JSON_PIECES: &[&str] = &[
+    "null",
+    "0",
+    "-1",
+    "1e999",
+    "\"\"",
+    "[]",
+    "{}",
+    "[null]",
+    "true",
+    "\"4dXGR8\"",
+    "\\ud800",
+    "\\udc00\\ud800",
+    "\\",
+    "\"",
+    ",",
+    ":",
+    "{",
+    "}",
+    "[",
+    "]",
+    "é",
+    "\u{feff}",
+    "\"sound\"",
+    "\"cubemap\"",
+    "\"../x\"",
+    "\"data:,\"",
+    "[[[[[[[[[[",
+    "99999999999999999999",
+];
+
+/// The export with values, or any stretches of it, replaced.
+fn exports() -> impl Strategy<Value = String> {
+    let change = (
+        0..EXPORT.len(),
+        0..12_usize,
+        prop::sample::select(JSON_PIECES),
+    );
+    prop::collection::vec((change, any::<bool>()), 0..4).prop_map(|changes| {
+        let mut text = EXPORT.to_string();
+        for ((at, length, piece), is_value) in changes {
+            let mut starts = text.match_indices(':').map(|(i, _)| i + 1);
+            let at = match is_value {
+                true => starts.find(|i| *i >= at).unwrap_or(0),
+                false => at.min(text.len()),
+            };
+            let rest = &text[text.floor_char_boundary(at)..];
+            let value = rest.find([',', '}', ']']).unwrap_or(0);
+            let end = at + if is_value { value } else { length };
+            let (from, to) = (text.floor_char_boundary(at), text.floor_char_boundary(end));
+            text.replace_range(from..to.max(from), piece);
+        }
+        text
+    })
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1_000, failure_persistence: Some(Box::new(FileFailurePersistence::Direct("tests/properties.txt"))), ..ProptestConfig::default() })]
 
@@ -167,6 +231,17 @@ proptest! {
                 let (start, end) = (span.start - file.base, span.end - file.base);
                 prop_assert!(file.text.get(start as usize..end as usize).is_some(), "{}", d.message);
             }
+        }
+    }
+
+    /// Whatever an export holds, it is read or refused; what was read is written so that it is read
+    /// again.
+    #[test]
+    fn exports_are_read_or_refused(text in exports()) {
+        if let Ok(project) = Project::from_json(&text) {
+            let written = json(&project);
+            let again = Project::from_json(&written);
+            prop_assert_eq!(again.map(|p| json(&p)), Ok(written));
         }
     }
 

@@ -278,6 +278,23 @@ impl Project {
         all.any(|p| p.output.as_ref().is_some_and(|o| o.0 == id))
     }
 
+    /// What ShaderToy's player does with music whose file it cannot load: nothing is on the channel.
+    /// It makes a spectrum and a wave up only for music that is loaded and muted. Gives the channels,
+    /// like `image.0`.
+    pub fn unload_music(&mut self) -> Vec<String> {
+        let is_lost = |i: &Input| {
+            matches!(i.kind, InputKind::Music | InputKind::MusicStream) && i.urls.is_empty()
+        };
+        let mut channels = Vec::new();
+        for pass in &mut self.passes {
+            let slug = pass.slug();
+            let lost = pass.inputs.iter().filter(|i| is_lost(i));
+            channels.extend(lost.map(|i| format!("{slug}.{}", i.channel)));
+            pass.inputs.retain(|i| !is_lost(i));
+        }
+        channels
+    }
+
     /// What ShaderToy's player does with two channels that read one buffer in two ways: the wrap
     /// that was loaded last holds for all, and in each pass the filter of the last channel.
     pub fn share_samplers(&mut self) {
@@ -377,6 +394,27 @@ impl ProjectPass {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn music_that_is_not_at_hand_is_not_loaded() {
+        let mut pass = ProjectPass::new(Pass::Image, "");
+        pass.inputs = vec![
+            Input::empty(0, InputKind::Music),
+            Input {
+                urls: vec!["data:,".to_string()],
+                ..Input::empty(1, InputKind::Music)
+            },
+            Input::empty(2, InputKind::Microphone),
+        ];
+        let mut project = Project {
+            info: Info::default(),
+            passes: vec![pass],
+            is_export: true,
+            ..Project::default()
+        };
+        assert_eq!(project.unload_music(), ["image.0"]);
+        assert_eq!(project.passes[0].inputs.len(), 2);
+    }
 
     #[test]
     fn the_players_samplers_are_shared() {

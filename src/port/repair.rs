@@ -142,6 +142,11 @@ fn signature(program: &Program, header: Span) -> Option<Fix> {
     let decl = functions.find(|f| program.span(f.header) == header)?;
     let params = program.tree.params(decl.params);
     let mut edits = Vec::new();
+    // Sound was once asked for by its time alone.
+    if let (EntryResult::Returned, [time]) = (entry.result, params) {
+        let at = span_of(program, time.extent.first)?.start;
+        edits.push(Edit::insert(at, "in int, "));
+    }
     for (i, param) in params.iter().enumerate() {
         let wanted = match (i, entry.result) {
             (0, EntryResult::Parameter) => "out",

@@ -101,20 +101,31 @@ async function rewritten(context, files) {
   assert.ok(count > 0);
 }
 
-/** A template in the documents' way draws what its page draws. */
+/** Bodies of `mainImage` in which one thing or another is in the way of a plain `main`. */
+const BODIES = [
+  '{ vec2 uv = p / iResolution.xy; c.rgb = vec3(uv, 0.5); c += 0.125; }',
+  '{ for (int i = 0; i < 4; i++) c[i] = fract(p.x * 0.01 * float(i + 1)); }',
+  '{ if (p.x > 30.0) c = vec4(p.y / 40.0); }',
+  '{ p /= iResolution.xy; c = vec4(p, p[int(p.x * 2.0)], 1); }',
+  '{ c = vec4(a, p.x / 64.0, 0, 1); }\n#define a 0.5',
+  '{\n#define a 0.5\n#define xy yx\n c = vec4(p / 64.0, a, 1); }',
+  '{ c = vec4(float(__LINE__ + int(p.x)) / 255.0); }',
+  '{ half_of(c); c.zw = p / 64.0; { vec4 c = vec4(2); c.x = 1.0; } }',
+];
+
+/** What is written for a plain `main` draws what the pass draws, or the pass is kept. */
 async function rewrittenPicture(context) {
-  const code = `float f(vec2 p) { return sin(p.x * 9.0) * cos(p.y * 7.0); }
-void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    vec2 uv = (2.0 * fragCoord - iResolution.xy) / iResolution.y;
-    fragColor.rgb = vec3(f(uv), f(uv.yx), 0.5);
-    fragColor += 0.125;
-}
-`;
-  const file = put('plain.glsl', code);
-  shaderport(file, '--main', 'rewrite', '-o', path.join(work, 'plain.frag'), '--force');
-  const ours = await open(context, port(file, 'plain'), '#size=64x36&paused');
-  const theirs = await open(context, port(path.join(work, 'plain.frag'), 'plain_whole'), '#size=64x36&paused');
-  assert.equal(differences(await frame(ours.page, 3), await frame(theirs.page, 3)), 0);
+  for (const [i, body] of BODIES.entries()) {
+    const macro = body.includes('a,') && !body.includes('{\n#define a') ? '#define a 0.5\n' : '';
+    const code = `${macro}void half_of(inout vec4 x) { x.xy += 0.5; }\nvoid mainImage(out vec4 c, in vec2 p) ${body}\n`;
+    const file = put(`plain${i}.glsl`, code);
+    shaderport(file, '--main', 'rewrite', '-o', path.join(work, `plain${i}.frag`), '--force');
+    const ours = await open(context, port(file, `plain${i}`), '#size=64x36&paused');
+    const theirs = await open(context, port(path.join(work, `plain${i}.frag`), `whole${i}`), '#size=64x36&paused');
+    const drawn = await frame(ours.page, 3);
+    assert.ok(colors(drawn) > 1, body);
+    assert.equal(differences(drawn, await frame(theirs.page, 3)), 0, body);
+  }
 }
 
 /** The tests of the templates, and of the exports where there are any. */

@@ -73,8 +73,13 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
         carried.find(&mut project, folder_of(path))?;
     }
     put(&mut project, &orders, &mut carried)?;
+    let mut notes = carried.notes();
     if args.strict_player {
         project.share_samplers();
+        let silent = project.unload_music().into_iter();
+        notes.extend(silent.map(|channel| {
+            format!("{channel}: its music is not at hand, so nothing is on it, as on the site")
+        }));
     }
     if !args.no_stand_ins {
         add_stand_ins(&mut project);
@@ -85,7 +90,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
         composed,
         repairs,
         read: [files_of(args)?, carried.paths().cloned().collect()].concat(),
-        notes: carried.notes(),
+        notes,
     })
 }
 

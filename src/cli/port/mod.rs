@@ -69,7 +69,8 @@ pub struct PortArgs {
     /// How plain shaders get their `main`
     #[arg(long, value_enum, default_value_t, value_name = "HOW")]
     main: MainChoice,
-    /// Sample as ShaderToy's player does where two channels read one buffer: the last setting wins
+    /// Do as ShaderToy's player does where two channels read one buffer: the last setting wins; and
+    /// where music is not at hand: nothing is on its channel
     #[arg(long)]
     strict_player: bool,
     /// Mend code that does not compile where there is one answer: old GLSL, names that are reserved or
