@@ -156,6 +156,12 @@ const JSON_PIECES: &[&str] = &[
     "99999999999999999999",
 ];
 
+/// The last place at or before an offset where a character starts.
+fn boundary(text: &str, at: usize) -> usize {
+    let mut places = (0..=at.min(text.len())).rev();
+    places.find(|i| text.is_char_boundary(*i)).unwrap_or(0)
+}
+
 /// The export with values, or any stretches of it, replaced.
 fn exports() -> impl Strategy<Value = String> {
     let change = (
@@ -171,10 +177,10 @@ fn exports() -> impl Strategy<Value = String> {
                 true => starts.find(|i| *i >= at).unwrap_or(0),
                 false => at.min(text.len()),
             };
-            let rest = &text[text.floor_char_boundary(at)..];
+            let rest = &text[boundary(&text, at)..];
             let value = rest.find([',', '}', ']']).unwrap_or(0);
             let end = at + if is_value { value } else { length };
-            let (from, to) = (text.floor_char_boundary(at), text.floor_char_boundary(end));
+            let (from, to) = (boundary(&text, at), boundary(&text, end));
             text.replace_range(from..to.max(from), piece);
         }
         text
