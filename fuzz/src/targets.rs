@@ -216,7 +216,7 @@ fn port(text: &str) {
     for unit in &composed.units {
         composed.analysis(unit);
     }
-    let _ = html(&project, &composed);
+    let _ = html(&project, &composed, None);
     let _ = glsl(&project, &composed);
 }
 

@@ -114,7 +114,7 @@ impl<'p> Lowerer<'p> {
     /// The buffer of what stands in no block, with the height of the picture where that is needed.
     fn finish_alone(&mut self, mut alone: Alone) -> Res<()> {
         if self.uniforms.height.is_none() && self.turns_rows() {
-            let name = self.unused("pictureHeight");
+            let name = self.program.names.unused("pictureHeight");
             let stored = self.stored(Type::FLOAT)?;
             let Field { member, offset } = alone.packing.add(self, &name, stored)?;
             self.list(&name, Type::FLOAT, offset, &mut alone.listed);
@@ -239,15 +239,6 @@ impl<'p> Lowerer<'p> {
         let name = self.program.names.get("gl_FragCoord");
         let is_it = |p: &Place| self.program.variable(p.variable).map(|v| v.name) == name;
         self.origin == FirstRow::Picture && name.is_some() && self.form.places.iter().any(is_it)
-    }
-
-    /// A name that the shader does not use.
-    fn unused(&self, name: &str) -> String {
-        let mut name = name.to_string();
-        while self.program.names.get(&name).is_some() {
-            name.push_str("InPixels");
-        }
-        name
     }
 
     /// Declares the samplers in a value of a type.

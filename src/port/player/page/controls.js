@@ -211,7 +211,7 @@ function controlRow(control) {
   const isShort = ['bool', 'choice', 'event'].includes(data.kind);
   head.append(make('span', data.name), ...(isShort ? face.nodes : []), reset);
   row.append(head, ...(isShort ? [] : face.nodes));
-  if (data.label && data.label !== data.name) row.append(make('small', data.label));
+  if (data.label && data.label.toLowerCase() !== data.name.toLowerCase()) row.append(make('small', data.label));
   show();
   return { row, show };
 }
