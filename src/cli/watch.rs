@@ -23,6 +23,14 @@ impl Stamp {
         });
         Stamp(seen.collect())
     }
+
+    /// The same with files of which nothing was known, as they are now.
+    pub fn with(mut self, files: impl IntoIterator<Item = PathBuf>) -> Stamp {
+        for (path, seen) in Stamp::of(files).0 {
+            self.0.entry(path).or_insert(seen);
+        }
+        self
+    }
 }
 
 /// Returns when a look at the files differs from the one before, and has stopped to change: editors

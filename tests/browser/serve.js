@@ -86,7 +86,23 @@ async function lateFile(context) {
   }
 }
 
+async function includedFile(context) {
+  const part = put('served_part.glsl', '#define RED 1.0\n');
+  const file = put('served_whole.glsl', shader('RED', '#include "served_part.glsl"\n'));
+  const { address, end } = await serve(file);
+  try {
+    const page = await context.newPage();
+    await page.goto(address);
+    await redBecomes(page, 255);
+    fs.writeFileSync(part, '#define RED 0.0\n');
+    await redBecomes(page, 0);
+  } finally {
+    end();
+  }
+}
+
 export const serveTests = [
   { name: 'a served page goes on where it was when its file is saved', run: savedFile },
   { name: 'a served page waits for its file', run: lateFile },
+  { name: 'a served page follows what its file includes', run: includedFile },
 ];

@@ -5,10 +5,10 @@
 //! whoever ports a stranger's shader did not write them.
 
 use super::PortArgs;
+use super::beside::folder_of;
+use super::read::{read_text, shown};
 use crate::port::{ChannelOrder, ChannelSource};
 use crate::text::LineIndex;
-use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -51,17 +51,13 @@ pub(super) fn file_of(args: &PortArgs) -> Option<PathBuf> {
 }
 
 fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
-    let shown = path.display();
-    let text = match fs::read_to_string(path) {
-        Ok(text) => text,
-        Err(e) if matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
-            return Ok(Vec::new());
-        }
-        Err(e) => return Err(format!("{shown}: {e}")),
-    };
+    if !path.is_file() {
+        return Ok(Vec::new());
+    }
+    let text = read_text(path)?;
     let at = |start: usize| {
         let position = LineIndex::new(&text).position(&text, start as u32);
-        format!("{shown}:{}:{}", position.line, position.column)
+        format!("{}:{}:{}", shown(path), position.line, position.column)
     };
     let table = DeTable::parse(&text).map_err(|e| {
         let message = e.message().lines().collect::<Vec<_>>().join("; ");
@@ -90,10 +86,9 @@ fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
     }
     // Keys were sorted by their letters.
     found.sort_by_key(|(start, _)| *start);
-    let folder = path.parent().unwrap_or(Path::new(""));
     let read = |(start, text): (usize, String)| {
         let by = at(start);
-        let read = ChannelOrder::read(&text).and_then(|order| placed(order, folder));
+        let read = ChannelOrder::read(&text).and_then(|order| placed(order, path));
         match read {
             Ok(order) => Ok(GivenOrder { by, order }),
             Err(e) => Err(format!("{by}: {e}")),
@@ -102,29 +97,22 @@ fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
     found.into_iter().map(read).collect()
 }
 
-/// The order with its file's path as it is from here.
-fn placed(mut order: ChannelOrder, folder: &Path) -> Result<ChannelOrder, String> {
+/// The order with its file's path as it is from here; `by` is the file that gives it.
+fn placed(mut order: ChannelOrder, by: &Path) -> Result<ChannelOrder, String> {
     let ChannelSource::File(file) = &order.source else {
         return Ok(order);
     };
-    let path = folder.join(file);
+    let path = by.with_file_name(file);
     // What does not exist is told of where it is read.
-    if let (Ok(path), Ok(folder)) = (path.canonicalize(), canonical(folder))
+    if let (Ok(path), Ok(folder)) = (path.canonicalize(), folder_of(by).canonicalize())
         && !path.starts_with(&folder)
     {
         return Err(format!(
             "`{file}` leads out of the folder; give it with `--channel`"
         ));
     }
-    order.source = ChannelSource::File(path.to_string_lossy().replace('\\', "/"));
+    order.source = ChannelSource::File(shown(&path));
     Ok(order)
-}
-
-fn canonical(folder: &Path) -> std::io::Result<PathBuf> {
-    match folder.as_os_str().is_empty() {
-        true => Path::new(".").canonicalize(),
-        false => folder.canonicalize(),
-    }
 }
 
 #[cfg(test)]
@@ -132,6 +120,7 @@ mod tests {
     use super::*;
     use crate::port::PassRole;
     use clap::Parser;
+    use std::fs;
 
     /// The orders that a file gives, or what is wrong with it, behind the file's name.
     fn read(text: &str) -> Result<Vec<ChannelOrder>, String> {

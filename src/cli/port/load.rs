@@ -84,12 +84,17 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     if !args.no_stand_ins {
         add_stand_ins(&mut project);
     }
+    let mut read = files_of(args)?;
+    if let Some(path) = args.input.first() {
+        read.extend(project.wanted.iter().map(|w| folder_of(path).join(w)));
+    }
+    read.extend(carried.paths().cloned());
     let composed = project.renew(composed, &name).map_err(wrong)?;
     Ok(Loaded {
         project,
         composed,
         repairs,
-        read: [files_of(args)?, carried.paths().cloned().collect()].concat(),
+        read,
         notes,
     })
 }
@@ -132,7 +137,7 @@ fn put(project: &mut Project, orders: &[GivenOrder], carried: &mut Carried) -> R
 }
 
 /// The files of code, and of orders, that the arguments name.
-fn files_of(args: &PortArgs) -> Result<Vec<PathBuf>, String> {
+pub(super) fn files_of(args: &PortArgs) -> Result<Vec<PathBuf>, String> {
     let mut files: Vec<PathBuf> = file_of(args).into_iter().collect();
     for path in &args.input {
         match path.is_dir() {
@@ -294,7 +299,7 @@ fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
 }
 
 /// Whether a file of a folder may be a pass.
-pub(super) fn is_shader(path: &Path) -> bool {
+fn is_shader(path: &Path) -> bool {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     SHADERS.contains(&ending) && path.is_file()
 }

@@ -1,15 +1,14 @@
 //! `--watch` and `--serve`: what was made is made again at each change, and shown on a page.
 
-use super::channels::file_of;
-use super::load::is_shader;
+use super::channels::orders;
+use super::load::files_of;
 use super::serve::Server;
 use super::{PortArgs, make, save};
 use crate::cli::output::Overwrite;
 use crate::cli::watch::{Stamp, wait};
 use crate::port::{ChannelSource, Target, waiting_page};
-use std::fs;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::SystemTime;
 
 /// Runs until the process is ended.
@@ -31,15 +30,17 @@ pub(super) fn run(args: &PortArgs) -> Result<u8, String> {
 
 /// Writes the output at each change.
 fn write(args: &PortArgs) -> Result<u8, String> {
-    let mut before = look(args);
+    let mut before = look(args, &[]);
     let made = make(args, None)?;
     save(&made.files, args.overwrite(), &made.read)?;
+    let mut read = made.read;
     loop {
-        tell("waiting for changes");
-        wait(before, || look(args));
-        before = look(args);
+        before = next_change(args, before, &read);
         // From here on the output is this run's own, and what cannot be read may be half saved.
-        let saved = make(args, None).and_then(|m| save(&m.files, Overwrite::Allowed, &m.read));
+        let saved = make(args, None).and_then(|m| {
+            read = m.read;
+            save(&m.files, Overwrite::Allowed, &read)
+        });
         if let Err(message) = saved {
             tell(&message);
         }
@@ -52,11 +53,13 @@ fn serve(args: &PortArgs, server: Server) -> Result<u8, String> {
         "the page is at {}; Ctrl+C ends it",
         server.address()
     ));
+    let mut read = Vec::new();
+    let mut before = look(args, &read);
     loop {
-        let before = look(args);
         let version = version();
         match make(args, Some(&version)) {
             Ok(made) => {
+                read = made.read;
                 if let Some(page) = made.files.into_iter().next() {
                     server.show(&version, page.content);
                 }
@@ -72,9 +75,17 @@ fn serve(args: &PortArgs, server: Server) -> Result<u8, String> {
         if !args.watch {
             return Ok(server.stay());
         }
-        tell("waiting for changes");
-        wait(before, || look(args));
+        before = next_change(args, before, &read);
     }
+}
+
+/// Waits until the files differ from what they were before the output was made; gives what they are.
+fn next_change(args: &PortArgs, before: Stamp, read: &[PathBuf]) -> Stamp {
+    tell("waiting for changes");
+    // What was only found while reading is taken as it is now.
+    let before = before.with(read.iter().cloned());
+    wait(before, || look(args, read));
+    look(args, read)
 }
 
 /// What tells a page from those made before it, in this run or another.
@@ -87,30 +98,14 @@ fn tell(message: &str) {
     let _ = writeln!(io::stderr(), "shaderport: {message}");
 }
 
-/// What is to be seen of the files that the output is made of.
-fn look(args: &PortArgs) -> Stamp {
-    let mut files: Vec<PathBuf> = Vec::new();
-    for path in &args.input {
-        match path.is_dir() {
-            true => files.extend(in_folder(path)),
-            false => files.push(path.clone()),
-        }
-    }
-    let named = args.pass.iter().filter_map(|text| text.split_once('='));
-    files.extend(named.map(|(_, path)| PathBuf::from(path)));
-    files.extend(file_of(args));
-    if let Ok(orders) = super::channels::orders(args) {
-        files.extend(orders.into_iter().filter_map(|o| match o.order.source {
-            ChannelSource::File(path) => Some(PathBuf::from(path)),
-            _ => None,
-        }));
-    }
-    Stamp::of(files)
-}
-
-/// The shaders of a folder, where passes may come and go.
-fn in_folder(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).into_iter().flatten();
-    let paths = entries.filter_map(|e| Some(e.ok()?.path()));
-    paths.filter(|p| is_shader(p)).collect()
+/// What is to be seen of the files that the output is made of: those that were `read` last, and those
+/// that the arguments name and that may come.
+fn look(args: &PortArgs, read: &[PathBuf]) -> Stamp {
+    let named = files_of(args).unwrap_or_default();
+    let orders = orders(args).unwrap_or_default().into_iter();
+    let media = orders.filter_map(|o| match o.order.source {
+        ChannelSource::File(path) => Some(PathBuf::from(path)),
+        _ => None,
+    });
+    Stamp::of(named.into_iter().chain(media).chain(read.iter().cloned()))
 }
