@@ -25,13 +25,15 @@ async function serve(...args) {
   return { address, end: () => server.kill(), said: () => said };
 }
 
-/** The red of the first pixel, once it is another than what it was. */
+/** Waits until the first pixel has this red. */
 function redBecomes(page, red) {
-  return page.waitForFunction(async (expected) => {
-    const face = globalThis.shaderport;
-    if (!face) return false;
-    await face.ready;
-    const gl = face.player.gl;
+  // Not an async function: its promise would be taken for true.
+  return page.waitForFunction((expected) => {
+    const player = globalThis.shaderport?.player;
+    if (!player?.programs.some((program) => program)) return false;
+    // A canvas that was made larger is empty until it is drawn again.
+    player.paint(player.clock.frozen());
+    const { gl } = player;
     const pixel = new Uint8Array(4);
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     return pixel[0] === expected;

@@ -8,19 +8,18 @@ use std::path::{Path, PathBuf};
 /// Most texts that one is made of.
 const MAX_TEXTS: usize = 256;
 
-/// Reads a text again with those beside it until it asks for no more.
+/// Reads a text again with those beside it until it asks for no more; what was read is kept.
 pub(super) fn draft_beside(
     path: &Path,
+    beside: &mut TextsBeside,
     draft: impl Fn(&TextsBeside) -> Result<Project, String>,
 ) -> Result<Project, String> {
-    let mut beside = TextsBeside::new();
     loop {
-        let project = draft(&beside)?;
+        let project = draft(beside)?;
         if project.wanted.iter().all(|path| beside.contains_key(path)) {
             return Ok(project);
         }
-        read_wanted(path, &project.wanted, &mut beside)
-            .map_err(|e| format!("{}: {e}", shown(path)))?;
+        read_wanted(path, &project.wanted, beside).map_err(|e| format!("{}: {e}", shown(path)))?;
     }
 }
 
@@ -73,7 +72,7 @@ mod tests {
         let draft = |beside: &TextsBeside| {
             Project::draft_beside("x", &code, None, beside).map_err(|e| e.to_string())
         };
-        draft_beside(&path, draft).map(|project| project.notes)
+        draft_beside(&path, &mut TextsBeside::new(), draft).map(|project| project.notes)
     }
 
     #[test]

@@ -8,7 +8,7 @@ use super::read::{plain_error, read_text, shown};
 use crate::engine::{Repairs, repair, repair_webgl1};
 use crate::port::{
     ChannelSource, Composed, DIALECTS, DialectFacts, PassFile, PassRole, Project, ShaderError,
-    add_stand_ins, dialect_named, unknown_pass, unknown_source,
+    TextsBeside, add_stand_ins, dialect_named, unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
 use std::fs;
@@ -38,12 +38,16 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     } else {
         Mode::AsItIs
     };
-    let (mut project, mut repairs) = match &args.input[..] {
+    let Drafted {
+        mut project,
+        mut repairs,
+        beside,
+    } = match &args.input[..] {
         [] if args.pass.is_empty() => {
             return Err(USAGE.to_string());
         }
         [one] if args.pass.is_empty() && !one.is_dir() => one_file(one, mode, dialect(args)?)?,
-        several => (parts(several, &args.pass)?, Repairs::default()),
+        several => Drafted::of(parts(several, &args.pass)?),
     };
     let name = name_of(args);
     let wrong = |e: ShaderError| format!("{name}: {e}");
@@ -86,7 +90,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     }
     let mut read = files_of(args)?;
     if let Some(path) = args.input.first() {
-        read.extend(project.wanted.iter().map(|w| folder_of(path).join(w)));
+        read.extend(beside.keys().map(|asked| folder_of(path).join(asked)));
     }
     read.extend(carried.paths().cloned());
     let composed = project.renew(composed, &name).map_err(wrong)?;
@@ -169,17 +173,37 @@ fn stem(path: &Path) -> String {
         .map_or(String::new(), |s| s.to_string_lossy().into_owned())
 }
 
+/// A project as it was read.
+struct Drafted {
+    project: Project,
+    /// What was repaired in it already.
+    repairs: Repairs,
+    /// The texts beside its own that it is made of.
+    beside: TextsBeside,
+}
+
+impl Drafted {
+    /// A project that nothing beside it belongs to.
+    fn of(project: Project) -> Drafted {
+        Drafted {
+            project,
+            repairs: Repairs::default(),
+            beside: TextsBeside::new(),
+        }
+    }
+}
+
 fn one_file(
     path: &Path,
     mode: Mode,
     from: Option<&'static DialectFacts>,
-) -> Result<(Project, Repairs), String> {
+) -> Result<Drafted, String> {
     let name = shown(path);
     let text = read_text(path)?;
     let wrong = |e: String| format!("{name}: {e}");
     if text.trim_start().starts_with(['{', '[']) {
         let project = Project::from_json(&text).map_err(|e| wrong(e.to_string()))?;
-        return Ok((project, Repairs::default()));
+        return Ok(Drafted::of(project));
     }
     if text.trim_start().starts_with('<') && !text.contains("<pipeline") {
         return Err(wrong(
@@ -191,20 +215,29 @@ fn one_file(
     } else {
         stem(path)
     };
-    let draft = |text: &str| {
-        draft_beside(path, |beside| {
+    let mut beside = TextsBeside::new();
+    let mut draft = |text: &str| {
+        draft_beside(path, &mut beside, |beside| {
             Project::draft_beside(&title, text, from, beside).map_err(|e| wrong(e.to_string()))
         })
     };
     let project = draft(&text)?;
     let modern = project.modernized(&text);
     let Some(mut modern) = modern.filter(|_| mode == Mode::Repair) else {
-        return Ok((project, Repairs::default()));
+        return Ok(Drafted {
+            beside,
+            ..Drafted::of(project)
+        });
     };
     let repairs = repair_webgl1(&mut modern, &name, &text)
         .ok_or_else(|| wrong("this is too large".to_string()))?;
     let code = modern.passes.first().map_or("", |p| &*p.code);
-    Ok((draft(code)?, repairs))
+    let project = draft(code)?;
+    Ok(Drafted {
+        project,
+        repairs,
+        beside,
+    })
 }
 
 /// Several files and folders, and those that `--pass` names, as passes.
