@@ -57,7 +57,7 @@ fn missing_input(project: &Project, pass: &ProjectPass, input: &Input) -> Option
         }
         InputKind::Buffer => (
             "no pass draws the buffer that it reads".to_string(),
-            BLACK.to_string(),
+            "it stays empty, as on the site".to_string(),
         ),
         InputKind::Webcam => (
             "the camera is asked for on the page".to_string(),
@@ -131,7 +131,7 @@ mod tests {
             [
                 "image.0: it reads a texture (/media/a/x.jpg) that lies on the site; it is black; \
                  give it with `--channel image.0=FILE`, or drop a file onto the page",
-                "image.2: no pass draws the buffer that it reads; it is black",
+                "image.2: no pass draws the buffer that it reads; it stays empty, as on the site",
                 "image.3: the microphone is asked for on the page; a made-up spectrum and wave \
                  stand for it, as on the site",
             ]

@@ -97,6 +97,15 @@ void mainImage(out vec4 O, vec2 U) {
     ),
   },
   {
+    name: 'buffer: one that no pass draws is empty, and as large as the others',
+    frames: [0],
+    shader: shader(image(`
+void mainImage(out vec4 O, vec2 U) {
+  O = vec4(texture(iChannel0, U).a, U / iChannelResolution[0].xy, 1.0);
+  O.g += 0.01 * float(textureSize(iChannel0, 0).x);
+}`, [input(0, 'buffer', A)])),
+  },
+  {
     name: 'cube map: all faces, and buffers that see the last frame of it',
     frames: [0, 1, 3],
     shader: shader(

@@ -102,7 +102,10 @@ void main() { gl_Position = vec4(${corners}[gl_VertexID], 0, 1); }`);
   const passes = shader.renderpass.filter((p) => p.type !== 'common' && p.type !== 'sound');
   const programs = new Map(passes.map((p) => [p, compile(p)]));
   const stores = new Map();
-  for (const pass of passes.filter((p) => p.type !== 'image')) {
+  // A buffer is there when something reads it, drawn or not.
+  const reads = passes.flatMap((p) => p.inputs).filter((i) => i.type === 'buffer');
+  const read = reads.map((i) => ({ type: 'buffer', outputs: [{ id: i.id }] }));
+  for (const pass of [...read, ...passes.filter((p) => p.type !== 'image')]) {
     const isCube = pass.type === 'cubemap';
     const target = isCube ? gl.TEXTURE_CUBE_MAP : gl.TEXTURE_2D;
     const textures = [0, 1].map(() => {

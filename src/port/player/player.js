@@ -103,6 +103,8 @@ class Player {
 
   #makeTargets() {
     const { gl, project } = this;
+    const readsUndrawn = project.passes.some((p) => p.inputs.some((i) => i?.kind === 'buffer' && i.buffer === undefined));
+    if (readsUndrawn) this.buffers.set(UNDRAWN, new Buffer(gl, ...this.#passSize(UNDRAWN), false));
     project.passes.forEach((pass, i) => {
       const isRead = project.passes.some((p) => p.inputs.some((input) => input?.kind === 'buffer' && input.buffer === i));
       if (pass.kind === 'buffer' || (pass.kind === 'image' && isRead)) {
@@ -146,7 +148,7 @@ class Player {
     if (this.canvas.width === w && this.canvas.height === h) return;
     this.canvas.width = w;
     this.canvas.height = h;
-    this.buffers.forEach((buffer, i) => buffer.resize(...this.#passSize(i), this.#hasMipmaps(i)));
+    this.buffers.forEach((buffer, i) => buffer.resize(...this.#passSize(i), hasMipmaps(this.project, i)));
     if (!this.isPlaying && this.programs.some(Boolean)) this.paint(this.clock.frozen());
   }
 
@@ -159,23 +161,12 @@ class Player {
   /** The width and height of what a pass draws into. @param {number} pass index @returns {[number, number]} */
   #passSize(pass) {
     const { drawingBufferWidth: width, drawingBufferHeight: height } = this.gl;
-    const { size } = this.project.passes[pass];
+    const size = this.project.passes[pass]?.size;
     if (!size) return [width, height];
     /** @type {Record<string, number>} */
     const canvas = { $WIDTH: width, $HEIGHT: height };
     const valueOf = (/** @type {string} */ name) => canvas[name] ?? this.controls.get(name)?.[0] ?? 0;
     return [pixels(sizeOf(size[0], valueOf)), pixels(sizeOf(size[1], valueOf))];
-  }
-
-  /** Whether some channel reads a pass with mipmaps. @param {number} pass index */
-  #hasMipmaps(pass) {
-    const isCube = this.project.passes[pass].kind === 'cubemap';
-    return this.project.passes.some((p) =>
-      p.inputs.some(
-        (i) =>
-          i?.filter === 'mipmap' && (isCube ? i.kind === 'cubebuffer' : i.kind === 'buffer' && i.buffer === pass),
-      ),
-    );
   }
 
   /** Draws one frame. @param {{number: number, time: number, delta: number, rate: number}} tick */
@@ -196,9 +187,9 @@ class Player {
   }
 
   #clear() {
-    this.buffers.forEach((buffer, i) => buffer.clear(this.#hasMipmaps(i)));
+    this.buffers.forEach((buffer, i) => buffer.clear(hasMipmaps(this.project, i)));
     const cubePass = this.project.passes.findIndex((p) => p.kind === 'cubemap');
-    this.cube?.clear(this.#hasMipmaps(cubePass));
+    this.cube?.clear(hasMipmaps(this.project, cubePass));
   }
 
   /** @param {number} index @param {Frame} frame */
@@ -206,7 +197,7 @@ class Player {
     const { gl } = this;
     const program = this.programs[index];
     if (!program) return;
-    const hasMipmaps = this.#hasMipmaps(index);
+    const withMipmaps = hasMipmaps(this.project, index);
     if (program.data.kind === 'cubemap') {
       this.#bindPass(index, program, frame, CUBE_SIZE, CUBE_SIZE);
       CUBE_CORNERS.forEach((corners, face) => {
@@ -214,12 +205,12 @@ class Player {
         program.setFace(corners);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
       });
-      this.cube?.flip(hasMipmaps);
+      this.cube?.flip(withMipmaps);
       return;
     }
     const [width, height] = this.#passSize(index);
     const buffer = this.buffers.get(index);
-    buffer?.resize(width, height, hasMipmaps);
+    buffer?.resize(width, height, withMipmaps);
     this.#bindPass(index, program, frame, width, height);
     if (buffer) {
       buffer.bind();
@@ -230,7 +221,7 @@ class Player {
     if (program.data.fragment) drawVertices(gl, this.controls);
     else gl.drawArrays(gl.TRIANGLES, program.data.quad ? 3 : 0, program.data.quad ? 6 : 3);
     if (program.data.kind === 'image') buffer?.show();
-    buffer?.flip(hasMipmaps);
+    buffer?.flip(withMipmaps);
   }
 
   /**
@@ -274,7 +265,7 @@ class Player {
       return { texture: this.keyboard.texture, size, time: 0, isLoaded: true };
     }
     if (data?.kind === 'buffer') {
-      const buffer = this.buffers.get(data.buffer ?? -1);
+      const buffer = this.buffers.get(data.buffer ?? UNDRAWN);
       if (!buffer) return none;
       const size = [buffer.width, buffer.height, 1];
       return { texture: buffer.texture, size, time: 0, isLoaded: true };

@@ -1,5 +1,17 @@
 // What passes draw into: pairs of textures, of which one is drawn into while the other is read.
 
+/** In the place of a pass's number: a buffer that is read and that no pass draws. It stays empty. */
+const UNDRAWN = -1;
+
+/** Whether some channel reads a pass with mipmaps. @param {ProjectData} project @param {number} pass index */
+function hasMipmaps(project, pass) {
+  const isCube = project.passes[pass]?.kind === 'cubemap';
+  /** @param {InputData} input */
+  const reads = ({ kind, buffer = UNDRAWN }) =>
+    isCube ? kind === 'cubebuffer' : kind === 'buffer' && buffer === pass;
+  return project.passes.some((p) => p.inputs.some((i) => i?.filter === 'mipmap' && reads(i)));
+}
+
 /** What sizes are made of that Math does not have. @type {Record<string, (...n: number[]) => number>} */
 const SIZE_FUNCTIONS = {
   add: (a, b) => a + b,
