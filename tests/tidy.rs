@@ -357,6 +357,22 @@ fn long_functions(text: &str) -> Vec<String> {
     long
 }
 
+/// What is put into pages is named by the file that does it; nothing else would see that it is not.
+#[test]
+fn every_script_of_the_player_is_used() {
+    let port: String = files(&["src/port"], ".rs")
+        .into_iter()
+        .map(|f| f.1)
+        .collect();
+    let scripts = files(&["src/port/player"], ".js");
+    assert!(scripts.len() > 30);
+    for (path, _) in scripts {
+        let name = path.trim_start_matches("src/port/");
+        let is_types = name == "player/types.js";
+        assert!(is_types || port.contains(name), "{path} is in no page");
+    }
+}
+
 #[test]
 fn functions_fit_a_screen() {
     let mut wrong = Vec::new();
