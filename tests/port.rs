@@ -239,6 +239,21 @@ fn texts_are_read_in_every_encoding() {
     );
 }
 
+/// A page is a thing to send.
+#[test]
+fn a_page_of_a_template_is_small() {
+    let folder = Folder::new();
+    for name in ["raymarching", "terrain", "voxel"] {
+        let root = env!("CARGO_MANIFEST_DIR");
+        let template = format!("{root}/corpus/templates/{name}.glsl");
+        folder.put("t.glsl", fs::read(template).unwrap());
+        let output = folder.command("-o t.html --force t.glsl").output().unwrap();
+        assert!(output.status.success());
+        let size = fs::metadata(folder.path("t.html")).unwrap().len();
+        assert!(size < 160_000, "{name}: {size} bytes");
+    }
+}
+
 #[test]
 fn it_says_what_it_waits_for() {
     let folder = Folder::new();

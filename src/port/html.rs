@@ -48,7 +48,7 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> St
     let script = format!(
         "(() => {{\n'use strict';\n{}{BORDER}{}{live}const player = openPage();\n{follow}}})();\n",
         without_comments(&PLAYER.concat()),
-        without_comments(&PAGE_SCRIPTS.concat())
+        without_indentation(&without_comments(&PAGE_SCRIPTS.concat()))
     );
     let title = match project.info.name.as_str() {
         "" => "shader",
@@ -84,6 +84,14 @@ fn without_comments(script: &str) -> String {
         in_block &= !text.ends_with("*/");
     }
     out
+}
+
+/// A script that nobody is given to read, without what stands before its lines.
+fn without_indentation(script: &str) -> String {
+    let lines = script
+        .split_inclusive('\n')
+        .map(|l| l.trim_start_matches(' '));
+    lines.collect()
 }
 
 /// Puts values into the places `{{name}}` of a template; what a value holds is never looked at.
@@ -163,6 +171,14 @@ mod tests {
             "// a\n/** b */\nlet x = 1; // c\n  /**\n   * d\n   */\n  x /* e */ = '/** f */';\n";
         let left = "let x = 1; // c\n  x /* e */ = '/** f */';\n";
         assert_eq!(without_comments(script), left);
+    }
+
+    #[test]
+    fn a_line_keeps_what_is_inside_it() {
+        assert_eq!(
+            without_indentation("a {\n  b('  c');\n}\n"),
+            "a {\nb('  c');\n}\n"
+        );
     }
 
     /// A line inside a literal may begin like a comment.

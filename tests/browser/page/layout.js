@@ -92,7 +92,12 @@ async function fullScreen(context) {
   await page.waitForFunction(() => document.querySelector('#stage').classList.contains('idle'));
   await page.mouse.move(310, 100);
   assert.ok(!(await isIdle(page)), 'the pointer brings the bar');
-  await page.evaluate(() => document.exitFullscreen());
+  await page.hover('#play');
+  await wait(page, 2800);
+  assert.ok(await isIdle(page), 'it goes even from under a pointer that rests');
+  await page.keyboard.press('c');
+  await page.waitForFunction(() => !document.fullscreenElement, null, { timeout: 5000 });
+  assert.ok(await page.isVisible('#code'), 'the code is shown beside the picture');
 }
 
 async function bare(context) {
@@ -162,7 +167,126 @@ async function readable(context) {
   assert.deepEqual(seen.filter(([, , contrast]) => contrast < 4.5), []);
 }
 
+/** An ISF shader with a control of each kind. */
+const EVERY_KIND = `/*{ "INPUTS": [
+  {"NAME": "speed", "TYPE": "float", "DEFAULT": 1, "MAX": 4},
+  {"NAME": "steps", "TYPE": "long", "VALUES": [3, 6], "LABELS": ["three", "six"], "DEFAULT": 6},
+  {"NAME": "soft", "TYPE": "bool", "DEFAULT": true},
+  {"NAME": "ink", "TYPE": "color", "DEFAULT": [1, 0.5, 0.2, 1]},
+  {"NAME": "center", "TYPE": "point2D", "DEFAULT": [0.5, 0.5]},
+  {"NAME": "flash", "TYPE": "event"},
+  {"NAME": "inputImage", "TYPE": "image"}
+] }*/
+void main() {
+  vec2 p = isf_FragNormCoord - center;
+  gl_FragColor = ink * speed * float(steps) * length(p) * (soft ? 1.0 : 2.0) + (flash ? 1.0 : 0.0) + IMG_NORM_PIXEL(inputImage, p);
+}
+`;
+
+/** Calls for what the page shows in each of its states. */
+async function eachState(page, look) {
+  await look('closed');
+  for (const tab of ['Controls', 'About', 'Code', 'Export']) {
+    await openTab(page, tab);
+    await look(tab);
+  }
+  await page.click('#help');
+  await look('help');
+  await page.click('dialog button');
+}
+
+async function fingers(context) {
+  for (const code of [EVERY_KIND, MOVING.replace('float(STRIPES)', 'flot(STRIPES)')]) {
+    const { page } = await show(context, 'fingers', code, '#paused');
+    const small = [];
+    let count = 0;
+    await eachState(page, async (state) => {
+      const sizes = await page.evaluate(() => [...document.querySelectorAll('button, select, input:not([type=checkbox]), label, [role=separator]')].filter((n) => n.checkVisibility()).map((n) => {
+        const { width, height } = n.getBoundingClientRect();
+        return [n.id || n.getAttribute('aria-label') || n.textContent, width, height];
+      }));
+      count += sizes.length;
+      small.push(...sizes.filter(([, w, h]) => w < 40 || h < 40).map((s) => [state, ...s]));
+      const hidden = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      assert.equal(hidden, 0, `${state} is as wide as the telephone`);
+    });
+    assert.ok(count > 60, `${count}`);
+    assert.deepEqual(small, []);
+  }
+}
+
+/** What a screen reader is told of, in the roles that have to have a name. */
+async function names(context) {
+  const { page } = await show(context, 'names', EVERY_KIND, '#paused');
+  const client = await context.newCDPSession(page);
+  const roles = new Map();
+  await eachState(page, async (state) => {
+    const { nodes } = await client.send('Accessibility.getFullAXTree');
+    for (const { ignored, role, name } of nodes) {
+      if (ignored || !/^(button|slider|spinbutton|checkbox|combobox|tab|tablist|tabpanel|textbox|separator|dialog|navigation|complementary|progressbar|ColorWell)$/.test(role?.value)) continue;
+      assert.ok(name?.value, `${state}: a ${role.value} without a name`);
+      roles.set(role.value, (roles.get(role.value) ?? 0) + 1);
+    }
+  });
+  for (const role of ['button', 'slider', 'spinbutton', 'checkbox', 'combobox', 'tab', 'textbox', 'separator', 'dialog']) assert.ok(roles.has(role), role);
+}
+
+/** Everything without a pointer: in by the Tab key, through by arrows, out by Escape. */
+async function keysAlone(context) {
+  const { page, complaints } = await show(context, 'keys-alone', EVERY_KIND, '#paused');
+  const focused = () => page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute('aria-label') || document.activeElement.textContent);
+  const walk = async () => {
+    const seen = [];
+    for (let i = 0; i < 60; i++) {
+      await page.keyboard.press('Tab');
+      const at = await focused();
+      if (seen.includes(at)) break;
+      seen.push(at);
+    }
+    return seen;
+  };
+  const closed = await walk();
+  for (const id of ['canvas', 'play', 'restart', 'scrub', 'scale', 'shot', 'record', 'full', 'more']) assert.ok(closed.includes(id), id);
+  await page.focus('#more');
+  await page.keyboard.press('Enter');
+  const open = await walk();
+  for (const name of ['grip', 'help', 'close', 'Controls', 'speed', 'speed, number', 'steps', 'u.soft', 'ink', 'center.x', 'center.y, number', 'flash', 'file for Image inputImage']) assert.ok(open.includes(name), `${name} of ${open}`);
+  await page.focus('#tabs [aria-selected=true]');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await focused(), 'Code');
+  await page.focus('.editor textarea');
+  await page.keyboard.press('Escape');
+  assert.equal(await focused(), 'Image', 'Escape leaves the code');
+  await page.keyboard.press('Escape');
+  assert.ok(!(await page.isVisible('#panel')));
+  assert.equal(await focused(), 'more', 'and then the panel, for where it was opened');
+  await page.keyboard.press('Enter');
+  await page.click('#close');
+  assert.equal(await focused(), 'more');
+  assert.deepEqual(complaints, []);
+}
+
+/** The bar of a narrow picture holds what is needed, whole. */
+async function narrowBar(context) {
+  const { page } = await show(context, 'narrow-bar', MOVING, '#paused');
+  for (const width of [340, 420, 500, 1000]) {
+    await page.setViewportSize({ width: width + 360, height: 500 });
+    if (!(await page.isVisible('#panel'))) await openTab(page, 'Controls');
+    const stage = await box(page, '#stage');
+    for (const id of ['#play', '#scrub', '#full', '#more']) {
+      const { x, width: w } = await box(page, id);
+      assert.ok(x >= stage.x && x + w <= stage.x + stage.width, `${id} at ${width}`);
+    }
+    assert.ok((await box(page, '#scrub')).width >= 40);
+  }
+}
+
 export const layoutTests = [
+  { name: 'page: targets for fingers', run: fingers, context: phone },
+  { name: 'page: names for screen readers', run: names, context: desk },
+  { name: 'page: reached by keys alone', run: keysAlone, context: desk },
+  { name: 'page: the bar of a narrow picture', run: narrowBar, context: desk },
   { name: 'page: the panel lies beside the picture', run: beside, context: desk },
   { name: 'page: the panel is a sheet on a phone', run: sheet, context: phone },
   { name: 'page: the bar goes when nobody uses it', run: idleBar, context: desk },

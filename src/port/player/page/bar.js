@@ -55,9 +55,8 @@ function hideBarWhenIdle(player) {
   let isOver = false;
   const sleep = () => {
     const isUsed = isOver || bar.matches(':has(:focus-visible)');
-    const isFull = document.fullscreenElement !== null;
-    const isWanted = !isFull && (!player.isPlaying || !element('panel', HTMLElement).hidden);
-    stage.classList.toggle('idle', !isUsed && !isWanted);
+    const isWanted = isUsed || !player.isPlaying || !element('panel', HTMLElement).hidden;
+    stage.classList.toggle('idle', document.fullscreenElement !== null || !isWanted);
   };
   const wake = () => {
     stage.classList.remove('idle');

@@ -40,6 +40,8 @@ function showCode(player) {
   const texts = ownTexts(player);
   const tabs = make('div', '', 'passes');
   tabs.setAttribute('role', 'tablist');
+  tabs.setAttribute('aria-label', 'passes');
+  goByArrows(tabs);
   const list = make('div', '', 'problems');
   list.setAttribute('role', 'status');
   const reset = makeButton('reset', () => void resetText(player, texts[current]), 'back to the code as it came');
@@ -64,7 +66,7 @@ function showCode(player) {
   /** @param {number} index */
   const select = (index) => {
     current = index;
-    buttons.forEach((button, i) => button.setAttribute('aria-selected', String(i === index)));
+    buttons.forEach((button, i) => selectTab(button, i === index));
     editors.forEach((editor, i) => {
       editor.node.hidden = i !== index;
     });

@@ -94,6 +94,7 @@ function switchFace(data, write) {
   const box = document.createElement('input');
   box.type = 'checkbox';
   box.name = data.name;
+  box.id = `u.${data.name}`;
   box.setAttribute('aria-label', data.name);
   box.addEventListener('change', () => write([box.checked ? 1 : 0]));
   return {
@@ -200,6 +201,7 @@ function controlRow(control) {
   const read = () => control.read() ?? data.value;
   const face = (FACES[data.kind] ?? sliderFace)(data, write, read);
   const reset = makeButton('↺', () => write([...data.value]), `reset ${data.name}`);
+  reset.className = 'undo';
   const show = () => {
     const value = control.read();
     row.hidden = value === null;
@@ -209,7 +211,9 @@ function controlRow(control) {
   };
   const head = make('div', '', 'head');
   const isShort = ['bool', 'choice', 'event'].includes(data.kind);
-  head.append(make('span', data.name), ...(isShort ? face.nodes : []), reset);
+  const name = make(data.kind === 'bool' ? 'label' : 'b', data.name);
+  if (data.kind === 'bool') name.setAttribute('for', face.nodes[0].id);
+  head.append(name, reset, ...(isShort ? face.nodes : []));
   row.append(head, ...(isShort ? [] : face.nodes));
   if (data.label && data.label.toLowerCase() !== data.name.toLowerCase()) row.append(make('small', data.label));
   show();

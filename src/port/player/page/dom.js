@@ -18,6 +18,13 @@ function make(tag, text = '', className = '') {
   return node;
 }
 
+/** Words in which code stands between backticks. @param {string} tag @param {string} words @param {string} [className] */
+function makeWords(tag, words, className) {
+  const node = make(tag, '', className);
+  words.split(/`([^`]+)`/).forEach((part, i) => node.append(i % 2 ? make('code', part) : part));
+  return node;
+}
+
 /** @param {string} text @param {() => void} act @param {string} [title] */
 function makeButton(text, act, title = '') {
   const button = document.createElement('button');

@@ -57,11 +57,11 @@ function problemNode(player, problem, goTo) {
   const node = make('article');
   const head = make('p');
   if (problem.place) head.append(goTo ? makeButton(problem.place, goTo) : make('b', problem.place), ': ');
-  head.append(make('span', problem.words));
+  head.append(makeWords('span', problem.words));
   if (problem.rule) head.append(' ', make('small', `[${problem.rule}]`));
   node.append(head);
   if (problem.marks.length > 0) node.append(excerpt(player.project.files[problem.file].text, problem.marks));
-  for (const note of problem.notes) node.append(make('p', note, 'note'));
+  for (const note of problem.notes) node.append(makeWords('p', note, 'note'));
   return node;
 }
 

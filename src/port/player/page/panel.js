@@ -29,17 +29,26 @@ function sizePanel() {
   const panel = element('panel', HTMLElement);
   const [width, height] = [app.clientWidth, app.clientHeight];
   const usual = isTabOpen('code') ? Math.min(Math.max(0.45 * width, 420), 760) : 340;
-  const sheet = narrow.matches ? panelSize.height * height : Math.min(panelSize.width ?? usual, width - 160);
+  // A keyboard on the screen leaves little to the code.
+  const share = height < 520 && document.activeElement instanceof HTMLTextAreaElement ? 0.9 : panelSize.height;
+  const sheet = narrow.matches ? share * height : Math.min(panelSize.width ?? usual, width - 160);
   const dock = panel.hidden ? 0 : narrow.matches ? Math.min(sheet, 0.5 * height) : sheet;
   app.style.setProperty('--sheet', `${Math.round(sheet)}px`);
   app.style.setProperty('--dock', `${Math.round(dock)}px`);
+  const grip = element('grip', HTMLElement);
+  grip.setAttribute('aria-orientation', narrow.matches ? 'horizontal' : 'vertical');
+  grip.setAttribute('aria-valuenow', String(Math.round((100 * sheet) / (narrow.matches ? height : width))));
 }
 
 /** @param {boolean} isOpen */
 function setPanel(isOpen) {
   const panel = element('panel', HTMLElement);
+  const more = element('more', HTMLElement);
+  if (!isOpen && panel.contains(document.activeElement)) more.focus();
+  // Full screen is the picture's alone.
+  if (isOpen && document.fullscreenElement) void document.exitFullscreen();
   panel.hidden = !isOpen;
-  element('more', HTMLElement).setAttribute('aria-expanded', String(isOpen));
+  more.setAttribute('aria-expanded', String(isOpen));
   sizePanel();
   panelListeners.forEach((listener) => listener());
 }
@@ -53,9 +62,7 @@ function closePanel() {
 function openTab(id) {
   for (const tab of TABS) element(tab.id, HTMLElement).hidden = tab.id !== id;
   document.querySelectorAll('#tabs button').forEach((button) => {
-    const isSelected = button.getAttribute('aria-controls') === id;
-    button.setAttribute('aria-selected', String(isSelected));
-    button.setAttribute('tabindex', isSelected ? '0' : '-1');
+    selectTab(button, button.getAttribute('aria-controls') === id);
   });
   if (canOpenPanel()) setPanel(true);
 }
@@ -125,15 +132,8 @@ function showTabs() {
   if (tune instanceof HTMLElement) tune.hidden = !hasControls();
 }
 
-/** The tabs, the way in and out, and the edge. */
-function showPanel() {
-  const tabs = element('tabs', HTMLElement);
-  for (const { id, name } of TABS) {
-    const tab = makeButton(name, () => openTab(id));
-    tab.setAttribute('role', 'tab');
-    tab.setAttribute('aria-controls', id);
-    tabs.append(tab);
-  }
+/** Arrows go from tab to tab, of which only the selected one is a stop for the Tab key. @param {HTMLElement} tabs */
+function goByArrows(tabs) {
   tabs.addEventListener('keydown', (event) => {
     const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     const shown = [...tabs.children].filter((tab) => tab instanceof HTMLElement && !tab.hidden);
@@ -143,6 +143,24 @@ function showPanel() {
     next.focus();
     next.click();
   });
+}
+
+/** Shows which tab of a row is selected. @param {Element} tab @param {boolean} isSelected */
+function selectTab(tab, isSelected) {
+  tab.setAttribute('aria-selected', String(isSelected));
+  tab.setAttribute('tabindex', isSelected ? '0' : '-1');
+}
+
+/** The tabs, the way in and out, and the edge. */
+function showPanel() {
+  const tabs = element('tabs', HTMLElement);
+  for (const { id, name } of TABS) {
+    const tab = makeButton(name, () => openTab(id));
+    tab.setAttribute('role', 'tab');
+    tab.setAttribute('aria-controls', id);
+    tabs.append(tab);
+  }
+  goByArrows(tabs);
   element('more', HTMLElement).addEventListener('click', () => {
     if (!element('panel', HTMLElement).hidden) return closePanel();
     const open = TABS.find(({ id }) => !element(id, HTMLElement).hidden);
@@ -152,7 +170,6 @@ function showPanel() {
   element('panel', HTMLElement).addEventListener('keydown', (event) => {
     if (event.key !== 'Escape' || event.target instanceof HTMLTextAreaElement) return;
     closePanel();
-    element('more', HTMLElement).focus();
   });
   makeDraggable(element('grip', HTMLElement));
   narrow.addEventListener('change', placeExtras);
