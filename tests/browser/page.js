@@ -181,6 +181,11 @@ async function devices(context) {
   const silent = await frame(page, 30);
   assert.ok(colors(silent) > 30, 'a made-up signal stands for what is not heard');
   assert.ok(silent.every((v, i) => i % 4 !== 2 || v === 0), 'no camera, no picture');
+  assert.match(await page.textContent('#notices'), /iChannel1 reads the camera/);
+  await page.click('#notices button:has-text("allow")');
+  await page.waitForFunction(() => document.querySelector('#notices').textContent === '');
+  const seen = await frame(page, 30);
+  assert.ok(seen.some((v, i) => i % 4 === 2 && v > 0), 'what the camera sees');
   assert.deepEqual(complaints, []);
 }
 

@@ -23,6 +23,15 @@ async function missing(context) {
   assert.deepEqual(complaints, []);
 }
 
+/** The channel that an export leaves empty is so on the site. */
+async function leftEmpty(context) {
+  const toy = shader({ type: 'image', name: 'Image', outputs: [], inputs: [], code: READER });
+  const { page } = await show(context, 'left_empty', toy, '#size=32x32&paused');
+  assert.equal(await page.textContent('#notices'), '');
+  await drop(page, '#picture', await png(page, 'four.png'));
+  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('four.png is on iChannel0'));
+}
+
 async function onARow(context) {
   const input = (channel) => ({ id: `x${channel}`, type: 'texture', channel, sampler: { filter: 'nearest', wrap: 'clamp', vflip: 'true' } });
   const toy = shader({
@@ -67,6 +76,7 @@ async function unread(context) {
 
 export const mediaTests = [
   { name: 'page: what is missing is said on the picture', run: missing, context: desk },
+  { name: 'page: what an export leaves empty is not missing', run: leftEmpty, context: desk },
   { name: 'page: a file for a row', run: onARow, context: desk },
   { name: 'page: a notice that is taken away', run: dismissed, context: desk },
   { name: 'page: a stand-in is called one', run: standIn, context: desk },

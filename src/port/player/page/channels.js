@@ -52,9 +52,13 @@ function isRead(player, slot) {
   return player.programs[slot.pass]?.at(channelName(player, slot)) instanceof WebGLUniformLocation;
 }
 
-/** Whether nothing is there though the picture needs it. @param {Player} player @param {Slot} slot */
+/**
+ * Whether nothing is there though the picture needs it. What an export leaves empty is empty on the site.
+ * @param {Player} player @param {Slot} slot
+ */
 function isMissing(player, slot) {
   const input = player.project.passes[slot.pass].inputs[slot.channel];
+  if (!input && player.project.link) return false;
   if (input && (input.urls || input.standIn || !['texture', 'cubemap', 'volume', 'video'].includes(input.kind))) return false;
   return isRead(player, slot);
 }
@@ -108,6 +112,18 @@ async function putFiles(player, files) {
   }
 }
 
+/** Asks for the camera. @param {Player} player */
+async function allowCamera(player) {
+  try {
+    await player.devices.openCamera();
+  } catch {
+    flash('the camera is not to be had');
+    return;
+  }
+  retract('camera');
+  player.poke();
+}
+
 /** What a row says of its channel. @param {Player} player @param {Slot} slot */
 function wordsOfSlot(player, slot) {
   const input = player.project.passes[slot.pass].inputs[slot.channel];
@@ -135,9 +151,8 @@ function channelRow(player, slot) {
   });
   const isDevice = !FILE_KINDS.includes(kind);
   const button = makeButton(isDevice ? 'allow' : 'file…', () => {
-    const refuse = () => flash(`the ${KIND_WORDS[kind]} is not to be had`);
-    if (kind === 'webcam') void player.devices.openCamera().then(() => player.poke(), refuse);
-    else if (kind === 'mic') void player.devices.openMicrophone().catch(refuse);
+    if (kind === 'webcam') void allowCamera(player);
+    else if (kind === 'mic') void player.devices.openMicrophone().catch(() => flash('the microphone is not to be had'));
     else chooser.click();
   }, isDevice ? `allow the ${KIND_WORDS[kind]}` : `file for ${name}`);
   row.addEventListener('dragover', () => row.classList.add('over'));
@@ -168,6 +183,15 @@ function tellMissing(player, slots, choose) {
   return notify('missing', words, { label: 'choose…', act: () => choose(missing[0]) });
 }
 
+/** Says on the picture which channel waits for the camera. @param {Player} player @param {Slot[]} slots */
+function tellCamera(player, slots) {
+  const kindOf = (/** @type {Slot} */ { pass, channel }) => player.project.passes[pass].inputs[channel]?.kind;
+  const waiting = slots.find((slot) => kindOf(slot) === 'webcam' && isRead(player, slot));
+  if (!waiting || player.devices.cameraFilm?.srcObject) return retract('camera');
+  const act = () => void allowCamera(player);
+  return notify('camera', `${channelName(player, waiting)} reads the camera`, { label: 'allow', act });
+}
+
 /** A row for each channel, and the picture as a place for files. @param {Player} player */
 function showChannels(player) {
   const box = element('channels', HTMLElement);
@@ -184,6 +208,7 @@ function showChannels(player) {
     if (nodes.length !== box.children.length - 1) box.replaceChildren(...(nodes.length > 0 ? [make('h2', 'Channels'), ...nodes] : []));
     showTabs();
     tellMissing(player, slots, (slot) => rows.get(key(slot))?.choose());
+    tellCamera(player, slots);
   };
   const picture = element('picture', HTMLElement);
   for (const name of ['dragenter', 'dragover']) {
