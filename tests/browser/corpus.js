@@ -111,20 +111,51 @@ const BODIES = [
   '{\n#define a 0.5\n#define xy yx\n c = vec4(p / 64.0, a, 1); }',
   '{ c = vec4(float(__LINE__ + int(p.x)) / 255.0); }',
   '{ half_of(c); c.zw = p / 64.0; { vec4 c = vec4(2); c.x = 1.0; } }',
+  '{ halves(c.zx); c.y = p.x / 64.0; halves(p); c.w = p.y / 64.0; }',
+  '{ c = vec4(p / 64.0, 0, 1); both(c.x, c); both(c.y, c); }',
+  '{ lit(c, p); lit(c, p.yx); }',
+  '{ for (int i = 0; i < 20; i++) { c.r += 0.05; if (float(i) * 4.0 > p.x) return; c.g += 0.03; } c.b = 1.0; }',
+  '{ c = vec4(p / 64.0, 1, 0.5); if (mod(p.x, 20.0) < 10.0) discard; c.b = c.a; }',
+  '{ p[0] *= 0.5; p[int(p.y) % 2] += 3.0; c = vec4(p / 64.0, c.x++, 1); c.wzyx = c; }',
+  '{ float k = (c.x = p.x / 64.0) + (c.y = 0.3); c.z = k; for (int p = 0; p < 3; p++) c.b += float(p) * 0.1; }',
+];
+
+/** Functions that the bodies call. */
+const CALLED = `
+void half_of(inout vec4 x) { x.xy += 0.5; }
+void halves(inout vec2 x) { x = x * 0.5 + 0.1; }
+void both(inout float x, inout vec4 all) { x += 0.25; all.y += x; all.z += 0.1; }
+void lit(inout vec4 x, vec2 at) { x.xy += at / 90.0; x.w = x.z; x.z += 0.2; }
+`;
+
+/** Whole shaders in which `mainImage` is declared, called or spelled in another way. */
+const SPELLED = [
+  'void mainImage(out vec4 c, in vec2 p);\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(p / 64.0, 0, 1); }',
+  'void mainImage(out vec4 c, in vec2 p) { c = vec4(p / 64.0, 0, 1); }\nvoid other() { vec4 k; mainImage(k, vec2(0)); }',
+  'vec2 at() { return gl_FragCoord.xy; }\nvoid mainImage(out vec4 c, vec2) { c = vec4(at() / 64.0, 0, 1); }',
+  'vec4 c = vec4(0.2);\nvec4 get() { return c; }\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(p / 64.0, 0, 1) + get(); }',
+  'void mainImage(out highp vec4 c, in mediump vec2 p) { c = vec4(p / 64.0, 0.4, 1); }',
+  ...['r', 'x', 'xy', 'main', 'fragColor', 'outColor'].map(
+    (name) => `#define ${name} 0.5\nvoid mainImage(out vec4 o, vec2 u) { o = vec4(u / 64.0, ${name}, 0.3); }`,
+  ),
+  '#define U (u / iResolution.xy)\nvoid mainImage(out vec4 o, vec2 u) { o = vec4(U, 0.2, 1); u = U; o.z = u.x; }',
 ];
 
 /** What is written for a plain `main` draws what the pass draws, or the pass is kept. */
 async function rewrittenPicture(context) {
-  for (const [i, body] of BODIES.entries()) {
+  const codes = BODIES.map((body) => {
     const macro = body.includes('a,') && !body.includes('{\n#define a') ? '#define a 0.5\n' : '';
-    const code = `${macro}void half_of(inout vec4 x) { x.xy += 0.5; }\nvoid mainImage(out vec4 c, in vec2 p) ${body}\n`;
+    return `${macro}${CALLED}void mainImage(out vec4 c, in vec2 p) ${body}\n`;
+  });
+  for (const [i, code] of [...codes, ...SPELLED].entries()) {
     const file = put(`plain${i}.glsl`, code);
     shaderport(file, '--main', 'rewrite', '-o', path.join(work, `plain${i}.frag`), '--force');
     const ours = await open(context, port(file, `plain${i}`), '#size=64x36&paused');
     const theirs = await open(context, port(path.join(work, `plain${i}.frag`), `whole${i}`), '#size=64x36&paused');
     const drawn = await frame(ours.page, 3);
-    assert.ok(colors(drawn) > 1, body);
-    assert.equal(differences(drawn, await frame(theirs.page, 3)), 0, body);
+    assert.ok(colors(drawn) > 1, code);
+    assert.equal(differences(drawn, await frame(theirs.page, 3)), 0, code);
+    await Promise.all([ours.page.close(), theirs.page.close()]);
   }
 }
 

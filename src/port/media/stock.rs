@@ -123,14 +123,30 @@ pub(super) fn of_kind(kind: InputKind) -> Option<StandIn> {
     })
 }
 
+/// The parts that every generator of a kind begins with.
+macro_rules! frame {
+    ("cube") => {
+        concat!(
+            include_str!("frame/faces.glsl"),
+            include_str!("frame/cube.glsl")
+        )
+    };
+    ("blurred") => {
+        concat!(
+            include_str!("frame/faces.glsl"),
+            include_str!("frame/blurred.glsl")
+        )
+    };
+    ($name:literal) => {
+        include_str!(concat!("frame/", $name, ".glsl"))
+    };
+}
+
 macro_rules! generators {
-    ($($constant:ident: $name:literal, $frame:literal, [$($part:literal),*];)*) => {
+    ($($constant:ident: $name:literal, $frame:tt, [$($part:literal),*];)*) => {
         $(const $constant: Generator = Generator {
             name: $name,
-            parts: &[
-                include_str!(concat!("frame/", $frame, ".glsl")),
-                $(include_str!(concat!($part, ".glsl"))),*
-            ],
+            parts: &[frame!($frame), $(include_str!(concat!($part, ".glsl"))),*],
         };)*
     };
 }
