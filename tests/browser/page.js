@@ -267,6 +267,9 @@ async function lostContext(context) {
     await player.ready;
   });
   assert.ok(colors(await frame(page, 3)) > 10, 'it draws again');
+  assert.equal(await page.textContent('#notices'), '');
+  await page.evaluate(() => globalThis.shaderport.player.gl.getExtension('WEBGL_lose_context').loseContext());
+  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('the graphics card gave up'));
 }
 
 const small = { viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };

@@ -156,3 +156,9 @@ function watchSpeed(player) {
   };
   requestAnimationFrame(look);
 }
+
+/** Says when the graphics card gives a picture up, which leaves it black. @param {Player} player */
+function watchContext({ canvas }) {
+  canvas.addEventListener('webglcontextlost', () => notify('lost', 'the graphics card gave up: this shader may be too heavy here'));
+  canvas.addEventListener('webglcontextrestored', () => retract('lost'));
+}

@@ -64,6 +64,7 @@ function openPage() {
   showClock(player);
   hideBarWhenIdle(player);
   followAddress(player);
+  watchContext(player);
   const ready = player.ready.then(() => {
     showChannels(player);
     begin(player);
