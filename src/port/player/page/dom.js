@@ -21,7 +21,7 @@ function make(tag, text = '', className = '') {
 /** Words in which code stands between backticks. @param {string} tag @param {string} words @param {string} [className] */
 function makeWords(tag, words, className) {
   const node = make(tag, '', className);
-  words.split(/`([^`]+)`/).forEach((part, i) => node.append(i % 2 ? make('code', part) : part));
+  words.split(/\x60([^\x60]+)\x60/).forEach((part, i) => node.append(i % 2 ? make('code', part) : part));
   return node;
 }
 
