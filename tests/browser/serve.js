@@ -12,7 +12,8 @@ ${extra}void mainImage(out vec4 O, vec2 U) { O = vec4(${red}, fract(iTime * SPEE
 /** Serves an input; gives the address and what ends it. */
 async function serve(...args) {
   const program = process.env.SHADERPORT || path.join(top, 'target/release/shaderport');
-  const server = spawn(program, [...args, '--watch', '--serve=0'], { cwd: work });
+  const port = args.some((a) => a.startsWith('--serve')) ? [] : ['--serve=0'];
+  const server = spawn(program, [...args, '--watch', ...port], { cwd: work });
   let said = '';
   const address = await new Promise((resolve, reject) => {
     server.stderr.on('data', (data) => {
@@ -103,7 +104,128 @@ async function includedFile(context) {
   }
 }
 
+/** Opens what a server shows. */
+async function visit(context, address) {
+  const page = await context.newPage();
+  await page.goto(address);
+  return page;
+}
+
+async function waysOfSaving(context) {
+  const file = put('saved.glsl', shader('1.0'));
+  const { address, end } = await serve(file);
+  try {
+    const pages = [await visit(context, address), await visit(await context.browser().newContext(), address)];
+    const both = (red) => Promise.all(pages.map((page) => redBecomes(page, red)));
+    await both(255);
+    // As an editor does that keeps the old file under another name.
+    fs.renameSync(file, `${file}~`);
+    fs.writeFileSync(file, shader('0.0'));
+    fs.rmSync(`${file}~`);
+    await both(0);
+    // As one does that writes beside it and puts the new file in its place.
+    fs.writeFileSync(`${file}.new`, shader('1.0'));
+    fs.renameSync(`${file}.new`, file);
+    await both(255);
+    // As one does that empties the file and takes its time.
+    fs.writeFileSync(file, '');
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    fs.writeFileSync(file, shader('0.0'));
+    await both(0);
+    // What is gone is told on the page, which stays, and is over when it is there again.
+    fs.rmSync(file);
+    await Promise.all(pages.map((page) => page.waitForSelector('.notice:has-text("saved.glsl")')));
+    await both(0);
+    fs.writeFileSync(file, shader('0.0'));
+    await Promise.all(pages.map((page) => page.waitForSelector('.notice', { state: 'detached' })));
+    fs.writeFileSync(file, shader('1.0'));
+    await both(255);
+  } finally {
+    end();
+  }
+}
+
+async function growingFolder(context) {
+  const code = (red) => `void mainImage(out vec4 O, vec2 U) { O = vec4(${red}, 0.0, 0.0, 1.0); }\n`;
+  put('grows/image.glsl', code('texture(iChannel0, U / iResolution.xy).r'));
+  const { address, end } = await serve(path.join(work, 'grows'), '--no-stand-ins');
+  try {
+    const page = await visit(context, address);
+    await redBecomes(page, 0);
+    put('grows/buffer_a.glsl', code('1.0'));
+    put('grows/channels.toml', '0 = "buffer_a"\n');
+    await redBecomes(page, 255);
+    put('grows/channels.toml', '0 = "buffer_q"\n');
+    await page.waitForSelector('.notice:has-text("channels.toml")');
+    put('grows/channels.toml', '# nothing\n');
+    await redBecomes(page, 0);
+  } finally {
+    end();
+  }
+}
+
+async function serverComesBack(context) {
+  const file = put('again.glsl', shader('1.0'));
+  const first = await serve(file);
+  const { port } = new URL(first.address);
+  const page = await visit(context, first.address);
+  await redBecomes(page, 255);
+  await page.evaluate(() => globalThis.shaderport.player.pause());
+  await page.click('#more');
+  await page.fill('input[aria-label="SPEED, number"]', '2.5');
+  await page.press('input[aria-label="SPEED, number"]', 'Enter');
+  await page.evaluate(() => globalThis.shaderport.seek(7.5));
+  first.end();
+  fs.writeFileSync(file, shader('0.0'));
+  const second = await serve(file, `--serve=${port}`);
+  try {
+    assert.equal(second.address, first.address);
+    await redBecomes(page, 0);
+    await page.waitForFunction(() => globalThis.shaderport.player.clock.time === 7.5);
+    assert.equal(await page.inputValue('input[aria-label="SPEED, number"]'), '2.5');
+    assert.ok(await page.isVisible('#tune'), 'the panel is as it was');
+    // Nobody else may have the port meanwhile, and who asks for it is told of another.
+    const third = await serve(file, `--serve=${port}`);
+    third.end();
+    assert.notEqual(third.address, first.address);
+    assert.match(third.said(), new RegExp(`port ${port} is taken`));
+  } finally {
+    second.end();
+  }
+}
+
+async function hiddenTabs(context) {
+  const file = put('tabs.glsl', shader('1.0'));
+  const { address, end } = await serve(file);
+  try {
+    // More pages than a browser has connections for one host.
+    const pages = [];
+    for (let i = 0; i < 7; i++) {
+      const page = await visit(context, address);
+      await redBecomes(page, 255);
+      await page.evaluate(() => {
+        Object.defineProperty(document, 'hidden', { configurable: true, get: () => true });
+        document.dispatchEvent(new Event('visibilitychange'));
+      });
+      pages.push(page);
+    }
+    fs.writeFileSync(file, shader('0.0'));
+    const [page] = pages;
+    await page.evaluate(() => {
+      Object.defineProperty(document, 'hidden', { configurable: true, get: () => false });
+      document.dispatchEvent(new Event('visibilitychange'));
+    });
+    await redBecomes(page, 0);
+  } finally {
+    end();
+  }
+}
+
 export const serveTests = [
+  { name: 'a served page follows every way of saving', run: waysOfSaving },
+  { name: 'a served page follows a folder that grows', run: growingFolder },
+  { name: 'a served page waits for its server', run: serverComesBack },
+  { name: 'a served page leaves its connection while it is hidden', run: hiddenTabs },
   { name: 'a served page goes on where it was when its file is saved', run: savedFile },
   { name: 'a served page waits for its file', run: lateFile },
   { name: 'a served page follows what its file includes', run: includedFile },

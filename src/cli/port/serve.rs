@@ -1,6 +1,7 @@
 //! A server for one page, which only this machine reaches: `/` is the page, `/events` tells the page
 //! when there is a newer one.
 
+use super::watch::tell;
 use crate::cli::{CLEAN, FAILED};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
@@ -39,13 +40,18 @@ struct Shown {
 struct Page {
     version: String,
     content: Arc<Vec<u8>>,
+    /// Why there is no newer one, though there should be.
+    trouble: String,
 }
 
 impl Server {
     /// Listens at a port of the loopback device, or at any that is free where somebody else has it.
     pub(super) fn open(port: u16) -> Result<Server, String> {
         let bind = |port| TcpListener::bind((Ipv4Addr::LOCALHOST, port));
-        let opened = bind(port).or_else(|_| bind(0));
+        let opened = bind(port).or_else(|why| {
+            tell(&format!("port {port} is taken ({why}); another will do"));
+            bind(0)
+        });
         let listener = opened.map_err(|e| format!("no page can be served: {e}"))?;
         let address = listener.local_addr().map_err(|e| e.to_string())?;
         let shown = Arc::new(Shown::default());
@@ -79,7 +85,15 @@ impl Server {
         *page = Page {
             version: version.to_string(),
             content: Arc::new(content),
+            trouble: String::new(),
         };
+        self.shown.changed.notify_all();
+    }
+
+    /// Tells those who look at the page why it is not the newest.
+    pub(super) fn tell(&self, trouble: &str) {
+        let page = self.shown.page.lock();
+        page.unwrap_or_else(PoisonError::into_inner).trouble = trouble.replace(['\r', '\n'], " ");
         self.shown.changed.notify_all();
     }
 
@@ -97,16 +111,23 @@ impl Server {
     }
 }
 
+impl Page {
+    /// Whether there is nothing to tell to somebody who knows the other.
+    fn says(&self, other: &Page) -> bool {
+        self.version == other.version && self.trouble == other.trouble
+    }
+}
+
 impl Shown {
     fn now(&self) -> Page {
         let page = self.page.lock();
         page.unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// The page, once it is another than the one known; after a while in any case.
-    fn next(&self, known: &str) -> Page {
+    /// The page, once there is something to tell of it that is not known; after a while in any case.
+    fn next(&self, known: &Page) -> Page {
         let page = self.page.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_known = |page: &mut Page| page.version == known;
+        let is_known = |page: &mut Page| page.says(known);
         let waited = self.changed.wait_timeout_while(page, PULSE, is_known);
         waited.unwrap_or_else(PoisonError::into_inner).0.clone()
     }
@@ -197,15 +218,18 @@ fn tell_changes(mut stream: &TcpStream, shown: &Shown) -> io::Result<()> {
         b"HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\n\
           Connection: close\r\n\r\n",
     )?;
-    let mut known = String::new();
+    let mut known = Page::default();
     loop {
         let page = shown.next(&known);
+        let (version, trouble) = (&page.version, &page.trouble);
         // Of a page that has gone away only the failing write tells.
-        match page.version == known {
-            true => stream.write_all(b": still there\n\n")?,
-            false => stream.write_all(format!("data: {}\n\n", page.version).as_bytes())?,
-        }
-        known = page.version;
+        let news = match (*version == known.version, *trouble == known.trouble) {
+            (true, true) => ": still there\n\n".to_string(),
+            (false, _) => format!("data: {version}\n\nevent: trouble\ndata: {trouble}\n\n"),
+            (true, false) => format!("event: trouble\ndata: {trouble}\n\n"),
+        };
+        stream.write_all(news.as_bytes())?;
+        known = page;
     }
 }
 
@@ -253,7 +277,11 @@ mod tests {
         let mut news = BufReader::new(stream).lines().map(Result::unwrap);
         let mut next = || news.find_map(|l| l.strip_prefix("data: ").map(str::to_string));
         assert_eq!(next().as_deref(), Some("1"));
+        assert_eq!(next().as_deref(), Some(""));
+        server.tell("there is\nno such file");
+        assert_eq!(next().as_deref(), Some("there is no such file"));
         server.show("2", Vec::new());
         assert_eq!(next().as_deref(), Some("2"));
+        assert_eq!(next().as_deref(), Some(""), "the trouble is over");
     }
 }

@@ -67,6 +67,7 @@ fn serve(args: &PortArgs, server: Server) -> Result<u8, String> {
             Err(message) if !args.watch => return Err(message),
             Err(message) => {
                 tell(&message);
+                server.tell(&message);
                 if server.is_empty() {
                     server.show(&version, waiting_page(&message, &version).into_bytes());
                 }
@@ -94,7 +95,8 @@ fn version() -> String {
     now.map_or(0, |t| t.as_nanos()).to_string()
 }
 
-fn tell(message: &str) {
+/// Says something to whoever started the program.
+pub(super) fn tell(message: &str) {
     let _ = writeln!(io::stderr(), "shaderport: {message}");
 }
 

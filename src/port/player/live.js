@@ -10,17 +10,33 @@ const KEPT = 'shaderport.kept';
  */
 function followChanges(version, player) {
   if (player) void player.ready.then(() => restoreKept(player));
-  new EventSource('events').addEventListener('message', ({ data }) => {
-    if (data === version) return;
-    if (player) keep(player);
-    location.reload();
-  });
+  /** @type {EventSource | null} */
+  let news = null;
+  // A browser has few connections for a host: pages that nobody sees leave theirs to others.
+  const follow = () => {
+    news?.close();
+    news = document.hidden ? null : new EventSource('events');
+    news?.addEventListener('message', ({ data }) => {
+      if (data === version) return;
+      if (player) keep(player);
+      location.reload();
+    });
+    news?.addEventListener('trouble', ({ data }) => {
+      if (!player) return;
+      if (data) notify('trouble', data);
+      else retract('trouble');
+    });
+  };
+  document.addEventListener('visibilitychange', follow);
+  follow();
 }
 
 /** @param {Player} player */
 function keep({ clock, mouse, isPlaying }) {
   const { x, y, clickX, clickY } = mouse;
-  const state = { time: clock.time, isPlaying, mouse: { x, y, clickX, clickY } };
+  const tab = TABS.find(({ id }) => isTabOpen(id))?.id;
+  const state = { time: clock.time, isPlaying, mouse: { x, y, clickX, clickY }, tab };
+  writeAddress();
   sessionStorage.setItem(KEPT, JSON.stringify(state));
 }
 
@@ -31,6 +47,7 @@ function restoreKept(player) {
   if (!kept) return;
   const state = JSON.parse(kept);
   Object.assign(player.mouse, state.mouse);
+  if (state.tab) openTab(state.tab);
   player.seek(state.time);
   if (state.isPlaying) player.play();
   else player.pause();

@@ -49,15 +49,18 @@ let pendingWrite = 0;
 function keepInAddress(changes) {
   Object.assign(pendingWords, changes);
   clearTimeout(pendingWrite);
-  pendingWrite = setTimeout(() => {
-    const fragment = fragmentWith(pendingWords);
-    pendingWords = {};
-    try {
-      history.replaceState(null, '', fragment ? `#${fragment}` : location.pathname + location.search);
-    } catch {
-      // A frame without an address of its own keeps nothing.
-    }
-  }, 250);
+  pendingWrite = setTimeout(writeAddress, 250);
+}
+
+/** Writes what is to be kept, now. */
+function writeAddress() {
+  const fragment = fragmentWith(pendingWords);
+  pendingWords = {};
+  try {
+    history.replaceState(null, '', fragment ? `#${fragment}` : location.pathname + location.search);
+  } catch {
+    // A frame without an address of its own keeps nothing.
+  }
 }
 
 /** The address that shows what is seen now. @param {Player} player */
