@@ -99,6 +99,11 @@ fn only_regular_files_are_written_over() {
         "a.glsl -o . --force -t glsl",
         &format!("./image.frag is a folder{end}"),
     );
+    folder.fails(
+        "a.glsl -o /dev/null --force",
+        &format!("/dev/null is a device{end}"),
+    );
+    folder.fails("a.glsl -o a.glsl/b.html", "a.glsl is no folder");
     assert_eq!(fs::read(folder.path("there.html")).unwrap(), b"there");
     folder.works("a.glsl -o there.html --force", "");
 }

@@ -18,14 +18,15 @@ pub(super) enum Place {
 
 impl Place {
     /// Where a project of this title goes. A folder is one that is there, or whose name ends in a
-    /// slash; for shaders also one without an ending.
+    /// slash; for shaders also one without an ending that nothing else has.
     pub(super) fn of(path: Option<&Path>, target: Target, title: &str) -> Place {
         let Some(path) = path.filter(|p| p.as_os_str() != "-") else {
             return Place::Standard;
         };
         let is_folder = path.is_dir() || path.to_string_lossy().ends_with(['/', '\\']);
+        let may_be_folder = path.extension().is_none() && !path.exists();
         match target.is_shaders() {
-            true if is_folder || path.extension().is_none() => Place::Folder(path.to_path_buf()),
+            true if is_folder || may_be_folder => Place::Folder(path.to_path_buf()),
             false if is_folder => {
                 let name = format!("{}.{}", file_name(title), target.ending());
                 Place::File(path.join(name))
@@ -66,7 +67,12 @@ pub(super) fn save(files: &[File], overwrite: Overwrite, read: &[PathBuf]) -> Re
             ));
         }
         let Ok(there) = path.symlink_metadata() else {
-            continue;
+            match path.ancestors().skip(1).find(|p| p.exists()) {
+                Some(above) if !above.is_dir() => {
+                    return Err(format!("{} is no folder", above.display()));
+                }
+                _ => continue,
+            }
         };
         if read.iter().any(|r| is_same(r, path)) {
             return Err(format!("{shown} is what is read; write to another file"));
