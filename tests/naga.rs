@@ -5,7 +5,7 @@
 #![cfg(feature = "naga")]
 
 use shaderlint::port::naga::{
-    FirstRow, LowerOptions, Lowered, Refused, TargetLanguage, lower, translate, write,
+    FirstRow, LowerOptions, Lowered, Refused, Repeated, TargetLanguage, lower, translate, write,
 };
 use shaderlint::port::{
     Destination, MainChoice, Order, Project, Target, compose, translate_shaders, whole_shaders,
@@ -14,6 +14,7 @@ use shaderlint::semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
 use shaderlint::text::{Role, Sources};
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 use std::sync::Arc;
 
 /// What the only pass of a shader becomes.
@@ -25,7 +26,7 @@ fn written(code: &str, language: TargetLanguage) -> Result<Vec<u8>, Refused> {
     };
     let problems = &composed.analysis(unit).diagnostics;
     assert!(problems.is_empty(), "{problems:?}\n{code}");
-    translate(&project, &composed, unit, language).map(|made| made.unwrap().text)
+    translate(&project, &composed, unit, language, FirstRow::Top).map(|made| made.unwrap().text)
 }
 
 fn wgsl(code: &str) -> String {
@@ -43,6 +44,43 @@ fn reaches_all(code: &str) {
             TargetLanguage::Spirv => assert_eq!(bytes[..4], 0x0723_0203_u32.to_le_bytes()),
             _ => assert!(String::from_utf8(bytes).unwrap().contains("fragment_main")),
         }
+    }
+}
+
+/// Asks a compiler, where there is one: `HLSL_COMPILER` names glslang's.
+#[test]
+fn a_compiler_reads_what_is_written_as_hlsl() {
+    let Ok(compiler) = std::env::var("HLSL_COMPILER") else {
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("shader.hlsl");
+    let accepts = |stage: Stage, text: &[u8]| {
+        fs::write(&file, text).unwrap();
+        let (stage, entry) = match stage {
+            Stage::Vertex => ("vert", "vertex_main"),
+            Stage::Fragment => ("frag", "fragment_main"),
+        };
+        let out = Command::new(&compiler)
+            .args(["-D", "-S", stage, "-e", entry, "-V", "-o"])
+            .arg(folder.path().join("shader.spv"))
+            .arg(&file)
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&out.stdout).into_owned();
+        assert!(
+            out.status.success(),
+            "{said}\n{}",
+            String::from_utf8_lossy(text)
+        );
+    };
+    for statement in STATEMENTS {
+        let text = written(&with_functions(statement), TargetLanguage::Hlsl).unwrap();
+        accepts(Stage::Fragment, &text);
+    }
+    for (stage, code) in WHOLE {
+        let (_, text) = whole(&checked(*stage, code), TargetLanguage::Hlsl).unwrap();
+        accepts(*stage, &text);
     }
 }
 
@@ -151,11 +189,16 @@ float unsaid(float x) { if (x > 1.0) return 2.0; }
 #[test]
 fn features_reach_all_languages() {
     for statement in STATEMENTS {
-        reaches_all(&format!(
-            "{FUNCTIONS}void mainImage(out vec4 c, in vec2 f) {{\n    c = vec4(f, unsaid(f.x), 1.0);\n    \
-             int i = iFrame; uint u = uint(iFrame);\n    {statement}\n}}\n"
-        ));
+        reaches_all(&with_functions(statement));
     }
+}
+
+/// A shader of ShaderToy that runs a statement.
+fn with_functions(statement: &str) -> String {
+    format!(
+        "{FUNCTIONS}void mainImage(out vec4 c, in vec2 f) {{\n    c = vec4(f, unsaid(f.x), 1.0);\n    \
+         int i = iFrame; uint u = uint(iFrame);\n    {statement}\n}}\n"
+    )
 }
 
 /// Whole shaders of both stages and versions, whatever their uniforms mean.
@@ -194,6 +237,28 @@ const WHOLE: &[(Stage, &str)] = &[
          color = texture(m.map, l.at.xy * m.s) * weights[i] + vec4(one[0], others[1].a[i], t[1].x); \
          if (flag && on) color.x += lights[1].power[i] + l.m[2].y + others[0].p.y + one[i].x; }\n",
     ),
+    (
+        Stage::Fragment,
+        "precision mediump float;\nvarying vec2 v;\nuniform sampler2D maps[3];\n\
+         uniform struct { sampler2D map; float s; } m[2];\n\
+         vec4 look(sampler2D s, inout vec2 p) { p += 1.0; return texture2D(s, p); }\n\
+         vec4 all(sampler2D s[3], vec2 p) { vec4 c = texture2D(s[2], p); \
+         for (int i = 0; i < 3; i++) c += texture2D(s[i], p); return c; }\n\
+         void main() { vec2 p = v; vec4 c = all(maps, v); for (int i = 0; i < 3; i++) { \
+         c += texture2D(maps[i], v) + look(maps[i], p); } for (int i = 0; i < 2; i++) \
+         c += texture2D(m[i].map, v * m[i].s); gl_FragColor = c; }\n",
+    ),
+    (
+        Stage::Fragment,
+        "#version 300 es\nprecision highp float;\nprecision highp int;\n\
+         uniform highp isampler2D a;\nuniform highp usampler2DArray b;\n\
+         uniform highp isampler3D d;\nuniform highp usamplerCube q;\nuniform int level;\n\
+         centroid in vec2 v;\nflat in ivec2 w;\nout ivec4 color;\n\
+         void main() { color = texture(a, v) + textureLod(a, v, 1.5) + textureOffset(a, v, \
+         ivec2(1, -1)) + textureProj(a, v.xyx) + textureGrad(a, v, v, v) + ivec4(texture(b, \
+         v.xyx)) + texture(d, v.xyx, 1.0) + ivec4(textureSize(q, level), textureSize(b, \
+         level).z, w.x) + textureProjLodOffset(a, v.xyx, 1.0, ivec2(2)); }\n",
+    ),
 ];
 
 #[test]
@@ -215,12 +280,62 @@ fn the_interface_names_what_a_host_feeds() {
         let json = serde_json::to_string_pretty(&lowered.interface).unwrap();
         format!("{}\n{json}\n", head.join("\n"))
     };
-    let [.., vertex, fragment] = WHOLE else {
+    let [_, _, _, vertex, fragment, ..] = WHOLE else {
         panic!()
     };
     insta::assert_snapshot!(shown(fragment, TargetLanguage::Wgsl));
     insta::assert_snapshot!(shown(fragment, TargetLanguage::Hlsl));
     insta::assert_snapshot!(shown(vertex, TargetLanguage::Msl));
+}
+
+#[test]
+fn the_interface_says_what_the_passes_of_a_project_read() {
+    let pass = |kind: &str, id: &str, inputs: &str| {
+        format!(
+            "{{\"type\":\"{kind}\",\"name\":\"\",\"outputs\":[{{\"id\":\"{id}\",\"channel\":0}}],\
+             \"inputs\":[{inputs}],\"code\":\"void mainImage(out vec4 c, in vec2 f) \
+             {{ c = texelFetch(iChannel0, ivec2(f), 0); }}\"}}"
+        )
+    };
+    let reads = |id: &str| {
+        format!(
+            "{{\"id\":\"{id}\",\"type\":\"buffer\",\"channel\":0,\"sampler\":\
+             {{\"filter\":\"linear\",\"wrap\":\"clamp\"}}}}"
+        )
+    };
+    let image = pass("image", "4dfGRr", &reads("4dXGR8"));
+    let buffer = pass("buffer", "4dXGR8", &reads("4dXGR8"));
+    let json = format!(
+        "{{\"ver\":\"0.1\",\"info\":{{\"id\":\"x\",\"name\":\"n\"}},\"renderpass\":[{image},{buffer}]}}"
+    );
+    let project = Project::from_json(&json).unwrap();
+    let composed = compose(&project, "project").unwrap();
+    let told = |i: usize, row| {
+        let unit = &composed.units[i];
+        let made = translate(&project, &composed, unit, TargetLanguage::Wgsl, row);
+        let interface = made.unwrap().unwrap().interface;
+        let source = interface.textures[0].source.clone().unwrap();
+        let pass = interface.pass.unwrap();
+        (pass, source, interface.first_row.unwrap())
+    };
+    let (picture, read, row) = told(0, FirstRow::Top);
+    let (drawn, own, rows) = told(1, FirstRow::Top);
+    assert_eq!(
+        (picture.kind, picture.order, picture.format),
+        ("image", Some(1), "rgba8unorm")
+    );
+    assert_eq!(
+        (drawn.kind, drawn.order, drawn.format),
+        ("buffer", Some(0), "rgba32float")
+    );
+    assert_eq!((row, rows), (FirstRow::Top, FirstRow::Bottom));
+    assert_eq!(told(0, FirstRow::Bottom).2, FirstRow::Bottom);
+    assert_eq!(read, own);
+    assert_eq!(read.pass, Some(drawn.name));
+    assert_eq!(
+        (read.filter.as_str(), read.wrap.as_str()),
+        ("linear", "clamp")
+    );
 }
 
 #[test]
@@ -236,6 +351,7 @@ fn stages_that_are_given_together_share_the_numbers_of_varyings() {
         output: Destination::Folder(Path::new("out")),
         version: None,
         interface: true,
+        first_row: FirstRow::Top,
     };
     let all = whole_shaders(vec![file("x.vert", vertex), file("x.frag", fragment)]).unwrap();
     let build = translate_shaders(order, &all).unwrap();
@@ -263,22 +379,35 @@ fn stages_that_are_given_together_share_the_numbers_of_varyings() {
 }
 
 /// What the other languages have no words for, and what is said of it.
-const REFUSED: &[(&str, &str, &str)] = &[(
-    "uniform isampler2D s;",
-    "color = vec4(texture(s, vUv));",
-    "texture(s, vUv)",
-)];
+const REFUSED: &[(&str, &str, &str)] = &[
+    (
+        "uniform isamplerCube s;",
+        "color = vec4(texture(s, vUv.xyx));",
+        "texture(s, vUv.xyx)",
+    ),
+    (
+        "uniform struct S { isampler2D map; } s; vec4 f(S x) { return vec4(texture(x.map, vUv)); }",
+        "color = f(s);",
+        "vec4 f(S x)",
+    ),
+];
 
 #[test]
 fn what_has_no_counterpart_is_refused_where_it_stands() {
     for (declaration, statement, place) in REFUSED {
         let code = format!(
-            "#version 300 es\nprecision highp float;\nprecision highp isampler2D;\n{declaration}\n\
-             in vec2 vUv;\nout vec4 color;\nvoid main() {{ {statement} }}\n"
+            "#version 300 es\nprecision highp float;\nprecision highp isampler2D;\n\
+             precision highp isamplerCube;\nin vec2 vUv;\n{declaration}\nout vec4 color;\nvoid main() {{ {statement} }}\n"
         );
         let refused = refusal(&code);
         assert_eq!(refused.1, *place, "{}", refused.0.message);
     }
+}
+
+/// A whole fragment shader in WGSL.
+fn whole_wgsl(code: &str) -> String {
+    let (_, text) = whole(&checked(Stage::Fragment, code), TargetLanguage::Wgsl).unwrap();
+    String::from_utf8(text).unwrap()
 }
 
 /// What is said of a shader, and the text that it is said of.
@@ -313,7 +442,7 @@ fn checked(stage: Stage, code: &str) -> Checked {
 fn whole(checked: &Checked, language: TargetLanguage) -> Result<(Lowered, Vec<u8>), Refused> {
     let options = LowerOptions {
         language,
-        first_row: FirstRow::Picture,
+        first_row: FirstRow::Top,
         vertex: None,
     };
     let lowered = lower(&checked.program, options)?;
@@ -361,6 +490,90 @@ fn what_a_call_hands_out_starts_at_zero() {
         assert!(of(body).contains(cleared), "{body}");
     }
     assert!(!of("vec2 g = f; c = g.xyxy; c += 1.0;").contains(cleared));
+}
+
+#[test]
+fn sizes_of_levels_are_halves() {
+    let of = |level: &str| {
+        wgsl(&format!(
+            "void mainImage(out vec4 c, in vec2 f) {{ c.xy = vec2(textureSize(iChannel0, {level})); }}"
+        ))
+    };
+    assert!(!of("0").contains(" >> "));
+    assert!(
+        of("iFrame").contains(">> vec2(min(u32("),
+        "{}",
+        of("iFrame")
+    );
+    assert!(!of("iFrame").contains("textureDimensions(iChannel0_, "));
+}
+
+#[test]
+fn an_element_of_samplers_has_a_case() {
+    let text = whole_wgsl(WHOLE[5].1);
+    assert_eq!(text.matches("switch ").count(), 4, "{text}");
+    assert!(
+        text.contains("fn all_(s_0_: texture_2d<f32>") || text.contains("s_0"),
+        "{text}"
+    );
+}
+
+#[test]
+fn qualifiers_are_kept() {
+    let vertex = "#version 300 es\ninvariant gl_Position;\nin vec4 at;\ncentroid out vec2 v;\n\
+                  flat out int w;\nvoid main() { v = at.xy; w = 1; gl_Position = at; }\n";
+    let (_, text) = whole(&checked(Stage::Vertex, vertex), TargetLanguage::Wgsl).unwrap();
+    let text = String::from_utf8(text).unwrap();
+    for part in [
+        "@builtin(position) @invariant",
+        "@location(0) @interpolate(perspective, centroid) v: vec2<f32>",
+        "@location(1) @interpolate(flat) w: i32",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    let told = whole_wgsl(WHOLE[6].1);
+    for part in [
+        "centroid",
+        "// flat inputs are those of the first vertex",
+        "// textures of whole numbers: the nearest texel is taken",
+    ] {
+        assert!(told.contains(part), "{part}\n{told}");
+    }
+}
+
+#[test]
+fn matrices_lie_by_rows_where_the_layout_says_so() {
+    let code = "#version 300 es\nprecision highp float;\nstruct S { mat2x3 m; };\n\
+                layout(std140) uniform B { layout(row_major) mat3x2 a; mat3x2 b; \
+                layout(row_major) S s[2]; layout(row_major) mat4 n[2]; int i; };\n\
+                out vec4 c;\nvoid main() { c = vec4(a[i] + a[1], b[2].x, s[i].m[1].y) + n[i][i] + n[1] * \
+                vec4(a[0][i]); }\n";
+    let checked = checked(Stage::Fragment, code);
+    for language in TargetLanguage::ALL {
+        let (lowered, text) = whole(&checked, language).unwrap();
+        if language == TargetLanguage::Wgsl {
+            let text = String::from_utf8(text).unwrap();
+            assert!(text.contains("a: mat2x3<f32>"), "{text}");
+            assert!(text.contains("transpose("), "{text}");
+            let members = &lowered.interface.buffers[0].members;
+            let told: Vec<_> = members
+                .iter()
+                .map(|m| (m.name.as_str(), m.offset, m.columns.is_some(), m.rows))
+                .collect();
+            let rows = |count| Some(Repeated { count, stride: 16 });
+            assert_eq!(
+                told,
+                [
+                    ("a", 0, false, rows(2)),
+                    ("b", 32, true, None),
+                    ("s[0].m", 80, false, rows(3)),
+                    ("s[1].m", 128, false, rows(3)),
+                    ("n", 176, false, rows(4)),
+                    ("i", 304, false, None),
+                ]
+            );
+        }
+    }
 }
 
 #[test]

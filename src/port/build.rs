@@ -1,7 +1,7 @@
 //! The files of each target, as they are to be written.
 
 #[cfg(feature = "naga")]
-use super::naga::{Refused, TargetLanguage};
+use super::naga::{FirstRow, Refused, TargetLanguage};
 #[cfg(feature = "naga")]
 use super::translated::translated;
 use super::{
@@ -164,6 +164,9 @@ pub struct Order<'a> {
     /// Whether what a host must know of a shader in another language is written beside it.
     #[cfg(feature = "naga")]
     pub interface: bool,
+    /// Which row of a picture lies first, drawn by a shader in another language.
+    #[cfg(feature = "naga")]
+    pub first_row: FirstRow,
     /// The version of a page that a server shows; it loads itself anew when it hears of another.
     pub version: Option<&'a str>,
 }

@@ -45,26 +45,26 @@ struct Text<'a> {
 }
 
 #[derive(Serialize)]
-struct PassData<'a> {
-    kind: &'static str,
-    name: String,
+pub(super) struct PassData<'a> {
+    pub(super) kind: &'static str,
+    pub(super) name: String,
     files: Vec<u32>,
-    inputs: Vec<Option<InputData<'a>>>,
+    pub(super) inputs: Vec<Option<InputData<'a>>>,
     #[serde(flatten)]
-    own: Option<OwnData<'a>>,
+    pub(super) own: Option<OwnData<'a>>,
 }
 
 /// What the player must know of a shader that brings its own uniforms.
 #[derive(Serialize)]
-struct OwnData<'a> {
+pub(super) struct OwnData<'a> {
     vertex: &'a str,
     uniforms: &'a [UniformData],
     #[serde(skip_serializing_if = "Option::is_none")]
-    size: Option<&'a [SizeTerm; 2]>,
+    pub(super) size: Option<&'a [SizeTerm; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    into: Option<&'a str>,
+    pub(super) into: Option<&'a str>,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
-    float: bool,
+    pub(super) float: bool,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     quad: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -72,16 +72,16 @@ struct OwnData<'a> {
 }
 
 #[derive(Serialize)]
-struct InputData<'a> {
-    kind: &'static str,
+pub(super) struct InputData<'a> {
+    pub(super) kind: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    uniform: Option<&'a str>,
+    pub(super) uniform: Option<&'a str>,
     #[serde(skip_serializing_if = "str::is_empty")]
     sampler: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    buffer: Option<usize>,
-    filter: &'a str,
-    wrap: &'a str,
+    pub(super) buffer: Option<usize>,
+    pub(super) filter: &'a str,
+    pub(super) wrap: &'a str,
     vflip: bool,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     gray: bool,
@@ -150,7 +150,8 @@ fn text<'a>(project: &Project, owner: Option<usize>, file: &'a SourceFile) -> Te
     }
 }
 
-fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassData<'a>> {
+/// The passes that run, in the order of the project.
+pub(super) fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassData<'a>> {
     let running: Vec<_> = composed
         .units
         .iter()

@@ -2,7 +2,7 @@
 //! both stages, whatever their uniforms mean.
 
 use super::build::{Build, BuildError, File, Order, Remark, file, named};
-use super::naga::{FirstRow, LowerOptions, Refused, TranslatedShader, lower, translate, write};
+use super::naga::{LowerOptions, Refused, TranslatedShader, lower, translate, write};
 use super::{Composed, Project};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::semantic::{Checked, Dialect, GuessedKind, Stage, Unit, Wholeness, analyze, guess};
@@ -25,7 +25,7 @@ pub(super) fn translated(
             made.push(Made {
                 title: pass.title(unit.pass),
                 slug: pass.slug().to_string(),
-                outcome: translate(project, composed, unit, language),
+                outcome: translate(project, composed, unit, language, order.first_row),
             });
         }
     }
@@ -114,7 +114,7 @@ pub fn translate_shaders(order: Order, all: &WholeShaders) -> Result<Build, Buil
     for shader in &all.shaders {
         let options = LowerOptions {
             language,
-            first_row: FirstRow::Picture,
+            first_row: order.first_row,
             vertex,
         };
         let outcome = match is_wrong(&shader.checked) {

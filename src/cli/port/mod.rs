@@ -15,6 +15,8 @@ use super::output::{Overwrite, diff};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::engine::{Repairs, repairable};
+#[cfg(feature = "naga")]
+use crate::port::naga::FirstRow;
 use crate::port::{Composed, Destination, File, MainChoice, Order, Remark, Target, build, missing};
 use crate::report::{Format, Reporter, Summary};
 use crate::text::Sources;
@@ -66,6 +68,10 @@ pub struct PortArgs {
     #[cfg(feature = "naga")]
     #[arg(long)]
     interface: bool,
+    /// Which row of the picture a WGSL, SPIR-V, HLSL or MSL shader draws first
+    #[cfg(feature = "naga")]
+    #[arg(long, value_enum, default_value_t, value_name = "ROW")]
+    first_row: FirstRow,
     /// How plain shaders get their `main`
     #[arg(long, value_enum, default_value_t, value_name = "HOW")]
     main: MainChoice,
@@ -205,6 +211,8 @@ impl PortArgs {
             version,
             #[cfg(feature = "naga")]
             interface: self.interface,
+            #[cfg(feature = "naga")]
+            first_row: self.first_row,
         }
     }
 

@@ -1,11 +1,13 @@
 //! The function that is being made: its expressions, variables and blocks.
 
 use super::lower::Lowerer;
+use super::sampler::Looked;
 use super::stored::Held;
 use super::types::Sink;
+use super::write::TargetLanguage;
 use super::{Res, Value};
 use crate::ir::OpId;
-use crate::semantic::{Sampler, Type, VariableId};
+use crate::semantic::{Type, VariableId};
 use crate::text::Span;
 use ::naga::front::Typifier;
 use ::naga::{Block, Expression, Handle, Literal, LocalVariable, Statement};
@@ -20,15 +22,6 @@ pub(super) enum Bound {
     Pointer(Value),
     /// It lies in a buffer of uniforms.
     Stored(Held),
-    /// It is a texture and how that is sampled.
-    Sampler {
-        /// The texture.
-        image: Value,
-        /// How it is sampled.
-        sampler: Value,
-        /// What the shader calls it.
-        kind: Sampler,
-    },
 }
 
 /// What an operation gave.
@@ -48,6 +41,8 @@ pub(super) struct Body<'l, 'p> {
     pub(super) function: ::naga::Function,
     /// Its variables, those of the module that it uses included.
     pub(super) variables: FxHashMap<VariableId, Bound>,
+    /// The samplers among its parameters, by the numbers of elements that lead to them.
+    pub(super) samplers: FxHashMap<(VariableId, Vec<u32>), Looked>,
     /// By call and parameter: what points at the copy that travels there.
     pub(super) copies: FxHashMap<(OpId, u32), Value>,
     /// Whether a loop stands around.
@@ -98,6 +93,7 @@ impl<'l, 'p> Body<'l, 'p> {
                 ..::naga::Function::default()
             },
             variables: FxHashMap::default(),
+            samplers: FxHashMap::default(),
             copies: FxHashMap::default(),
             in_loop: false,
             in_switch: false,
@@ -224,6 +220,11 @@ impl<'l, 'p> Body<'l, 'p> {
 
     /// Zero in every component.
     pub(super) fn zero(&mut self, ty: Type) -> Res<Value> {
+        if ty.is_array() && self.lowerer.language == TargetLanguage::Hlsl {
+            // There it is a list at a declaration, and only there.
+            let nothing = self.local(None, ty)?;
+            return Ok(self.load(nothing));
+        }
         let ty = self.lowerer.ty(ty)?;
         Ok(self.add(Expression::ZeroValue(ty)))
     }

@@ -21,7 +21,7 @@ impl Body<'_, '_> {
     ) -> Res<Value> {
         let form = self.lowerer.form;
         if function.kind().is_texture() {
-            return self.texture(function.kind(), operands);
+            return self.texture(function.kind(), operands, form.ty(id));
         }
         let how = lowering(function);
         if let (Lowering::ByColumns(op), &[l, r]) = (&how, operands) {
@@ -165,7 +165,7 @@ impl Body<'_, '_> {
             expr,
         });
         match (axis, self.lowerer.origin) {
-            (Axis::Y, FirstRow::Picture) => self.negate(value, ty),
+            (Axis::Y, FirstRow::Top) => self.negate(value, ty),
             _ => Ok(value),
         }
     }

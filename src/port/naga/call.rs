@@ -25,12 +25,18 @@ impl Body<'_, '_> {
         };
         let taken = self.taken_back(call);
         let mut arguments = Vec::new();
+        // The place of the one texture that a number chooses.
+        let mut chosen = None;
         let parameters = form.parameters(found).iter().zip(form.operands(operands));
         for (number, (parameter, operand)) in (0..).zip(parameters) {
             let root = form.variable(*parameter).map(|v| v.root);
             if form.ty(*operand).is_sampler() {
-                let (image, sampler, _) = self.sampler(*operand)?;
-                arguments.extend([image, sampler]);
+                if self.is_chosen(*operand) && chosen.is_none() {
+                    chosen = Some((arguments.len(), *operand));
+                    continue;
+                }
+                let all = self.samplers(*operand)?.into_iter();
+                arguments.extend(all.flat_map(|l| [l.image, l.sampler]));
             } else if root == Some(Root::Parameter) {
                 arguments.push(self.value(*operand)?);
             } else if let Some(pointer) = self.lent(call, number, *operand, &taken)? {
@@ -42,7 +48,15 @@ impl Body<'_, '_> {
                 arguments.push(copy);
             }
         }
-        Ok(self.call(handle, arguments, found.returns))
+        let returns = found.returns;
+        let Some((at, operand)) = chosen else {
+            return Ok(self.call(handle, arguments, returns));
+        };
+        self.with_sampler(operand, returns, |it, looked| {
+            let (before, behind) = arguments.split_at(at);
+            let all = [before, &[looked.image, looked.sampler], behind].concat();
+            Ok(it.call(handle, all, returns))
+        })
     }
 
     /// What a call left in a parameter; `None` where that already stands where it goes.

@@ -63,8 +63,15 @@ impl Body<'_, '_> {
     fn inputs(&mut self) -> Res<()> {
         for leaf in self.lowerer.ports(Storage::Input) {
             let binding = match self.lowerer.program.stage {
-                Stage::Vertex => location(leaf.location, None),
-                Stage::Fragment => leaf.varying(self.lowerer),
+                Stage::Vertex => location(leaf.location),
+                Stage::Fragment => {
+                    if leaf.is_flat(self.lowerer) {
+                        self.lowerer.note(
+                            "flat inputs are those of the first vertex; in WebGL of the last",
+                        );
+                    }
+                    leaf.varying(self.lowerer)
+                }
             };
             let ty = self.lowerer.ty(leaf.ty)?;
             let value = self.argument(&leaf.word(), ty);
@@ -104,7 +111,7 @@ impl Body<'_, '_> {
         for leaf in self.lowerer.ports(Storage::Output) {
             let binding = match self.lowerer.program.stage {
                 Stage::Vertex => leaf.varying(self.lowerer),
-                Stage::Fragment => location(leaf.location, None),
+                Stage::Fragment => location(leaf.location),
             };
             if let Some(from) = self.leaf(&leaf) {
                 let value = self.load(from);

@@ -2,7 +2,7 @@
 
 use super::body::{Body, Bound};
 use super::lower::Lowerer;
-use super::types::{Sink, image, texel};
+use super::types::Sink;
 use super::{Res, Value};
 use crate::ir::{self, OpKind, Root};
 use crate::semantic::{FunctionRef, Type, VariableId};
@@ -97,18 +97,10 @@ impl Body<'_, '_> {
         };
         let ty = variable.ty;
         let name = self.lowerer.name(id).unwrap_or_default();
-        let bound = if let Some(kind) = ty.as_sampler() {
-            let ty = self.lowerer.inner(None, image(kind));
-            let image = self.argument(name, ty);
-            let comparison = texel(kind).is_none();
-            let ty = self.lowerer.inner(None, TypeInner::Sampler { comparison });
-            let sampler = self.argument(&format!("{name}Sampler"), ty);
-            Bound::Sampler {
-                image,
-                sampler,
-                kind,
-            }
-        } else if variable.root != Root::Parameter {
+        if self.lowerer.inside(ty).sampler {
+            return self.sampler_parameter(id, name, ty);
+        }
+        let bound = if variable.root != Root::Parameter {
             let base = self.lowerer.ty(ty)?;
             let space = AddressSpace::Function;
             let ty = self.lowerer.inner(None, TypeInner::Pointer { base, space });

@@ -2,6 +2,7 @@
 
 use super::body::{Body, Bound};
 use super::lower::{Initialisers, Lowerer};
+use super::stored::Major;
 use super::types::{Sink, compose};
 use super::{Res, Value};
 use crate::ir::Root;
@@ -15,8 +16,8 @@ pub(super) enum Global {
     Variable(Handle<GlobalVariable>),
     /// A constant.
     Constant(Handle<Constant>),
-    /// A member of a buffer of uniforms.
-    Stored(Handle<GlobalVariable>, u32),
+    /// A member of a buffer of uniforms, and how its matrices lie.
+    Stored(Handle<GlobalVariable>, u32, Major),
 }
 
 impl<'p> Lowerer<'p> {
@@ -137,7 +138,9 @@ impl Body<'_, '_> {
             Some(Global::Constant(handle)) => {
                 Ok(Bound::Value(self.add(Expression::Constant(handle))))
             }
-            Some(Global::Stored(buffer, member)) => Ok(self.stored_uniform(id, buffer, member)),
+            Some(Global::Stored(buffer, member, major)) => {
+                Ok(self.stored_uniform(id, buffer, member, major))
+            }
             None => self.unbound(id),
         }
     }

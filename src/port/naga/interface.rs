@@ -1,15 +1,23 @@
 //! What a host must know of a shader to feed it: in the head of what is written, and as JSON.
 
+use super::lower::FirstRow;
 use super::write::TargetLanguage;
+use crate::port::SizeTerm;
 use serde::Serialize;
 
 /// Everything that a shader takes and gives, with its place.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct HostInterface {
     /// `vertex` or `fragment`.
     pub stage: &'static str,
     /// The function that the host calls.
     pub entry: &'static str,
+    /// Which row of what is drawn lies first in memory, for a fragment shader.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first_row: Option<FirstRow>,
+    /// What is drawn, where that is a pass of a project.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pass: Option<DrawnPass>,
     /// The uniforms: those that stand alone in one buffer, each block in its own.
     pub buffers: Vec<Buffer>,
     /// The samplers: each is a texture and a way to sample it.
@@ -20,6 +28,41 @@ pub struct HostInterface {
     pub outputs: Vec<Port>,
     /// What else there is to know.
     pub notes: Vec<String>,
+}
+
+/// A pass of a project.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct DrawnPass {
+    /// Its name, by which textures say what they show.
+    pub name: String,
+    /// `image`, `buffer`, `cubemap` or `sound`.
+    pub kind: &'static str,
+    /// Its number among the passes of a frame, which are drawn one after another; none for sound.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order: Option<usize>,
+    /// What it draws into, as WebGPU calls it.
+    pub format: &'static str,
+    /// The width and height of that, where they are not those of the picture, as formulas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<[SizeTerm; 2]>,
+    /// What passes that draw into the same share.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub target: Option<String>,
+}
+
+/// What a texture of a pass shows.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+pub struct TextureSource {
+    /// `texture`, `cubemap`, `volume`, `keyboard`, `video`, `webcam`, `music`, `mic`; `buffer` or
+    /// `cubebuffer` for what a pass has drawn last.
+    pub kind: &'static str,
+    /// The name of that pass.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pass: Option<String>,
+    /// `nearest`, `linear` or `mipmap`.
+    pub filter: String,
+    /// `clamp` or `repeat`.
+    pub wrap: String,
 }
 
 /// Where the host binds something.
@@ -63,6 +106,9 @@ pub struct BufferMember {
     /// The number of columns of a matrix and the bytes from one to the next.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub columns: Option<Repeated>,
+    /// The same of its rows, of a matrix that lies by them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rows: Option<Repeated>,
 }
 
 /// Equal parts, one behind the other.
@@ -86,6 +132,9 @@ pub struct TexturePair {
     pub texture: BindSlot,
     /// Where the way to sample it is bound.
     pub sampler: BindSlot,
+    /// What it shows, where that is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub source: Option<TextureSource>,
 }
 
 /// Something that passes between a stage and its neighbour.
@@ -129,10 +178,25 @@ impl HostInterface {
                 }
                 _ => place(&texture.sampler),
             };
+            let shown = match &texture.source {
+                Some(TextureSource {
+                    pass: Some(name), ..
+                }) => format!(", {name}"),
+                _ => String::new(),
+            };
             lines.push(format!(
-                "{}: the texture of {}; {sampler}: how it is sampled",
+                "{}: the texture of {}{shown}; {sampler}: how it is sampled",
                 place(&texture.texture),
                 texture.name
+            ));
+        }
+        if let (TargetLanguage::Hlsl, Some(first)) = (language, self.textures.first()) {
+            // Naga's writer puts all samplers of a program into one heap, as Direct3D does.
+            let group = first.sampler.group;
+            lines.push(format!(
+                "register(t{group}, space255): nagaGroup{group}SamplerIndexArray, by entry the number \
+                 of a sampler in nagaSamplerHeap at register(s0, space0) or, where it compares, \
+                 nagaComparisonSamplerHeap at register(s0, space1)"
             ));
         }
         for (ports, word) in [(&self.inputs, "in"), (&self.outputs, "out")] {

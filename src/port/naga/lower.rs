@@ -10,22 +10,26 @@ use super::write::TargetLanguage;
 use super::{Refused, Res, Value};
 use super::{global::Global, uniform::Uniforms};
 use crate::ir::{self, OpId, OpKind};
+use crate::semantic::link::{Block, Interface};
 use crate::semantic::{
-    Function, FunctionRef, Inside, Program, Sampler, Type, Variable, VariableId,
+    Function, FunctionRef, Inside, Program, Sampler, Stage, Type, Variable, VariableId,
 };
 use crate::text::Span;
 use ::naga::proc::Layouter;
 use ::naga::{Arena, Expression, Handle, Module};
 use rustc_hash::FxHashMap;
+use serde::Serialize;
 
 /// Where the first row of the picture lies.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum FirstRow {
-    /// Below, as in OpenGL: the pass is read by others, by the number of the row.
-    Row,
-    /// On top, as the other interfaces show pictures: rows are turned, so that the picture stands
-    /// upright.
-    Picture,
+    /// On top, as graphics interfaces other than OpenGL show pictures: rows are turned
+    #[default]
+    Top,
+    /// Below, as in OpenGL: what is drawn is read by the number of the row, or turned when it is shown
+    Bottom,
 }
 
 /// How a shader is lowered.
@@ -56,6 +60,10 @@ pub(super) struct Lowerer<'p> {
     pub(super) form: &'p ir::Module,
     pub(super) origin: FirstRow,
     pub(super) language: TargetLanguage,
+    /// The blocks of uniforms, as their layouts say.
+    pub(super) blocks: Vec<Block>,
+    /// Whether equal expressions give equal positions in all shaders.
+    pub(super) is_position_invariant: bool,
     /// Varyings that another stage has numbered.
     pub(super) varyings: &'p [(String, u32)],
     pub(super) module: Module,
@@ -90,11 +98,14 @@ const MAX_EXPRESSIONS: usize = 1_000_000;
 /// Where the other languages have no words for something.
 pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refused> {
     let form = ir::lower(program);
+    let interface = Interface::of(program);
     let varyings = options.vertex.map_or(Vec::new(), varyings);
     let mut lowerer = Lowerer {
         program,
         form: &form,
         origin: options.first_row,
+        is_position_invariant: interface.is_invariant("gl_Position"),
+        blocks: interface.blocks.clone(),
         language: options.language,
         varyings: &varyings,
         module: Module::default(),
@@ -109,6 +120,8 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
         interface: HostInterface {
             stage: stage_name(program.stage),
             entry: entry_name(program.stage),
+            first_row: (program.stage == Stage::Fragment).then_some(options.first_row),
+            pass: None,
             buffers: Vec::new(),
             textures: Vec::new(),
             inputs: Vec::new(),
@@ -120,6 +133,10 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
         place: Span::default(),
         made: 0,
     };
+    let mut varyings = interface.inputs.iter().chain(&interface.outputs);
+    if varyings.any(|v| v.is_invariant) {
+        lowerer.note("invariant holds for the position alone");
+    }
     let main = lowerer.main()?;
     lowerer.declare_uniforms()?;
     lowerer.declare_globals()?;

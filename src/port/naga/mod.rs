@@ -15,6 +15,7 @@ mod call;
 mod entry;
 mod function;
 mod global;
+mod hlsl;
 mod interface;
 mod known;
 mod lower;
@@ -23,18 +24,24 @@ mod op;
 mod place;
 mod port;
 mod region;
+mod sampler;
 mod special;
 mod stored;
+mod texel;
 mod texture;
 mod types;
 mod uniform;
 mod write;
 
-pub use interface::{BindSlot, Buffer, BufferMember, HostInterface, Port, Repeated, TexturePair};
+pub use interface::{
+    BindSlot, Buffer, BufferMember, DrawnPass, HostInterface, Port, Repeated, TexturePair,
+    TextureSource,
+};
 pub use lower::{FirstRow, LowerOptions, Lowered, lower};
 pub use write::{Output, TargetLanguage, write};
 
-use super::{Composed, PassUnit, Project, Wrapper, credits};
+use super::payload::{InputData, PassData, passes};
+use super::{Composed, PassUnit, Project, credits};
 use crate::diagnostic::Severity;
 use crate::semantic::Pass;
 use crate::text::Span;
@@ -48,32 +55,103 @@ pub struct TranslatedShader {
     pub interface: HostInterface,
 }
 
-/// A pass in another language; `None` where it does not compile.
+/// A pass in another language, of which `picture` says how the rows of the picture lie; `None` where
+/// it does not compile.
 pub fn translate(
     project: &Project,
     composed: &Composed,
     unit: &PassUnit,
     language: TargetLanguage,
+    picture: FirstRow,
 ) -> Result<Option<TranslatedShader>, Refused> {
     let analysis = composed.analysis(unit);
     let is_error = |d: &crate::diagnostic::Diagnostic| d.severity == Severity::Error;
     if analysis.diagnostics.iter().any(is_error) {
         return Ok(None);
     }
-    // What other passes read is found by the number of the row; only pictures are looked at.
-    let origin = match (unit.kind, unit.wrapper) {
-        (Pass::Image, _) | (_, Wrapper::Own) => FirstRow::Picture,
-        _ => FirstRow::Row,
+    let passes = passes(project, composed);
+    let is_read = |name: &str| {
+        let mut inputs = passes.iter().flat_map(|p| p.inputs.iter().flatten());
+        inputs.any(|i| {
+            i.buffer
+                .and_then(|b| passes.get(b))
+                .is_some_and(|p| p.name == name)
+        })
     };
+    let running = composed.units.iter().filter(|u| u.kind != Pass::Common);
+    let drawn = running.zip(&passes).find(|(u, _)| u.pass == unit.pass);
+    let drawn = drawn.map(|(_, data)| data);
+    // What passes read is found by the number of the row; what is looked at alone is turned.
+    let is_picture = unit.kind == Pass::Image && !drawn.is_some_and(|p| is_read(&p.name));
     let options = LowerOptions {
         language,
-        first_row: origin,
+        first_row: if is_picture {
+            picture
+        } else {
+            FirstRow::Bottom
+        },
         vertex: None,
     };
-    let lowered = lower(&analysis.program, options)?;
+    let mut lowered = lower(&analysis.program, options)?;
+    if let Some(drawn) = drawn {
+        describe(&mut lowered.interface, drawn, &passes);
+    }
     let text = write(&lowered, &credits::lines(project))?;
     let interface = lowered.interface;
     Ok(Some(TranslatedShader { text, interface }))
+}
+
+/// How many passes are drawn before one: buffers come first, then cube maps, then the picture, each
+/// kind in the order of the project.
+fn earlier(drawn: &PassData, passes: &[PassData]) -> usize {
+    let rank = |kind: &str| {
+        ["buffer", "cubemap", "image"]
+            .iter()
+            .position(|k| *k == kind)
+    };
+    let own = rank(drawn.kind);
+    let of_kind = passes.iter().filter(|p| p.kind == drawn.kind);
+    let before = of_kind.take_while(|p| !std::ptr::eq(*p, drawn)).count();
+    let ranks = passes.iter().filter_map(|p| rank(p.kind));
+    before + ranks.filter(|r| Some(*r) < own).count()
+}
+
+/// Says what a pass draws into, and what its textures show.
+fn describe(interface: &mut HostInterface, drawn: &PassData, passes: &[PassData]) {
+    let own = drawn.own.as_ref();
+    interface.pass = Some(DrawnPass {
+        name: drawn.name.clone(),
+        kind: drawn.kind,
+        order: (drawn.kind != "sound").then(|| earlier(drawn, passes)),
+        format: match (drawn.kind, own) {
+            ("buffer", None) => "rgba32float",
+            ("cubemap", _) => "rgba16float",
+            (_, Some(own)) if own.float => "rgba32float",
+            _ => "rgba8unorm",
+        },
+        size: own.and_then(|own| own.size).cloned(),
+        target: own.and_then(|own| own.into).map(str::to_string),
+    });
+    let named = |number: usize, input: &InputData| match input.uniform {
+        Some(name) => name.to_string(),
+        None => format!("iChannel{number}"),
+    };
+    for texture in &mut interface.textures {
+        let inputs = drawn.inputs.iter().enumerate();
+        let mut inputs = inputs.filter_map(|(i, input)| Some((i, input.as_ref()?)));
+        let found = inputs.find(|(i, input)| named(*i, input) == texture.name);
+        let Some((_, input)) = found else { continue };
+        let pass = match input.kind {
+            "cubebuffer" => passes.iter().find(|p| p.kind == "cubemap"),
+            _ => input.buffer.and_then(|b| passes.get(b)),
+        };
+        texture.source = Some(TextureSource {
+            kind: input.kind,
+            pass: pass.map(|p| p.name.clone()),
+            filter: input.filter.to_string(),
+            wrap: input.wrap.to_string(),
+        });
+    }
 }
 
 /// Why a pass cannot be written in another language.

@@ -23,7 +23,7 @@ impl Body<'_, '_> {
             OpKind::Store(place, value) => return self.write(place, value),
             // Who asks for these makes what is asked for.
             OpKind::Undef | OpKind::Splat(_) => None,
-            OpKind::Load(_) if ty.is_sampler() => None,
+            OpKind::Load(_) if self.lowerer.inside(ty).sampler => None,
             OpKind::Call(function, operands) => self.user_call(id, function, operands)?,
             OpKind::Returned(call, parameter) => self.returned(call, parameter)?,
             OpKind::Builtin(function, operands) => {

@@ -41,10 +41,19 @@ impl Body<'_, '_> {
             Bound::Value(value) => At::Value(value),
             Bound::Pointer(pointer) => At::Pointer(pointer),
             Bound::Stored(held) => At::Stored(held),
-            Bound::Sampler { .. } => return self.lowerer.refuse("a sampler is no value here"),
         };
         let mut lanes = None;
         for access in path {
+            // A column of what lies by rows is put together first.
+            if let At::Stored(held) = at
+                && held.is_by_rows()
+            {
+                let value = self.unpack(held)?;
+                at = match access {
+                    Access::Computed(_) => At::Pointer(self.spill(value, held.ty)?),
+                    _ => At::Value(value),
+                };
+            }
             at = match *access {
                 Access::Member(index) => match at {
                     At::Stored(held) => At::Stored(self.held_field(held, index)?),

@@ -5,7 +5,7 @@ use super::lower::Lowerer;
 use super::types::parts;
 use crate::semantic::{Program, Scalar, Stage, Storage, Type, VariableId};
 use crate::syntax::ast::{DeclKind, Item, List, QualifierKind};
-use ::naga::{Binding, Interpolation};
+use ::naga::{Binding, Interpolation, Sampling};
 use std::collections::BTreeSet;
 
 /// A number or vector of a variable that passes between stages. The languages pass nothing else.
@@ -21,6 +21,8 @@ pub(super) struct Leaf {
     pub(super) ty: Type,
     /// Its number.
     pub(super) location: u32,
+    /// Whether it is `centroid`.
+    is_centroid: bool,
 }
 
 impl Leaf {
@@ -44,19 +46,40 @@ impl Leaf {
             .form
             .variable(self.variable)
             .is_some_and(|v| v.is_flat);
-        let interpolation = match self.ty.scalar_kind() {
-            Some(Scalar::Float) if !is_flat => Interpolation::Perspective,
-            _ => Interpolation::Flat,
+        let (interpolation, sampling) = match self.ty.scalar_kind() {
+            Some(Scalar::Float) if !is_flat => {
+                let sampling = self.is_centroid.then_some(Sampling::Centroid);
+                (Interpolation::Perspective, sampling)
+            }
+            _ => (Interpolation::Flat, None),
         };
-        location(self.location, Some(interpolation))
+        Binding::Location {
+            location: self.location,
+            interpolation: Some(interpolation),
+            sampling,
+            blend_src: None,
+            per_primitive: false,
+        }
+    }
+
+    /// Whether one vertex alone gives it.
+    pub(super) fn is_flat(&self, lowerer: &Lowerer) -> bool {
+        let binding = self.varying(lowerer);
+        matches!(
+            binding,
+            Binding::Location {
+                interpolation: Some(Interpolation::Flat),
+                ..
+            }
+        )
     }
 }
 
-/// A place with a number.
-pub(super) fn location(location: u32, interpolation: Option<Interpolation>) -> Binding {
+/// A place with a number, which no stage lies behind.
+pub(super) fn location(location: u32) -> Binding {
     Binding::Location {
         location,
-        interpolation,
+        interpolation: None,
         sampling: None,
         blend_src: None,
         per_primitive: false,
@@ -82,6 +105,9 @@ pub(super) fn leaves(program: &Program, storage: Storage, known: &[(String, u32)
         let name = program.names.text(variable.name);
         let mut inner = Vec::new();
         split(program, id, name, variable.ty, &mut Vec::new(), &mut inner);
+        let mut given = program.tree.qualifiers(qualifiers).iter();
+        let is_centroid = given.any(|q| q.kind == QualifierKind::Centroid);
+        inner.iter_mut().for_each(|l| l.is_centroid = is_centroid);
         let number = |leaf: &Leaf| known.iter().find(|(name, _)| *name == leaf.name);
         let first = match inner.first().and_then(number) {
             Some((_, location)) => Some(*location),
@@ -132,6 +158,7 @@ pub(super) fn split(
             name: name.to_string(),
             ty,
             location: 0,
+            is_centroid: false,
         });
         return;
     }

@@ -40,7 +40,7 @@ impl Lowerer<'_> {
     }
 
     /// Says something once.
-    fn note(&mut self, text: &str) {
+    pub(super) fn note(&mut self, text: &str) {
         if !self.interface.notes.iter().any(|n| n == text) {
             self.interface.notes.push(text.to_string());
         }
@@ -147,7 +147,7 @@ impl Body<'_, '_> {
     /// The position of a pixel as OpenGL has it: rows are counted from below, and the last component
     /// is the inverse of what Direct3D gives.
     fn position(&mut self, at: Value) -> Res<Value> {
-        let is_turned = self.lowerer.origin == FirstRow::Picture;
+        let is_turned = self.lowerer.origin == FirstRow::Top;
         let is_inverse = self.lowerer.language == TargetLanguage::Hlsl;
         if !is_turned && !is_inverse {
             return Ok(at);
@@ -178,7 +178,7 @@ impl Body<'_, '_> {
                 continue;
             };
             let (ty, binding) = match name {
-                "gl_FragColor" => (VEC4, location(0, None)),
+                "gl_FragColor" => (VEC4, location(0)),
                 "gl_FragDepth" => (Type::FLOAT, Binding::BuiltIn(BuiltIn::FragDepth)),
                 _ if !self.lowerer.has_points() => continue,
                 _ => (Type::FLOAT, Binding::BuiltIn(BuiltIn::PointSize)),
@@ -201,7 +201,7 @@ impl Body<'_, '_> {
                     name: format!("gl_FragData[{i}]"),
                     value,
                     ty: VEC4,
-                    binding: location(i, None),
+                    binding: location(i),
                 });
             }
         }
@@ -235,7 +235,9 @@ impl Body<'_, '_> {
             name: "position".to_string(),
             value,
             ty: VEC4,
-            binding: Binding::BuiltIn(BuiltIn::Position { invariant: false }),
+            binding: Binding::BuiltIn(BuiltIn::Position {
+                invariant: self.lowerer.is_position_invariant,
+            }),
         })
     }
 

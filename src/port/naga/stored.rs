@@ -6,8 +6,8 @@ use super::interface::{BufferMember, Repeated};
 use super::lower::Lowerer;
 use super::{Res, Value};
 use crate::ir::Lanes;
-use crate::semantic::{Scalar, Type};
-use ::naga::{ArraySize, Handle, StructMember, TypeInner};
+use crate::semantic::{Base, Scalar, Type};
+use ::naga::{ArraySize, Handle, MathFunction, StructMember, TypeInner};
 use std::num::NonZeroU32;
 
 /// A type as it lies in a buffer.
@@ -23,14 +23,45 @@ pub(super) struct Stored {
     is_record: bool,
 }
 
+/// How the matrices of a member lie, at any depth.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(super) enum Major {
+    /// One column behind the other.
+    Columns,
+    /// One row behind the other, as `layout(row_major)` says.
+    Rows,
+}
+
+impl Major {
+    /// What lies for a value of a type: for a matrix by rows the one turned over.
+    fn laid(self, ty: Type) -> Type {
+        match (self, ty.element().numeric()) {
+            (Major::Rows, Some((_, columns @ 2.., rows))) => {
+                let turned = Type::matrix(rows, columns);
+                if ty.is_array() {
+                    turned.array_of(ty.array)
+                } else {
+                    turned
+                }
+            }
+            _ => ty,
+        }
+    }
+}
+
 /// Where a field of a struct lies.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Field {
+    /// How its matrices lie.
+    pub(super) major: Major,
     /// The number of the member.
     pub(super) member: u32,
     /// In bytes from the start of the struct.
     pub(super) offset: u32,
 }
+
+/// A struct as it lies, with the places of its fields; samplers have none.
+pub(super) type Record = (Stored, Vec<Option<Field>>);
 
 /// What arrays, structs and matrices start at.
 const ROW: u32 = 16;
@@ -57,7 +88,11 @@ impl Packing {
             offset,
         });
         self.offset = offset.saturating_add(stored.size);
-        Ok(Field { member, offset })
+        Ok(Field {
+            major: Major::Columns,
+            member,
+            offset,
+        })
     }
 
     /// Fills up to where a struct may start.
@@ -98,17 +133,19 @@ impl Packing {
 
 impl Lowerer<'_> {
     /// How values of a type lie in a buffer.
-    pub(super) fn stored(&mut self, ty: Type) -> Res<Stored> {
+    pub(super) fn stored(&mut self, ty: Type, major: Major) -> Res<Stored> {
+        let ty = major.laid(ty);
         if ty.is_array() {
             let element = ty.element();
             let stored = match element.numeric() {
-                Some((scalar, 1, 1 | 2)) => self.stored(Type::vector(scalar, 4))?,
-                _ => self.stored(element)?,
+                Some((scalar, 1, 1 | 2)) => self.row(scalar)?,
+                Some(_) => self.stored(element, Major::Columns)?,
+                None => self.stored(element, major)?,
             };
             return self.rows(stored, ty.array);
         }
         let Some((scalar, columns, rows)) = ty.numeric() else {
-            return self.stored_record(ty);
+            return self.stored_record(ty, major);
         };
         let scalar = match scalar {
             Scalar::Bool => Scalar::Uint,
@@ -122,7 +159,7 @@ impl Lowerer<'_> {
                 is_record: false,
             }),
             (_, 2) => {
-                let column = self.stored(Type::vector(scalar, 4))?;
+                let column = self.row(scalar)?;
                 self.rows(column, columns.into())
             }
             _ => Ok(Stored {
@@ -132,6 +169,11 @@ impl Lowerer<'_> {
                 is_record: false,
             }),
         }
+    }
+
+    /// Four numbers, of which fewer may be meant.
+    fn row(&mut self, scalar: Scalar) -> Res<Stored> {
+        self.stored(Type::vector(scalar, 4), Major::Columns)
     }
 
     /// An array, each element of which starts at a row.
@@ -156,8 +198,8 @@ impl Lowerer<'_> {
         })
     }
 
-    fn stored_record(&mut self, ty: Type) -> Res<Stored> {
-        if let Some((stored, _)) = self.uniforms.records.get(&ty) {
+    fn stored_record(&mut self, ty: Type, major: Major) -> Res<Stored> {
+        if let Some((stored, _)) = self.uniforms.records.get(&(ty, major)) {
             return Ok(*stored);
         }
         let program = self.program;
@@ -166,50 +208,75 @@ impl Lowerer<'_> {
         };
         let mut packing = Packing::default();
         let mut fields = Vec::new();
-        for field in &found.fields {
+        for (number, field) in found.fields.iter().enumerate() {
+            let major = self.major_of(ty, number).unwrap_or(major);
             // What is looked into stands elsewhere.
             fields.push(match field.ty.is_sampler() {
                 true => None,
                 false => {
-                    let stored = self.stored(field.ty)?;
+                    let stored = self.stored(field.ty, major)?;
                     let name = program.names.text(field.name);
-                    Some(packing.add(self, name, stored)?)
+                    let place = packing.add(self, name, stored)?;
+                    Some(Field { major, ..place })
                 }
             });
         }
         if packing.is_empty() {
-            let room = self.stored(Type::UINT)?;
+            let room = self.stored(Type::UINT, Major::Columns)?;
             packing.add(self, "padding", room)?;
         }
         let name = found.name.map(|n| program.names.text(n));
-        let name = format!("{}Layout", name.unwrap_or("Struct"));
+        let ending = match major {
+            Major::Columns => "Layout",
+            Major::Rows => "LayoutByRows",
+        };
+        let name = format!("{}{ending}", name.unwrap_or("Struct"));
         let stored = packing.finish(self, Some(name))?;
-        self.uniforms.records.insert(ty, (stored, fields));
+        self.uniforms.records.insert((ty, major), (stored, fields));
         Ok(stored)
     }
 
     /// Where the fields of a struct or block lie that was laid out before.
-    pub(super) fn stored_fields(&self, ty: Type) -> &[Option<Field>] {
-        let record = self.uniforms.records.get(&ty);
+    pub(super) fn stored_fields(&self, ty: Type, major: Major) -> &[Option<Field>] {
+        let record = self.uniforms.records.get(&(ty, major));
         record.map_or(&[], |(_, fields)| fields)
     }
 
+    /// How the matrices of a block's member lie; `None` for a member of a struct.
+    fn major_of(&self, block: Type, member: usize) -> Option<Major> {
+        let Base::Block(record) = block.base else {
+            return None;
+        };
+        let block = self.blocks.iter().find(|b| b.record == record)?;
+        Some(match block.members_by_rows.get(member) {
+            Some(true) => Major::Rows,
+            _ => Major::Columns,
+        })
+    }
+
     /// Names what lies in a buffer.
-    pub(super) fn list(&mut self, name: &str, ty: Type, offset: u32, into: &mut Vec<BufferMember>) {
+    pub(super) fn list(
+        &mut self,
+        name: &str,
+        (ty, major): (Type, Major),
+        offset: u32,
+        into: &mut Vec<BufferMember>,
+    ) {
         let program = self.program;
         let element = ty.element();
-        let Some((_, columns, _)) = element.numeric() else {
+        let Some((_, columns, rows)) = element.numeric() else {
             let Some(found) = program.struct_of(element) else {
                 return;
             };
-            let size = self.uniforms.records.get(&element).map_or(0, |r| r.0.size);
+            let record = self.uniforms.records.get(&(element, major));
+            let size = record.map_or(0, |r| r.0.size);
             for i in 0..ty.array.max(1) {
                 let base = match ty.is_array() {
                     true => format!("{name}[{i}]"),
                     false => name.to_string(),
                 };
                 for (n, field) in found.fields.iter().enumerate() {
-                    let place = self.stored_fields(element).get(n).copied().flatten();
+                    let place = self.stored_fields(element, major).get(n).copied().flatten();
                     if let Some(place) = place {
                         let own = program.names.text(field.name);
                         let inner = match base.is_empty() {
@@ -217,19 +284,28 @@ impl Lowerer<'_> {
                             false => format!("{base}.{own}"),
                         };
                         let at = offset + i * size + place.offset;
-                        self.list(&inner, field.ty, at, into);
+                        self.list(&inner, (field.ty, place.major), at, into);
                     }
                 }
             }
             return;
         };
-        let spread = |count: u32, stride| Repeated { count, stride };
+        let spread = |count: u8, stride| Repeated {
+            count: count.into(),
+            stride,
+        };
+        let by_rows = columns > 1 && major == Major::Rows;
+        let lines = if by_rows { rows } else { columns };
         into.push(BufferMember {
             name: name.to_string(),
             ty: program.type_name(element),
             offset,
-            array: (ty.is_array()).then(|| spread(ty.array, ROW * u32::from(columns))),
-            columns: (columns > 1).then(|| spread(columns.into(), ROW)),
+            array: (ty.is_array()).then(|| Repeated {
+                count: ty.array,
+                stride: ROW * u32::from(lines),
+            }),
+            columns: (columns > 1 && !by_rows).then(|| spread(columns, ROW)),
+            rows: by_rows.then(|| spread(rows, ROW)),
         });
     }
 }
@@ -243,16 +319,25 @@ pub(super) struct Held {
     pub(super) ty: Type,
     /// Whether that is the first part of four numbers.
     pub(super) is_wide: bool,
+    /// How its matrices lie.
+    pub(super) major: Major,
 }
 
 impl Held {
     /// What lies at a pointer.
-    pub(super) fn new(at: Value, ty: Type) -> Held {
+    pub(super) fn new(at: Value, ty: Type, major: Major) -> Held {
         Held {
             at,
             ty,
             is_wide: false,
+            major,
         }
+    }
+
+    /// Whether it is a matrix whose columns do not lie together.
+    pub(super) fn is_by_rows(self) -> bool {
+        let is_matrix = matches!(self.ty.numeric(), Some((_, 2.., _)));
+        self.major == Major::Rows && is_matrix && !self.ty.is_array()
     }
 }
 
@@ -260,13 +345,13 @@ impl Body<'_, '_> {
     /// A field of a struct or block.
     pub(super) fn held_field(&mut self, held: Held, index: u32) -> Res<Held> {
         let program = self.lowerer.program;
-        let fields = self.lowerer.stored_fields(held.ty);
+        let fields = self.lowerer.stored_fields(held.ty, held.major);
         let place = fields.get(index as usize).copied().flatten();
         let found = program.struct_of(held.ty);
         match (place, found.and_then(|s| s.fields.get(index as usize))) {
             (Some(place), Some(field)) => {
                 let at = self.part(held.at, place.member);
-                Ok(Held::new(at, field.ty))
+                Ok(Held::new(at, field.ty, place.major))
             }
             _ => self.lowerer.refuse("a sampler is no value here"),
         }
@@ -281,17 +366,27 @@ impl Body<'_, '_> {
             None => (Type::ERROR, false),
         };
         let is_wide = is_row && matches!(ty.numeric(), Some((_, 1, 1 | 2)));
-        Held { at, ty, is_wide }
+        Held {
+            at,
+            ty,
+            is_wide,
+            major: held.major,
+        }
     }
 
     /// The value of the shader that lies at a place.
     pub(super) fn unpack(&mut self, held: Held) -> Res<Value> {
         self.check_limits()?;
         let ty = held.ty;
+        if held.is_by_rows() {
+            let turned = Held::new(held.at, held.major.laid(ty), Major::Columns);
+            let rows = self.unpack(turned)?;
+            return Ok(self.math(MathFunction::Transpose, &[rows]));
+        }
         let count = match (ty.is_array(), ty.numeric()) {
             (true, _) => ty.array,
             (false, None) => {
-                let fields = self.lowerer.stored_fields(ty).len() as u32;
+                let fields = self.lowerer.stored_fields(ty, held.major).len() as u32;
                 let fields = (0..fields).map(|i| {
                     let field = self.held_field(held, i)?;
                     self.unpack(field)

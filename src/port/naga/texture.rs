@@ -1,10 +1,10 @@
 //! Looking into textures.
 
-use super::body::{Body, Bound};
+use super::body::Body;
+use super::sampler::Looked;
 use super::types::{Sink, image, texel};
-use super::uniform::Pair;
 use super::{Res, Value};
-use crate::ir::{Access, Lanes, OpId, OpKind};
+use crate::ir::{Lanes, OpId};
 use crate::semantic::builtins::{BuiltinKind, Level, Lookup};
 use crate::semantic::{Sampler, Scalar, Type};
 use ::naga::{
@@ -13,17 +13,19 @@ use ::naga::{
 };
 
 /// What a sampler asks of the coordinates.
-struct Shape {
+pub(super) struct Shape {
     /// How many coordinates there are.
-    size: u8,
+    pub(super) size: u8,
+    /// How many numbers the size has, without that of the layers.
+    pub(super) extent: u8,
     /// Whether a layer is chosen.
-    is_layered: bool,
+    pub(super) is_layered: bool,
     /// Whether the depth is compared.
     is_shadow: bool,
 }
 
 impl Shape {
-    fn of(kind: Sampler) -> Shape {
+    pub(super) fn of(kind: Sampler) -> Shape {
         use Sampler as S;
         let size = match kind {
             S::Sampler2D | S::Isampler2D | S::Usampler2D | S::Sampler2DShadow => 2,
@@ -35,8 +37,10 @@ impl Shape {
             kind,
             S::Sampler2DArray | S::Isampler2DArray | S::Usampler2DArray | S::Sampler2DArrayShadow
         );
+        let is_deep = matches!(kind, S::Sampler3D | S::Isampler3D | S::Usampler3D);
         Shape {
             size,
+            extent: if is_deep { 3 } else { 2 },
             is_layered,
             is_shadow: texel(kind).is_none(),
         }
@@ -44,79 +48,61 @@ impl Shape {
 }
 
 impl Body<'_, '_> {
-    /// The texture that an operand is, and how it is sampled.
-    pub(super) fn sampler(&mut self, operand: OpId) -> Res<(Value, Value, Sampler)> {
-        let form = self.lowerer.form;
-        let refuse = |it: &mut Self, message: &str| {
-            it.lowerer.stand_at(form.provenance(operand));
-            it.lowerer.refuse(message)
-        };
-        let OpKind::Load(place) = form.op(operand).kind else {
-            return refuse(self, "this is no sampler");
-        };
-        let place = form.place(place);
-        let step = |access: &Access| match access {
-            Access::Member(index) | Access::Element(index) => Some(*index),
-            _ => None,
-        };
-        let path: Option<Vec<u32>> = form.path(place).iter().map(step).collect();
-        let Some(path) = path else {
-            let message = "a sampler can only be chosen by a constant in the other languages";
-            return refuse(self, message);
-        };
-        if let Some(pair) = self.lowerer.uniforms.samplers.get(&(place.variable, path)) {
-            let Pair {
-                image,
-                sampler,
-                kind,
-            } = *pair;
-            let image = self.add(Expression::GlobalVariable(image));
-            let sampler = self.add(Expression::GlobalVariable(sampler));
-            return Ok((image, sampler, kind));
-        }
-        match self.bound(place.variable)? {
-            Bound::Sampler {
-                image,
-                sampler,
-                kind,
-            } if place.path.len == 0 => Ok((image, sampler, kind)),
-            _ => refuse(
-                self,
-                "a sampler travels alone in the other languages, in no array or struct",
-            ),
-        }
-    }
-
     /// A call of one of the texture functions.
-    pub(super) fn texture(&mut self, kind: BuiltinKind, operands: &[OpId]) -> Res<Value> {
+    pub(super) fn texture(&mut self, kind: BuiltinKind, operands: &[OpId], ty: Type) -> Res<Value> {
         let [texture, rest @ ..] = operands else {
             return self.lowerer.refuse("this reads no texture");
         };
-        let (image, sampler, sampled) = self.sampler(*texture)?;
+        let value = self.with_sampler(*texture, ty, |it, looked| {
+            it.look(kind, looked, rest).map(Some)
+        })?;
+        match value {
+            Some(value) => Ok(value),
+            None => self.lowerer.refuse("this reads no texture"),
+        }
+    }
+
+    /// What one of the texture functions gives of a texture.
+    fn look(&mut self, kind: BuiltinKind, looked: Looked, rest: &[OpId]) -> Res<Value> {
+        let Looked {
+            image,
+            sampler,
+            kind: sampled,
+        } = looked;
         let shape = Shape::of(sampled);
         match (kind, rest) {
             (BuiltinKind::Size, &[lod]) => self.texture_size(image, lod, &shape),
             (BuiltinKind::Lookup(lookup), &[at, lod, ..]) if lookup.level == Level::Fetch => {
                 self.fetch(image, at, lod, rest.get(2).copied(), sampled)
             }
-            (BuiltinKind::Lookup(lookup), &[at, ref more @ ..]) => {
-                if matches!(texel(sampled), Some(ScalarKind::Sint | ScalarKind::Uint)) {
-                    let message = "textures of whole numbers cannot be sampled in the other \
-                                   languages; read them with `texelFetch`";
-                    return self.lowerer.refuse(message);
+            (BuiltinKind::Lookup(lookup), &[at, ref more @ ..]) => match texel(sampled) {
+                Some(ScalarKind::Sint | ScalarKind::Uint) => {
+                    self.nearest(lookup, image, at, more, sampled)
                 }
-                self.sample(lookup, (image, sampler), at, more, &shape)
-            }
+                _ => self.sample(lookup, (image, sampler), at, more, &shape),
+            },
             _ => self
                 .lowerer
                 .refuse("this texture function is not supported"),
         }
     }
 
+    /// The size of a level, as WebGL tells it of any number: halves of the first, until it is one.
     fn texture_size(&mut self, image: Value, lod: OpId, shape: &Shape) -> Res<Value> {
-        let level = Some(self.value(lod)?);
-        let query = ImageQuery::Size { level };
-        let size = self.add(Expression::ImageQuery { image, query });
+        let query = ImageQuery::Size { level: None };
+        let mut size = self.add(Expression::ImageQuery { image, query });
+        if !self.is_zero(lod) {
+            let ty = Type::vector(Scalar::Uint, shape.extent);
+            let level = self.value(lod)?;
+            let level = self.convert(level, Scalar::Uint);
+            let most = self.add(Expression::Literal(Literal::U32(31)));
+            let level = self.math(MathFunction::Min, &[level, most]);
+            let level = self.splat(level, ty);
+            size = self.op(Op::ShiftRight, size, level);
+            let one = self.add(Expression::Literal(Literal::U32(1)));
+            let one = self.splat(one, ty);
+            size = self.math(MathFunction::Max, &[size, one]);
+        }
         let size = self.cast(size, ScalarKind::Sint, Some(4));
         if !shape.is_layered {
             return Ok(size);
@@ -168,7 +154,7 @@ impl Body<'_, '_> {
     }
 
     /// The level of a texture that is nearest to a number, as in WebGL.
-    fn nearest_level(&mut self, image: Value, level: Value) -> Res<Value> {
+    pub(super) fn nearest_level(&mut self, image: Value, level: Value) -> Res<Value> {
         let query = ImageQuery::NumLevels;
         let levels = self.add(Expression::ImageQuery { image, query });
         let levels = self.convert(levels, Scalar::Int);
@@ -180,7 +166,13 @@ impl Body<'_, '_> {
     }
 
     /// Returns the texel of a texture where there is one.
-    fn texel_inside(&mut self, image: Value, at: Value, level: Value, shape: &Shape) -> Res<()> {
+    pub(super) fn texel_inside(
+        &mut self,
+        image: Value,
+        at: Value,
+        level: Value,
+        shape: &Shape,
+    ) -> Res<()> {
         let (coordinate, array_index) = match shape.is_layered {
             true => (self.swizzle(at, Lanes::new(0..2)), Some(self.part(at, 2))),
             false => (at, None),
@@ -282,7 +274,7 @@ impl Body<'_, '_> {
     }
 
     /// Coordinates divided by the last.
-    fn projected(&mut self, at: Value, ty: Type, shape: &Shape) -> Res<Value> {
+    pub(super) fn projected(&mut self, at: Value, ty: Type, shape: &Shape) -> Res<Value> {
         let last = self.part(at, ty.components().saturating_sub(1));
         let count = shape.size + shape.is_shadow as u8;
         let first = self.swizzle(at, Lanes::new(0..count));

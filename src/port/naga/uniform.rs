@@ -5,7 +5,7 @@ use super::body::{Body, Bound};
 use super::global::Global;
 use super::interface::{BindSlot, Buffer, BufferMember, HostInterface, TexturePair};
 use super::lower::{FirstRow, Lowerer};
-use super::stored::{Field, Held, Packing, Stored};
+use super::stored::{Field, Held, Major, Packing, Record, Stored};
 use super::types::{Sink, image};
 use super::write::TargetLanguage;
 use super::{Res, Value};
@@ -23,7 +23,7 @@ pub(super) struct Uniforms {
     /// Where the height of the picture stands, of a picture whose rows are turned.
     pub(super) height: Option<Height>,
     /// How structs and blocks lie in buffers, with the places of their fields.
-    pub(super) records: FxHashMap<Type, (Stored, Vec<Option<Field>>)>,
+    pub(super) records: FxHashMap<(Type, Major), Record>,
     /// The buffer of what stands in no block.
     own: Option<Handle<GlobalVariable>>,
     /// By the struct that a block without a name of its own declares: its buffer.
@@ -101,9 +101,10 @@ impl<'p> Lowerer<'p> {
 
     fn declare_alone(&mut self, id: VariableId, variable: &Variable, alone: &mut Alone) -> Res<()> {
         let name = self.program.names.text(variable.name);
-        let stored = self.stored(variable.ty)?;
-        let Field { member, offset } = alone.packing.add(self, name, stored)?;
-        self.list(name, variable.ty, offset, &mut alone.listed);
+        let ty = (variable.ty, Major::Columns);
+        let stored = self.stored(ty.0, ty.1)?;
+        let Field { member, offset, .. } = alone.packing.add(self, name, stored)?;
+        self.list(name, ty, offset, &mut alone.listed);
         alone.members.push((id, member));
         if self.tells_size(variable) {
             self.uniforms.height = Some(Height::Resolution(member));
@@ -115,9 +116,10 @@ impl<'p> Lowerer<'p> {
     fn finish_alone(&mut self, mut alone: Alone) -> Res<()> {
         if self.uniforms.height.is_none() && self.turns_rows() {
             let name = self.program.names.unused("pictureHeight");
-            let stored = self.stored(Type::FLOAT)?;
-            let Field { member, offset } = alone.packing.add(self, &name, stored)?;
-            self.list(&name, Type::FLOAT, offset, &mut alone.listed);
+            let ty = (Type::FLOAT, Major::Columns);
+            let stored = self.stored(ty.0, ty.1)?;
+            let Field { member, offset, .. } = alone.packing.add(self, &name, stored)?;
+            self.list(&name, ty, offset, &mut alone.listed);
             self.uniforms.height = Some(Height::Own(member));
             self.interface.notes.push(format!(
                 "{name} is the height of the picture in pixels: rows are counted from below"
@@ -130,7 +132,8 @@ impl<'p> Lowerer<'p> {
         let name = HostInterface::UNIFORMS;
         let buffer = self.declare_buffer(name, stored, 0, alone.listed);
         for (id, member) in alone.members {
-            self.globals.insert(id, Global::Stored(buffer, member));
+            let place = Global::Stored(buffer, member, Major::Columns);
+            self.globals.insert(id, place);
         }
         self.uniforms.own = Some(buffer);
         Ok(())
@@ -139,7 +142,7 @@ impl<'p> Lowerer<'p> {
     /// The buffers of a block with a name of its own.
     fn declare_instances(&mut self, id: VariableId, variable: &Variable) -> Res<()> {
         let block = variable.ty.element();
-        let stored = self.stored(block)?;
+        let stored = self.stored(block, Major::Columns)?;
         let mut buffers = Vec::new();
         for i in 0..variable.ty.array.max(1) {
             let mut name = self.program.type_name(block);
@@ -147,7 +150,7 @@ impl<'p> Lowerer<'p> {
                 name = format!("{name}[{i}]");
             }
             let mut listed = Vec::new();
-            self.list(&name, block, 0, &mut listed);
+            self.list(&name, (block, Major::Columns), 0, &mut listed);
             buffers.push(self.declare_block(&name, stored, listed));
         }
         self.uniforms.instances.insert(id, buffers);
@@ -160,19 +163,19 @@ impl<'p> Lowerer<'p> {
         let buffer = match self.uniforms.blocks.get(&block) {
             Some(buffer) => *buffer,
             None => {
-                let stored = self.stored(ty)?;
+                let stored = self.stored(ty, Major::Columns)?;
                 let mut listed = Vec::new();
                 // Without a name of its own, nothing stands before the members.
-                self.list("", ty, 0, &mut listed);
+                self.list("", (ty, Major::Columns), 0, &mut listed);
                 let name = self.program.type_name(ty);
                 let buffer = self.declare_block(&name, stored, listed);
                 self.uniforms.blocks.insert(block, buffer);
                 buffer
             }
         };
-        if let Some(Some(place)) = self.stored_fields(ty).get(field) {
-            let member = place.member;
-            self.globals.insert(id, Global::Stored(buffer, member));
+        if let Some(Some(place)) = self.stored_fields(ty, Major::Columns).get(field) {
+            let place = Global::Stored(buffer, place.member, place.major);
+            self.globals.insert(id, place);
         }
         Ok(())
     }
@@ -238,7 +241,7 @@ impl<'p> Lowerer<'p> {
     fn turns_rows(&self) -> bool {
         let name = self.program.names.get("gl_FragCoord");
         let is_it = |p: &Place| self.program.variable(p.variable).map(|v| v.name) == name;
-        self.origin == FirstRow::Picture && name.is_some() && self.form.places.iter().any(is_it)
+        self.origin == FirstRow::Top && name.is_some() && self.form.places.iter().any(is_it)
     }
 
     /// Declares the samplers in a value of a type.
@@ -288,6 +291,7 @@ impl<'p> Lowerer<'p> {
             ty: kind.name(),
             texture: texture_slot,
             sampler: sampler_slot,
+            source: None,
         });
         let written = name.replace(['[', ']', '.'], "_");
         let ty = self.inner(None, image(kind));
@@ -356,10 +360,11 @@ impl Body<'_, '_> {
         id: VariableId,
         buffer: Handle<GlobalVariable>,
         member: u32,
+        major: Major,
     ) -> Bound {
         let ty = self.lowerer.form.variable(id).map_or(Type::ERROR, |v| v.ty);
         let at = self.member_of(buffer, member);
-        Bound::Stored(Held::new(at, ty))
+        Bound::Stored(Held::new(at, ty, major))
     }
 
     /// A block that has a name of its own, or one of several.
@@ -370,7 +375,7 @@ impl Body<'_, '_> {
         match (buffer, ty) {
             (Some(buffer), Some(ty)) => {
                 let at = self.add(Expression::GlobalVariable(buffer));
-                Ok(Held::new(at, ty))
+                Ok(Held::new(at, ty, Major::Columns))
             }
             _ => self.lowerer.refuse("this block is not known"),
         }

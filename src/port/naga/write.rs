@@ -1,6 +1,7 @@
 //! Naga's check and its writers.
 
 use super::Refused;
+use super::hlsl::with_lists;
 use super::interface::BindSlot;
 use super::lower::Lowered;
 use super::port::stage_name;
@@ -22,7 +23,7 @@ pub enum TargetLanguage {
     Spirv,
     /// Direct3D's language, shader model 5.1.
     Hlsl,
-    /// Metal's language, version 2.0.
+    /// Metal's language, version 2.1.
     Msl,
 }
 
@@ -147,7 +148,7 @@ fn emit(lowered: &Lowered, info: &ModuleInfo) -> Result<Vec<u8>, String> {
             hlsl::Writer::new(&mut text, &options, &pipeline)
                 .write(module, info, None)
                 .map_err(|e| reasons(&e))?;
-            Ok(text.into_bytes())
+            Ok(with_lists(&text).into_bytes())
         }
         TargetLanguage::Msl => {
             let pipeline = msl::PipelineOptions::default();
@@ -196,7 +197,7 @@ fn metal(lowered: &Lowered) -> msl::Options {
         resources.resources.insert(place(&texture.sampler), sampler);
     }
     msl::Options {
-        lang_version: (2, 0),
+        lang_version: (2, 1),
         per_entry_point_map: [(interface.entry.to_string(), resources)].into(),
         fake_missing_bindings: false,
         bounds_check_policies: policies(),

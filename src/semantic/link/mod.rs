@@ -16,7 +16,9 @@ use crate::diagnostic::{Diagnostic, error};
 use crate::syntax::ast::TokenId;
 use crate::text::Span;
 use compare::{Difference, Differing};
-use interface::Interface;
+#[cfg(feature = "naga")]
+pub(crate) use interface::Block;
+pub(crate) use interface::Interface;
 use rustc_hash::FxHashSet;
 
 /// Finds what keeps two shaders without errors from being linked. Both stand in one address space.

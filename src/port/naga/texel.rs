@@ -1,0 +1,94 @@
+//! Textures of whole numbers, which the other languages read texel by texel and never sample.
+
+use super::body::Body;
+use super::texture::Shape;
+use super::types::Sink;
+use super::{Res, Value};
+use crate::ir::{Lanes, OpId};
+use crate::semantic::builtins::{Level, Lookup};
+use crate::semantic::{Sampler, Scalar, Type};
+use ::naga::{BinaryOperator as Op, Expression, ImageQuery, Literal, MathFunction};
+
+impl Body<'_, '_> {
+    /// The texel that is nearest to some coordinates, which go on from the other side. Levels that
+    /// WebGL would choose by derivatives are the first.
+    pub(super) fn nearest(
+        &mut self,
+        lookup: Lookup,
+        image: Value,
+        at: OpId,
+        more: &[OpId],
+        kind: Sampler,
+    ) -> Res<Value> {
+        let shape = Shape::of(kind);
+        if shape.extent != shape.size {
+            let message = "a cube map of whole numbers has no counterpart in the other languages";
+            return self.lowerer.refuse(message);
+        }
+        self.lowerer
+            .note("textures of whole numbers: the nearest texel is taken, and they repeat");
+        let at_ty = self.lowerer.form.ty(at);
+        let mut at = self.value(at)?;
+        if lookup.is_projective {
+            at = self.projected(at, at_ty, &shape)?;
+        }
+        let mut more = more.iter().copied();
+        let mut level = self.zero(Type::INT)?;
+        match lookup.level {
+            Level::Explicit => {
+                if let Some(lod) = more.next() {
+                    let lod = self.value(lod)?;
+                    let nearest = self.math(MathFunction::Round, &[lod]);
+                    let nearest = self.convert(nearest, Scalar::Int);
+                    level = self.nearest_level(image, nearest)?;
+                }
+            }
+            Level::Gradient => _ = more.nth(1),
+            Level::Implicit | Level::Fetch => {}
+        }
+        let offset = more.next().filter(|_| lookup.has_offset);
+        let offset = offset.map(|offset| self.value(offset)).transpose()?;
+        let query = ImageQuery::Size { level: Some(level) };
+        let size = self.add(Expression::ImageQuery { image, query });
+        let size = self.convert(size, Scalar::Int);
+        let (place, layer) = match shape.is_layered {
+            true => (self.swizzle(at, Lanes::new(0..2)), Some(self.part(at, 2))),
+            false => (at, None),
+        };
+        let extent = self.convert(size, Scalar::Float);
+        let scaled = self.op(Op::Multiply, place, extent);
+        let whole = self.math(MathFunction::Floor, &[scaled]);
+        let mut texel = self.convert(whole, Scalar::Int);
+        if let Some(offset) = offset {
+            texel = self.op(Op::Add, texel, offset);
+        }
+        // A remainder has the sign of what is divided.
+        let rest = self.op(Op::Modulo, texel, size);
+        let above = self.op(Op::Add, rest, size);
+        let coordinate = self.op(Op::Modulo, above, size);
+        let array_index = layer
+            .map(|layer| self.nearest_layer(image, layer))
+            .transpose()?;
+        Ok(self.add(Expression::ImageLoad {
+            image,
+            coordinate,
+            array_index,
+            sample: None,
+            level: Some(level),
+        }))
+    }
+
+    /// The layer that is nearest to a number.
+    fn nearest_layer(&mut self, image: Value, layer: Value) -> Res<Value> {
+        let nearest = self.math(MathFunction::Round, &[layer]);
+        let nearest = self.convert(nearest, Scalar::Int);
+        let query = ImageQuery::NumLayers;
+        let layers = self.add(Expression::ImageQuery { image, query });
+        let layers = self.convert(layers, Scalar::Int);
+        let one = self.add(Expression::Literal(Literal::I32(1)));
+        let last = self.op(Op::Subtract, layers, one);
+        let first = self.zero(Type::INT)?;
+        let layer = self.math(MathFunction::Max, &[nearest, first]);
+        Ok(self.math(MathFunction::Min, &[layer, last]))
+    }
+}
