@@ -284,3 +284,37 @@ fn it_says_what_it_waits_for() {
     );
     assert_eq!(out.status.code(), Some(0));
 }
+
+#[test]
+fn what_no_repair_makes_a_shader_is_said_as_it_is() {
+    let folder = Folder::new();
+    folder.put("text.glsl", "hello world\n");
+    let (code, said) = folder.run("text.glsl -o text.html");
+    assert_eq!(code, Some(1), "{said}");
+    assert!(said.contains("there is no type `hello`"), "{said}");
+    assert!(!said.contains("repaired"), "{said}");
+    // One that a repair makes whole is mended unasked, as WebGL2 needs it.
+    let desktop = "#version 330\nout vec4 c;\nvoid main() { c = vec4(1 / 2.0f); }\n";
+    folder.put("desktop.glsl", desktop);
+    let (code, said) = folder.run("desktop.glsl -o desktop.html");
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("repaired"), "{said}");
+}
+
+#[test]
+fn a_channel_is_named_by_its_sampler() {
+    let folder = Folder::new();
+    let code = "precision highp float;\nuniform sampler2D u_photo;\n\
+        void main() { gl_FragColor = texture2D(u_photo, vec2(0.5)); }\n";
+    folder.put("photo.frag", code);
+    let note = "note: a.png adds 34 bytes";
+    folder.works("photo.frag --channel u_photo=a.png -o photo.html", note);
+    let page = fs::read_to_string(folder.path("photo.html")).unwrap();
+    assert!(page.contains("\"uniform\":\"u_photo\"") && page.contains("data:image/png"));
+    let (code, said) = folder.run("photo.frag --channel photo=a.png -o other.html");
+    assert_eq!(code, Some(2), "{said}");
+    assert!(
+        said.contains("there is no sampler `photo`; there is `u_photo`"),
+        "{said}"
+    );
+}

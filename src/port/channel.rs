@@ -1,16 +1,19 @@
-//! What a user puts onto a channel: `image.0=buffer_a`, `1=photo.jpg,nearest,clamp`, `0=keyboard`.
+//! What a user puts onto a channel: `image.0=buffer_a`, `1=photo.jpg,nearest,clamp`, `0=keyboard`,
+//! and by the name of its sampler `u_tex0=photo.jpg`.
 
 use super::parts::{near, unknown_pass};
-use super::{Input, InputKind, PassRole, Project, SamplerSettings};
-use crate::semantic::Pass;
+use super::{
+    Input, InputKind, MAX_CHANNELS, PassRole, Project, ProjectPass, SamplerSettings, Wrapper,
+};
+use crate::semantic::{Pass, channel};
 
 /// An order of the user for one channel.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ChannelOrder {
-    /// The pass; without one it is the Image.
-    pub pass: PassRole,
-    /// The channel, 0 to 3.
-    pub channel: u8,
+    /// The pass; without one it is the Image, or every pass that has the sampler.
+    pub pass: Option<PassRole>,
+    /// The channel.
+    pub channel: ChannelName,
     /// What it shall read.
     pub source: ChannelSource,
     /// How; `None` keeps what is there, or what is usual.
@@ -19,6 +22,15 @@ pub struct ChannelOrder {
     pub wrap: Option<&'static str>,
     /// Whether pictures are turned upside down; `None` keeps what is there, or what is usual.
     pub vflip: Option<bool>,
+}
+
+/// How a user names a channel.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum ChannelName {
+    /// By its number.
+    Number(u8),
+    /// By the sampler that reads it.
+    Sampler(String),
 }
 
 /// What a channel shall read.
@@ -44,12 +56,22 @@ impl ChannelOrder {
         let (pass, channel) = match place.rsplit_once('.') {
             Some((pass, channel)) => {
                 let role = PassRole::of_name(pass).ok_or_else(|| unknown_pass(pass))?;
-                (role, channel)
+                (Some(role), channel)
             }
-            None => (PassRole::Image, place),
+            None => (None, place),
         };
-        let channel = channel.parse::<u8>().ok().filter(|c| *c < 4);
-        let channel = channel.ok_or("a channel is a number from 0 to 3".to_string())?;
+        let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '[' | ']');
+        let is_name = channel.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+            && channel.chars().all(is_part);
+        let channel = match channel.parse::<u8>().ok().filter(|n| *n < MAX_CHANNELS) {
+            Some(number) => ChannelName::Number(number),
+            None if is_name => ChannelName::Sampler(channel.to_string()),
+            None => {
+                return Err(
+                    "a channel is a number from 0 to 3, or the name of a sampler".to_string(),
+                );
+            }
+        };
         let mut order = ChannelOrder {
             pass,
             channel,
@@ -84,6 +106,29 @@ impl ChannelOrder {
             _ => return false,
         }
         true
+    }
+
+    /// Changes what it says of how a channel is read.
+    fn set_sampling(&self, sampler: &mut SamplerSettings) {
+        if let Some(word) = self.filter {
+            sampler.filter = word.to_string();
+        }
+        if let Some(word) = self.wrap {
+            sampler.wrap = word.to_string();
+        }
+        sampler.vflip = self.vflip.unwrap_or(sampler.vflip);
+    }
+}
+
+impl ProjectPass {
+    /// The channel that a sampler reads.
+    fn channel_of(&self, sampler: &str) -> Option<u8> {
+        let is_it = |i: &&Input| match &i.uniform {
+            Some(name) => name == sampler,
+            None => channel(sampler) == Some(i.channel),
+        };
+        let own = self.inputs.iter().find(is_it).map(|i| i.channel);
+        own.or_else(|| channel(sampler).filter(|n| *n < 4 && self.wrapper == Wrapper::Player))
     }
 }
 
@@ -132,39 +177,60 @@ impl Project {
     /// Carries an order out. `media` is the file that it names.
     pub fn put(&mut self, order: &ChannelOrder, media: Option<Media>) -> Result<(), String> {
         let (kind, id) = self.source_kind(order, media.as_ref())?;
-        let wanted = order.pass;
-        let output = wanted.output();
-        let no_pass = self.no_pass(wanted);
-        let pass = self
-            .passes
-            .iter_mut()
-            .find(|p| p.kind == wanted.kind() && (p.kind != Pass::Buffer || p.output == output));
-        let pass = pass.filter(|p| p.kind != Pass::Common).ok_or(no_pass)?;
-        let old = pass.inputs.iter().rposition(|i| i.channel == order.channel);
-        let mut input = match old.map(|at| pass.inputs.remove(at)) {
-            // Music of an export stays music, and keeps its sampler.
-            Some(old) if old.kind.takes(kind) => Input { kind, ..old },
-            _ => Input::empty(order.channel, kind),
-        };
-        pass.inputs.retain(|i| i.channel != order.channel);
-        input.id = id;
-        if let Some(media) = media {
-            (input.name, input.urls) = (media.name, media.urls);
+        for (pass, channel) in self.places_of(order)? {
+            let Some(pass) = self.passes.get_mut(pass) else {
+                continue;
+            };
+            let old = pass.inputs.iter().rposition(|i| i.channel == channel);
+            let mut input = match old.map(|at| pass.inputs.remove(at)) {
+                // Music of an export stays music, and keeps its sampler.
+                Some(old) if old.kind.takes(kind) => Input { kind, ..old },
+                old => Input {
+                    uniform: old.and_then(|o| o.uniform),
+                    ..Input::empty(channel, kind)
+                },
+            };
+            pass.inputs.retain(|i| i.channel != channel);
+            input.id = id.clone();
+            if let Some(media) = &media {
+                (input.name, input.urls) = (media.name.clone(), media.urls.clone());
+            }
+            order.set_sampling(&mut input.sampler);
+            pass.inputs.push(input);
         }
-        let SamplerSettings {
-            filter,
-            wrap,
-            vflip,
-        } = &mut input.sampler;
-        if let Some(word) = order.filter {
-            *filter = word.to_string();
-        }
-        if let Some(word) = order.wrap {
-            *wrap = word.to_string();
-        }
-        *vflip = order.vflip.unwrap_or(*vflip);
-        pass.inputs.push(input);
         Ok(())
+    }
+
+    /// The passes that an order is for, by their indexes, and the channel of each.
+    ///
+    /// # Errors
+    /// Where there is no such pass or channel.
+    pub fn places_of(&self, order: &ChannelOrder) -> Result<Vec<(usize, u8)>, String> {
+        let is_wanted = |pass: &ProjectPass, role: PassRole| {
+            let is_it = pass.kind != Pass::Buffer || pass.output == role.output();
+            pass.kind == role.kind() && pass.kind != Pass::Common && is_it
+        };
+        let all = || (0..).zip(&self.passes);
+        let number = match &order.channel {
+            ChannelName::Number(number) => *number,
+            ChannelName::Sampler(name) => {
+                let wanted = |p: &ProjectPass| order.pass.is_none_or(|role| is_wanted(p, role));
+                let passes = all().filter(|(_, p)| wanted(p));
+                let found = passes.filter_map(|(i, p)| Some((i, p.channel_of(name)?)));
+                let found: Vec<_> = found.collect();
+                return match found.is_empty() {
+                    true => Err(self.no_sampler(name)),
+                    false => Ok(found),
+                };
+            }
+        };
+        let role = order.pass.unwrap_or(PassRole::Image);
+        let pass = all().find(|(_, p)| is_wanted(p, role));
+        let (index, pass) = pass.ok_or_else(|| self.no_pass(role))?;
+        match pass.wrapper == Wrapper::Player && number > 3 {
+            true => Err("a channel is a number from 0 to 3".to_string()),
+            false => Ok(vec![(index, number)]),
+        }
     }
 
     /// The kind of input that an order asks for, and the id of the pass that it names.
@@ -200,6 +266,24 @@ impl Project {
 }
 
 impl Project {
+    /// What to say where a sampler is named that no pass has.
+    fn no_sampler(&self, wanted: &str) -> String {
+        let mut names: Vec<&str> = Vec::new();
+        let inputs = self.passes.iter().flat_map(|p| &p.inputs);
+        for name in inputs.filter_map(|i| i.uniform.as_deref()) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        match names.is_empty() {
+            true => format!("there is no sampler `{wanted}`"),
+            false => format!(
+                "there is no sampler `{wanted}`; there is `{}`",
+                names.join("`, `")
+            ),
+        }
+    }
+
     /// What to say where a pass is named that the project does not have.
     fn no_pass(&self, wanted: PassRole) -> String {
         let drawn = self.passes.iter().filter(|p| p.kind != Pass::Common);
@@ -232,8 +316,8 @@ mod tests {
     #[test]
     fn orders_are_read() {
         let order = ChannelOrder::read("buffer_a.2=pictures/a,b.jpg,nearest,clamp,noflip").unwrap();
-        assert_eq!(order.pass, PassRole::Buffer(0));
-        assert_eq!(order.channel, 2);
+        assert_eq!(order.pass, Some(PassRole::Buffer(0)));
+        assert_eq!(order.channel, ChannelName::Number(2));
         assert_eq!(
             order.source,
             ChannelSource::File("pictures/a,b.jpg".to_string())
@@ -242,8 +326,8 @@ mod tests {
         assert_eq!(order.vflip, Some(false));
         let order = ChannelOrder::read("0=bufferB").unwrap();
         assert_eq!(order.source, ChannelSource::Pass(PassRole::Buffer(1)));
-        assert_eq!(order.pass, PassRole::Image);
-        for wrong in ["", "0", "4=keyboard", "x.0=keyboard", "0="] {
+        assert_eq!(order.pass, None);
+        for wrong in ["", "0", "16=keyboard", "-1=keyboard", "x.0=keyboard", "0="] {
             assert!(ChannelOrder::read(wrong).is_err(), "{wrong}");
         }
     }
@@ -271,5 +355,35 @@ mod tests {
         assert_eq!(inputs[0].kind, InputKind::Texture);
         assert_eq!(inputs[0].sampler.filter, "linear");
         assert_eq!(inputs[0].sampler.wrap, "repeat");
+    }
+
+    #[test]
+    fn a_channel_is_named_by_its_sampler() {
+        let code = "precision highp float;\nuniform sampler2D photo;\nuniform sampler2D maps[4];\n\
+            void main() { gl_FragColor = texture2D(photo, vec2(0.5)) + texture2D(maps[3], vec2(0.5)); }\n";
+        let mut project = Project::from_shader("", code).unwrap();
+        let mut put = |text: &str| project.put(&ChannelOrder::read(text).unwrap(), None);
+        put("photo=keyboard").unwrap();
+        put("image.maps[3]=webcam,nearest").unwrap();
+        put("2=mic").unwrap();
+        let wrong = put("image.other=mic").unwrap_err();
+        assert!(
+            wrong.contains("`photo`") && wrong.contains("`maps[0]`"),
+            "{wrong}"
+        );
+        let mut inputs: Vec<(u8, InputKind, Option<&str>)> = project.passes[0]
+            .inputs
+            .iter()
+            .map(|i| (i.channel, i.kind, i.uniform.as_deref()))
+            .collect();
+        inputs.sort_by_key(|i| i.0);
+        assert_eq!(inputs[0], (0, InputKind::Keyboard, Some("photo")));
+        assert_eq!(inputs[2], (2, InputKind::Microphone, Some("maps[1]")));
+        assert_eq!(inputs[4], (4, InputKind::Webcam, Some("maps[3]")));
+        let mut toy = Project::from_shader("", "void mainImage(out vec4 o, vec2 u) {}").unwrap();
+        let mut put = |text: &str| toy.put(&ChannelOrder::read(text).unwrap(), None);
+        put("iChannel1=keyboard").unwrap();
+        assert!(put("4=keyboard").is_err() && put("iChannel4=keyboard").is_err());
+        assert_eq!(toy.passes[0].inputs[0].channel, 1);
     }
 }

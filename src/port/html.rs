@@ -64,14 +64,14 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> St
             ("policy", &policy(&script, STYLE, version)),
             ("style", STYLE),
             ("project", &project),
-            ("mount", MOUNT),
+            ("mount", &without_comments(MOUNT)),
             ("script", &script),
         ],
     )
 }
 
 /// A script without the lines that are comments, which are a quarter of it and for whoever works on
-/// the player. What looks like one inside a template literal would go too; there is none.
+/// the player, and with half of the indentation. What looks like one inside a template literal would go too; there is none.
 fn without_comments(script: &str) -> String {
     let mut out = String::with_capacity(script.len());
     let mut in_block = false;
@@ -79,7 +79,8 @@ fn without_comments(script: &str) -> String {
         let text = line.trim();
         in_block |= text.starts_with("/**");
         if !in_block && !text.starts_with("//") {
-            out.push_str(line);
+            let indent = line.len() - line.trim_start_matches(' ').len();
+            out.push_str(line.get(indent / 2..).unwrap_or(""));
         }
         in_block &= !text.ends_with("*/");
     }
@@ -169,7 +170,7 @@ mod tests {
     fn comments_stay_out_of_the_page() {
         let script =
             "// a\n/** b */\nlet x = 1; // c\n  /**\n   * d\n   */\n  x /* e */ = '/** f */';\n";
-        let left = "let x = 1; // c\n  x /* e */ = '/** f */';\n";
+        let left = "let x = 1; // c\n x /* e */ = '/** f */';\n";
         assert_eq!(without_comments(script), left);
     }
 

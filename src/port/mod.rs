@@ -36,11 +36,13 @@ mod translated;
 pub use build::{
     BadEnding, Build, BuildError, Destination, File, MainChoice, Order, Remark, Target, build,
 };
-pub use channel::{ChannelOrder, ChannelSource, Media, unknown_source};
+pub use channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
 pub use compose::{Composed, PassUnit, compose};
 pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
-pub use dialect::{Bindings, DIALECTS, DialectFacts, TextsBeside, UniformData, dialect_named};
+pub use dialect::{
+    Bindings, DIALECTS, DialectFacts, MAX_CHANNELS, TextsBeside, UniformData, dialect_named,
+};
 pub use draw::{PassDraw, SizeTerm};
 pub use export::{MAX_EXPORT, ProjectError};
 pub use glsl::{GlslPass, VERTEX, glsl};

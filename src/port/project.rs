@@ -156,6 +156,8 @@ pub enum SignalForm {
     Wave,
     /// Its spectrum at the bottom and above that those of the frames before, in all components.
     History,
+    /// The sum of its spectra from the start, in gray: one a second where it is loudest.
+    Sum,
 }
 
 impl SignalForm {
@@ -166,6 +168,7 @@ impl SignalForm {
             SignalForm::Spectrum => "spectrum",
             SignalForm::Wave => "wave",
             SignalForm::History => "history",
+            SignalForm::Sum => "sum",
         }
     }
 }

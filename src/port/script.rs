@@ -1,11 +1,15 @@
 //! The player's code, and modules made of it.
 
 use super::payload::payload;
-use super::{Composed, Project, credits};
+use super::{Composed, ControlKind, Project, UniformControl, credits};
+
+/// What shaders are given that bring their own uniforms, which the module for three.js has, too.
+const SOURCES: &str = include_str!("player/sources.js");
 
 /// The player, in the order in which its files use each other.
-pub(super) const PLAYER: [&str; 16] = [
+pub(super) const PLAYER: [&str; 17] = [
     include_str!("player/types.js"),
+    SOURCES,
     include_str!("player/gl.js"),
     include_str!("player/log.js"),
     include_str!("player/tunable.js"),
@@ -25,6 +29,7 @@ pub(super) const PLAYER: [&str; 16] = [
 
 /// The end of a module, which puts the player on a canvas.
 pub(super) const MOUNT: &str = include_str!("player/mount.js");
+const MATERIALS: &str = include_str!("player/materials.js");
 const THREE: &str = include_str!("player/three.js");
 const REACT: &str = include_str!("player/react.js");
 const MOUNT_TYPES: &str = include_str!("player/mount.d.ts");
@@ -51,21 +56,20 @@ pub fn module(project: &Project, composed: &Composed) -> ScriptModule {
     );
     ScriptModule {
         code,
-        types: MOUNT_TYPES.to_string(),
+        types: with_uniforms(MOUNT_TYPES, project, number_type),
     }
 }
 
 /// A module for three.js, which exports a `RawShaderMaterial` and its update function.
 pub fn three(project: &Project, composed: &Composed) -> ScriptModule {
     let code = format!(
-        "{}{}{}",
+        "{}{}{SOURCES}{MATERIALS}{THREE}",
         comment(project),
         project_constant(project, composed),
-        THREE
     );
     ScriptModule {
         code,
-        types: THREE_TYPES.to_string(),
+        types: with_uniforms(THREE_TYPES, project, three_type),
     }
 }
 
@@ -79,6 +83,66 @@ pub fn react(project: &Project, module_name: &str) -> ScriptModule {
         ),
         types: REACT_TYPES.replace("'./module.js'", &import),
     }
+}
+
+/// Types in which the uniforms that the user sets are named, each with what is known of it.
+fn with_uniforms(types: &str, project: &Project, type_of: fn(&UniformControl) -> String) -> String {
+    let lines = project.controls.iter().map(|control| {
+        let (about, ty) = (about(control), type_of(control));
+        format!("\n  /** {about} */\n  {}: {ty};", control.name)
+    });
+    let lines: String = lines.collect();
+    match lines.as_str() {
+        "" => types.to_string(),
+        lines => types.replacen(
+            "interface Uniforms {}",
+            &format!("interface Uniforms {{{lines}\n}}"),
+            1,
+        ),
+    }
+}
+
+/// What is said of a uniform, as words that no comment ends at.
+fn about(control: &UniformControl) -> String {
+    let numbers = |values: &[f64]| match values {
+        [first, rest @ ..] if rest.iter().all(|v| v == first) => first.to_string(),
+        _ => format!("{values:?}"),
+    };
+    let mut parts = Vec::new();
+    if control.label != control.name {
+        parts.push(control.label.clone());
+    }
+    if !control.choices.is_empty() {
+        let choices = control.choices.iter();
+        let choices = choices.map(|c| format!("{} is {}", c.value, c.label));
+        parts.extend(choices);
+    } else if !control.min.is_empty() && control.kind != ControlKind::Color {
+        let (min, max) = (numbers(&control.min), numbers(&control.max));
+        parts.push(format!("from {min} to {max}"));
+    }
+    parts.push(format!("at first {}", numbers(&control.value)));
+    let line = parts.join("; ").replace("*/", "* /");
+    line.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// What a module without dependencies takes for a uniform.
+fn number_type(control: &UniformControl) -> String {
+    match (control.kind, control.value.len()) {
+        (ControlKind::Bool | ControlKind::Event, 1) => "boolean".to_string(),
+        (_, 1) => "number".to_string(),
+        (_, lanes) => format!("[{}]", vec!["number"; lanes].join(", ")),
+    }
+}
+
+/// What three.js has for a uniform.
+fn three_type(control: &UniformControl) -> String {
+    let inner = match (control.kind, control.value.len()) {
+        (ControlKind::Bool, 1) => "boolean".to_string(),
+        (_, 1) => "number".to_string(),
+        (ControlKind::Color, 3) => "Color".to_string(),
+        (_, lanes) => format!("Vector{lanes}"),
+    };
+    format!("IUniform<{inner}>")
 }
 
 fn project_constant(project: &Project, composed: &Composed) -> String {
@@ -138,6 +202,23 @@ mod tests {
         for text in PLAYER {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
         }
+    }
+
+    #[test]
+    fn uniforms_of_the_user_have_types_and_ranges() {
+        let code = "precision highp float;\nuniform float gain; // (0.5~4.5)\nuniform bool on;\n\
+            uniform vec3 tint;\nvoid main() { gl_FragColor = vec4(on ? tint * gain : tint, 1.0); }\n";
+        let mut project = Project::from_shader("", code).unwrap();
+        project.controls[0].label = "a */ b".to_string();
+        let module = with_uniforms(MOUNT_TYPES, &project, number_type);
+        let wanted = "export interface Uniforms {\n  /** a * / b; from 0.5 to 4.5; at first 2.5 */\n  \
+            gain: number;\n  /** at first 0 */\n  on: boolean;\n  \
+            /** at first [0.95, 0.55, 0.2] */\n  tint: [number, number, number];\n}\n";
+        assert!(module.contains(wanted), "{module}");
+        let three = with_uniforms(THREE_TYPES, &project, three_type);
+        assert!(three.contains("  tint: IUniform<Color>;\n"), "{three}");
+        let plain = Project::from_shader("", "void mainImage(out vec4 o, vec2 u) {}").unwrap();
+        assert_eq!(with_uniforms(MOUNT_TYPES, &plain, number_type), MOUNT_TYPES);
     }
 
     #[test]

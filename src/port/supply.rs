@@ -79,7 +79,10 @@ fn missing_input(project: &Project, pass: &ProjectPass, input: &Input) -> Option
         None => place.clone(),
     };
     let help = if is_file {
-        format!("give it with `--channel {place}=FILE`, or drop a file onto the page")
+        // Shells read brackets as patterns.
+        let name = input.uniform.as_ref().filter(|n| !n.contains('['));
+        let channel = name.unwrap_or(&place);
+        format!("give it with `--channel {channel}=FILE`, or drop a file onto the page")
     } else {
         String::new()
     };

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { differences, put, shaderport, top, work } from './browser.js';
+import { colors, differences, put, shaderport, top, work } from './browser.js';
 import { CASES } from './cases.js';
 import { reference } from './reference.js';
 
@@ -181,6 +181,97 @@ async function threeStandIns(context) {
   assert.equal(differences(drawn, expected), 0);
 }
 
+/** What both modules draw of a shader file: `frames` of them, behind what a script does with each. */
+async function drawBoth(context, file, frames, change = '') {
+  shaderport(file, '-t', 'three', '-o', 'both_three.js', '--force');
+  shaderport(file, '-o', 'both_module.js', '--force');
+  const { page, complaints } = await host(context, `
+    import { createShader } from './both_three.js';
+    import { mount } from './both_module.js';
+    import { Camera, Color, Scene, SRGBColorSpace, WebGLRenderer } from 'three';
+    const canvas = document.querySelector('canvas');
+    const other = document.createElement('canvas');
+    const player = mount(other, { size: [64, 36], paused: true });
+    await player.ready;
+    const hasVertices = createShader().object.geometry.hasAttribute('vertexId');
+    const renderer = new WebGLRenderer({ canvas, antialias: hasVertices, preserveDrawingBuffer: true });
+    renderer.setPixelRatio(1);
+    renderer.setSize(64, 36, false);
+    const shader = createShader();
+    const scene = new Scene();
+    scene.add(shader.object);
+    // Behind vertices a page has the background that the shader asks for.
+    const { x, y, z } = shader.uniforms.background?.value ?? { x: 0, y: 0, z: 0 };
+    renderer.setClearColor(new Color().setRGB(x, y, z, SRGBColorSpace), 1);
+    ${change}
+    for (let i = 0; i < ${frames}; i++) {
+      shader.update(renderer, { time: i / 60 });
+      renderer.render(scene, new Camera());
+    }
+    const read = (gl) => {
+      const bytes = new Uint8Array(64 * 36 * 4);
+      gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      return Array.from(bytes).map((v, i) => (i % 4 === 3 ? 255 : v));
+    };
+    const drawn = read(renderer.getContext());
+    await player.renderFrame(${frames} - 1);
+    globalThis.both = [drawn, read(other.getContext('webgl2')), player.errors];`);
+  await page.waitForFunction(() => globalThis.both, null, { timeout: 30000 }).catch(() => {});
+  const both = await page.evaluate(() => globalThis.both);
+  await page.close();
+  return { three: both?.[0] ?? [], module: both?.[1] ?? [], errors: both?.[2], complaints };
+}
+
+const DIALECTS = path.join(top, 'tests/fixtures/dialects');
+
+/** Shaders that bring their own uniforms, of each kind that three.js is handed differently. */
+const OWN = [
+  'three/gradient.glsl', 'three/terrain.glsl', 'glsl-sandbox/feedback.glsl', 'glsl-sandbox/surface.glsl', 'webgl/samplers.frag',
+  'book-of-shaders/buffers.frag', 'isf/trails.fs', 'isf/edges.fs', 'isf/wipe.fs',
+  'shadered/feedback.sprj', 'twigl/mrt.glsl', 'vertexshaderart/strip.vert', 'vertexshaderart/rings.vert',
+];
+
+async function threeOwn(context) {
+  for (const file of OWN) {
+    const { three: drawn, module, errors, complaints } = await drawBoth(context, path.join(DIALECTS, file), 4);
+    assert.deepEqual(complaints, [], file);
+    assert.deepEqual(errors, [], file);
+    assert.ok(file.includes('samplers') || colors(drawn) > 1, `${file}: one colour`);
+    const worst = drawn.reduce((most, value, i) => Math.max(most, Math.abs(value - module[i])), 0);
+    assert.ok(drawn.length === module.length && worst <= 1, `${file}: ${worst}`);
+  }
+}
+
+/** Uniforms that a shader brings are properties in both modules, and what they are set to is drawn. */
+async function ownProperties(context) {
+  const code = `precision highp float;
+uniform float gain; // (0.0~2.0)
+uniform bool on;
+uniform vec3 tint;
+uniform vec2 shift;
+void main() { gl_FragColor = vec4(on ? tint * gain : vec3(shift, 0.5), 1.0); }`;
+  const { three: drawn, module, complaints } = await drawBoth(context, put('own.frag', code), 1, `
+    const given = player.uniforms;
+    if (given.gain !== 1 || given.on !== false || given.tint.length !== 3) throw new Error('first values');
+    for (const wrong of [{ gain: NaN }, { tint: [1, 2] }, { other: 1 }]) {
+      let name = 'nothing';
+      try { Object.assign(given, wrong); } catch (error) { ({ name } = error); }
+      if (name !== 'TypeError') throw new Error(JSON.stringify(wrong));
+    }
+    Object.assign(given, { gain: 0.5, on: true, tint: [1, 0.5, 0] });
+    const own = shader.uniforms;
+    if (own.gain !== shader.material.uniforms.gain) throw new Error('not the same');
+    own.gain.value = 0.5;
+    own.on.value = true;
+    own.tint.value.setRGB(1, 0.5, 0);
+    for (const all of [shader.controls, player.controls]) {
+      if (all[0].max[0] !== 2 || all.length !== 4) throw new Error('no range');
+    }`);
+  assert.deepEqual(complaints, []);
+  assert.deepEqual(module.slice(0, 4), [128, 64, 0, 255]);
+  assert.equal(differences(drawn, module), 0);
+}
+
 async function react(context) {
   const test = named('time, resolution');
   shaderport(put('react.json', JSON.stringify(test.shader)), '-t', 'react', '-o', 'Shader.js', '--force');
@@ -253,5 +344,7 @@ export const moduleTests = [
   { name: 'module: what cannot be done says so or does nothing', run: misuse },
   { name: 'module: three.js draws the same pixels', run: three },
   { name: 'module: three.js draws the same stand-ins', run: threeStandIns },
+  { name: 'module: three.js draws shaders that bring their own uniforms', run: threeOwn },
+  { name: 'module: uniforms of the user are properties', run: ownProperties },
   { name: 'module: a React component plays, pauses and goes', run: react },
 ];

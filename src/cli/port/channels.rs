@@ -118,7 +118,7 @@ fn placed(mut order: ChannelOrder, by: &Path) -> Result<ChannelOrder, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::PassRole;
+    use crate::port::{ChannelName, PassRole};
     use clap::Parser;
     use std::fs;
 
@@ -139,9 +139,10 @@ mod tests {
              [image]\n1 = 'keyboard'\n",
         );
         let all = all.unwrap();
-        let places: Vec<_> = all.iter().map(|o| (o.pass, o.channel)).collect();
-        let image = PassRole::Image;
-        assert_eq!(places, [(image, 2), (PassRole::Buffer(0), 0), (image, 1)]);
+        let places: Vec<_> = all.iter().map(|o| (o.pass, o.channel.clone())).collect();
+        let (image, buffer) = (Some(PassRole::Image), Some(PassRole::Buffer(0)));
+        let wanted = [(None, 2), (buffer, 0), (image, 1)];
+        assert_eq!(places, wanted.map(|(p, n)| (p, ChannelName::Number(n))));
         assert_eq!(all[0].filter, Some("nearest"));
         let ChannelSource::File(path) = &all[0].source else {
             panic!("{:?}", all[0].source);
@@ -160,7 +161,7 @@ mod tests {
             assert!(found.contains(message), "{found}");
         };
         wrong(
-            "\n9 = 'keyboard'",
+            "\n99 = 'keyboard'",
             ":2:1: a channel is a number from 0 to 3",
         );
         wrong("[foo]\n0 = 'keyboard'", ":2:1: `foo` is no pass");

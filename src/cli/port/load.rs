@@ -52,12 +52,18 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     let name = name_of(args);
     let wrong = |e: ShaderError| format!("{name}: {e}");
     let mut composed = project.resolve(&name).map_err(wrong)?;
-    // What a page or a desktop took and WebGL2 does not is mended unasked.
-    if (mode == Mode::Repair || project.dialect.is_some()) && repairs.is_empty() {
-        let repaired = repair(&mut project, &composed, &name);
-        repairs = repaired.ok_or(wrong(ShaderError::TooLarge))?;
-        if !repairs.is_empty() {
-            composed = project.resolve(&name).map_err(wrong)?;
+    // What a page or a desktop took and WebGL2 does not is mended unasked, where that is all.
+    let is_asked = mode == Mode::Repair;
+    let is_refused = composed.has_errors();
+    if (is_asked || project.dialect.is_some() && is_refused) && repairs.is_empty() {
+        let mut mended = project.clone();
+        let repaired = repair(&mut mended, &composed, &name);
+        let repaired = repaired.ok_or(wrong(ShaderError::TooLarge))?;
+        if !repaired.is_empty() {
+            let renewed = mended.resolve(&name).map_err(wrong)?;
+            if is_asked || !renewed.has_errors() {
+                (project, composed, repairs) = (mended, renewed, repaired);
+            }
         }
     }
     if project

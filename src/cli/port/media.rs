@@ -2,10 +2,8 @@
 
 use super::read::{plain_error, read_media, shown, size_words};
 use crate::port::{
-    ChannelOrder, InputKind, Media, OutputId, PassRole, Project, kind_of_bytes, kind_of_name,
-    why_not,
+    ChannelOrder, InputKind, Media, OutputId, Project, kind_of_bytes, kind_of_name, why_not,
 };
-use crate::semantic::Pass;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use std::path::{Path, PathBuf};
@@ -133,13 +131,11 @@ impl Carried {
 
 /// Whether an order is for a channel that reads a cube map.
 pub(super) fn is_cube(project: &Project, order: &ChannelOrder) -> bool {
-    let is_its_pass = |kind: Pass, output: &Option<OutputId>| {
-        kind == order.pass.kind() && *output == order.pass.output()
-            || order.pass == PassRole::Image && kind == Pass::Image
+    let places = project.places_of(order).unwrap_or_default();
+    let is_its = |(pass, channel): &(usize, u8)| {
+        let inputs = project.passes.get(*pass).map_or(&[][..], |p| &p.inputs);
+        let mut own = inputs.iter().filter(|i| i.channel == *channel);
+        own.any(|i| i.kind == InputKind::Cubemap)
     };
-    let passes = project.passes.iter();
-    let mut inputs = passes
-        .filter(|p| is_its_pass(p.kind, &p.output))
-        .flat_map(|p| &p.inputs);
-    inputs.any(|i| i.channel == order.channel && i.kind == InputKind::Cubemap)
+    places.iter().any(is_its)
 }

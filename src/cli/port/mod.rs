@@ -50,8 +50,8 @@ pub struct PortArgs {
     /// File of a pass, like `image=a.glsl` or `buffer_a=b.glsl`
     #[arg(long, value_name = "PASS=FILE")]
     pass: Vec<String>,
-    /// What a channel reads, like `0=keyboard`, `image.1=photo.jpg` or `buffer_a.0=buffer_a`; behind
-    /// it may stand how, like `,nearest,clamp,noflip`
+    /// What a channel reads, like `0=keyboard`, `image.1=photo.jpg`, `buffer_a.0=buffer_a` or, by the
+    /// name of a sampler, `u_tex0=photo.jpg`; behind it may stand how, like `,nearest,clamp,noflip`
     #[arg(long, value_name = "[PASS.]N=SOURCE")]
     channel: Vec<String>,
     /// Folder with the site's files, such as media/a/x.jpg, to be put into the output

@@ -3,7 +3,9 @@
 use super::DialectFacts;
 use super::feed::{Feed, FeedRow, Texture, TextureRow, USUAL_FEEDS, USUAL_TEXTURES, is_named};
 use super::vertex::{Vertex, vertex};
-use crate::port::{ControlKind, Input, InputKind, OutputId, SamplerSettings, UniformControl};
+use crate::port::{
+    ControlKind, Input, InputKind, OutputId, SamplerSettings, SignalForm, UniformControl,
+};
 use crate::semantic::tunable::range_behind;
 use crate::semantic::{
     Program, Sampler, Scalar, Stage, Storage, Value, Variable, VariableId, channel,
@@ -20,6 +22,9 @@ pub struct UniformData {
     pub ty: String,
     /// What it is given.
     pub source: Feed,
+    /// The sampler whose texture it tells of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub of: Option<String>,
 }
 
 /// What a whole shader is given.
@@ -121,8 +126,10 @@ impl Bindings {
         let ty = program.type_name(variable.ty);
         let is_it = |r: &&FeedRow| is_named(r.name, &name) && r.types.contains(&ty.as_str());
         let rows = || dialect.feeds.iter().chain(USUAL_FEEDS);
+        let of = sized_sampler(program, &name, &ty);
         let source = match rows().find(is_it) {
             _ if own.iter().any(|c| c.name == name) => Feed::Control,
+            _ if of.is_some() => Feed::TextureSize,
             Some(row) => row.feed,
             // The player sets these of ShaderToy by their names.
             None if matches!(name.as_str(), "iChannelTime" | "iChannelResolution") => return,
@@ -141,8 +148,31 @@ impl Bindings {
                 None => return self.zeros.push(name),
             }
         }
-        self.uniforms.push(UniformData { name, ty, source });
+        self.uniforms.push(UniformData {
+            name,
+            ty,
+            source,
+            of,
+        });
     }
+}
+
+/// The sampler of whose texture a uniform tells the size, by its name: `u_tex0Resolution`,
+/// `photoSize`, `photo_size`.
+fn sized_sampler(program: &Program, name: &str, ty: &str) -> Option<String> {
+    const ENDINGS: [&str; 4] = ["Resolution", "_resolution", "Size", "_size"];
+    if !matches!(ty, "vec2" | "vec3") {
+        return None;
+    }
+    let is_sampler = |base: &&str| {
+        let mut all = program.variables.iter();
+        all.any(|v| {
+            let is_it = program.names.text(v.name) == *base && v.storage == Storage::Uniform;
+            is_it && v.ty.as_sampler().is_some()
+        })
+    };
+    let mut bases = ENDINGS.iter().filter_map(|end| name.strip_suffix(end));
+    bases.find(is_sampler).map(str::to_string)
 }
 
 /// The channels of a sampler, one for each element of an array.
@@ -182,7 +212,7 @@ fn inputs_of(
 fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
     let (kind, id) = match row.texture {
         Texture::File => (InputKind::Texture, String::new()),
-        Texture::Music => (InputKind::Music, String::new()),
+        Texture::Music | Texture::MusicSum => (InputKind::Music, String::new()),
         Texture::LastFrame => (
             InputKind::Buffer,
             output.map_or(String::new(), |o| o.0.clone()),
@@ -191,6 +221,9 @@ fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
     };
     let mut input = Input::empty(0, kind);
     input.id = id;
+    if row.texture == Texture::MusicSum {
+        input.signal = SignalForm::Sum;
+    }
     input.sampler = SamplerSettings {
         filter: row.filter.to_string(),
         wrap: row.wrap.to_string(),
@@ -328,6 +361,22 @@ mod tests {
             (2, Some("iChannel1")),
         ];
         assert_eq!(inputs, named);
+    }
+
+    #[test]
+    fn the_size_of_a_texture_is_that_of_the_sampler_it_is_named_after() {
+        let code = "precision highp float;\nuniform sampler2D u_tex0, photo;\nuniform vec2 u_tex0Resolution;\n\
+            uniform vec2 photo_size, otherSize;\nvoid main() { gl_FragColor = texture2D(u_tex0, u_tex0Resolution) \
+            + texture2D(photo, photo_size * otherSize); }\n";
+        let project = Project::from_shader("", code).unwrap();
+        let uniforms = project.passes[0].bound.uniforms.iter();
+        let told: Vec<_> = uniforms.map(|u| (u.source, u.of.as_deref())).collect();
+        let wanted = [
+            (Feed::TextureSize, Some("u_tex0")),
+            (Feed::TextureSize, Some("photo")),
+            (Feed::Control, None),
+        ];
+        assert_eq!(told, wanted);
     }
 
     #[test]

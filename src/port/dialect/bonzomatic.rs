@@ -2,9 +2,9 @@
 //!
 //! Source: the default shader of Gargaj/Bonzomatic and its README. Texts are `#version 410 core` and
 //! declare all that they use; the spectra are textures of one dimension, which WebGL has not: they are
-//! lines of textures of two. `texFFTIntegrated` grows without end in the tool, and does not here.
+//! lines of textures of two. `texFFTIntegrated` grows with what is heard, here and there at other rates.
 
-use super::complete::completions_behind;
+use super::complete::{completions_behind, has_images};
 use super::feed::{COMMON, Feed, OWN, Texture, USUAL, feed, texture};
 use super::{Clues, DialectFacts, Plan};
 
@@ -20,7 +20,13 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
     textures: &[
         texture("texFFT", Texture::Music, "linear", "clamp", OWN),
         texture("texFFTSmoothed", Texture::Music, "linear", "clamp", OWN),
-        texture("texFFTIntegrated", Texture::Music, "linear", "clamp", OWN),
+        texture(
+            "texFFTIntegrated",
+            Texture::MusicSum,
+            "linear",
+            "clamp",
+            OWN,
+        ),
         texture(
             "texPreviousFrame",
             Texture::LastFrame,
@@ -40,5 +46,10 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
 };
 
 fn plan(clues: &Clues) -> Plan {
-    Plan::picture(completions_behind(clues, "", true))
+    let mut plan = Plan::picture(completions_behind(clues, "", true));
+    if has_images(clues) {
+        let note = "WebGL has no images that shaders write to: what is read of them is 0";
+        plan.notes.push(note.to_string());
+    }
+    plan
 }

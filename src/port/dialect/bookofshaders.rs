@@ -22,7 +22,7 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
         feed("u_date", &["vec4"], Feed::Date, USUAL),
         feed("u_frame", &["int", "float"], Feed::Frame, USUAL),
         feed("u_camera", &["vec3"], Feed::Camera, USUAL),
-        feed("u_tex#Resolution", &["vec2"], Feed::Resolution, USUAL),
+        feed("u_tex#Resolution", &["vec2"], Feed::TextureSize, USUAL),
         feed("u_trails", &["vec2[10]"], Feed::Nothing, USUAL),
     ],
     textures: &[

@@ -62,6 +62,8 @@ pub struct Clues<'t> {
     pub is_body: bool,
     has_output: bool,
     words: FxHashSet<&'t str>,
+    conditions: FxHashSet<&'t str>,
+    code: FxHashSet<&'t str>,
     declared: FxHashSet<String>,
 }
 
@@ -75,7 +77,12 @@ impl<'t> Clues<'t> {
     /// Reads a text with others beside it.
     pub fn beside(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
         let guess = guess(text);
-        let (words, asked) = words(text);
+        let Words {
+            words,
+            conditions,
+            code,
+            asked,
+        } = words(text);
         let mut clues = Clues {
             text,
             name,
@@ -87,6 +94,8 @@ impl<'t> Clues<'t> {
             inputs: Vec::new(),
             has_output: false,
             words,
+            conditions,
+            code,
             declared: FxHashSet::default(),
         };
         let completion = completions_of(&clues).into_iter().next_back();
@@ -164,6 +173,16 @@ impl<'t> Clues<'t> {
         self.words.contains(word)
     }
 
+    /// Whether `#if` asks for the value of a word.
+    pub fn is_condition(&self, word: &str) -> bool {
+        self.conditions.contains(word)
+    }
+
+    /// Whether a word stands anywhere but in conditions.
+    pub fn is_read(&self, word: &str) -> bool {
+        self.code.contains(word)
+    }
+
     /// Whether the text declares a name.
     pub fn declares(&self, name: &str) -> bool {
         self.declared.contains(name)
@@ -189,27 +208,50 @@ impl<'t> Clues<'t> {
     }
 }
 
-/// The words of a text, and what its `#version` asks for.
-fn words(text: &str) -> (FxHashSet<&str>, VersionAsked) {
+/// The words of a text.
+#[derive(Default)]
+struct Words<'t> {
+    words: FxHashSet<&'t str>,
+    /// Those whose values `#if` asks for.
+    conditions: FxHashSet<&'t str>,
+    /// Those that stand anywhere but in conditions.
+    code: FxHashSet<&'t str>,
+    /// What its `#version` asks for.
+    asked: VersionAsked,
+}
+
+fn words(text: &str) -> Words<'_> {
     let mut lexer = Lexer::new(text, 0);
-    let mut found = FxHashSet::default();
-    let mut asked = VersionAsked::Nothing;
+    let mut found = Words::default();
     let mut behind_hash = false;
+    // The directive of the line that asks something, and the word before.
+    let (mut condition, mut before) = ("", "");
     loop {
         let token = lexer.next_token();
         let (start, end) = (token.span.start as usize, token.span.end as usize);
+        let word = text.get(start..end).unwrap_or("");
         match token.kind {
-            RawKind::End => return (found, asked),
+            RawKind::End => return found,
             RawKind::Whitespace => continue,
+            RawKind::Newline => condition = "",
             RawKind::Word => {
-                let word = text.get(start..end).unwrap_or("");
-                if behind_hash && word == "version" && asked == VersionAsked::Nothing {
+                if behind_hash && word == "version" && found.asked == VersionAsked::Nothing {
                     let line = text.get(end..).and_then(|rest| rest.lines().next());
-                    asked = VersionAsked::of(line.unwrap_or(""));
+                    found.asked = VersionAsked::of(line.unwrap_or(""));
                 }
-                found.insert(word);
+                found.words.insert(word);
+                match condition {
+                    "" => drop(found.code.insert(word)),
+                    "if" | "elif" if before != "defined" => drop(found.conditions.insert(word)),
+                    _ => {}
+                }
+                if behind_hash && matches!(word, "if" | "elif" | "ifdef" | "ifndef" | "undef") {
+                    condition = word;
+                }
+                before = word;
             }
-            _ => {}
+            _ if word == "(" => {}
+            _ => before = "",
         }
         behind_hash = token.kind == RawKind::Hash;
     }

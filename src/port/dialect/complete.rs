@@ -40,7 +40,9 @@ impl Completion {
     pub fn behind(before: String, text: &str) -> Completion {
         Completion {
             before: Arc::from(before),
-            code: Arc::from(with_struct_inputs(&without_first_lines(text))),
+            code: Arc::from(with_struct_inputs(&without_images(&without_first_lines(
+                text,
+            )))),
             behind: Arc::from(""),
             note: None,
             stage: Stage::Fragment,
@@ -212,7 +214,64 @@ pub(super) fn modern(clues: &Clues) -> String {
     if clues.has_word("sampler1D") {
         text.push_str(LINES);
     }
+    let image = IMAGES.iter().find(|(word, _)| clues.has_word(word));
+    if let Some((_, zero)) = image {
+        text.push_str(&format!(
+            "#define imageLoad(image, place) {zero}(0)\n#define imageStore(image, place, value)\n"
+        ));
+        for add in ["Add", "Max", "Min", "Or", "And", "Xor", "Exchange"] {
+            text.push_str(&format!(
+                "#define imageAtomic{add}(image, place, value) {zero}(0).x\n"
+            ));
+        }
+    }
     text
+}
+
+/// Images that shaders write to, which WebGL has not, and what is read of them: zeros.
+const IMAGES: [(&str, &str); 3] = [
+    ("uimage2D", "uvec4"),
+    ("iimage2D", "ivec4"),
+    ("image2D", "vec4"),
+];
+
+/// Whether a text declares images that it writes to.
+pub(super) fn has_images(clues: &Clues) -> bool {
+    IMAGES.iter().any(|(word, _)| clues.has_word(word))
+}
+
+/// A text whose declarations of images are comments.
+fn without_images(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 8);
+    let mut from = 0;
+    let mut lexer = Lexer::new(text, 0);
+    // Where the declaration at hand begins, and whether it is one of an image.
+    let (mut first, mut is_image): (Option<usize>, bool) = (None, false);
+    loop {
+        let token = lexer.next_token();
+        let (start, end) = (token.span.start as usize, token.span.end as usize);
+        let word = text.get(start..end).unwrap_or("");
+        match token.kind {
+            RawKind::End => break,
+            RawKind::Whitespace | RawKind::Newline => {}
+            RawKind::LineComment | RawKind::BlockComment => {}
+            _ if word == ";" => {
+                let image = first.take().filter(|_| is_image);
+                let whole = image.and_then(|at| Some((at, text.get(at..end)?)));
+                if let Some((at, _)) = whole.filter(|(_, own)| !own.contains("*/")) {
+                    out.push_str(text.get(from..at).unwrap_or(""));
+                    out.push_str(&format!("/*{}*/", text.get(at..end).unwrap_or("")));
+                    from = end;
+                }
+                is_image = false;
+            }
+            _ if matches!(word, "{" | "}") => (first, is_image) = (None, false),
+            _ if first.is_none() && matches!(word, "layout" | "uniform") => first = Some(start),
+            _ => is_image |= first.is_some() && IMAGES.iter().any(|(image, _)| *image == word),
+        }
+    }
+    out.push_str(text.get(from..).unwrap_or(""));
+    out
 }
 
 /// Textures of one dimension, which desktops have, are the first lines of those of two.
@@ -341,6 +400,19 @@ mod tests {
             without_first_lines(text),
             "//#version 410 core\n //# extension GL_X : enable\n#define version 1\n// #version\n"
         );
+    }
+
+    #[test]
+    fn images_are_zeros() {
+        let text = "#version 420 core\nuniform vec2 size;\n\
+            layout(r32ui) uniform coherent restrict uimage2D[3] computeTex;\nout vec4 c;\n\
+            void main() {\nimageAtomicAdd(computeTex[0], ivec2(1), 3u);\n\
+            c = vec4(imageLoad(computeTex[0], ivec2(size)).x);\n}\n";
+        let code = taken(text).code;
+        assert!(
+            code.contains("/*layout(r32ui) uniform coherent restrict uimage2D[3] computeTex;*/")
+        );
+        assert!(code.contains("\nuniform vec2 size;\n"));
     }
 
     #[track_caller]

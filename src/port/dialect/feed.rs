@@ -30,6 +30,8 @@ pub enum Feed {
     ResolutionAndPixel,
     /// What a pixel measures in the picture.
     Pixel,
+    /// Width and height of the texture that [`UniformData::of`](super::UniformData) names.
+    TextureSize,
     /// Width by height.
     Aspect,
     /// Pixels of the device in one of the page.
@@ -109,6 +111,8 @@ pub enum Texture {
     LastFrame,
     /// Spectrum and wave of music.
     Music,
+    /// The sum of the spectra from the start.
+    MusicSum,
     /// What the buffer of this number draws, or that of the number in the name.
     Buffer,
 }

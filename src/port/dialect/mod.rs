@@ -27,7 +27,7 @@ mod vertexshaderart;
 mod vscode;
 
 pub(super) use bind::bind;
-pub use bind::{Bindings, UniformData};
+pub use bind::{Bindings, MAX_CHANNELS, UniformData};
 pub use clues::{Clues, Interfacing};
 pub use complete::Completion;
 pub(in crate::port) use complete::best;

@@ -154,7 +154,10 @@ impl<'d> Maker<'_, '_, 'd> {
             ));
         }
         let shader = children(pass, "shader").find(|s| s.attribute("type") == Some("ps"));
-        let path = shader.and_then(|s| s.attribute("path")).unwrap_or("");
+        // Version 1 has elements where later ones have attributes.
+        let path = shader.and_then(|s| s.attribute("path").or_else(|| child(s, "path")?.text()));
+        let path = path.unwrap_or("").trim().replace('\\', "/");
+        let path = path.as_str();
         let is_foreign = [".hlsl", ".rs", ".slang", ".lua"]
             .iter()
             .any(|e| path.ends_with(e));
@@ -173,7 +176,7 @@ impl<'d> Maker<'_, '_, 'd> {
             .map(|c| behind(c, &variables));
         let target = child(pass, "rendertexture").and_then(|t| t.attribute("name"));
         let candidates = candidates.collect();
-        let mut planned = match target.filter(|t| !t.is_empty()) {
+        let mut planned = match target.filter(|t| !matches!(*t, "" | "Window")) {
             Some(target) => PlannedPass::buffer(target, candidates),
             None => PlannedPass {
                 kind: Pass::Image,
@@ -258,8 +261,9 @@ impl<'d> Maker<'_, '_, 'd> {
     /// controls.
     fn variables(&mut self, pass: Node<'d, 'd>) -> String {
         let mut macros = String::new();
-        let all = child(pass, "variables")
-            .into_iter()
+        let holders = children(pass, "shader").chain([pass]);
+        let all = holders
+            .flat_map(|h| children(h, "variables"))
             .flat_map(|v| children(v, "variable"));
         for variable in all {
             let name = variable.attribute("name").unwrap_or("");

@@ -5,7 +5,7 @@
 //! a plane before the camera would give.
 
 use super::complete::{Completion, completions_of, defaults};
-use super::feed::{COMMON, Feed, OWN, USUAL, feed, varying};
+use super::feed::{COMMON, Feed, OWN, Texture, USUAL, feed, texture, varying};
 use super::{Clues, DialectFacts, Plan, Sign};
 use crate::host::preset;
 use crate::syntax::Version;
@@ -27,7 +27,7 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
         feed("uMouse", &["vec2"], Feed::PointerUnit, COMMON),
         feed("uResolution", &["vec2"], Feed::Resolution, COMMON),
     ],
-    textures: &[],
+    textures: &[texture("tDiffuse", Texture::File, "linear", "clamp", USUAL)],
     varyings: &[
         varying("vUv", "vec2", "port_place", USUAL),
         varying("vNormal", "vec3", "vec3(0.0, 0.0, 1.0)", USUAL),
@@ -50,9 +50,58 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
     plan: Some(plan),
 };
 
-/// What chunks of three.js declare and texts use most.
-const COMMON_CHUNK: &str = "#define PI 3.141592653589793\n#define PI2 6.283185307179586\n\
-    #define saturate(a) clamp(a, 0.0, 1.0)\n";
+/// What texts use most of the functions and macros that three.js brings, in words of our own: a
+/// definition a line.
+const BROUGHT: &str = include_str!("three.glsl");
+
+/// The name that a line of [`BROUGHT`] defines.
+fn defined(line: &str) -> &str {
+    let line = line.strip_prefix("#define ").unwrap_or(line);
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let words = line.split(|c| !is_part(c)).filter(|w| !w.is_empty());
+    let is_macro = !line.contains('{');
+    words.take(2).nth(usize::from(!is_macro)).unwrap_or("")
+}
+
+/// Those that the text does not bring itself, where it uses any.
+fn brought(clues: &Clues) -> String {
+    match BROUGHT.lines().any(|line| clues.is_free(defined(line))) {
+        true => {
+            let own = BROUGHT.lines().filter(|l| !clues.declares(defined(l)));
+            own.map(|line| format!("{line}\n")).collect()
+        }
+        false => String::new(),
+    }
+}
+
+/// Macros that the material's `defines` give: those that `#if` asks after are 0, the others `value`.
+fn defines(clues: &Clues, known: &str, value: &str) -> (String, Vec<String>) {
+    let is_constant = |w: &str| {
+        let mut chars = w.chars();
+        w.len() > 2
+            && !w.starts_with("GL_")
+            && !w.starts_with("__")
+            && chars.all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_')
+            && w.starts_with(|c: char| c.is_ascii_uppercase())
+            && !known
+                .split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+                .any(|k| k == w)
+    };
+    let names = clues.free_words(is_constant);
+    let mut text = String::new();
+    let mut told = Vec::new();
+    for name in names {
+        // Whether a macro is there is asked of some; they stay away.
+        let value = match (clues.is_condition(name), clues.is_read(name)) {
+            (true, _) => "0",
+            (false, true) => value,
+            (false, false) => continue,
+        };
+        text.push_str(&format!("#define {name} {value}\n"));
+        told.push(format!("`{name}` is {value}"));
+    }
+    (text, told)
+}
 
 fn plan(clues: &Clues) -> Plan {
     let host = preset("three").map_or(String::new(), |p| p.declarations(false));
@@ -60,18 +109,84 @@ fn plan(clues: &Clues) -> Plan {
         true => "#define OWN_OUTPUT 1\n",
         false => "",
     };
-    // Chunks are not at hand: what is told of them most often stands for them.
-    let chunk = match clues.has_include() && !clues.declares("PI") {
-        true => COMMON_CHUNK,
-        false => "",
-    };
-    let before = format!("{}{output}{host}{chunk}", defaults(Version::Es300));
-    let own = Completion::behind(before, clues.text);
-    let own = match clues.has_include() {
-        true => own.told("chunks of three.js are not put in"),
-        false => own,
+    let head = format!(
+        "{}{output}{host}{}",
+        defaults(Version::Es300),
+        brought(clues)
+    );
+    let around = |value: &str| {
+        let (macros, told) = defines(clues, &head, value);
+        let own = Completion::behind(format!("{head}{macros}"), clues.text);
+        let mut notes = Vec::new();
+        if clues.has_include() {
+            notes.push("chunks of three.js are not put in".to_string());
+        }
+        if !told.is_empty() {
+            notes.push(format!("nothing defines these macros: {}", told.join(", ")));
+        }
+        match notes.is_empty() {
+            true => own,
+            false => own.told(notes.join("; ")),
+        }
     };
     // A RawShaderMaterial declares all itself.
     let raw = completions_of(clues).into_iter();
-    Plan::picture(std::iter::once(own).chain(raw).collect())
+    Plan::picture(
+        [around("4"), around("4.0")]
+            .into_iter()
+            .chain(raw)
+            .collect(),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::port::Project;
+
+    #[test]
+    fn what_three_brings_is_known_by_its_names() {
+        let names: Vec<&str> = BROUGHT.lines().map(defined).collect();
+        assert!(names.contains(&"saturate") && names.contains(&"packDepthToRGBA"));
+        assert!(
+            names
+                .iter()
+                .all(|n| !n.is_empty() && !matches!(*n, "float" | "vec3"))
+        );
+    }
+
+    #[track_caller]
+    fn draws(text: &str) -> Project {
+        let facts = crate::port::dialect_named("three");
+        let project = Project::draft("", text, facts).unwrap();
+        let pass = &project.passes[0];
+        let code = Completion {
+            before: pass.before.clone(),
+            ..Completion::bare(&pass.code)
+        };
+        let found = code.check().unwrap().diagnostics;
+        let is_error =
+            |d: &&crate::diagnostic::Diagnostic| d.severity == crate::diagnostic::Severity::Error;
+        assert_eq!(found.iter().filter(is_error).count(), 0, "{found:?}");
+        project
+    }
+
+    #[test]
+    fn functions_and_macros_of_three_are_there() {
+        draws(
+            "#include <common>\n#include <packing>\nvarying vec2 vUv;\nvoid main() {\n\
+             gl_FragColor = packDepthToRGBA(rand(vUv) * luminance(vec3(saturate(vUv.x))));\n}\n",
+        );
+        draws(
+            "float rand(vec2 p) { return p.x; }\nvoid main() { gl_FragColor = vec4(rand(vec2(PI))); }\n",
+        );
+        let told = draws(
+            "varying vec2 vUv;\nvoid main() {\nfloat s = 0.0;\nfor (int i = 0; i < SAMPLES; i++) s += 0.1;\n\
+             #if PERSPECTIVE == 1\ns = 0.0;\n#endif\n#ifdef USE_MAP\ns = MAP_SCALE;\n#endif\n\
+             gl_FragColor = vec4(s);\n}\n",
+        );
+        let note =
+            "nothing defines these macros: `MAP_SCALE` is 4, `PERSPECTIVE` is 0, `SAMPLES` is 4";
+        assert_eq!(told.notes, [note]);
+    }
 }

@@ -259,13 +259,9 @@ function signalInput(gl, data, signal) {
   return input;
 }
 
-/** How many frames the history of the spectrum has. */
-const HISTORY_ROWS = 240;
-const SIGNAL_WIDTH = 512;
-
 /**
- * Music or a microphone as a texture of one of them: the spectrum, the wave, or the spectra of the last
- * frames, the newest at the bottom.
+ * Music or a microphone as a texture of one of them: the spectrum, the wave, the spectra of the last
+ * frames, the newest at the bottom, or the sum of all.
  * @param {WebGL2RenderingContext} gl
  * @param {InputData} data
  * @param {Signal} signal
@@ -274,9 +270,11 @@ const SIGNAL_WIDTH = 512;
 function formInput(gl, data, signal) {
   const input = emptyInput();
   const [spectrum, wave] = [new Uint8Array(1024), new Uint8Array(1024)];
-  const hasHistory = data.form === 'history';
-  const rows = hasHistory ? HISTORY_ROWS : 1;
-  const texels = new Uint8Array(4 * SIGNAL_WIDTH * rows);
+  const texels = signalTexels(data.form);
+  const rows = texels.length / (4 * SIGNAL_WIDTH);
+  const isFloat = texels instanceof Float32Array;
+  const [internal, type] = isFloat ? [gl.RGBA32F, gl.FLOAT] : [gl.RGBA8, gl.UNSIGNED_BYTE];
+  let last = 0;
   input.texture = gl.createTexture();
   input.size = [SIGNAL_WIDTH, rows, 1];
   input.isLoaded = true;
@@ -290,38 +288,18 @@ function formInput(gl, data, signal) {
     }
     input.time = analyser ? signal.time() : 10 + time;
     const values = data.form === 'wave' ? wave : spectrum;
-    texels.copyWithin(4 * SIGNAL_WIDTH, 0);
-    for (let i = 0; i < SIGNAL_WIDTH; i++) {
-      texels.fill(values[i], 4 * i, 4 * i + 4);
-      if (!hasHistory) texels[4 * i + 3] = 255;
-    }
+    addSignal(texels, values, Math.max(0, time - last));
+    last = time;
     gl.bindTexture(gl.TEXTURE_2D, input.texture);
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, SIGNAL_WIDTH, rows, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
+    gl.texImage2D(gl.TEXTURE_2D, 0, internal, SIGNAL_WIDTH, rows, 0, gl.RGBA, type, texels);
   };
   input.play = signal.play;
-  input.rewind = signal.rewind;
+  input.rewind = () => {
+    texels.fill(0);
+    last = 0;
+    signal.rewind();
+  };
   input.dispose = () => gl.deleteTexture(input.texture);
   return input;
-}
-
-/**
- * The spectrum and wave that stand for sound that is not heard.
- * @param {number} time
- * @param {Uint8Array} spectrum
- * @param {Uint8Array} wave
- */
-function makeUpSignal(time, spectrum, wave) {
-  const count = spectrum.length;
-  for (let j = 0; j < count; j++) {
-    const x = j / count;
-    let f = (0.75 + 0.25 * Math.sin(10 * j + 13 * time)) * Math.exp(-3 * x);
-    if (j < 3) f = Math.pow(0.5 + 0.5 * Math.sin(6.2831 * time), 4) * (1 - j / 3);
-    spectrum[j] = Math.floor(255 * f);
-  }
-  for (let j = 0; j < wave.length; j++) {
-    const x = j / wave.length;
-    const f = 0.5 + 0.15 * Math.sin(17 * time + 62.831 * x) * Math.sin(23 * time + 1.9 * x);
-    wave[j] = Math.floor(255 * f);
-  }
 }

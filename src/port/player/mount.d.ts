@@ -1,3 +1,20 @@
+/** The uniforms that are yours to set, with what they are at first. */
+export interface Uniforms {}
+
+/** What there is to say of a uniform that is yours to set. */
+export interface Control {
+  /** Of the uniform. */
+  name: string;
+  /** What people call it. */
+  label: string;
+  kind: 'float' | 'int' | 'bool' | 'color' | 'point' | 'vector' | 'choice' | 'event';
+  /** As many numbers as it takes, what they are at first, and between which they make sense. */
+  value: number[];
+  min?: number[];
+  max?: number[];
+  choices?: { label: string; value: number }[];
+}
+
 /** A mistake in the shader: the pass, the line in it from 1 (0: the whole pass, -1: no pass), and what is wrong. */
 export interface ShaderError {
   pass: string;
@@ -48,6 +65,10 @@ export interface Mounted {
    * RangeError where nothing has this name, with a TypeError if the value is no number.
    */
   setTunable(name: string, value: number): Promise<void>;
+  /** The uniforms that are yours to set. A new value is in the next picture, and nothing is compiled. */
+  readonly uniforms: Uniforms;
+  /** What there is to say of them. */
+  readonly controls: Control[];
   /** Puts a picture, film or music onto a channel. */
   setInput(pass: number, channel: number, url: string): Promise<void>;
   /** Ends everything and frees what it holds. What is called afterwards does nothing. */

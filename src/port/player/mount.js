@@ -53,8 +53,10 @@ export function mount(canvas, options = {}) {
     setSound: (on) => player.setSound(on),
     /** @param {string} name @param {number} value */
     setTunable: (name, value) => player.setTunable(name, value),
-    /** @param {string} name @param {number[]} numbers */
-    setControl: (name, numbers) => player.setControl(name, numbers),
+    uniforms: uniformsOf(player),
+    get controls() {
+      return structuredClone(player.project.controls);
+    },
     /** @param {number} pass @param {number} channel @param {string} url */
     setInput: (pass, channel, url) => player.setInput(pass, channel, '', url),
     dispose: () => {
@@ -62,6 +64,31 @@ export function mount(canvas, options = {}) {
       player.dispose();
     },
   };
+}
+
+/**
+ * The uniforms that the user sets, as properties: a number, true or false, or as many numbers as it takes.
+ * @param {Player} player
+ */
+function uniformsOf(player) {
+  const uniforms = {};
+  for (const { name, kind, value } of player.project.controls) {
+    Object.defineProperty(uniforms, name, {
+      enumerable: true,
+      get: () => {
+        const numbers = [...player.controls.get(name)];
+        if (value.length > 1) return numbers;
+        return kind === 'bool' || kind === 'event' ? numbers[0] !== 0 : numbers[0];
+      },
+      set: (given) => {
+        const numbers = [given].flat().map(Number);
+        const isFit = numbers.length === value.length && numbers.every(Number.isFinite);
+        if (!isFit) throw new TypeError(`${name} takes ${value.length === 1 ? 'a number' : `${value.length} numbers`}`);
+        player.setControl(name, numbers);
+      },
+    });
+  }
+  return Object.preventExtensions(uniforms);
 }
 
 export default mount;

@@ -1,9 +1,11 @@
 import type { CanvasHTMLAttributes, ReactElement } from 'react';
-import type { MountOptions, Mounted } from './module.js';
+import type { MountOptions, Mounted, Uniforms } from './module.js';
 
 export interface ShaderProps extends CanvasHTMLAttributes<HTMLCanvasElement> {
   /** Options of `mount`, read once. */
   options?: MountOptions;
+  /** Values of the uniforms that are yours to set. */
+  uniforms?: Partial<Uniforms>;
   paused?: boolean;
   sound?: boolean;
   /** Called with the player when it stands on the canvas. */

@@ -4,9 +4,9 @@ import { createElement, useEffect, useRef } from 'react';
 
 /**
  * The shader as a component. It fills its parent; `options` are those of `mount` and are read once,
- * `paused` and `sound` whenever they change, and all other properties go to the canvas.
+ * `uniforms`, `paused` and `sound` whenever they change, and all other properties go to the canvas.
  */
-export function Shader({ options, paused = false, sound = false, onMount, style, ...rest }) {
+export function Shader({ options, uniforms, paused = false, sound = false, onMount, style, ...rest }) {
   const canvas = useRef(null);
   const mounted = useRef(null);
   useEffect(() => {
@@ -30,6 +30,9 @@ export function Shader({ options, paused = false, sound = false, onMount, style,
   useEffect(() => {
     mounted.current?.setSound(sound);
   }, [sound]);
+  useEffect(() => {
+    if (mounted.current) Object.assign(mounted.current.uniforms, uniforms);
+  }, [uniforms]);
   const whole = { width: '100%', height: '100%', display: 'block', ...style };
   return createElement('canvas', { ...rest, ref: canvas, style: whole });
 }

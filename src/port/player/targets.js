@@ -12,32 +12,6 @@ function hasMipmaps(project, pass) {
   return project.passes.some((p) => p.inputs.some((i) => i?.filter === 'mipmap' && reads(i)));
 }
 
-/** What sizes are made of that Math does not have. @type {Record<string, (...n: number[]) => number>} */
-const SIZE_FUNCTIONS = {
-  add: (a, b) => a + b,
-  subtract: (a, b) => a - b,
-  multiply: (a, b) => a * b,
-  divide: (a, b) => a / b,
-  modulo: (a, b) => a % b,
-};
-
-/** @param {SizeTerm} term @param {(name: string) => number} valueOf @returns {number} */
-function sizeOf(term, valueOf) {
-  if (typeof term === 'number') return term;
-  if (typeof term === 'string') return valueOf(term);
-  const [name, terms] = term;
-  const math = /** @type {Record<string, any>} */ (/** @type {unknown} */ (Math));
-  return (SIZE_FUNCTIONS[name] ?? math[name])(...terms.map((t) => sizeOf(t, valueOf)));
-}
-
-/** Largest side of a buffer with a size of its own. */
-const MAX_SIDE = 8192;
-
-/** A whole number of pixels. @param {number} size */
-function pixels(size) {
-  return Math.min(MAX_SIDE, Math.max(1, Math.floor(size) || 1));
-}
-
 /** A buffer, in floats of 32 bits or, as a canvas, in bytes. */
 class Buffer {
   /**

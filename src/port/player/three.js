@@ -1,51 +1,4 @@
-// What the three.js module does with the project: materials, targets, uniforms.
-
-import {
-  Box2, BufferAttribute, BufferGeometry, Camera, ClampToEdgeWrapping, DataTexture, FloatType, GLSL3,
-  LinearFilter, LinearMipmapLinearFilter, Mesh, NearestFilter, RawShaderMaterial, RepeatWrapping,
-  RedFormat, RGBAFormat, Scene, Vector2, Vector3, Vector4, WebGL3DRenderTarget, WebGLCubeRenderTarget,
-  WebGLRenderTarget,
-} from 'three';
-
-const VERTEX = `in vec3 position;
-void main() {
-  gl_Position = vec4(position.xy, 0.0, 1.0);
-}
-`;
-
-/** The code of a pass; three.js writes the `#version` itself. */
-function fragmentOf(pass) {
-  const files = pass.files.map((f) => PROJECT.files[f]);
-  const isLast = (file) => file === files[files.length - 1];
-  const texts = files.map((file) => (file.hidden || isLast(file) ? file.text : `${file.text}\n`));
-  return texts.join('').replace(/^#version 300 es\n/, '');
-}
-
-function materialOf(pass) {
-  const black = new DataTexture(new Uint8Array([0, 0, 0, 255]), 1, 1);
-  black.needsUpdate = true;
-  const uniforms = {
-    iResolution: { value: new Vector3(1, 1, 1) },
-    iTime: { value: 0 },
-    iTimeDelta: { value: 1 / 60 },
-    iFrameRate: { value: 60 },
-    iFrame: { value: 0 },
-    iMouse: { value: new Vector4() },
-    iDate: { value: new Vector4() },
-    iSampleRate: { value: 44100 },
-    iChannelTime: { value: [0, 0, 0, 0] },
-    iChannelResolution: { value: [0, 1, 2, 3].map(() => new Vector3()) },
-  };
-  for (let i = 0; i < 4; i++) uniforms[`iChannel${i}`] = { value: black };
-  return new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: VERTEX,
-    fragmentShader: fragmentOf(pass),
-    uniforms,
-    depthTest: false,
-    depthWrite: false,
-  });
-}
+// What the three.js module does with the project: targets, channels, frames.
 
 /** Sets filter and wrap of a texture of the user's own, as the channel wants them. */
 function setSampling(texture, input) {
@@ -103,18 +56,28 @@ function standInMaterial(input) {
   });
 }
 
-/** Whether some channel reads a buffer with mipmaps. */
-function hasMipmaps(pass) {
-  const reads = (i) => i?.kind === 'buffer' && PROJECT.passes[i.buffer] === pass;
-  return PROJECT.passes.some((p) => p.inputs.some((i) => reads(i) && i.filter === 'mipmap'));
+/** The first of the passes that draw into what a pass draws into. */
+function firstInto(pass) {
+  return PROJECT.passes.find((p) => p === pass || (pass.into !== undefined && p.into === pass.into));
+}
+
+/** The pass that draws what an input reads. */
+function drawnFor(input) {
+  const pass = input?.kind === 'buffer' ? PROJECT.passes[input.buffer] : undefined;
+  return pass && firstInto(pass);
+}
+
+/** The inputs that read what a pass draws. */
+function readersOf(pass) {
+  return PROJECT.passes.flatMap((p) => p.inputs.filter((i) => drawnFor(i) === firstInto(pass)));
 }
 
 /** A pair of targets of zeros. */
 function makeTargets(renderer, pass, width, height) {
-  const needsMipmaps = hasMipmaps(pass);
+  const needsMipmaps = readersOf(pass).some((i) => i.filter === 'mipmap');
   const options = {
     format: RGBAFormat,
-    type: FloatType,
+    type: pass.float || !pass.uniforms ? FloatType : UnsignedByteType,
     depthBuffer: false,
     generateMipmaps: needsMipmaps,
     minFilter: needsMipmaps ? LinearMipmapLinearFilter : NearestFilter,
@@ -155,8 +118,8 @@ function standInPainter(materials, mesh, scene, camera) {
   function draw(renderer, time) {
     for (const [pass, { uniforms }] of materials) {
       pass.inputs.forEach((input, channel) => {
-        if (!input?.standIn || input.kind === 'music') return;
-        uniforms[`iChannel${channel}`].value = textureOf(renderer, input, time);
+        if (!input?.standIn || input.sampler || input.kind === 'music') return;
+        setTexture({ uniforms }, pass, channel, textureOf(renderer, input, time));
         if (input.kind !== 'cubemap') uniforms.iChannelResolution.value[channel].fromArray(input.size);
         if (input.kind === 'video') uniforms.iChannelTime.value[channel] = time;
       });
@@ -173,120 +136,222 @@ function standInPainter(materials, mesh, scene, camera) {
   return { draw, dispose };
 }
 
+/** The texture of a sound that nobody plays, in the form that a channel wants. */
+function signalTexture(input) {
+  const texels = signalTexels(input.form);
+  const type = texels instanceof Float32Array ? FloatType : UnsignedByteType;
+  const texture = new DataTexture(texels, SIGNAL_WIDTH, texels.length / (4 * SIGNAL_WIDTH), RGBAFormat, type);
+  setSampling(texture, input);
+  return texture;
+}
+
+/** Moves it on to a time, some seconds behind the last. */
+function advanceSignal(texture, input, time, seconds) {
+  const [spectrum, wave] = [new Uint8Array(1024), new Uint8Array(1024)];
+  makeUpSignal(time, spectrum, wave);
+  addSignal(texture.image.data, input.form === 'wave' ? wave : spectrum, seconds);
+  texture.needsUpdate = true;
+}
+
+/** What passes draw into, by pass: pairs of targets, of which the first is read. */
+function targetStore(users, kept) {
+  const pairs = new Map();
+
+  /** The pixels of what a pass draws into. */
+  function sizeOfPass(pass, width, height) {
+    const canvas = { $WIDTH: width, $HEIGHT: height };
+    const term = (name) => canvas[name] ?? Number(users[name]?.value ?? 0);
+    return pass.size ? pass.size.map((t) => pixels(sizeOf(t, term))) : [width, height];
+  }
+
+  /** Targets of these sizes; what lies in the lower left corner of both sizes stays. */
+  function resize(renderer, width, height) {
+    for (const pass of kept) {
+      const [w, h] = sizeOfPass(pass, width, height);
+      const shared = pairs.get(firstInto(pass));
+      pairs.set(pass, shared ?? []);
+      const old = shared?.length ? shared : null;
+      if (old && old[0].width === w && old[0].height === h) continue;
+      const pair = makeTargets(renderer, pass, w, h);
+      if (!old) {
+        pairs.get(pass).push(...pair);
+        continue;
+      }
+      const common = new Vector2(Math.min(w, old[0].width), Math.min(h, old[0].height));
+      const region = new Box2(new Vector2(0, 0), common);
+      old.splice(0).forEach((from, i) => {
+        renderer.copyTextureToTexture(from.texture, pair[i].texture, region);
+        from.dispose();
+      });
+      old.push(...pair);
+    }
+  }
+
+  /** Forgets what was drawn. */
+  function clear() {
+    pairs.forEach((pair) => pair.forEach((t) => t.dispose()));
+    pairs.clear();
+  }
+
+  return { sizeOfPass, resize, clear, of: (pass) => pairs.get(pass) };
+}
+
+/** Puts onto the channels of passes what they read. `given` and `signals` are textures by input. */
+function channelBinder(materials, targets, given, signals) {
+  /** Tells a pass how large the textures are that it reads. */
+  function setSizes(pass) {
+    const { uniforms } = materials.get(pass);
+    for (const { name, type, source, of } of pass.uniforms ?? []) {
+      const channel = source === 'textureSize' ? pass.inputs.findIndex((i) => i?.uniform === of) : -1;
+      if (channel < 0) continue;
+      const size = uniforms.iChannelResolution.value[channel].toArray();
+      uniforms[name].value = valueOf(lanesOf(SETTERS[type][1], size), false);
+    }
+  }
+
+  return function bind(renderer, pass) {
+    const material = materials.get(pass);
+    pass.inputs.forEach((input, channel) => {
+      if (!input) return;
+      const size = material.uniforms.iChannelResolution.value[channel];
+      const source = targets.of(drawnFor(input));
+      if (source) {
+        setBufferSampling(renderer, source[0].texture, input);
+        setTexture(material, pass, channel, source[0].texture);
+        size.set(source[0].width, source[0].height, 1);
+      }
+      const texture = given.get(input) ?? signals.get(input);
+      if (texture) {
+        setTexture(material, pass, channel, texture);
+        size.set(texture.image?.width ?? 0, texture.image?.height ?? 0, 1);
+      }
+    });
+    setSizes(pass);
+  };
+}
+
+/** Sets what a frame gives to all passes. */
+function setFrame(materials, targets, tick, width, height) {
+  for (const [pass, material] of materials) {
+    if (pass.uniforms) {
+      setOwnUniforms(material, pass, tick, ...targets.sizeOfPass(pass, width, height));
+      continue;
+    }
+    const u = material.uniforms;
+    u.iResolution.value.set(width, height, 1);
+    u.iTime.value = tick.time;
+    u.iTimeDelta.value = tick.delta;
+    u.iFrameRate.value = tick.rate;
+    u.iFrame.value = tick.number;
+    u.iMouse.value.fromArray(tick.mouse);
+    u.iDate.value.fromArray(tick.date);
+  }
+}
+
 /**
  * The shader for three.js: `material` paints the Image over whatever mesh it is on, in the
  * coordinates of the screen; `update` sets its uniforms and draws the buffers, before each frame.
  */
 export function createShader() {
   const passes = PROJECT.passes.filter((p) => p.kind === 'image' || p.kind === 'buffer');
-  const materials = new Map(passes.map((pass) => [pass, materialOf(pass)]));
+  const users = userUniforms();
+  const materials = new Map(passes.map((pass) => [pass, materialOf(pass, users)]));
   const image = passes.find((p) => p.kind === 'image');
   const buffers = passes.filter((p) => p.kind === 'buffer');
-  const targets = new Map();
+  // The picture is drawn a second time, into a target, where a pass reads what it was.
+  const isImageRead = readersOf(image).length > 0;
+  const kept = isImageRead ? [...buffers, image] : buffers;
+  const targets = targetStore(users, kept);
   const given = new Map();
+  const signals = new Map(passes.flatMap((p) => p.inputs.filter((i) => i?.form).map((i) => [i, signalTexture(i)])));
   const scene = new Scene();
   const camera = new Camera();
-  const triangle = new BufferGeometry();
-  const corners = new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]);
-  triangle.setAttribute('position', new BufferAttribute(corners, 3));
+  const triangle = flatGeometry([[-1, -1], [3, -1], [-1, 3]]);
+  // Vertex shaders of a file's own may want the corners of the picture.
+  const square = flatGeometry([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1], [1, 1]]);
+  const coverOf = (pass) => (pass.quad ? square : triangle);
   const mesh = new Mesh(triangle);
   mesh.frustumCulled = false;
   scene.add(mesh);
+  const object = objectOf(image, materials.get(image), coverOf(image));
   const standIns = standInPainter(materials, mesh, scene, camera);
+  const bind = channelBinder(materials, targets, given, signals);
   let frame = 0;
 
-  /** Buffers of this size; what lies in the lower left corner of both sizes stays. */
-  function resize(renderer, width, height) {
-    for (const pass of buffers) {
-      const old = targets.get(pass);
-      if (old && old[0].width === width && old[0].height === height) continue;
-      const pair = makeTargets(renderer, pass, width, height);
-      targets.set(pass, pair);
-      if (!old) continue;
-      const kept = new Vector2(Math.min(width, old[0].width), Math.min(height, old[0].height));
-      const region = new Box2(new Vector2(0, 0), kept);
-      old.forEach((from, i) => {
-        renderer.copyTextureToTexture(from.texture, pair[i].texture, region);
-        from.dispose();
-      });
-    }
-  }
-
-  function bind(renderer, pass, width, height) {
-    const { uniforms } = materials.get(pass);
-    pass.inputs.forEach((input, channel) => {
-      if (!input) return;
-      const size = uniforms.iChannelResolution.value[channel];
-      const source = input.kind === 'buffer' ? targets.get(PROJECT.passes[input.buffer]) : null;
-      if (source) {
-        setBufferSampling(renderer, source[0].texture, input);
-        uniforms[`iChannel${channel}`].value = source[0].texture;
-        size.set(width, height, 1);
-      }
-      const texture = given.get(`${passes.indexOf(pass)}.${channel}`);
-      if (texture) {
-        uniforms[`iChannel${channel}`].value = texture;
-        size.set(texture.image?.width ?? 0, texture.image?.height ?? 0, 1);
-      }
-    });
+  /** Draws a pass into what it draws into while others read what is there. */
+  function draw(renderer, pass) {
+    bind(renderer, pass);
+    mesh.material = materials.get(pass);
+    mesh.geometry = coverOf(pass);
+    renderer.setRenderTarget(targets.of(pass)[1]);
+    renderer.render(scene, camera);
   }
 
   return {
     material: materials.get(image),
-    /** Puts a texture of your own onto a channel of the Image. */
+    /** Paints the picture in any scene: the material on a triangle, or on the vertices that the shader numbers. */
+    object,
+    /** The uniforms that are yours to set. */
+    uniforms: users,
+    /** What there is to say of them: labels, kinds, ranges. */
+    controls: PROJECT.controls,
+    /** Puts a texture of your own onto a channel of the Image, or onto all samplers of a name. */
     setChannel(channel, texture) {
-      given.set(`${passes.indexOf(image)}.${channel}`, texture);
-      const input = image.inputs[channel] ?? { filter: 'linear', wrap: 'repeat' };
-      image.inputs[channel] = input;
-      setSampling(texture, input);
+      for (const pass of typeof channel === 'number' ? [image] : passes) {
+        const found = (i) => (typeof channel === 'number' ? i === channel : pass.inputs[i]?.uniform === channel);
+        const index = Array.from({ length: Math.max(4, pass.inputs.length) }, (_, i) => i).find(found);
+        if (index === undefined) continue;
+        pass.inputs[index] ??= { filter: 'linear', wrap: 'repeat' };
+        given.set(pass.inputs[index], texture);
+        setSampling(texture, pass.inputs[index]);
+      }
       texture.needsUpdate = true;
     },
     /** Call it before each frame; time and delta are seconds. */
-    update(renderer, { time, delta = 1 / 60, mouse = [0, 0, 0, 0], width, height }) {
+    update(renderer, { time, delta = 1 / 60, mouse, width, height }) {
       const canvas = renderer.domElement;
       const [w, h] = [width ?? canvas.width, height ?? canvas.height];
-      const now = new Date();
-      const seconds = now.getHours() * 3600 + now.getMinutes() * 60 + now.getSeconds();
-      for (const material of materials.values()) {
-        const u = material.uniforms;
-        u.iResolution.value.set(w, h, 1);
-        u.iTime.value = time;
-        u.iTimeDelta.value = delta;
-        u.iFrameRate.value = 1 / Math.max(delta, 1e-3);
-        u.iFrame.value = frame;
-        u.iMouse.value.fromArray(mouse);
-        u.iDate.value.set(now.getFullYear(), now.getMonth(), now.getDate(), seconds + now.getMilliseconds() / 1000);
-      }
+      const pointer = mouse ? { x: mouse[0], y: mouse[1], isDown: mouse[2] > 0 } : null;
+      const rate = 1 / Math.max(delta, 1e-3);
+      const tick = { number: frame, time, delta, rate, mouse: mouse ?? [0, 0, 0, 0], pointer, date: dateUniform() };
+      setFrame(materials, targets, tick, w, h);
+      signals.forEach((texture, input) => advanceSignal(texture, input, time, frame > 0 ? delta : 0));
       const before = renderer.getRenderTarget();
       const { autoClear } = renderer;
       // What a shader discards stays as it was two frames ago.
       renderer.autoClear = false;
-      resize(renderer, w, h);
+      // What was drawn of the picture for the frame before is read from now on.
+      targets.of(isImageRead ? image : null)?.reverse();
+      targets.resize(renderer, w, h);
       standIns.draw(renderer, time);
       for (const pass of buffers) {
-        const pair = targets.get(pass);
-        bind(renderer, pass, w, h);
-        mesh.material = materials.get(pass);
-        renderer.setRenderTarget(pair[1]);
-        renderer.render(scene, camera);
-        pair.reverse();
+        draw(renderer, pass);
+        targets.of(pass).reverse();
       }
+      if (isImageRead) draw(renderer, image);
       renderer.setRenderTarget(before);
       renderer.autoClear = autoClear;
-      bind(renderer, image, w, h);
+      bind(renderer, image);
+      if (image.fragment) {
+        const count = Math.floor(users.vertexCount.value);
+        object.geometry.setDrawRange(0, object.geometry.index ? 3 * Math.max(0, count - 2) : count);
+      }
       frame++;
     },
     /** Starts again at frame 0. */
     restart() {
-      targets.forEach((pair) => pair.forEach((t) => t.dispose()));
       targets.clear();
+      signals.forEach((texture) => texture.image.data.fill(0));
       frame = 0;
     },
     dispose() {
       materials.forEach((m) => m.dispose());
       standIns.dispose();
-      targets.forEach((pair) => pair.forEach((t) => t.dispose()));
+      signals.forEach((t) => t.dispose());
+      targets.clear();
+      object.geometry.dispose();
       triangle.dispose();
+      square.dispose();
     },
   };
 }

@@ -22,7 +22,8 @@
  * @property {string[]} [urls] data: or blob: addresses of the file, six for a cube map
  * @property {string} [name] name of the file
  * @property {boolean} [gray] whether only the red component is kept
- * @property {string} [form] how sound lies in its texture: spectrum, wave or history; both without it
+ * @property {string} [form] how sound lies in its texture: spectrum, wave, history or sum; both
+ *   without it
  * @property {string} [standIn] which of the project's `media` is drawn where no file is at hand
  * @property {string} [title] what the site calls the file that it stands for
  * @property {number[]} [size] width, height and depth of what is drawn
@@ -62,7 +63,8 @@
  * @typedef {object} OwnUniform
  * @property {string} name
  * @property {string} type as GLSL writes it
- * @property {string} source what it is given: a key of SOURCES, identity or control
+ * @property {string} source what it is given: a key of SOURCES, identity, control or textureSize
+ * @property {string} [of] the sampler whose texture it tells of
  */
 
 /**

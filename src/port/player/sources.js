@@ -1,0 +1,154 @@
+// What shaders are given that bring their own uniforms. The module for three.js has this, too.
+
+/** How a type of uniform is set, and how many numbers it takes. @type {Record<string, [string, number]>} */
+const SETTERS = {
+  float: ['1fv', 1], vec2: ['2fv', 2], vec3: ['3fv', 3], vec4: ['4fv', 4],
+  int: ['1iv', 1], ivec2: ['2iv', 2], ivec3: ['3iv', 3], ivec4: ['4iv', 4],
+  bool: ['1iv', 1], bvec2: ['2iv', 2], bvec3: ['3iv', 3], bvec4: ['4iv', 4],
+  uint: ['1uiv', 1], uvec2: ['2uiv', 2], uvec3: ['3uiv', 3], uvec4: ['4uiv', 4],
+};
+
+/** What a uniform is given, by its source. @type {Record<string, (f: Frame, w: number, h: number) => number[]>} */
+const SOURCES = {
+  time: (f) => [f.time],
+  milliseconds: (f) => [f.time * 1000],
+  delta: (f) => [f.delta],
+  frame: (f) => [f.number],
+  frameFromOne: (f) => [f.number + 1],
+  frameRate: (f) => [f.rate],
+  sampleRate: () => [44100],
+  date: (f) => f.date,
+  dateFromOne: ({ date: [year, month, ...rest] }) => [year, month + 1, ...rest],
+  resolution: (_, w, h) => [w, h, 1, 1],
+  resolutionAndPixel: (_, w, h) => [w, h, 1 / w, 1 / h],
+  pixel: (_, w, h) => [1 / w, 1 / h],
+  aspect: (_, w, h) => [w / h],
+  pixelRatio: () => [devicePixelRatio],
+  surfaceSize: (_, w, h) => [w / h, 1],
+  mouse: (f) => f.mouse,
+  pointer: ({ pointer: p }) => [p?.x ?? 0, p?.y ?? 0, p?.isDown ? 1 : 0, 0],
+  pointerUnit: ({ pointer: p }, w, h) => (p ? [p.x / w, p.y / h] : [0.5, 0.5]),
+  pointerUnitDown: ({ pointer: p }, w, h) => (p ? [p.x / w, 1 - p.y / h] : [0.5, 0.5]),
+  pointerUnitZero: ({ pointer: p }, w, h) => (p ? [p.x / w, p.y / h] : [0, 0]),
+  pointerSigned: ({ pointer: p }, w, h) => (p ? [(2 * p.x) / w - 1, (2 * p.y) / h - 1] : [0, 0]),
+  button: ({ pointer: p }) => [p?.isDown ? 1 : 0],
+  spectrum: (f) => madeUpSpectrum(f.time),
+  volume: (f) => [madeUpSpectrum(f.time)[0]],
+  historySize: () => [SIGNAL_WIDTH, HISTORY_ROWS],
+  camera: () => [0, 0, 1],
+  nothing: () => [],
+};
+
+/** How loud low, middle and high sounds are that nobody plays. @param {number} time */
+function madeUpSpectrum(time) {
+  const beat = Math.pow(0.5 + 0.5 * Math.sin(6.2831 * time), 4);
+  return [beat, 0.4 + 0.3 * Math.sin(13 * time) * Math.sin(1.7 * time), 0.2 + 0.15 * Math.sin(23 * time)];
+}
+
+/** As many numbers as a type takes; those that are missing are 0. @param {number} size @param {number[]} value */
+function lanesOf(size, value) {
+  return Array.from({ length: size }, (_, i) => value[i] ?? 0);
+}
+
+/** The numbers of a matrix that changes nothing, by columns. @param {string} type mat4, mat2x3 */
+function identityOf(type) {
+  const [columns, rows = columns] = type.slice(3).split('x').map(Number);
+  return Array.from({ length: columns * rows }, (_, i) => (i % rows === Math.floor(i / rows) ? 1 : 0));
+}
+
+/**
+ * What a frame is drawn for.
+ * @typedef {object} Frame
+ * @property {number} number
+ * @property {number} time seconds
+ * @property {number} delta seconds since the frame before
+ * @property {number} rate frames a second
+ * @property {number[]} mouse
+ * @property {{x: number, y: number, isDown: boolean} | null} pointer where the mouse is, if it has come
+ * @property {Map<string, number[]>} controls what the user sets
+ * @property {number[]} date
+ */
+
+/** Year, month from 0, day, and seconds since midnight. */
+function dateUniform() {
+  const now = new Date();
+  const seconds = now.getHours() * 3600 + now.getMinutes() * 60 + now.getSeconds();
+  return [now.getFullYear(), now.getMonth(), now.getDate(), seconds + now.getMilliseconds() / 1000];
+}
+
+/** What sizes are made of that Math does not have. @type {Record<string, (...n: number[]) => number>} */
+const SIZE_FUNCTIONS = {
+  add: (a, b) => a + b,
+  subtract: (a, b) => a - b,
+  multiply: (a, b) => a * b,
+  divide: (a, b) => a / b,
+  modulo: (a, b) => a % b,
+};
+
+/** @param {SizeTerm} term @param {(name: string) => number} valueOf @returns {number} */
+function sizeOf(term, valueOf) {
+  if (typeof term === 'number') return term;
+  if (typeof term === 'string') return valueOf(term);
+  const [name, terms] = term;
+  const math = /** @type {Record<string, any>} */ (/** @type {unknown} */ (Math));
+  return (SIZE_FUNCTIONS[name] ?? math[name])(...terms.map((t) => sizeOf(t, valueOf)));
+}
+
+/** Largest side of a buffer with a size of its own. */
+const MAX_SIDE = 8192;
+
+/** A whole number of pixels. @param {number} size */
+function pixels(size) {
+  return Math.min(MAX_SIDE, Math.max(1, Math.floor(size) || 1));
+}
+
+/** How many frames the history of the spectrum has. */
+const HISTORY_ROWS = 240;
+const SIGNAL_WIDTH = 512;
+
+/** What a texture of sound holds at first. @param {string} [form] */
+function signalTexels(form) {
+  if (form === 'sum') return new Float32Array(4 * SIGNAL_WIDTH);
+  return new Uint8Array(4 * SIGNAL_WIDTH * (form === 'history' ? HISTORY_ROWS : 1));
+}
+
+/**
+ * Puts a line of sound into its texture; the lines of a history move on, and a sum grows by one a second
+ * where it is loudest.
+ * @param {Uint8Array | Float32Array} texels
+ * @param {Uint8Array} values
+ * @param {number} seconds since the line before
+ */
+function addSignal(texels, values, seconds) {
+  if (texels instanceof Float32Array) {
+    for (let i = 0; i < texels.length; i++) texels[i] += (i % 4 < 3 ? seconds : 0) * (values[i >> 2] / 255);
+    return;
+  }
+  const hasHistory = texels.length > 4 * SIGNAL_WIDTH;
+  texels.copyWithin(4 * SIGNAL_WIDTH, 0);
+  for (let i = 0; i < SIGNAL_WIDTH; i++) {
+    texels.fill(values[i], 4 * i, 4 * i + 4);
+    if (!hasHistory) texels[4 * i + 3] = 255;
+  }
+}
+
+/**
+ * The spectrum and wave that stand for sound that is not heard.
+ * @param {number} time
+ * @param {Uint8Array} spectrum
+ * @param {Uint8Array} wave
+ */
+function makeUpSignal(time, spectrum, wave) {
+  const count = spectrum.length;
+  for (let j = 0; j < count; j++) {
+    const x = j / count;
+    let f = (0.75 + 0.25 * Math.sin(10 * j + 13 * time)) * Math.exp(-3 * x);
+    if (j < 3) f = Math.pow(0.5 + 0.5 * Math.sin(6.2831 * time), 4) * (1 - j / 3);
+    spectrum[j] = Math.floor(255 * f);
+  }
+  for (let j = 0; j < wave.length; j++) {
+    const x = j / wave.length;
+    const f = 0.5 + 0.15 * Math.sin(17 * time + 62.831 * x) * Math.sin(23 * time + 1.9 * x);
+    wave[j] = Math.floor(255 * f);
+  }
+}
