@@ -95,15 +95,12 @@ impl ChannelOrder {
 
     /// Takes a word behind the source; tells whether it is one.
     fn take_word(&mut self, word: &str) -> bool {
-        match word {
-            "nearest" => self.filter = Some("nearest"),
-            "linear" => self.filter = Some("linear"),
-            "mipmap" => self.filter = Some("mipmap"),
-            "clamp" => self.wrap = Some("clamp"),
-            "repeat" => self.wrap = Some("repeat"),
-            "flip" => self.vflip = Some(true),
-            "noflip" => self.vflip = Some(false),
-            _ => return false,
+        let known = SAMPLING.into_iter().find(|known| *known == word);
+        match known {
+            Some("nearest" | "linear" | "mipmap") => self.filter = known,
+            Some("clamp" | "repeat") => self.wrap = known,
+            Some(word) => self.vflip = Some(word == "flip"),
+            None => return false,
         }
         true
     }
@@ -132,6 +129,11 @@ impl ProjectPass {
     }
 }
 
+/// The words that say how a channel is read.
+const SAMPLING: [&str; 7] = [
+    "nearest", "linear", "mipmap", "clamp", "repeat", "flip", "noflip",
+];
+
 /// The words that name a device.
 const DEVICES: [(&str, InputKind); 3] = [
     ("keyboard", InputKind::Keyboard),
@@ -141,6 +143,12 @@ const DEVICES: [(&str, InputKind); 3] = [
 
 /// What to say of a source that is neither a file nor a word.
 pub fn unknown_source(text: &str) -> String {
+    let how = text.rsplit_once(',').map(|(_, word)| word.trim());
+    if let Some(how) = how
+        && let Some(word) = near(how, SAMPLING)
+    {
+        return format!("there is no file `{text}`; did you mean `{word}` by `{how}`?");
+    }
     let devices = DEVICES.iter().map(|(word, _)| *word);
     match near(text, devices.chain(PassRole::ALL.map(PassRole::name))) {
         Some(word) => format!("there is no file `{text}`; did you mean `{word}`?"),
@@ -312,6 +320,14 @@ impl InputKind {
 mod tests {
     use super::*;
     use crate::port::{Info, ProjectPass};
+
+    #[test]
+    fn a_misspelt_word_is_told_from_a_file() {
+        let said = |text: &str| unknown_source(text);
+        assert!(said("keyboard,neerest").ends_with("did you mean `nearest` by `neerest`?"));
+        assert!(said("keybord").ends_with("did you mean `keyboard`?"));
+        assert!(said("photo,summer.jpg").contains("a channel reads a file"));
+    }
 
     #[test]
     fn orders_are_read() {
