@@ -22,7 +22,7 @@ const READERS: [(&str, &str); 4] = [
 const CARGO: [&str; 5] = ["--", "--features", "--path", "--release", "--bin"];
 
 /// Options that only programs with the feature `naga` have.
-const OF_NAGA: [&str; 1] = ["--interface"];
+const OF_NAGA: [&str; 2] = ["--interface", "--first-row"];
 
 /// A stage each.
 const MESH: [(&str, &str); 2] = [
