@@ -166,6 +166,41 @@ fn media_are_what_their_bytes_say() {
 }
 
 #[test]
+fn media_outside_of_their_folder_are_not_read() {
+    let folder = Folder::new();
+    let toy = r#"{"renderpass":[{"type":"image","code":"void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }",
+        "outputs":[],"inputs":[{"channel":0,"type":"texture","filepath":"/media/b.png"}]}]}"#;
+    folder.put("toy.json", toy);
+    folder.put("site/media/keep.txt", "");
+    symlink(folder.path("a.png"), folder.path("site/media/b.png")).unwrap();
+    let out = "`/media/b.png` leads out of site";
+    folder.fails("toy.json --media site -o toy.html", out);
+    assert!(!folder.path("toy.html").exists());
+}
+
+#[test]
+fn what_is_too_large_for_a_shader_is_not_read_as_one() {
+    let folder = Folder::new();
+    folder.put("large.glsl", vec![b'\n'; 41 << 20]);
+    let said = "large.glsl: this has more than 40 MB; that is no shader";
+    folder.fails("large.glsl -o large.html", said);
+}
+
+#[test]
+fn sound_of_a_time_alone_is_repaired() {
+    let folder = Folder::new();
+    let toy = r#"{"renderpass":[
+        {"type":"image","code":"void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }","inputs":[],"outputs":[]},
+        {"type":"sound","code":"vec2 mainSound(float time) { return vec2(sin(time)); }","inputs":[],"outputs":[]}]}"#;
+    folder.put("toy.json", toy);
+    assert_eq!(folder.run("toy.json -o new.json").0, Some(1));
+    let (code, said) = folder.run("toy.json --repair -o new.json --force");
+    assert_eq!(code, Some(0), "{said}");
+    let new = fs::read_to_string(folder.path("new.json")).unwrap();
+    assert!(new.contains("mainSound(in int, float time)"), "{new}");
+}
+
+#[test]
 fn wrong_names_are_told_with_the_right_ones() {
     let folder = Folder::new();
     let check = |args: &str, said: &str| folder.fails(&format!("{args} -o x.html"), said);

@@ -118,6 +118,19 @@ mod tests {
     use super::*;
 
     #[test]
+    fn one_file_is_not_two() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.wgsl");
+        let file = |content: &str| File {
+            path: path.clone(),
+            content: content.as_bytes().to_vec(),
+        };
+        let said = save(&[file("one"), file("two")], Overwrite::Allowed, &[]);
+        assert!(said.unwrap_err().starts_with("two files would be written"));
+        assert!(!path.exists());
+    }
+
+    #[test]
     fn titles_are_names_of_files() {
         assert_eq!(file_name("Sea, deep/../blue"), "Sea_deep_blue");
         assert_eq!(file_name("../"), "shader");

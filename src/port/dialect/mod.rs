@@ -331,6 +331,15 @@ mod tests {
     }
 
     #[test]
+    fn what_speaks_for_two_dialects_is_told() {
+        let text = "precision highp float;\nuniform vec3 spectrum;\nvarying vec2 surfacePosition;\n\
+            void main() { gl_FragColor = vec4(surfacePosition, spectrum.xy); }";
+        let found = recognise(&Clues::of(text));
+        let told = found.told();
+        assert!(told.ends_with("`--from kodelife` insists"), "{told}");
+    }
+
+    #[test]
     fn names_of_its_own_make_a_dialect() {
         let old = |head: &str| {
             format!("precision mediump float;\n{head}\nvoid main() {{ gl_FragColor = vec4(1.0); }}")
