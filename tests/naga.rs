@@ -493,6 +493,31 @@ fn what_a_call_hands_out_starts_at_zero() {
 }
 
 #[test]
+fn texels_of_whole_numbers_repeat_at_the_nearest_level() {
+    let text = whole_wgsl(
+        "#version 300 es\nprecision highp float;\nprecision highp isampler2D;\n\
+         uniform isampler2D t;\nuniform float l;\nout vec4 c;\n\
+         void main() { c = vec4(textureLod(t, gl_FragCoord.xy, l)); }\n",
+    );
+    assert!(text.contains("= min(max(i32(round("), "{text}");
+    // A remainder has the sign of what is divided, so that it takes two.
+    assert_eq!(text.matches(" % ").count(), 2, "{text}");
+}
+
+#[test]
+fn the_last_component_of_a_pixels_place_is_inverse_for_direct3d() {
+    let code = "#version 300 es\nprecision highp float;\nout vec4 c;\n\
+                void main() { c = vec4(gl_FragCoord.w); }\n";
+    let inverse = |language| {
+        let (_, text) = whole(&checked(Stage::Fragment, code), language).unwrap();
+        String::from_utf8(text)
+            .unwrap()
+            .contains("1.0 / position.w")
+    };
+    assert!(inverse(TargetLanguage::Hlsl) && !inverse(TargetLanguage::Wgsl));
+}
+
+#[test]
 fn sizes_of_levels_are_halves() {
     let of = |level: &str| {
         wgsl(&format!(
