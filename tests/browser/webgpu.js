@@ -38,19 +38,28 @@ async function compare(context, file, name, ...args) {
   return { count: unequal(drawn.ours, drawn.theirs), total: SIZE.width * SIZE.height, shown };
 }
 
-const equal = { asked: 0, differing: [] };
+const equal = { asked: 0, differing: [], tooMuch: [] };
 
 /** Most exports look the same; those that do not are told by name. */
 function mostAreEqual() {
-  const { asked, differing } = equal;
-  assert.ok(differing.length <= Math.max(1, 0.03 * asked), `${differing.length} of ${asked} differ: ${differing.join(' ')}`);
+  const { asked, differing, tooMuch } = equal;
+  const told = `${differing.length} of ${asked} differ: ${differing.join(' ')}; too much for the GPU: ${tooMuch.join(' ')}`;
+  console.log(told);
+  assert.ok(differing.length <= Math.max(1, 0.03 * asked), told);
+  assert.ok(tooMuch.length <= Math.max(1, 0.01 * asked), told);
 }
 
 async function exported(context, file, name) {
   // Turned rows change places in the quads by which derivatives are taken.
-  const { count, total } = await compare(context, file, name, '--first-row', 'bottom');
-  equal.asked++;
-  if (count > 0.001 * total) equal.differing.push(`${name} (${count})`);
+  try {
+    const { count, total } = await compare(context, file, name, '--first-row', 'bottom');
+    equal.asked++;
+    if (count > 0.001 * total) equal.differing.push(`${name} (${count})`);
+  } catch (error) {
+    // The browser's process for graphics has ended.
+    if (!error.message.includes('external Instance reference no longer exists')) throw error;
+    equal.tooMuch.push(name);
+  }
 }
 
 /** Whether the program was built with the languages of naga. */
