@@ -45,8 +45,9 @@ function mostAreEqual() {
   const { asked, differing, tooMuch } = equal;
   const told = `${differing.length} of ${asked} differ: ${differing.join(' ')}; too much for the GPU: ${tooMuch.join(' ')}`;
   console.log(told);
-  assert.ok(differing.length <= Math.max(1, 0.03 * asked), told);
-  assert.ok(tooMuch.length <= Math.max(1, 0.01 * asked), told);
+  // One more may, so that a sample of a few is not judged by the one.
+  assert.ok(differing.length <= 1 + 0.03 * asked, told);
+  assert.ok(tooMuch.length <= 1 + 0.01 * asked, told);
 }
 
 async function exported(context, file, name) {

@@ -95,10 +95,41 @@ export async function beside({ passes, last }) {
     return { made, view: made.createView({ dimension: viewDimension }) };
   }
 
+  const halving = device.createShaderModule({
+    code: `@group(0) @binding(0) var above: texture_2d<f32>;
+@group(0) @binding(1) var smooth_: sampler;
+@vertex fn corner(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f { return ${corners}; }
+@fragment fn half(@builtin(position) p: vec4f) -> @location(0) vec4f {
+  let size = max(textureDimensions(above) / 2u, vec2u(1u));
+  return textureSampleLevel(above, smooth_, p.xy / vec2f(size), 0.0);
+}`,
+  });
+  const smooth = device.createSampler({ magFilter: 'linear', minFilter: 'linear' });
+  const halves = new Map();
+
+  /** Makes the smaller levels of a texture, each from the one above it. */
+  function makeLevels(texture) {
+    const { format, mipLevelCount } = texture;
+    const stages = { vertex: { module: halving }, fragment: { module: halving, targets: [{ format }] } };
+    if (!halves.has(format)) halves.set(format, device.createRenderPipeline({ layout: 'auto', ...stages }));
+    const pipeline = halves.get(format);
+    const encoder = device.createCommandEncoder();
+    const level = (baseMipLevel) => texture.createView({ baseMipLevel, mipLevelCount: 1 });
+    for (let i = 1; i < mipLevelCount; i++) {
+      const entries = [{ binding: 0, resource: level(i - 1) }, { binding: 1, resource: smooth }];
+      const drawing = encoder.beginRenderPass({ colorAttachments: [{ view: level(i), loadOp: 'clear', storeOp: 'store' }] });
+      drawing.setPipeline(pipeline);
+      drawing.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries }));
+      drawing.draw(3);
+      drawing.end();
+    }
+    device.queue.submit([encoder.finish()]);
+  }
+
   /** A buffer: what is read and what is drawn into, both empty. */
-  function pair(format) {
+  function pair(format, mipLevelCount) {
     const one = () => {
-      const texture = device.createTexture({ size: [width, height], format, usage: drawn });
+      const texture = device.createTexture({ size: [width, height], format, usage: drawn, mipLevelCount });
       const bytes = width * height * (format === 'rgba32float' ? 16 : 4);
       const layout = { bytesPerRow: bytes / height };
       device.queue.writeTexture({ texture }, new Uint8Array(bytes), layout, [width, height]);
@@ -124,10 +155,12 @@ export async function beside({ passes, last }) {
 
   const buffers = new Map();
   const everyPass = passes.map((p) => p.told);
-  const isRead = (name) => everyPass.some((p) => p.textures.some((t) => t.source?.kind === 'buffer' && t.source.pass === name));
+  const readers = (name) => everyPass.flatMap((p) => p.textures.filter((t) => t.source?.kind === 'buffer' && t.source.pass === name));
   for (const told of everyPass) {
     const { name, kind, format } = told.pass;
-    if (kind === 'buffer' || kind === 'image') buffers.set(name, { ...pair(format), isKept: kind === 'buffer' || isRead(name) });
+    const hasLevels = readers(name).some((t) => t.source.filter === 'mipmap');
+    const levels = hasLevels ? Math.floor(Math.log2(Math.max(width, height))) + 1 : 1;
+    if (kind === 'buffer' || kind === 'image') buffers.set(name, pair(format, levels));
   }
 
   /** A pass, ready to be drawn. */
@@ -234,13 +267,14 @@ export async function beside({ passes, last }) {
     const buffer = buffers.get(told.pass.name);
     const encoder = device.createCommandEncoder();
     const drawing = encoder.beginRenderPass({
-      colorAttachments: [{ view: buffer.write.createView(), loadOp: 'clear', storeOp: 'store' }],
+      colorAttachments: [{ view: buffer.write.createView({ mipLevelCount: 1 }), loadOp: 'clear', storeOp: 'store' }],
     });
     drawing.setPipeline(pipeline);
     drawing.setBindGroup(0, device.createBindGroup({ layout, entries }));
     drawing.draw(3);
     drawing.end();
     device.queue.submit([encoder.finish()]);
+    if (buffer.write.mipLevelCount > 1) makeLevels(buffer.write);
     [buffer.read, buffer.write] = [buffer.write, buffer.read];
   }
 
