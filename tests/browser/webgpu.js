@@ -19,6 +19,18 @@ export function unequal(a, b) {
   return count;
 }
 
+/** The browser's process for graphics has ended, and with it all that was drawn. */
+class Ended extends Error {}
+
+/** Whether it has, as the player sees it within a second. */
+function hasEnded() {
+  const { gl, canvas } = globalThis.shaderport.player;
+  return gl.isContextLost() || new Promise((resolve) => {
+    canvas.addEventListener('webglcontextlost', () => resolve(true));
+    setTimeout(() => resolve(gl.isContextLost()), 1000);
+  });
+}
+
 /** Draws a shader or project in both ways; gives how many pixels differ. */
 async function compare(context, file, name, ...args) {
   const out = path.join(work, `${name}.wgsl.d`);
@@ -32,7 +44,9 @@ async function compare(context, file, name, ...args) {
   const { page } = await open(context, port(file, name), `#size=${SIZE.width}x${SIZE.height}&paused`);
   await page.clock.setFixedTime(new Date('2024-05-06T07:08:09Z'));
   await page.evaluate(() => globalThis.shaderport.ready);
-  const drawn = await page.evaluate(beside, { passes, last: LAST });
+  const failed = (error) => ({ error: error.message });
+  const drawn = await page.evaluate(beside, { passes, last: LAST }).catch(failed);
+  if (drawn.error && (await page.evaluate(hasEnded))) throw new Ended(drawn.error);
   assert.equal(drawn.error, undefined);
   const shown = colors(drawn.theirs);
   return { count: unequal(drawn.ours, drawn.theirs), total: SIZE.width * SIZE.height, shown };
@@ -57,8 +71,7 @@ async function exported(context, file, name) {
     equal.asked++;
     if (count > 0.001 * total) equal.differing.push(`${name} (${count})`);
   } catch (error) {
-    // The browser's process for graphics has ended.
-    if (!error.message.includes('external Instance reference no longer exists')) throw error;
+    if (!(error instanceof Ended)) throw error;
     equal.tooMuch.push(name);
   }
 }
