@@ -254,16 +254,28 @@ proptest! {
     /// What compiles goes on to compile, and what `--fix` leaves it leaves for good.
     #[test]
     fn fixes_break_nothing_and_come_to_an_end(text in texts()) {
-        let options = Options::default();
-        let before = count_errors(&judge(&text));
-        for allow in [Allow::Safe, Allow::Unsafe] {
-            let fixed = |text: &str| mend("a.glsl", text, &options, &NoFiles, allow).text;
-            let once = fixed(&text);
-            let after = count_errors(&judge(&once));
-            prop_assert!(before > 0 || after == 0, "{after} errors come of fixes:\n{once}");
-            if allow == Allow::Unsafe {
-                prop_assert_eq!(fixed(&once), once);
-            }
+        prop_assert_eq!(trouble_of_fixes(&text), None);
+    }
+}
+
+/// What is wrong with the fixes of a text.
+fn trouble_of_fixes(text: &str) -> Option<String> {
+    let options = Options::default();
+    let before = count_errors(&judge(text));
+    let fixed = |text: &str, allow| mend("a.glsl", text, &options, &NoFiles, allow).text;
+    for allow in [Allow::Safe, Allow::Unsafe] {
+        let after = count_errors(&judge(&fixed(text, allow)));
+        if before == 0 && after > 0 {
+            return Some(format!("{after} errors come of fixes"));
         }
     }
+    let once = fixed(text, Allow::Unsafe);
+    let twice = fixed(&once, Allow::Unsafe);
+    (once != twice).then(|| format!("{once}\n-- is mended further to --\n{twice}"))
+}
+
+/// What cannot be read took the `;` of its line along, and each that was put in behind it.
+#[test]
+fn fixes_come_to_an_end_where_they_did_not() {
+    assert_eq!(trouble_of_fixes("{;}x};#[(i 0;<4;i+)+}f();w;"), None);
 }

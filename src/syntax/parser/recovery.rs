@@ -5,7 +5,7 @@ use super::{Parsed, Parser, Reported};
 use crate::diagnostic::{Diagnostic, Fix, Subject, error};
 use crate::syntax::ast::*;
 use crate::syntax::names::Name;
-use crate::syntax::set;
+use crate::syntax::set::{self, TokenSet};
 use crate::syntax::token::TokenKind;
 use crate::text::{Edit, Span};
 
@@ -496,10 +496,16 @@ impl Parser<'_> {
 
     /// Skips to the `)` that closes the parentheses around, which stays the next token.
     pub(super) fn skip_to_close(&mut self) {
+        self.skip_inside(const { TokenSet::of(&[TokenKind::LeftBrace, TokenKind::RightBrace]) });
+    }
+
+    /// Skips to the `)` that closes the parentheses around, or to what none of them may hold.
+    fn skip_inside(&mut self, ends: TokenSet) {
         let mut open = 0_u32;
         loop {
             match self.peek() {
-                TokenKind::End | TokenKind::LeftBrace | TokenKind::RightBrace => return,
+                TokenKind::End => return,
+                kind if ends.contains(kind) => return,
                 TokenKind::RightParen if open == 0 => return,
                 TokenKind::LeftParen => open += 1,
                 TokenKind::RightParen => open -= 1,
@@ -539,9 +545,11 @@ impl Parser<'_> {
 
     /// Skips `( ... )`.
     pub(super) fn skip_parens(&mut self) {
+        use TokenKind as T;
         self.advance();
-        self.skip_to_close();
-        self.eat(TokenKind::RightParen);
+        // Arguments hold no statement: what is not closed ends with it.
+        self.skip_inside(const { TokenSet::of(&[T::LeftBrace, T::RightBrace, T::Semicolon]) });
+        self.eat(T::RightParen);
     }
 
     /// Skips `{ ... }`.
