@@ -1,10 +1,10 @@
-//! `a == b` on floats.
+//! `a == b` on floats of which one is rounded.
 
 use crate::diagnostic::Severity;
-use crate::ir::{OpKind, Root};
+use crate::flow::ranges::{Interval, Rounding};
 use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
 use crate::semantic::Scalar;
-use crate::syntax::ast::{BinaryOp, ExprId};
+use crate::syntax::ast::BinaryOp;
 
 pub static RULE: Rule = Rule {
     name: "float-equality",
@@ -21,51 +21,56 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         return;
     }
     let program = cx.program;
-    let is_float = program.ty(e.left).scalar_kind() == Some(Scalar::Float);
+    let ty = program.ty(e.left);
+    let is_float = ty.scalar_kind() == Some(Scalar::Float) && !ty.is_matrix();
     if !is_float || program.expr(e.id).is_const || cx.facts.is_same(e.left, e.right) {
         return;
     }
-    let count = program.ty(e.left).components();
-    if program.ty(e.left).is_matrix() || (0..count as u8).all(|c| is_exact(cx, e, c)) {
+    let Some(rounded) = (0..ty.components() as u8).find_map(|c| rounded_side(cx, e, c)) else {
         return;
-    }
+    };
     let (left, right) = (program.expr_text(e.left), program.expr_text(e.right));
-    let (symbol, relation) = if e.op == BinaryOp::Equal {
-        ("==", "<")
-    } else {
-        ("!=", ">=")
+    let (rounded, other) = match rounded {
+        Side::Left => (&left, &right),
+        Side::Right => (&right, &left),
     };
-    let instead = if program.ty(e.left).is_vector() {
-        format!("distance({left}, {right}) {relation} 1e-4")
-    } else {
-        format!("abs({left} - {right}) {relation} 1e-4")
+    let (miss, relation) = match e.op {
+        BinaryOp::Equal => ("`==` may miss", "<"),
+        _ => ("`!=` may hold beside", ">="),
     };
-    cx.report_expr(
-        e.id,
-        format!("`{symbol}` on floats is almost never what is meant"),
-    )
-    .note("rounding makes two results differ that should be equal")
-    .help(format!("compare with a tolerance: `{instead}`"));
+    let instead = match ty.is_vector() {
+        true => format!("distance({left}, {right}) {relation} 1e-4"),
+        false => format!("abs({left} - {right}) {relation} 1e-4"),
+    };
+    let message = format!("`{rounded}` is rounded, so {miss} `{other}`");
+    cx.report_expr(e.id, message)
+        .note("rounding makes results differ that should be equal, on each GPU in its own way")
+        .help(format!("compare with a tolerance: `{instead}`"));
 }
 
-/// Whether no rounding can come between the two.
-fn is_exact(cx: &Context, e: &BinaryExpr, component: u8) -> bool {
-    let (Some(left), Some(right)) = (
-        cx.facts.range(e.left).nth(component as usize),
-        cx.facts.range(e.right).nth(component as usize),
-    ) else {
-        return false;
+/// One of the sides of a comparison.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Side {
+    Left,
+    Right,
+}
+
+/// The side that rounding has come into for certain, where that may decide the comparison.
+fn rounded_side(cx: &Context, e: &BinaryExpr, component: u8) -> Option<Side> {
+    let left = cx.facts.range(e.left).nth(component as usize)?;
+    let right = cx.facts.range(e.right).nth(component as usize)?;
+    let side = match (left.rounding, right.rounding) {
+        (Rounding::Always, _) => Side::Left,
+        (_, Rounding::Always) => Side::Right,
+        _ => return None,
     };
     // A division or root is to be kept from exactly zero, and what a value is bounded by is held.
-    let is_edge = |value: Option<f64>, other: &crate::flow::ranges::Interval| {
-        value.is_some_and(|v| v == 0.0 || other.holds(v))
-    };
-    (left.exact && right.exact)
-        || is_edge(left.single(), &right)
+    let is_edge =
+        |value: Option<f64>, other: &Interval| value.is_some_and(|v| v == 0.0 || other.holds(v));
+    let is_meant = is_edge(left.single(), &right)
         || is_edge(right.single(), &left)
-        || (left.exact && is_given(cx, e.right))
-        || (right.exact && is_given(cx, e.left))
-        || may_be_copies(cx, e, component)
+        || may_be_copies(cx, e, component);
+    (!is_meant).then_some(side)
 }
 
 fn may_be_copies(cx: &Context, e: &BinaryExpr, component: u8) -> bool {
@@ -76,14 +81,4 @@ fn may_be_copies(cx: &Context, e: &BinaryExpr, component: u8) -> bool {
             .ranges()
             .may_be_copies(left, right, component as u32)
     })
-}
-
-/// Whether a value comes from the host as it stands.
-fn is_given(cx: &Context, expr: ExprId) -> bool {
-    let module = cx.facts.module();
-    let variable = module.op_of(expr).and_then(|op| match module.op(op).kind {
-        OpKind::Load(place) => module.variable(module.place(place).variable),
-        _ => None,
-    });
-    variable.is_some_and(|v| v.root == Root::Uniform)
 }

@@ -1,14 +1,35 @@
 //! Ranges of built-in functions and of what hosts provide.
 
-use super::interval::{Interval, Tightness, below, is_power_of_two};
+use super::interval::{Interval, Rounding, Tightness, below, is_power_of_two};
 use crate::semantic::builtins::Transfer;
 use std::f64::consts::{PI, TAU};
 
 /// The range of a component of a built-in function's result, given those of the arguments at that
 /// component. Of functions that mix components nothing is known here.
 pub fn of_function(transfer: Transfer, args: &[Interval]) -> Interval {
-    let range = transferred(transfer, args).unwrap_or(Interval::ANY);
+    let mut range = transferred(transfer, args).unwrap_or(Interval::ANY);
+    if rounds(transfer) && args.iter().any(|arg| arg.single().is_none()) {
+        range.rounding = Rounding::Always;
+    }
     args.iter().fold(range, |range, arg| range.like(arg))
+}
+
+/// Whether a function rounds whatever it is given.
+const fn rounds(transfer: Transfer) -> bool {
+    use Transfer as T;
+    matches!(
+        transfer,
+        T::Rising(_)
+            | T::RisingOn(..)
+            | T::FallingOn(..)
+            | T::Logarithm(_)
+            | T::NonNegative
+            | T::Sine
+            | T::Cosine
+            | T::ArcTangent
+            | T::Power
+            | T::Ramp
+    )
 }
 
 fn transferred(transfer: Transfer, args: &[Interval]) -> Option<Interval> {
@@ -72,8 +93,11 @@ fn modulo(x: Interval, y: Interval) -> Option<Interval> {
         Tightness::Touched
     };
     let mut range = Interval::new(0.0, below(divisor), tightness);
-    // The division inside rounds, unless it is by a power of two.
-    range.exact = x.exact && is_power_of_two(divisor);
+    // The division inside rounds, unless it is by a power of two: on some GPUs `mod(3.0, 3.0)` is 3.
+    range.rounding = match is_power_of_two(divisor) {
+        true => x.rounding,
+        false => Rounding::Always,
+    };
     Some(range)
 }
 
@@ -103,7 +127,9 @@ fn blend(x: Interval, y: Interval, share: Interval) -> Option<Interval> {
     } else {
         range.loose()
     };
-    range.exact &= share.exact;
+    if share.rounding != Rounding::Never {
+        range.rounding = share.rounding;
+    }
     Some(range)
 }
 

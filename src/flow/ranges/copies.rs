@@ -3,7 +3,6 @@
 use super::Query;
 use crate::flow::defs::{Def, DefId, Slot};
 use crate::ir::{OpId, OpKind};
-use crate::semantic::BuiltinId;
 use crate::semantic::builtins::Transfer;
 use rustc_hash::FxHashSet;
 
@@ -19,10 +18,6 @@ enum Origin {
     Def(DefId),
     /// A lane of a variable, as it was before the function.
     Entry(Slot),
-    /// A component of what a texture holds.
-    Texture,
-    /// Arithmetic without rounding.
-    Exact,
 }
 
 /// What is still to be followed.
@@ -40,17 +35,7 @@ impl Query<'_> {
     /// and a constant that was put into it, or the least of two distances and one of the two.
     pub fn may_be_copies(&self, a: OpId, b: OpId, lane: u32) -> bool {
         let (left, right) = (self.origins(a, lane), self.origins(b, lane));
-        let is_whole = |o: &Origin| matches!(o, Origin::Constant(bits) if f32::from_bits(*bits).fract() == 0.0);
-        // A flag that another pass or the keyboard has put into a texture.
-        let stored = |x: &Origins, y: &Origins| {
-            x.contains(&Origin::Texture) && (y.iter().any(is_whole) || y.contains(&Origin::Texture))
-        };
-        let is_exact = |o: &Origins| o.contains(&Origin::Texture) || o.contains(&Origin::Exact);
         !left.is_disjoint(&right)
-            || stored(&left, &right)
-            || stored(&right, &left)
-            || (is_exact(&left) && self.lane(b, lane).exact)
-            || (is_exact(&right) && self.lane(a, lane).exact)
     }
 
     fn origins(&self, op: OpId, lane: u32) -> Origins {
@@ -114,15 +99,8 @@ impl Query<'_> {
                     Transfer::Magnitude | Transfer::Signum | Transfer::Threshold => {
                         todo.extend(args.last().map(|a| own(*a)));
                     }
-                    _ if is_lookup(function) => {
-                        found.insert(Origin::Texture);
-                    }
                     _ => {}
                 }
-            }
-            OpKind::Binary(..) => {
-                let is_exact = self.lane(op, lane).exact;
-                found.extend(is_exact.then_some(Origin::Exact));
             }
             _ => todo.extend(
                 defs.part_of(module, op, lane)
@@ -154,8 +132,4 @@ impl Query<'_> {
             Def::Measured(_) | Def::Refined { .. } | Def::Unknown => {}
         }
     }
-}
-
-fn is_lookup(function: BuiltinId) -> bool {
-    function.kind().is_texture()
 }

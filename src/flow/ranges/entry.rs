@@ -98,6 +98,8 @@ impl Query<'_> {
             Def::Head { init, back, .. } => {
                 let (first, later) = (get(of(init)), get(of(back)));
                 let mut joined = join([first, later].into_iter())?;
+                // After the first turn it is what the turns make of it.
+                joined.rounding = later.map_or(joined.rounding, |later| later.rounding);
                 if !self.is_tested(id) {
                     joined = joined.loose();
                 }
@@ -256,7 +258,7 @@ impl Query<'_> {
         if self.ranges.hides_variable(id) {
             // Whether it is rounded, the writes that are known tell best.
             range = Interval {
-                exact: range.exact,
+                rounding: range.rounding,
                 ..unknown(variable.ty)
             };
         }

@@ -23,6 +23,28 @@ pub struct End {
     pub tightness: Tightness,
 }
 
+/// Whether arithmetic that rounds made a number.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Rounding {
+    /// No: whole numbers, halves and the like.
+    Never,
+    /// It is not known.
+    Unknown,
+    /// Yes, so that it differs in the last digits from what it would be on paper, and from GPU to GPU.
+    Always,
+}
+
+impl Rounding {
+    /// That of what is one of two numbers.
+    fn join(self, other: Rounding) -> Rounding {
+        if self == other {
+            self
+        } else {
+            Rounding::Unknown
+        }
+    }
+}
+
 /// What a number may be.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Interval {
@@ -30,8 +52,8 @@ pub struct Interval {
     pub lo: End,
     /// The greatest.
     pub hi: End,
-    /// Whether it comes about without rounding: whole numbers, halves and the like.
-    pub exact: bool,
+    /// Whether rounding comes into it.
+    pub rounding: Rounding,
     /// What it hangs on, a bit for each unknown. Two numbers that hang on the same are not free of
     /// each other, so bounds made of both are not reached for certain.
     pub sources: u64,
@@ -102,7 +124,7 @@ impl Interval {
             value: f64::INFINITY,
             tightness: Tightness::Loose,
         },
-        exact: false,
+        rounding: Rounding::Unknown,
         sources: 0,
         mixed: false,
     };
@@ -110,9 +132,10 @@ impl Interval {
     /// One number.
     pub fn constant(value: f64) -> Interval {
         let scaled = value * 256.0;
-        Interval {
-            exact: scaled.fract() == 0.0 && scaled.abs() < 4_294_967_296.0,
-            ..Interval::new(value, value, Tightness::Held)
+        let range = Interval::new(value, value, Tightness::Held);
+        match scaled.fract() == 0.0 && scaled.abs() < 4_294_967_296.0 {
+            true => range.exactly(),
+            false => range,
         }
     }
 
@@ -128,8 +151,29 @@ impl Interval {
     /// The same numbers, which come about without rounding.
     pub fn exactly(self) -> Interval {
         Interval {
-            exact: true,
+            rounding: Rounding::Never,
             ..self
+        }
+    }
+
+    /// The same numbers, made by arithmetic that rounds.
+    pub fn rounded(self) -> Interval {
+        Interval {
+            rounding: Rounding::Always,
+            ..self
+        }
+    }
+
+    /// Whether rounding comes into the sum or product of two numbers.
+    pub fn rounding_with(&self, other: &Interval) -> Rounding {
+        use Rounding::{Always, Never, Unknown};
+        // A constant that no `float` can be, such as 0.1, is rounded with whatever it meets.
+        let is_rough = |r: &Interval| r.rounding == Unknown && r.single().is_some();
+        match (self.rounding, other.rounding) {
+            (Never, Never) => Never,
+            (Always, _) | (_, Always) => Always,
+            _ if is_rough(self) != is_rough(other) => Always,
+            _ => Unknown,
         }
     }
 
@@ -213,7 +257,7 @@ impl Interval {
         Interval {
             lo: least(self.lo, other.lo),
             hi: greatest(self.hi, other.hi),
-            exact: self.exact && other.exact,
+            rounding: self.rounding.join(other.rounding),
             sources: self.sources | other.sources,
             mixed: self.mixed | other.mixed,
         }
@@ -260,7 +304,7 @@ impl Interval {
         let range = Interval {
             lo,
             hi,
-            exact: a.exact && b.exact,
+            rounding: a.rounding_with(b),
             sources: a.sources | b.sources,
             mixed: a.mixed | b.mixed,
         };
@@ -328,7 +372,12 @@ impl Interval {
         Interval {
             lo: bound(high.value, tightness),
             hi: greatest(self.hi, other.hi),
-            exact: self.exact && other.exact,
+            // A constant bound is known by the end of the range that it makes.
+            rounding: match (self.single(), other.single()) {
+                (None, Some(_)) => self.rounding,
+                (Some(_), None) => other.rounding,
+                _ => self.rounding.join(other.rounding),
+            },
             sources: self.sources | other.sources,
             mixed: self.mixed | other.mixed,
         }
@@ -339,7 +388,10 @@ impl Interval {
         Interval {
             lo: bound(f(self.lo.value), self.lo.tightness),
             hi: bound(f(self.hi.value), self.hi.tightness),
-            exact: false,
+            rounding: match self.single() {
+                Some(_) => Rounding::Unknown,
+                None => Rounding::Always,
+            },
             ..self
         }
     }
@@ -409,7 +461,14 @@ impl Div for Interval {
         let mut range = Interval::made_of(&self, &other, lo, hi);
         // Only a power of two divides without rounding.
         let divisor = other.single().unwrap_or(3.0).abs();
-        range.exact = self.exact && divisor >= 1.0 && is_power_of_two(divisor) && divisor <= 256.0;
+        let divides = is_power_of_two(divisor) && divisor <= 256.0;
+        range.rounding = match (other.single(), range.rounding) {
+            (Some(_), _) if divides => self.rounding,
+            // Multiples of the divisor are not rounded.
+            (Some(_), Rounding::Never) => Rounding::Unknown,
+            (None, Rounding::Never) => Rounding::Always,
+            (_, rounding) => rounding,
+        };
         range
     }
 }

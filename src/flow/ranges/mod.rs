@@ -17,7 +17,7 @@ mod solve;
 #[cfg(test)]
 mod tests;
 
-pub use interval::{End, Interval, Tightness};
+pub use interval::{End, Interval, Rounding, Tightness};
 
 use super::defs::{DefId, Defs, Guard, each_comparison};
 use super::layout::length_lane;

@@ -225,7 +225,9 @@ impl Query<'_> {
             Binary::Multiply => x * y,
             Binary::Divide if self.is_whole(a) => (x / y).rising(f64::trunc),
             Binary::Divide => match self.is_share(a, b, lane) {
-                true => Interval::new(0.0, below(1.0), Tightness::Touched).like(&x),
+                true => Interval::new(0.0, below(1.0), Tightness::Touched)
+                    .rounded()
+                    .like(&x),
                 false => x / y,
             },
             Binary::Remainder if y.lo.value > 0.0 => remainder(x, y),
@@ -277,11 +279,12 @@ impl Query<'_> {
         };
         let own = |op: OpId| if module.ty(op).is_scalar() { 0 } else { lane };
         let all = |op: OpId| 0..module.ty(op).components().min(4);
-        let mut hanging = Some(Interval::ANY);
+        let mut hanging = Some(Interval::ANY.exactly());
         for &arg in args.iter().filter(|_| mixes(transfer)) {
             for lane in all(arg) {
                 hanging = hanging.zip(of(arg, lane)).map(|(all, one)| Interval {
                     sources: all.sources | one.sources,
+                    rounding: all.rounding_with(&one),
                     ..all
                 });
             }
@@ -307,7 +310,13 @@ impl Query<'_> {
                     ..range
                 }
             }
-            (Transfer::Norm, &[v]) => length(v)?.like(&hanging?),
+            (Transfer::Norm, &[v]) => {
+                let length = length(v)?.like(&hanging?);
+                match length.single().is_none() && module.ty(v).is_vector() {
+                    true => length.rounded(),
+                    false => length,
+                }
+            }
             (Transfer::Separation, &[a, b]) => {
                 let parts = all(a).map(|lane| {
                     let (x, y) = (of(a, lane), of(b, lane));
@@ -324,7 +333,10 @@ impl Query<'_> {
                     all(op).fold(0, |bits, lane| bits | of(op, lane).map_or(0, |r| r.sources))
                 };
                 let (own, other) = (sources(a), sources(b));
-                dot((x?, own), (y?, other))
+                Interval {
+                    rounding: hanging?.rounding,
+                    ..dot((x?, own), (y?, other))
+                }
             }
             (Transfer::Texel | Transfer::Mixed, _) => Interval::ANY.like(&hanging?),
             (Transfer::MixedMagnitude, _) => {
@@ -375,7 +387,7 @@ impl Query<'_> {
     fn out_of(&self, function: FunctionRef, range: Interval) -> Interval {
         let mut range = match self.ranges.hides_function(function) {
             true => Interval {
-                exact: range.exact,
+                rounding: range.rounding,
                 ..Interval::ANY
             },
             false => range,
@@ -503,7 +515,9 @@ fn dot((a, own): (Interval, u64), (b, other): (Interval, u64)) -> Interval {
 
 /// A component of `normalize`.
 fn direction(of: Interval) -> Interval {
-    let mut unit = Interval::new(-1.0, 1.0, Tightness::Touched).like(&of);
+    let mut unit = Interval::new(-1.0, 1.0, Tightness::Touched)
+        .rounded()
+        .like(&of);
     if of.lo.value >= 0.0 {
         unit.lo = Interval::constant(0.0).lo;
         unit = unit.loose();

@@ -321,7 +321,10 @@ impl Known {
     fn climb(&mut self, node: Node, range: Option<Interval>, round: usize) -> bool {
         let before = self.get(node).copied().flatten();
         let mut joined = match (before, range) {
-            (Some(a), Some(b)) => Some(a.join(b)),
+            (Some(a), Some(b)) => Some(Interval {
+                rounding: b.rounding,
+                ..a.join(b)
+            }),
             (a, b) => a.or(b),
         };
         if let (Some(before), Some(after)) = (before, &mut joined) {

@@ -1,6 +1,6 @@
 //! Ranges of expressions, as messages say them.
 
-use super::{Query, Ranges};
+use super::{Interval, Query, Ranges, Rounding};
 use crate::flow::Calls;
 use crate::flow::defs::Defs;
 use crate::flow::sample::checked;
@@ -8,7 +8,7 @@ use crate::ir::lower;
 use crate::syntax::ast::{ExprKind, StmtKind};
 
 /// The range of what `float test()` returns at its last `return`.
-fn range(code: &str) -> (String, bool, bool) {
+fn interval(code: &str) -> Interval {
     let analysis = checked(code);
     let program = &analysis.program;
     let module = lower(program);
@@ -25,9 +25,11 @@ fn range(code: &str) -> (String, bool, bool) {
         }
         _ => None,
     });
-    let range = query.expr(returned.unwrap()).next().unwrap();
-    let reached = range.lo.is_reached() && range.hi.is_reached();
-    (range.to_string(), reached, range.exact)
+    query.expr(returned.unwrap()).next().unwrap()
+}
+
+fn range(code: &str) -> String {
+    interval(code).to_string()
 }
 
 #[track_caller]
@@ -37,7 +39,7 @@ fn check(expr: &str, expected: &str) {
          void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
          float test(float x, vec3 v, int n) {{ return {expr}; }}"
     );
-    assert_eq!(range(&code).0, expected, "{expr}");
+    assert_eq!(range(&code), expected, "{expr}");
 }
 
 #[track_caller]
@@ -46,7 +48,7 @@ fn check_body(body: &str, expected: &str) {
         "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
          float test(float x, vec3 v, int n) {{ {body} }}"
     );
-    assert_eq!(range(&code).0, expected, "{body}");
+    assert_eq!(range(&code), expected, "{body}");
 }
 
 #[test]
@@ -196,14 +198,14 @@ fn members_are_told_apart() {
     let code = "struct S { float a; vec2 b; };
         void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
         float test() { S s = S(1.0, vec2(2.0, 3.0)); S t = s; t.a = 9.0; return s.a + t.b.y; }";
-    assert_eq!(range(code).0, "4.0");
+    assert_eq!(range(code), "4.0");
 }
 
 #[test]
 fn a_loop_counter_stays_below_its_limit() {
     let code = "void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
         float test() { for (int i = 2; i < 9; i++) { if (iTime > 1.0) return float(i); } }";
-    assert_eq!(range(code).0, "2.0..8.0");
+    assert_eq!(range(code), "2.0..8.0");
 }
 
 #[test]
@@ -211,8 +213,9 @@ fn parameters_take_what_callers_pass() {
     let code = "float f(float a) { return a; }
         void mainImage(out vec4 o, vec2 p) { o = vec4(f(1.0), f(3.0), 0.0, 1.0); }
         float test() { return f(2.0); }";
-    let (text, reached, _) = range(code);
-    assert_eq!((text.as_str(), reached), ("1.0..3.0", false));
+    let range = interval(code);
+    let reached = range.lo.is_reached() && range.hi.is_reached();
+    assert_eq!((range.to_string().as_str(), reached), ("1.0..3.0", false));
 }
 
 #[test]
@@ -228,5 +231,40 @@ fn a_call_writes_what_is_written_however_deep() {
          float test() {{ g = 0.0; f0(); return g; }}",
         count - 1
     );
-    assert_ne!(range(&code).0, "0.0");
+    assert_ne!(range(&code), "0.0");
+}
+
+#[test]
+fn rounding_is_told_from_exact_arithmetic() {
+    let check = |body: &str, expected: Rounding| {
+        let code = format!(
+            "float unknown(float a) {{ return texture(iChannel0, vec2(a)).x; }}
+             void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
+             float test(float x, vec3 v, int n) {{ {body} }}"
+        );
+        assert_eq!(interval(&code).rounding, expected, "{body}");
+    };
+    use Rounding::{Always, Never, Unknown};
+    check("return floor(x) * 0.5 + 1.0;", Never);
+    check("return float(n) / 4.0;", Never);
+    check("return mod(floor(x), 4.0);", Never);
+    check("return mod(floor(x), 3.0);", Always);
+    check("return dot(vec2(1.0), vec2(n & 1));", Never);
+    check("return x;", Unknown);
+    check("return unknown(x) + 1.0;", Unknown);
+    check("return unknown(x) * 0.1;", Always);
+    check("return sqrt(x) + 1.0;", Always);
+    check("return length(v);", Always);
+    check("return gl_FragCoord.x / iResolution.x;", Always);
+    check("return clamp(sin(x), 0.0, 1.0);", Always);
+    check("return floor(sin(x));", Never);
+    check("float a = 2.0; if (x > 0.0) a = sin(x); return a;", Unknown);
+    check(
+        "float a = 0.0; for (int i = 0; i < n; i++) a += 0.5; return a;",
+        Never,
+    );
+    check(
+        "float a = 0.0; for (int i = 0; i < n; i++) a += 0.1; return a;",
+        Always,
+    );
 }
