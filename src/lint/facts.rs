@@ -135,7 +135,7 @@ impl<'a> Facts<'a> {
     /// What has a value when, on the paths through the functions.
     pub fn paths(&self) -> &Paths {
         self.paths
-            .get_or_init(|| Paths::of(self.program, self.module(), self.mentions()))
+            .get_or_init(|| Paths::of(self.program, self.module(), self.calls(), self.mentions()))
     }
 
     /// Which write each read sees.

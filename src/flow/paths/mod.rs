@@ -11,6 +11,7 @@ mod state;
 mod tests;
 mod walk;
 
+use super::Calls;
 use crate::ir::{Module, OpKind, Root};
 use crate::semantic::{FunctionRef, Mentions, Program, Stage, VariableId};
 use crate::syntax::ast::Extent;
@@ -52,12 +53,12 @@ pub struct Paths {
 
 impl Paths {
     /// Follows the paths through all functions of a shader.
-    pub fn of(program: &Program, module: &Module, mentions: &Mentions) -> Paths {
+    pub fn of(program: &Program, module: &Module, calls: &Calls, mentions: &Mentions) -> Paths {
         let main = main(program);
         let outputs = main.map_or(Vec::new(), |main| outputs_of(program, module, main));
         let mut walk = Walk::new(program, module, mentions);
         let mut paths = Paths::default();
-        for id in (0..module.functions.len() as u32).map(FunctionRef) {
+        for id in calls.graph().bottom_up() {
             let globals = match Some(id) == main {
                 true => outputs.as_slice(),
                 false => &[],

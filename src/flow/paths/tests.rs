@@ -1,6 +1,7 @@
 //! What is without a value, as short sentences.
 
 use super::{Paths, Unset};
+use crate::flow::Calls;
 use crate::ir::lower;
 use crate::semantic::{Dialect, Mentions, Pass, Stage, Unit, Wholeness, analyze};
 use crate::text::{Role, Sources};
@@ -25,7 +26,12 @@ fn check(code: &str, expected: &str) {
     assert_eq!(analysis.diagnostics, [], "{code}");
     let program = &analysis.program;
     let module = lower(program);
-    let paths = Paths::of(program, &module, &Mentions::of(program));
+    let paths = Paths::of(
+        program,
+        &module,
+        &Calls::of(&module),
+        &Mentions::of(program),
+    );
     let tested = program
         .functions
         .iter()
@@ -45,6 +51,41 @@ fn check(code: &str, expected: &str) {
     let end = found.reaches_end.then(|| "end".to_string());
     let said: Vec<String> = reads.chain(outputs).chain(end).collect();
     assert_eq!(said.join(", "), expected, "{code}");
+}
+
+#[test]
+fn an_inout_argument_is_read_where_its_value_is_used() {
+    check(
+        "void set(inout vec2 a) { a = vec2(1.); } float f() { vec2 a; set(a); return a.x; }",
+        "",
+    );
+    check(
+        "void add(inout float a) { a += 1.; } float f() { float a; add(a); return a; }",
+        "a never",
+    );
+    check(
+        "void add(inout float a); float f() { float a; add(a); return a; }",
+        "",
+    );
+    check(
+        "void part(inout vec2 a) { a.x = 1.; a.y += a.x; } float f() { vec2 a; part(a); return a.x; }",
+        "a never",
+    );
+    check(
+        "void inner(inout float a) { a = 1.; } void outer(inout float a) { inner(a); }
+         float f() { float a; outer(a); return a; }",
+        "",
+    );
+    check(
+        "struct S { float a, b; }; void set(inout S s) { s.a = 1.; s.b = 2.; }
+         float f() { S s; set(s); return s.a; }",
+        "",
+    );
+    check(
+        "void set(inout float a) { if (iTime > 1.) a = 1.; else a = 2.; }
+         float f() { float a; set(a); return a; }",
+        "",
+    );
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::ir::{
     Access, Binary, Loop, LoopId, Module, Op, OpId, OpKind, Place, PlaceId, Region, Root, Run,
     Step, SwitchId,
 };
-use crate::semantic::{FunctionRef, Mentions, Program, VariableId};
+use crate::semantic::{Direction, FunctionRef, Mentions, Program, VariableId};
 use crate::syntax::ast::Extent;
 use rustc_hash::FxHashMap;
 
@@ -40,6 +40,11 @@ pub(super) struct Walk<'x> {
     since: FxHashMap<VariableId, u32>,
     /// Variables that must have a value when the function is left.
     outputs: Vec<VariableId>,
+    /// By load: the `inout` parameter that it is handed to; `None` is one of a function without a
+    /// body.
+    handed: FxHashMap<OpId, Option<VariableId>>,
+    /// By `inout` parameter of a function walked so far: the components whose value it uses.
+    taken: FxHashMap<VariableId, u8>,
     /// All writes in the function so far.
     writes: Vec<(VariableId, u8)>,
     frames: Vec<Frame>,
@@ -67,6 +72,8 @@ impl<'x> Walk<'x> {
             ever: FxHashMap::default(),
             since: FxHashMap::default(),
             outputs: Vec::new(),
+            handed: handed(program, module),
+            taken: FxHashMap::default(),
             writes: Vec::new(),
             frames: Vec::new(),
             branches: Vec::new(),
@@ -78,7 +85,8 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// Follows the paths through a function that has to write to some globals.
+    /// Follows the paths through a function that has to write to some globals. The functions that it
+    /// calls come before it.
     pub fn function(&mut self, id: FunctionRef, globals: &[VariableId]) -> Option<Findings> {
         let module = self.module;
         let function = module.function(id)?;
@@ -100,6 +108,12 @@ impl<'x> Walk<'x> {
         self.outputs = globals.iter().chain(out).copied().collect();
         for variable in self.outputs.clone() {
             self.lose(variable, self.next);
+        }
+        for &variable in module.parameters(function) {
+            if is_inout(module, variable) {
+                self.lose(variable, self.next);
+                self.taken.insert(variable, 0);
+            }
         }
         self.region(body, 0);
         self.findings.reaches_end = !self.state.dead;
@@ -490,18 +504,34 @@ impl<'x> Walk<'x> {
             Some(Access::Computed(_) | Access::Element(_)) if has != 0 => 0,
             _ => lanes(self.module, place).unwrap_or_else(|| self.needed(variable)),
         };
+        // What a function without a body does with it, nobody knows.
+        let taken = |parameter| self.taken.get(&parameter).copied();
+        let handed = self.handed.get(&op);
+        let needed = match handed.map(|p| p.and_then(taken).unwrap_or(0)) {
+            Some(0) => 0,
+            Some(taken) if self.module.path(place).is_empty() => needed & taken,
+            _ => needed,
+        };
         let missing = needed & !(has | self.conditions.known(variable));
         if missing == 0 {
             return;
         }
         let since = self.since.get(&variable).copied().unwrap_or(0);
         let is_later = self.is_written_later(variable, missing, op, since);
+        let always = self.written(variable) & missing == 0 && !is_later;
+        let guarded = self.is_guarded(op, since);
+        if let Some(taken) = self.taken.get_mut(&variable) {
+            if always || !guarded {
+                *taken |= missing;
+            }
+            return self.state.put(variable, has | missing);
+        }
         self.findings.reads.push(Unset {
             variable,
             at: self.named(variable, op),
             missing,
-            always: self.written(variable) & missing == 0 && !is_later,
-            guarded: self.is_guarded(op, since),
+            always,
+            guarded,
         });
         // Once is enough.
         self.state.put(variable, ALL);
@@ -550,6 +580,33 @@ fn lanes(module: &Module, place: &Place) -> Option<u8> {
         [Access::Lanes(lanes)] => Some(lanes.numbers().iter().fold(0, |mask, n| mask | 1 << n)),
         _ => None,
     }
+}
+
+/// Whether a variable brings the value of the caller's, and takes it back.
+fn is_inout(module: &Module, variable: VariableId) -> bool {
+    let root = module.variable(variable).map(|v| v.root);
+    root == Some(Root::ParameterInout)
+}
+
+/// By load: the `inout` parameter that it is handed to; `None` is one of a function without a body.
+fn handed(program: &Program, module: &Module) -> FxHashMap<OpId, Option<VariableId>> {
+    let mut handed = FxHashMap::default();
+    for op in &module.ops {
+        if let OpKind::Call(id, list) = op.kind
+            && let Some(function) = program.function(id)
+        {
+            let parameters = module.function(id).map(|f| module.parameters(f));
+            let arguments = module.operands(list).iter().zip(&function.params);
+            let inout = arguments
+                .enumerate()
+                .filter(|(_, (_, p))| p.direction == Direction::Inout);
+            handed.extend(inout.map(|(i, (argument, _))| {
+                let parameter = parameters.and_then(|p| p.get(i));
+                (*argument, parameter.copied())
+            }));
+        }
+    }
+    handed
 }
 
 /// By operation: whether it is computed for a choice that may pass it over: `c ? a : b`, `a && b`.
