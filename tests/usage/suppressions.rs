@@ -74,7 +74,7 @@ fn what_is_misspelt_is_spelt_right() {
     let code = |first: &str, second: &str| {
         format!(
             "void mainImage(out vec4 c, in vec2 p) {{\n    c = vec4(pow(iTime - 9.0, 2.0)); // {first}\n    \
-             // {second}\n    c *= p.x == 0.3 ? 1.0 : 2.0;\n}}\n"
+             // {second}\n    c *= p.x * 0.1 == 0.3 ? 1.0 : 2.0;\n}}\n"
         )
     };
     let wrong = code(

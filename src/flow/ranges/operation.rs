@@ -279,16 +279,9 @@ impl Query<'_> {
         };
         let own = |op: OpId| if module.ty(op).is_scalar() { 0 } else { lane };
         let all = |op: OpId| 0..module.ty(op).components().min(4);
-        let mut hanging = Some(Interval::ANY.exactly());
-        for &arg in args.iter().filter(|_| mixes(transfer)) {
-            for lane in all(arg) {
-                hanging = hanging.zip(of(arg, lane)).map(|(all, one)| Interval {
-                    sources: all.sources | one.sources,
-                    rounding: all.rounding_with(&one),
-                    ..all
-                });
-            }
-        }
+        let every = args.iter().filter(|_| mixes(transfer));
+        let every = every.flat_map(|&arg| all(arg).map(move |lane| (arg, lane)));
+        let hanging = mixed(every.map(|(arg, lane)| of(arg, lane)));
         let mut length = |op: OpId| match length_lane(module.ty(op)) {
             Some(lane) => {
                 let mut length = of(op, lane)?;
@@ -342,18 +335,7 @@ impl Query<'_> {
             (Transfer::MixedMagnitude, _) => {
                 Interval::new(0.0, f64::INFINITY, Tightness::Loose).like(&hanging?)
             }
-            _ => {
-                let mut ranges = [Interval::ANY; MAX_PARAMS];
-                let mut is_made = true;
-                for (slot, arg) in ranges.iter_mut().zip(args) {
-                    match of(*arg, own(*arg)) {
-                        Some(range) => *slot = range,
-                        None => is_made = false,
-                    }
-                }
-                let known = ranges.get(..args.len()).filter(|_| is_made)?;
-                of_function(transfer, known)
-            }
+            _ => of_each(transfer, args.iter().map(|&arg| of(arg, own(arg))))?,
         })
     }
 
@@ -467,6 +449,37 @@ fn unknown(sources: u64) -> Interval {
         sources,
         ..Interval::ANY
     }
+}
+
+/// What a function gives that reads one lane of each argument. All are asked for, whatever comes of
+/// the first.
+fn of_each(
+    transfer: Transfer,
+    args: impl ExactSizeIterator<Item = Option<Interval>>,
+) -> Option<Interval> {
+    let mut ranges = [Interval::ANY; MAX_PARAMS];
+    let (count, mut is_made) = (args.len(), true);
+    for (slot, arg) in ranges.iter_mut().zip(args) {
+        match arg {
+            Some(range) => *slot = range,
+            None => is_made = false,
+        }
+    }
+    let known = ranges.get(..count).filter(|_| is_made)?;
+    Some(of_function(transfer, known))
+}
+
+/// Any number, with where all of these come from and how they are rounded.
+fn mixed(all: impl Iterator<Item = Option<Interval>>) -> Option<Interval> {
+    let mut mixed = Some(Interval::ANY.exactly());
+    for one in all {
+        mixed = mixed.zip(one).map(|(mixed, one)| Interval {
+            sources: mixed.sources | one.sources,
+            rounding: mixed.rounding_with(&one),
+            ..mixed
+        });
+    }
+    mixed
 }
 
 /// The first lane of the components, and how many these are, where a lane of a type is a length.
