@@ -30,14 +30,12 @@ const TWO: &Formula = &Number(2.0);
 
 /// What is written, and the function that gives the same of the operands in their order.
 #[rustfmt::skip]
-static FORMULAS: [(Formula, BuiltinId, Fits); 11] = [
+static FORMULAS: [(Formula, BuiltinId, Fits); 10] = [
     // min(max(a, b), c) and max(min(a, c), b)
     (Call(BuiltinId::Min, &Call(BuiltinId::Max, A, B), C), BuiltinId::Clamp, are_bounds),
     (Call(BuiltinId::Max, &Call(BuiltinId::Min, A, C), B), BuiltinId::Clamp, are_bounds),
     // sqrt(dot(a, a))
     (Unary(BuiltinId::Sqrt, &Call(BuiltinId::Dot, A, A)), BuiltinId::Length, any),
-    // length(a - b)
-    (Unary(BuiltinId::Length, &Binary(Sub, A, B)), BuiltinId::Distance, are_named_vectors),
     // a + (b - a) * c
     (Binary(Add, A, &Binary(Mul, &Binary(Sub, B, A), C)), BuiltinId::Mix, is_mixture),
     // a * (1.0 - c) + b * c
@@ -102,19 +100,6 @@ fn are_bounds(cx: &Context, _: ExprId, operands: &[ExprId]) -> bool {
     let is_ordered = bound(low).zip(bound(high)).is_some_and(|(l, h)| l <= h);
     let fits = [program.ty(x), Type::FLOAT].contains(&program.ty(low));
     is_ordered && fits && program.ty(low) == program.ty(high) && bound(x).is_none()
-}
-
-/// Two places that have names: a difference of what is computed is no distance in its author's mind.
-fn are_named_vectors(cx: &Context, id: ExprId, operands: &[ExprId]) -> bool {
-    let tree = &cx.program.tree;
-    let has_name = |e: &ExprId| {
-        let mut at = *e;
-        while let ExprKind::Member(inner, _) = tree.expr(at).kind {
-            at = inner;
-        }
-        matches!(tree.expr(at).kind, ExprKind::Name(_))
-    };
-    is_vector(cx, id, operands) && operands.iter().all(has_name)
 }
 
 /// Two values of a type and a weight that is not a number, which would be a scale; no part of a

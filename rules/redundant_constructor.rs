@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "redundant-constructor",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    default: false,
     options: &[],
     page: include_str!("redundant_constructor.md"),
     checks: &[Check::Expr(&[Shape::Construct], check)],

@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "shadowed-name",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    default: false,
     options: &[],
     page: include_str!("shadowed_name.md"),
     checks: &[Check::Name(check)],

@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "switch-return",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    default: false,
     options: &[],
     page: include_str!("switch_return.md"),
     checks: &[Check::Stmt(check)],
