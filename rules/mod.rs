@@ -8,6 +8,7 @@ mod clamp_bounds;
 mod constant_condition;
 mod dead_code;
 mod define_with_call;
+mod degrees_in_trig;
 mod derivative_in_divergent_flow;
 mod directional_only_indoors;
 mod double_underscore;
@@ -26,12 +27,15 @@ mod legacy_extension;
 mod log_nonpositive;
 mod loop_invariant_call;
 mod low_ambient;
+mod luma_weights;
 mod mainimage_qualifiers;
 mod manual_builtin;
 mod map_inlining;
 mod mediump_noise;
 mod missing_return_path;
+mod mistyped_constant;
 mod nan_compare;
+mod negative_remainder;
 mod negative_to_uint;
 mod nested_iterations;
 mod no_early_exit;
@@ -43,6 +47,7 @@ mod pow_negative_base;
 mod precision_missing_for_sampler;
 mod redundant_constructor;
 mod repeated_call;
+mod rounded_away;
 mod self_assignment;
 mod shadow_steps;
 mod shadowed_name;
@@ -55,8 +60,10 @@ mod step_budget;
 mod switch_return;
 mod tunable_range;
 mod unbounded_loop;
+mod undefined_constant;
 mod uninitialized_read;
 mod unknown_uniform;
+mod unsigned_underflow;
 mod unused_allow;
 mod unused_function;
 mod unused_macro;
@@ -79,6 +86,7 @@ pub static RULES: &[&Rule] = &[
     &constant_condition::RULE,
     &dead_code::RULE,
     &define_with_call::RULE,
+    &degrees_in_trig::RULE,
     &derivative_in_divergent_flow::RULE,
     &directional_only_indoors::RULE,
     &double_underscore::RULE,
@@ -97,12 +105,15 @@ pub static RULES: &[&Rule] = &[
     &log_nonpositive::RULE,
     &loop_invariant_call::RULE,
     &low_ambient::RULE,
+    &luma_weights::RULE,
     &mainimage_qualifiers::RULE,
     &manual_builtin::RULE,
     &map_inlining::RULE,
     &mediump_noise::RULE,
     &missing_return_path::RULE,
+    &mistyped_constant::RULE,
     &nan_compare::RULE,
+    &negative_remainder::RULE,
     &negative_to_uint::RULE,
     &nested_iterations::RULE,
     &no_early_exit::RULE,
@@ -114,6 +125,7 @@ pub static RULES: &[&Rule] = &[
     &precision_missing_for_sampler::RULE,
     &redundant_constructor::RULE,
     &repeated_call::RULE,
+    &rounded_away::RULE,
     &self_assignment::RULE,
     &shadow_steps::RULE,
     &shadowed_name::RULE,
@@ -126,8 +138,10 @@ pub static RULES: &[&Rule] = &[
     &switch_return::RULE,
     &tunable_range::RULE,
     &unbounded_loop::RULE,
+    &undefined_constant::RULE,
     &uninitialized_read::RULE,
     &unknown_uniform::RULE,
+    &unsigned_underflow::RULE,
     &unused_allow::RULE,
     &unused_function::RULE,
     &unused_macro::RULE,

@@ -1,6 +1,7 @@
 //! Negative floats that become unsigned.
 
 use crate::diagnostic::{Fix, Severity};
+use crate::flow::ranges::Interval;
 use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::Scalar;
 use crate::syntax::ast::{ExprId, ExprKind};
@@ -29,8 +30,9 @@ fn check(cx: &mut Context, id: ExprId) {
         if program.ty(arg).scalar_kind() != Some(Scalar::Float) {
             continue;
         }
-        // Towards zero, so what lies between -1 and 0 becomes 0.
-        let bad = cx.facts.range(arg).find(|r| r.reaches_below(-1.0));
+        // Towards zero, so what lies between -1 and 0 becomes 0; of a constant the browser warns.
+        let is_bad = |r: &Interval| r.reaches_below(-1.0) || r.single().is_some_and(|v| v < 0.0);
+        let bad = cx.facts.range(arg).find(is_bad);
         let Some(range) = bad else { continue };
         let is = range.may_or_is(|r| r.is_below(0.0));
         let whole = program.type_name(program.ty(arg).with_scalar(Scalar::Int));

@@ -138,11 +138,13 @@ pub enum Shape {
     Ternary,
     /// `a, b`
     Comma,
+    /// A literal with a point or an exponent: `1.0`, `2e-3`.
+    FloatLiteral,
 }
 
 impl Shape {
     /// How many there are.
-    pub(super) const COUNT: usize = 7;
+    pub(super) const COUNT: usize = 8;
 
     /// The shape of an expression; `None` for one that no rule asks for.
     pub(super) const fn of(kind: &ExprKind) -> Option<Shape> {
@@ -154,6 +156,7 @@ impl Shape {
             ExprKind::Index(..) => Some(Shape::Index),
             ExprKind::Ternary(..) => Some(Shape::Ternary),
             ExprKind::Comma(..) => Some(Shape::Comma),
+            ExprKind::Float(_) => Some(Shape::FloatLiteral),
             _ => None,
         }
     }

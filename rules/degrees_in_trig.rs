@@ -1,0 +1,96 @@
+//! Degrees where radians belong.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::flow::defs::Def;
+use crate::ir::OpKind;
+use crate::lint::{Builtin, Check, Context, Group, Rule, Shape};
+use crate::semantic::{BuiltinId, FunctionRef, Resolution, VariableId};
+use crate::syntax::ast::{ExprId, ExprKind};
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "degrees-in-trig",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("degrees_in_trig.md"),
+    checks: &[
+        Check::Builtin(check),
+        Check::Expr(&[Shape::Call], check_passed),
+    ],
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let &[angle] = call.args else { return };
+    if is_trig(call.function) && is_in_degrees(cx, angle) {
+        report(cx, angle, call.function);
+    }
+}
+
+const fn is_trig(function: BuiltinId) -> bool {
+    matches!(function, BuiltinId::Sin | BuiltinId::Cos | BuiltinId::Tan)
+}
+
+/// Whether an angle is a part of a circle as people count it in degrees: 30, 45, 90, 180.
+fn is_in_degrees(cx: &Context, angle: ExprId) -> bool {
+    let value = cx.program.scalar(angle).map(|v| v.as_float().abs());
+    value.is_some_and(|v| (30.0..=720.0).contains(&v) && v % 15.0 == 0.0)
+}
+
+/// `rotate(90.0)`, where the function takes the sine of it.
+fn check_passed(cx: &mut Context, id: ExprId) {
+    let program = cx.program;
+    let (ExprKind::Call(_, args), Resolution::Function(callee)) =
+        (program.tree.expr(id).kind, program.expr(id).resolution)
+    else {
+        return;
+    };
+    let args = program.tree.args(args);
+    for (position, angle) in args.iter().enumerate() {
+        if !is_in_degrees(cx, *angle) {
+            continue;
+        }
+        let parameters = cx.facts.module().function(callee);
+        let parameter = parameters
+            .and_then(|f| cx.facts.module().parameters(f).get(position))
+            .copied();
+        let taken = parameter.and_then(|p| taken_by(cx, callee, p));
+        if let Some(function) = taken {
+            report(cx, *angle, function);
+        }
+    }
+}
+
+/// The trigonometric function that a function gives one of its parameters to, as it is.
+fn taken_by(cx: &Context, callee: FunctionRef, parameter: VariableId) -> Option<BuiltinId> {
+    let (module, defs) = (cx.facts.module(), cx.facts.defs());
+    module.function(callee)?.ops.ops().find_map(|op| {
+        let OpKind::Builtin(function, operands) = module.op(op).kind else {
+            return None;
+        };
+        let (true, &[angle]) = (is_trig(function), module.operands(operands)) else {
+            return None;
+        };
+        let (load, lane) = defs.through(module, angle, 0)?;
+        let from = defs.copied_from(module, defs.seen(load, lane));
+        let is_it =
+            matches!(defs.get(from), Def::Entry(slot) if defs.variable_at(slot).0 == parameter);
+        is_it.then_some(function)
+    })
+}
+
+fn report(cx: &mut Context, angle: ExprId, function: BuiltinId) {
+    let text = cx.program.expr_text(angle).to_string();
+    let fix = cx.is_direct(angle).then(|| {
+        let edit = Edit::replace(cx.program.expr_span(angle), format!("radians({text})"));
+        Fix::suggestion(format!("write `radians({text})`"), vec![edit])
+    });
+    let name = function.name();
+    cx.report_expr(
+        angle,
+        format!("`{name}` takes radians, and `{text}` looks like degrees"),
+    )
+    .note("a full turn is 6.2832 radians")
+    .fix(fix);
+}

@@ -1,0 +1,43 @@
+//! Remainders of negative integers.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule, Shape};
+use crate::semantic::Scalar;
+use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+
+pub static RULE: Rule = Rule {
+    name: "negative-remainder",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("negative_remainder.md"),
+    checks: &[Check::Expr(&[Shape::Binary, Shape::Assign], check)],
+};
+
+fn check(cx: &mut Context, id: ExprId) {
+    let program = cx.program;
+    let (ExprKind::Binary(BinaryOp::Rem, left, right)
+    | ExprKind::Assign(Some(BinaryOp::Rem), left, right)) = program.tree.expr(id).kind
+    else {
+        return;
+    };
+    if program.ty(left).scalar_kind() != Some(Scalar::Int) {
+        return;
+    }
+    let bad = [left, right].into_iter().find_map(|side| {
+        let range = cx.facts.range(side).find(|r| r.reaches_below(0.0))?;
+        Some((side, range))
+    });
+    let Some((side, range)) = bad else { return };
+    let is = range.may_or_is(|r| r.is_below(0.0));
+    let (x, n) = (program.expr_text(left), program.expr_text(right));
+    let help = format!("bring it above zero first: `({x} + {n}) % {n}`");
+    let known = range.of_integer();
+    let finding = cx
+        .report_expr(side, format!("an operand of `%` {is} negative: {known}"))
+        .note("the remainder of a negative integer is undefined; most GPUs give a negative one");
+    if side == left {
+        finding.help(help);
+    }
+}

@@ -1,0 +1,79 @@
+//! Numbers so near to another, or so small, that rounding leaves nothing of the difference.
+
+use crate::diagnostic::Severity;
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule, Shape};
+use crate::semantic::Scalar;
+use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+
+pub static RULE: Rule = Rule {
+    name: "rounded-away",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("rounded_away.md"),
+    checks: &[
+        Check::Expr(&[Shape::FloatLiteral], check_literal),
+        Check::Binary(check_sum),
+    ],
+};
+
+/// What is longer was not typed by hand, but printed by a program: its last digits are nobody's
+/// intention.
+const WRITTEN: usize = 14;
+
+/// `0.99999999` and `1e-46`.
+fn check_literal(cx: &mut Context, id: ExprId) {
+    let ExprKind::Float(value) = cx.program.tree.expr(id).kind else {
+        return;
+    };
+    let text = cx.program.expr_text(id);
+    let Ok(meant) = text.trim_end_matches(['f', 'F']).parse::<f64>() else {
+        return;
+    };
+    if meant != 0.0 && (value == 0.0 || value.is_subnormal()) {
+        let message = format!("`{text}` is zero: no `float` is so small");
+        cx.report_expr(id, message)
+            .note("GPUs take what is below 1.2e-38 for zero")
+            .help("take a number such as `1e-30`");
+    } else if value.fract() == 0.0
+        && meant.fract() != 0.0
+        && value.abs() <= 65_536.0
+        && text.len() <= WRITTEN
+    {
+        let message = format!("`{text}` is the same as `{value:?}`");
+        cx.report_expr(id, message)
+            .note("a `float` has about seven digits; the rest is rounded away");
+    }
+}
+
+/// `1.0 - 1e-8`
+fn check_sum(cx: &mut Context, e: &BinaryExpr) {
+    let program = cx.program;
+    let is_sum = matches!(e.op, BinaryOp::Add | BinaryOp::Sub);
+    if !is_sum || program.ty(e.id).scalar_kind() != Some(Scalar::Float) {
+        return;
+    }
+    let small = |side| {
+        let value = program.scalar(side)?.as_float();
+        (value != 0.0 && value.abs() < 1e-3).then_some(f64::from(value.abs()))
+    };
+    let sides = [(e.left, e.right), (e.right, e.left)];
+    let lost = sides.into_iter().find_map(|(large, part)| {
+        let part_size = small(part)?;
+        let mut ranges = cx.facts.range(large).peekable();
+        ranges.peek()?;
+        // Half a step between two floats is rounded; a quarter is always lost.
+        let is_lost = ranges.all(|r| {
+            let least = r.lo.value.max(-r.hi.value);
+            least.is_finite() && least > 0.0 && part_size < least * f64::from(f32::EPSILON) / 4.0
+        });
+        is_lost.then_some((large, part))
+    });
+    let Some((large, part)) = lost else { return };
+    let (large, part) = (program.expr_text(large), program.expr_text(part));
+    let message = format!("`{part}` is too small to change `{large}`");
+    cx.report_expr(e.id, message)
+        .note("a `float` has about seven digits; the rest is rounded away")
+        .help("next to 1.0 the smallest difference is about 1e-7");
+}
