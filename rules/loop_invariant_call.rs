@@ -18,10 +18,10 @@ pub static RULE: Rule = Rule {
 
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",
-    12.0,
+    40.0,
     "Fewest operations of a call that is reported",
 )
-.on_gpu(40.0);
+.on_swiftshader(12.0);
 
 fn check(cx: &mut Context) {
     let program = cx.program;

@@ -1,12 +1,11 @@
 //! Hashes and time in half precision.
 
 use crate::diagnostic::Severity;
-use crate::lint::light::{factors, has_word};
+use crate::ir::{Binary, Module, OpId, OpKind, Precision, Root};
 use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::semantic::{BuiltinId, Program, Scalar, Stage, Storage};
+use crate::semantic::{BuiltinId, Stage};
 use crate::syntax::TypeWord;
 use crate::syntax::ast::*;
-use crate::text::Span;
 
 pub static RULE: Rule = Rule {
     name: "mediump-noise",
@@ -23,6 +22,9 @@ static FACTOR: Setting<f64> = Setting::new(
     1000.0,
     "Smallest factor before a `fract` that makes it a hash",
 );
+
+/// An operation, and what it takes more digits for.
+type Place = (OpId, &'static str);
 
 fn check(cx: &mut Context) {
     let program = cx.program;
@@ -45,9 +47,11 @@ fn check(cx: &mut Context) {
     let Some((QualifierKind::Mediump | QualifierKind::Lowp, extent)) = precision else {
         return;
     };
-    let Some((place, what)) = hash(cx).or_else(|| time(program)) else {
+    let Some((op, what)) = hash(cx).or_else(|| time(cx)) else {
         return;
     };
+    let place = cx.facts.module().provenance(op).extent(&program.tree);
+    let place = program.span(place.unwrap_or_default());
     cx.report(extent, format!("too few digits for {what}"))
         .label(place, "it stands here")
         .note("on phones it has 10 bits behind the point: noise turns into stripes, and time stands still after seconds")
@@ -55,34 +59,75 @@ fn check(cx: &mut Context) {
 }
 
 /// `fract(x * 43758.5453)`
-fn hash(cx: &Context) -> Option<(Span, &'static str)> {
-    let program = cx.program;
+fn hash(cx: &Context) -> Option<Place> {
+    let module = cx.facts.module();
     let limit = cx.option(&FACTOR);
-    let exprs = program.tree.exprs.iter().enumerate();
-    let mut fracts = exprs.filter_map(|(i, e)| match e.kind {
-        ExprKind::Call(_, args) => {
-            let id = ExprId(i as u32);
-            let is_fract = program.builtin_called(id) == Some(BuiltinId::Fract);
-            is_fract.then_some((id, *program.tree.args(args).first()?))
-        }
-        _ => None,
+    let found = periods(module).find(|(_, function, arg)| {
+        let is_large = |op: &OpId| {
+            let values = module.constant(*op).iter();
+            values
+                .into_iter()
+                .any(|v| v.as_float().abs() as f64 >= limit)
+        };
+        *function == BuiltinId::Fract && factors(module, *arg).iter().any(is_large)
     });
-    let found = fracts.find(|(_, arg)| {
-        factors(program, *arg).iter().any(|f| {
-            let value = program.scalar(*f);
-            value.is_some_and(|v| v.as_float().abs() as f64 >= limit)
-        })
-    });
-    found.map(|(id, _)| (program.expr_span(id), "a hash"))
+    found.map(|(op, ..)| (op, "a hash"))
 }
 
-/// A uniform that counts the seconds.
-fn time(program: &Program) -> Option<(Span, &'static str)> {
-    let used = program.variables.iter().find(|v| {
-        let is_number = v.ty.scalar_kind() == Some(Scalar::Float) && v.ty.components() == 1;
-        let name = program.names.text(v.name);
-        v.storage == Storage::Uniform && v.read && is_number && has_word(name, &["time", "seconds"])
-    })?;
-    let token = program.token(used.token?)?;
-    Some((token.span, "a time that runs on"))
+/// A uniform that moves a wave along or starts again at whole numbers: it counts the seconds.
+fn time(cx: &Context) -> Option<Place> {
+    use BuiltinId::{Cos, Fract, Mod, Sin};
+    let module = cx.facts.module();
+    let is_counted = |op: &OpId| match module.op(*op).kind {
+        OpKind::Load(place) => {
+            let variable = module.variable(module.place(place).variable);
+            let is_uniform = variable.is_some_and(|v| v.root == Root::Uniform && v.ty.is_scalar());
+            is_uniform && is_coarse(module, *op)
+        }
+        _ => false,
+    };
+    periods(module).find_map(|(_, function, arg)| {
+        let terms = parts(module, arg, &[Binary::Add, Binary::Subtract]);
+        let is_period = match function {
+            Fract | Mod => true,
+            Sin | Cos => terms.len() > 1,
+            _ => false,
+        };
+        let mut all = terms.iter().flat_map(|term| factors(module, *term));
+        let counted = all.find(|op| is_period && is_counted(op))?;
+        Some((counted, "a time that runs on"))
+    })
+}
+
+/// Calls of functions that repeat themselves, in few digits, and their first arguments.
+fn periods(module: &Module) -> impl Iterator<Item = (OpId, BuiltinId, OpId)> {
+    let ops = (0..).map(OpId).zip(&module.ops);
+    ops.filter_map(|(op, made)| match made.kind {
+        OpKind::Builtin(function, list) if is_coarse(module, op) => {
+            Some((op, function, *module.operands(list).first()?))
+        }
+        _ => None,
+    })
+}
+
+fn is_coarse(module: &Module, op: OpId) -> bool {
+    matches!(module.op(op).precision, Precision::Medium | Precision::Low)
+}
+
+fn factors(module: &Module, op: OpId) -> Vec<OpId> {
+    parts(module, op, &[Binary::Multiply])
+}
+
+/// The operands of a sum or product, taken apart.
+fn parts(module: &Module, op: OpId, kinds: &[Binary]) -> Vec<OpId> {
+    let mut parts = Vec::new();
+    let mut todo = vec![op];
+    while let Some(op) = todo.pop() {
+        match module.op(op).kind {
+            OpKind::Binary(kind, a, b) if kinds.contains(&kind) => todo.extend([b, a]),
+            OpKind::Splat(a) => todo.push(a),
+            _ => parts.push(op),
+        }
+    }
+    parts
 }

@@ -3,21 +3,16 @@
 
 mod assignment_in_condition;
 mod backend_keyword;
-mod bright_light;
 mod clamp_bounds;
 mod constant_condition;
 mod dead_code;
 mod define_with_call;
 mod degrees_in_trig;
 mod derivative_in_divergent_flow;
-mod directional_only_indoors;
 mod double_underscore;
 mod duplicate_branch;
 mod float_equality;
-mod fog_unclamped;
 mod gradient_in_loop;
-mod gray_material;
-mod height_band_spacing;
 mod index_range;
 mod inout_alias;
 mod integer_division;
@@ -26,7 +21,6 @@ mod isnan_optimised;
 mod legacy_extension;
 mod log_nonpositive;
 mod loop_invariant_call;
-mod low_ambient;
 mod luma_weights;
 mod mainimage_qualifiers;
 mod manual_builtin;
@@ -81,21 +75,16 @@ use crate::lint::Rule;
 pub static RULES: &[&Rule] = &[
     &assignment_in_condition::RULE,
     &backend_keyword::RULE,
-    &bright_light::RULE,
     &clamp_bounds::RULE,
     &constant_condition::RULE,
     &dead_code::RULE,
     &define_with_call::RULE,
     &degrees_in_trig::RULE,
     &derivative_in_divergent_flow::RULE,
-    &directional_only_indoors::RULE,
     &double_underscore::RULE,
     &duplicate_branch::RULE,
     &float_equality::RULE,
-    &fog_unclamped::RULE,
     &gradient_in_loop::RULE,
-    &gray_material::RULE,
-    &height_band_spacing::RULE,
     &index_range::RULE,
     &inout_alias::RULE,
     &integer_division::RULE,
@@ -104,7 +93,6 @@ pub static RULES: &[&Rule] = &[
     &legacy_extension::RULE,
     &log_nonpositive::RULE,
     &loop_invariant_call::RULE,
-    &low_ambient::RULE,
     &luma_weights::RULE,
     &mainimage_qualifiers::RULE,
     &manual_builtin::RULE,

@@ -16,10 +16,10 @@ pub static RULE: Rule = Rule {
 
 static TURNS: Setting<f64> = Setting::new(
     "turns",
-    1000.0,
+    100_000.0,
     "Most turns of all innermost loops for one pixel",
 )
-.on_gpu(100_000.0);
+.on_swiftshader(1000.0);
 
 /// Most loops that a finding points at.
 const MAX_LABELS: usize = 6;

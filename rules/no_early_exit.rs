@@ -21,16 +21,16 @@ pub static RULE: Rule = Rule {
 
 static PRIMITIVES: Setting<u64> = Setting::new(
     "primitives",
-    8,
+    16,
     "Fewest calls in a scene function that want a test before them",
 )
-.on_gpu(16);
+.on_swiftshader(8);
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",
-    80.0,
+    600.0,
     "Fewest operations of a scene function that wants a test",
 )
-.on_gpu(600.0);
+.on_swiftshader(80.0);
 
 fn check(cx: &mut Context) {
     let facts = cx.facts;

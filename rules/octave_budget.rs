@@ -1,11 +1,11 @@
 //! Sums of more octaves of noise than anybody sees.
 
 use crate::diagnostic::Severity;
-use crate::lint::light::has_word;
+use crate::flow::defs::{Def, DefId, Defs};
+use crate::ir::{Binary, LoopId, Module, OpId, OpKind};
 use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::tunable::range_behind;
-use crate::semantic::{Resolution, VariableId};
-use crate::syntax::ast::*;
+use crate::syntax::ast::StmtId;
 
 pub static RULE: Rule = Rule {
     name: "octave-budget",
@@ -18,7 +18,10 @@ pub static RULE: Rule = Rule {
 };
 
 static OCTAVES: Setting<u64> =
-    Setting::new("octaves", 6, "Most octaves of a sum of noise").on_gpu(12);
+    Setting::new("octaves", 12, "Most octaves of a sum of noise").on_swiftshader(6);
+
+/// How many operations of a product are looked at for a call.
+const MAX_LOOK: usize = 16;
 
 fn check(cx: &mut Context, stmt: StmtId) {
     let program = cx.program;
@@ -53,67 +56,73 @@ fn check(cx: &mut Context, stmt: StmtId) {
     .help(format!("sum {most} octaves, and fewer far away"));
 }
 
-/// Whether a loop calls a noise at each turn and scales a place and an amplitude by numbers.
+/// Whether a loop adds up what a function gives, scaled by a number that each turn scales again.
 fn sums_octaves(cx: &Context, stmt: StmtId) -> bool {
-    let program = cx.program;
-    let extent = program.tree.stmt(stmt).extent;
-    let inside = |e: &Expr| extent.first <= e.extent.first && e.extent.last <= extent.last;
-    let Some(function) = cx.facts.structure().function_of(stmt) else {
+    let (module, defs) = (cx.facts.module(), cx.facts.defs());
+    let mut loops = (0..).map(LoopId).zip(&module.loops);
+    let Some((id, looped)) = loops.find(|(_, l)| l.stmt == stmt) else {
         return false;
     };
-    let calls_noise = cx.facts.calls().calls_by(function).any(|c| {
-        let callee = program.function(c.callee);
-        let name = callee.map_or("", |f| program.names.text(f.name));
-        inside(program.tree.expr(c.expr)) && is_noise(name)
-    });
-    // Only then is it worth looking at every expression.
-    calls_noise && scales(cx, &inside) >= 2
-}
-
-fn is_noise(name: &str) -> bool {
-    has_word(
-        name,
-        &[
-            "noise", "noised", "perlin", "simplex", "snoise", "vnoise", "gnoise",
-        ],
-    ) || name.to_lowercase().contains("noise")
-}
-
-/// How many variables are scaled by a number.
-fn scales(cx: &Context, inside: &impl Fn(&Expr) -> bool) -> usize {
-    let program = cx.program;
-    let mut scaled: std::collections::BTreeSet<VariableId> = Default::default();
-    for (i, expr) in program
-        .tree
-        .exprs
-        .iter()
-        .enumerate()
-        .filter(|(_, e)| inside(e))
-    {
-        let is_scaling = match expr.kind {
-            ExprKind::Assign(Some(BinaryOp::Mul | BinaryOp::Div), ..) => true,
-            ExprKind::Assign(Some(BinaryOp::Add), target, by) => {
-                program.variable_of(target).is_some()
-                    && program.variable_of(target) == program.variable_of(by)
+    let scaled: Vec<DefId> = defs
+        .heads(id)
+        .filter(|h| is_scaled(module, defs, *h))
+        .collect();
+    // The place and what the noise there counts.
+    scaled.len() >= 2
+        && looped.ops.ops().any(|op| match module.op(op).kind {
+            OpKind::Binary(Binary::Multiply | Binary::Divide, a, b) => {
+                let is_amplitude = |o| sees(module, defs, o, &scaled);
+                is_amplitude(b) && is_called(module, a) || is_amplitude(a) && is_called(module, b)
             }
-            ExprKind::Assign(None, target, value) => mentions(program, value, target),
             _ => false,
-        };
-        if is_scaling {
-            scaled.extend(cx.facts.writes().by(ExprId(i as u32)));
-        }
-    }
-    scaled.len()
+        })
 }
 
-/// Whether a product holds the variable that it is assigned to: `p = m * p * 2.0`.
-fn mentions(program: &crate::semantic::Program, value: ExprId, target: ExprId) -> bool {
-    let Resolution::Variable(wanted) = program.expr(target).resolution else {
+/// Whether a turn makes a multiple of what a head holds.
+fn is_scaled(module: &Module, defs: &Defs, head: DefId) -> bool {
+    let Def::Head { back, .. } = defs.get(head) else {
         return false;
     };
-    let factors = crate::lint::light::factors(program, value);
-    factors.len() > 1
-        && factors
-            .iter()
-            .any(|f| program.variable_of(*f) == Some(wanted))
+    let Def::Stored { value, .. } = defs.get(defs.unrefined(back)) else {
+        return false;
+    };
+    let is_own = |op| sees(module, defs, op, &[head]);
+    match module.op(value).kind {
+        OpKind::Binary(Binary::Multiply, a, b) | OpKind::MatrixProduct(a, b) => {
+            is_own(a) != is_own(b)
+        }
+        OpKind::Binary(Binary::Divide, a, _) => is_own(a),
+        OpKind::Binary(Binary::Add, a, b) => is_own(a) && is_own(b),
+        _ => false,
+    }
+}
+
+/// Whether a value is a copy of one of these, or a product with one.
+fn sees(module: &Module, defs: &Defs, op: OpId, heads: &[DefId]) -> bool {
+    match module.op(op).kind {
+        OpKind::Load(_) => {
+            let mut lanes = 0..defs.lanes_of(op);
+            lanes.any(|lane| heads.contains(&defs.unrefined(defs.seen(op, lane))))
+        }
+        OpKind::Splat(a) | OpKind::Swizzle(a, _) => sees(module, defs, a, heads),
+        OpKind::Binary(Binary::Multiply, a, b) | OpKind::MatrixProduct(a, b) => {
+            sees(module, defs, a, heads) || sees(module, defs, b, heads)
+        }
+        _ => false,
+    }
+}
+
+/// Whether a value is made of what a function of the shader gives.
+fn is_called(module: &Module, op: OpId) -> bool {
+    let mut todo = vec![op];
+    for _ in 0..MAX_LOOK {
+        let Some(op) = todo.pop() else {
+            return false;
+        };
+        if let OpKind::Call(..) = module.op(op).kind {
+            return true;
+        }
+        module.each_operand(op, |operand| todo.push(operand));
+    }
+    false
 }

@@ -20,10 +20,10 @@ pub static RULE: Rule = Rule {
 
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",
-    20.0,
+    60.0,
     "Fewest operations of a call that is reported",
 )
-.on_gpu(60.0);
+.on_swiftshader(20.0);
 
 fn check(cx: &mut Context) {
     let program = cx.program;

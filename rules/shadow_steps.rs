@@ -8,7 +8,7 @@ use crate::syntax::ast::Extent;
 pub static RULE: Rule = Rule {
     name: "shadow-steps",
     group: Group::Budget,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: true,
     options: &[RuleOption::Count(&STEPS)],
     page: include_str!("shadow_steps.md"),
@@ -17,10 +17,10 @@ pub static RULE: Rule = Rule {
 
 static STEPS: Setting<u64> = Setting::new(
     "steps",
-    16,
+    32,
     "Most steps of a shadow loop that never stops early",
 )
-.on_gpu(64);
+.on_swiftshader(16);
 
 fn check(cx: &mut Context) {
     let most = cx.option(&STEPS);

@@ -1,7 +1,7 @@
 //! `fract(sin(x) * 43758.5453)`: a hash that differs from GPU to GPU.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::lint::light::factors;
+use crate::lint::formula::factors;
 use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
 use crate::semantic::{BuiltinId, Program, Scalar, Type};
 use crate::syntax::Version;

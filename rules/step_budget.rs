@@ -1,4 +1,4 @@
-//! Ray marching loops that take more steps than a software renderer can.
+//! Ray marching loops that take more steps than a renderer can.
 
 use crate::diagnostic::Severity;
 use crate::lint::march::{March, MarchGoal, way};
@@ -12,7 +12,7 @@ use crate::text::Span;
 pub static RULE: Rule = Rule {
     name: "step-budget",
     group: Group::Budget,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     default: true,
     options: &[
         RuleOption::Count(&MAIN),
@@ -25,18 +25,21 @@ pub static RULE: Rule = Rule {
 
 static MAIN: Setting<u64> = Setting::new(
     "main",
-    64,
+    256,
     "Most steps of a loop that looks for what a pixel shows",
 )
-.on_gpu(256);
+.on_swiftshader(64);
 static SHADOW: Setting<u64> = Setting::new(
     "shadow",
-    16,
+    64,
     "Most steps of a loop that looks for what stands before a light",
 )
-.on_gpu(64);
+.on_swiftshader(16);
 static SUM: Setting<u64> =
-    Setting::new("sum", 80, "Most steps of all marching loops together").on_gpu(512);
+    Setting::new("sum", 512, "Most steps of all marching loops together").on_swiftshader(80);
+
+/// Why steps are counted.
+const WHY: &str = "each pixel may take all of them, and asks the whole scene at each";
 
 /// A marching loop, and how many steps it may take.
 struct Marched {
@@ -150,7 +153,7 @@ fn report(cx: &mut Context, marched: &Marched, entry: FunctionRef) {
     };
     finding = match &marched.documented {
         Some(range) => finding.label(range.span, "the range that its author gives"),
-        None => finding.note("a software renderer takes too long for more, and shows nothing"),
+        None => finding.note(WHY),
     };
     if let Some(way) = way {
         finding = finding.note(format!("called as {way}"));
@@ -177,9 +180,7 @@ fn report_sum(cx: &mut Context, marches: &[&Marched], sum: u64) {
     for (span, steps) in others {
         finding = finding.label(span, format!("{steps} steps"));
     }
-    finding
-        .note("a software renderer takes too long for more, and shows nothing")
-        .help(format!(
-            "take at most {main} for the picture and {shadow} for shadows"
-        ));
+    finding.note(WHY).help(format!(
+        "take at most {main} for the picture and {shadow} for shadows"
+    ));
 }

@@ -362,14 +362,17 @@ fn tables_of_rules_and_errors() {
 /// What a rule goes by, as the last section of its page; nothing where it has no options.
 fn options_of(rule: &Rule) -> String {
     let rows = rule.options.iter().map(|option| {
-        let [usual, on_gpu] = [Renderer::SwiftShader, Renderer::Gpu].map(|t| option.usual(t));
+        let [usual, on_swiftshader] =
+            [Renderer::Gpu, Renderer::SwiftShader].map(|t| option.usual(t));
         let (name, about) = (option.name(), option.about());
-        format!("| `{name}` | {usual} | {on_gpu} | {about} |\n")
+        format!("| `{name}` | {usual} | {on_swiftshader} | {about} |\n")
     });
     let rows: String = rows.collect();
     match rows.is_empty() {
         true => rows,
-        false => format!("{OPTIONS}| option | default | on a GPU | |\n|---|---|---|---|\n{rows}"),
+        false => {
+            format!("{OPTIONS}| option | default | on SwiftShader | |\n|---|---|---|---|\n{rows}")
+        }
     }
 }
 

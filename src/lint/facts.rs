@@ -128,8 +128,10 @@ impl<'a> Facts<'a> {
 
     /// The loops that march along a ray.
     pub fn marches(&self) -> &[March] {
-        self.marches
-            .get_or_init(|| marches(self.program, self.loops(), self.calls(), self.entry()))
+        self.marches.get_or_init(|| {
+            let (shader, loops) = ((self.program, self.module()), (self.loops(), self.calls()));
+            marches(shader, loops, self.defs(), self.entry())
+        })
     }
 
     /// What has a value when, on the paths through the functions.

@@ -2,7 +2,7 @@
 //! ordered and parenthesized them.
 
 use super::{Context, same_code};
-use crate::semantic::BuiltinId;
+use crate::semantic::{BuiltinId, Program};
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 /// The shape of an expression.
@@ -124,4 +124,18 @@ fn unify_pair(
             && unify(cx, p, a, given, &mut |given| unify(cx, q, b, given, then))
     };
     both(a, b) || (commutes && both(b, a))
+}
+
+/// The operands of a product, taken apart; a quotient's divisor and a sum are operands themselves.
+pub fn factors(program: &Program, expr: ExprId) -> Vec<ExprId> {
+    let tree = &program.tree;
+    let mut factors = Vec::new();
+    let mut todo = vec![expr];
+    while let Some(e) = todo.pop() {
+        match tree.expr(tree.unparen(e)).kind {
+            ExprKind::Binary(BinaryOp::Mul, a, b) => todo.extend([b, a]),
+            _ => factors.push(tree.unparen(e)),
+        }
+    }
+    factors
 }

@@ -1,7 +1,11 @@
 //! Loops that march along a ray, and the functions that they ask for the scene.
 
+use crate::flow::defs::{Def, DefId, Defs};
 use crate::flow::{Calls, LoopFacts, Loops};
+use crate::ir::{Binary, Module, OpId, OpKind, Root};
+use crate::semantic::builtins::Transfer;
 use crate::semantic::{FunctionRef, Program};
+use rustc_hash::FxHashSet;
 
 /// A loop that asks the scene at each step along a ray.
 #[derive(Clone, Copy, Debug)]
@@ -36,9 +40,9 @@ impl MarchGoal {
 /// The marching loops that are reached from the entry: `for`, `while` and `do` loops that call a
 /// function of the shader with a place in the plane or in space.
 pub fn marches(
-    program: &Program,
-    loops: &Loops,
-    calls: &Calls,
+    (program, module): (&Program, &Module),
+    (loops, calls): (&Loops, &Calls),
+    defs: &Defs,
     entry: Option<FunctionRef>,
 ) -> Vec<March> {
     let Some(entry) = entry else {
@@ -50,21 +54,113 @@ pub fn marches(
     all.filter_map(|l| {
         Some(March {
             looped: *l,
-            goal: role(program, l)?,
             scene: scene(program, calls, l)?,
+            goal: match gives_light(module, defs, l.function) {
+                true => MarchGoal::Shadow,
+                false => MarchGoal::Picture,
+            },
         })
     })
     .collect()
 }
 
-fn role(program: &Program, looped: &LoopFacts) -> Option<MarchGoal> {
-    let name = program.names.text(program.function(looped.function)?.name);
-    let is_shadow = name.to_lowercase().contains("shadow");
-    Some(if is_shadow {
-        MarchGoal::Shadow
-    } else {
-        MarchGoal::Picture
-    })
+/// Whether all that a function gives is how much of a light is seen: constants, and the least of the
+/// quotients that a loop finds. Whoever looks for what a pixel shows gives how far away it is.
+fn gives_light(module: &Module, defs: &Defs, function: FunctionRef) -> bool {
+    let Some(found) = module.function(function) else {
+        return false;
+    };
+    let mut parameters = module.parameters(found).iter();
+    let gives_back = parameters.any(|p| {
+        let root = module.variable(*p).map(|v| v.root);
+        matches!(root, Some(Root::ParameterOut | Root::ParameterInout))
+    });
+    let returns = defs.returns_of(function);
+    let mut light = Light {
+        module,
+        defs,
+        known: FxHashSet::default(),
+        left: MAX_PARTS,
+    };
+    let is_number = |op: &OpId| module.ty(*op).is_scalar();
+    // One constant alone tells nothing.
+    let is_constant = |op: &OpId| matches!(module.op(*op).kind, OpKind::Const(_));
+    let is_told = returns.len() > 1 || !returns.iter().all(is_constant);
+    is_told && !gives_back && returns.iter().all(|r| is_number(r) && light.value(*r))
+}
+
+/// How much is looked at to tell what a function gives.
+const MAX_PARTS: u32 = 64;
+
+/// A walk from what a function gives back to what that is made of.
+struct Light<'a> {
+    module: &'a Module,
+    defs: &'a Defs,
+    known: FxHashSet<DefId>,
+    left: u32,
+}
+
+impl Light<'_> {
+    fn value(&mut self, op: OpId) -> bool {
+        let Some(left) = self.left.checked_sub(1) else {
+            return false;
+        };
+        self.left = left;
+        let module = self.module;
+        let operands = |list| module.operands(list).iter().copied();
+        match module.op(op).kind {
+            OpKind::Const(_) => true,
+            OpKind::Load(_) => self.def(self.defs.seen(op, 0)),
+            OpKind::Builtin(function, list) if matches!(function.transfer(), Transfer::Minimum) => {
+                // The least of a quotient and of what was found before.
+                let is_quotient = operands(list).any(|o| self.is_quotient(o));
+                operands(list).all(|o| is_quotient && self.is_quotient(o) || self.value(o))
+            }
+            OpKind::Builtin(_, list) => operands(list).all(|o| self.value(o)),
+            OpKind::Unary(_, a) | OpKind::Convert(a) => self.value(a),
+            OpKind::Binary(_, a, b) => self.value(a) && self.value(b),
+            OpKind::Select {
+                then, otherwise, ..
+            } => self.value(then) && self.value(otherwise),
+            _ => false,
+        }
+    }
+
+    fn def(&mut self, def: DefId) -> bool {
+        let defs = self.defs;
+        let def = defs.unrefined(def);
+        if !self.known.insert(def) {
+            return true;
+        }
+        match defs.get(def) {
+            Def::Stored { value, .. } => self.value(value),
+            Def::Merge { sides, .. } => defs.list(sides).iter().all(|side| self.def(*side)),
+            Def::Head { init, back, .. } => self.def(init) && self.def(back),
+            _ => false,
+        }
+    }
+
+    fn is_quotient(&self, op: OpId) -> bool {
+        let (module, defs) = (self.module, self.defs);
+        let mut at = op;
+        for _ in 0..4 {
+            at = match module.op(at).kind {
+                OpKind::Binary(Binary::Divide, _, by) => {
+                    return !matches!(module.op(by).kind, OpKind::Const(_));
+                }
+                OpKind::Binary(Binary::Multiply, a, b) => match module.op(a).kind {
+                    OpKind::Binary(..) => a,
+                    _ => b,
+                },
+                OpKind::Load(_) => match defs.get(defs.unrefined(defs.seen(at, 0))) {
+                    Def::Stored { value, .. } => value,
+                    _ => return false,
+                },
+                _ => return false,
+            };
+        }
+        false
+    }
 }
 
 /// The function of the shader that a loop's body calls with a place.

@@ -6,7 +6,6 @@ mod facts;
 mod fix;
 pub mod formula;
 mod judged;
-pub mod light;
 pub mod march;
 mod misspelt;
 mod option;

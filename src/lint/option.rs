@@ -10,7 +10,7 @@ pub struct Setting<T> {
     /// What it is, as a sentence without a full stop.
     pub about: &'static str,
     default: T,
-    on_gpu: T,
+    on_swiftshader: T,
 }
 
 impl<T: Copy> Setting<T> {
@@ -20,14 +20,14 @@ impl<T: Copy> Setting<T> {
             name,
             about,
             default,
-            on_gpu: default,
+            on_swiftshader: default,
         }
     }
 
-    /// With another value where a graphics card draws.
-    pub const fn on_gpu(self, value: T) -> Setting<T> {
+    /// With another value where a processor draws.
+    pub const fn on_swiftshader(self, value: T) -> Setting<T> {
         Setting {
-            on_gpu: value,
+            on_swiftshader: value,
             ..self
         }
     }
@@ -35,8 +35,8 @@ impl<T: Copy> Setting<T> {
     /// What the rule goes by where the configuration says nothing.
     pub const fn usual(&self, target: Renderer) -> T {
         match target {
-            Renderer::SwiftShader => self.default,
-            Renderer::Gpu => self.on_gpu,
+            Renderer::Gpu => self.default,
+            Renderer::SwiftShader => self.on_swiftshader,
         }
     }
 }
@@ -69,6 +69,11 @@ impl RuleOption {
             RuleOption::Number(setting) => setting.about,
             RuleOption::Switch(setting) => setting.about,
         }
+    }
+
+    /// Whether a rule goes by another value where a processor draws.
+    pub fn depends_on_target(self) -> bool {
+        self.usual(Renderer::Gpu) != self.usual(Renderer::SwiftShader)
     }
 
     /// What the rule goes by where the configuration says nothing.

@@ -10,10 +10,22 @@ use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 #[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
 pub enum Renderer {
     /// A renderer on the processor, as headless browsers have.
-    #[default]
     SwiftShader,
     /// A graphics card.
+    #[default]
     Gpu,
+}
+
+impl Renderer {
+    /// How bad the findings of a rule are where nothing else is said. A processor that has more to do
+    /// than it can shows nothing, so what passes a limit of its own is a warning there.
+    fn level(self, rule: &Rule) -> Severity {
+        let is_limited = || rule.options.iter().any(|o| o.depends_on_target());
+        match self {
+            Renderer::SwiftShader if is_limited() => rule.severity.max(Severity::Warning),
+            _ => rule.severity,
+        }
+    }
 }
 
 /// How the linter is set.
@@ -28,7 +40,7 @@ pub struct Settings {
     /// The only names that are reported, where these were chosen.
     chosen: Option<FxHashSet<&'static str>>,
     /// What draws the shader.
-    pub target: Renderer,
+    target: Renderer,
 }
 
 /// A name that is neither a rule's nor a group's.
@@ -68,6 +80,16 @@ impl Settings {
         settings
     }
 
+    /// Sets what draws the shader.
+    pub fn set_target(&mut self, rules: &[&'static Rule], target: Renderer) {
+        let before = std::mem::replace(&mut self.target, target);
+        for rule in rules {
+            if self.level(rule) == Some(before.level(rule)) {
+                self.set_level(rule, Some(target.level(rule)));
+            }
+        }
+    }
+
     /// Adds the rules that `select` names to those that run, and takes those of `ignore` away. Of two
     /// words for a rule the more specific holds: its own name before its group's before `all`. Of
     /// two that are as specific, `ignore` holds.
@@ -84,7 +106,9 @@ impl Settings {
             let best = |words: &[String]| words.iter().filter_map(|w| Reach::of(w, rule)).max();
             match (best(select), best(ignore)) {
                 (Some(selected), ignored) if Some(selected) > ignored => {
-                    self.levels.entry(rule.name).or_insert(rule.severity);
+                    self.levels
+                        .entry(rule.name)
+                        .or_insert(self.target.level(rule));
                 }
                 (_, Some(_)) => self.set_level(rule, None),
                 _ => {}
@@ -103,7 +127,9 @@ impl Settings {
         }
         for rule in rules {
             if chosen.contains(rule.name) {
-                self.levels.entry(rule.name).or_insert(rule.severity);
+                self.levels
+                    .entry(rule.name)
+                    .or_insert(self.target.level(rule));
             } else {
                 self.set_level(rule, None);
             }

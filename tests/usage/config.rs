@@ -94,11 +94,30 @@ fn options_and_target_change_what_rules_go_by() {
         let places = scratch.places(&["a.glsl"]);
         places.iter().any(|p| p.ends_with(" step-budget"))
     };
-    assert!(finds(""));
-    assert!(!finds("[rules.step-budget]\nmain = 256\nsum = 300"));
-    assert!(finds("[rules.step-budget]\nmain = 255\nsum = 300"));
+    assert!(!finds(""));
+    assert!(finds("[rules.step-budget]\nmain = 255"));
     assert!(!finds("target = \"gpu\""));
-    assert!(finds("target = \"gpu\"\n[rules.step-budget]\nmain = 64"));
+    assert!(finds("target = \"swiftshader\""));
+    assert!(!finds(
+        "target = \"swiftshader\"\n[rules.step-budget]\nmain = 256\nsum = 300"
+    ));
+    let level = |text: &str| {
+        scratch.write("shaderlint.toml", text);
+        let out = scratch.run(&["--only", "step-budget", "a.glsl"]).out;
+        out.split('[').next().unwrap().to_string()
+    };
+    let limits = "[rules.step-budget]\nmain = 255\n";
+    assert_eq!(level(limits), "note");
+    assert_eq!(
+        level(&format!("target = \"swiftshader\"\n{limits}")),
+        "warning"
+    );
+    assert_eq!(
+        level(&format!(
+            "target = \"swiftshader\"\n{limits}level = \"info\""
+        )),
+        "note"
+    );
 }
 
 #[test]

@@ -96,9 +96,9 @@ fn json_of(value: OptionValue) -> Value {
 fn list() -> Value {
     let rules = RULES.iter().map(|rule| {
         let options = rule.options.iter().map(|o| {
-            let [default, on_gpu] =
-                [Renderer::SwiftShader, Renderer::Gpu].map(|t| json_of(o.usual(t)));
-            json!({"name": o.name(), "about": o.about(), "default": default, "on_gpu": on_gpu})
+            let [default, on_swiftshader] =
+                [Renderer::Gpu, Renderer::SwiftShader].map(|t| json_of(o.usual(t)));
+            json!({"name": o.name(), "about": o.about(), "default": default, "on_swiftshader": on_swiftshader})
         });
         json!({
             "name": rule.name,

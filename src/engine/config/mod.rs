@@ -46,7 +46,9 @@ pub enum Adjustment {
 impl Layer {
     /// Does what it says of rules.
     fn apply(&self, settings: &mut Settings) {
-        settings.target = self.target.unwrap_or(settings.target);
+        if let Some(target) = self.target {
+            settings.set_target(RULES, target);
+        }
         for (rule, adjustment) in &self.rules {
             match *adjustment {
                 Adjustment::Level(level) => settings.set_level(rule, level),

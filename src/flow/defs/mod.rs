@@ -143,7 +143,7 @@ pub struct Defs {
     exits: FxHashMap<Slot, DefId>,
     /// By slot: what is ever put there, if it is one of a global.
     global_writes: Lists<DefId>,
-    /// By loop: the definitions made in it; the heads come first.
+    /// By loop: the definitions made in it; the heads stand together.
     loop_defs: Vec<(DefId, DefId)>,
     guards: Vec<Guard>,
     /// From which operation on which guard is the innermost.
@@ -278,7 +278,9 @@ impl Defs {
     pub fn heads(&self, looped: LoopId) -> impl Iterator<Item = DefId> + '_ {
         let made = self.made_in(looped);
         let all = (made.start.0..made.end.0).map(DefId);
-        all.take_while(move |d| matches!(self.get(*d), Def::Head { of, .. } if of == looped))
+        let is_head = move |d: &DefId| matches!(self.get(*d), Def::Head { of, .. } if of == looped);
+        // What the loop is first to name has its entry before them.
+        all.skip_while(move |d| !is_head(d)).take_while(is_head)
     }
 
     /// A definition without what conditions tell of it.

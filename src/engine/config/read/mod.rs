@@ -183,9 +183,9 @@ mod tests {
         );
         for value in ["-1.5", "inf", "\"a\""] {
             wrong(
-                &format!("rules.bright-light.sun = {value}"),
+                &format!("rules.mediump-noise.factor = {value}"),
                 1,
-                26,
+                30,
                 "this must be a number, 0 or more",
             );
         }

@@ -70,10 +70,10 @@ impl JsonSchema for Rules {
 fn of_rule(rule: &Rule) -> Value {
     let options = rule.options.iter().map(|option| {
         let about = format!(
-            "{} (default {}, on a GPU {})",
+            "{} (default {}, on SwiftShader {})",
             option.about(),
-            option.usual(Renderer::SwiftShader),
-            option.usual(Renderer::Gpu)
+            option.usual(Renderer::Gpu),
+            option.usual(Renderer::SwiftShader)
         );
         let value = json!({"description": about, "type": type_of(*option)});
         (option.name().to_string(), value)
