@@ -4,13 +4,16 @@
 mod assignment_in_condition;
 mod backend_keyword;
 mod clamp_bounds;
+mod comment_continues;
 mod constant_condition;
+mod contradiction;
 mod dead_code;
 mod define_with_call;
 mod degrees_in_trig;
 mod derivative_in_divergent_flow;
 mod double_underscore;
 mod duplicate_branch;
+mod empty_body;
 mod float_equality;
 mod gradient_in_loop;
 mod index_range;
@@ -22,10 +25,14 @@ mod legacy_extension;
 mod log_nonpositive;
 mod loop_invariant_call;
 mod luma_weights;
+mod macro_parentheses;
+mod macro_statements;
 mod mainimage_qualifiers;
 mod manual_builtin;
 mod map_inlining;
 mod mediump_noise;
+mod misleading_indentation;
+mod misplaced_sign;
 mod missing_return_path;
 mod mistyped_constant;
 mod nan_compare;
@@ -42,15 +49,18 @@ mod precision_missing_for_sampler;
 mod redundant_constructor;
 mod repeated_call;
 mod rounded_away;
+mod same_operands;
 mod self_assignment;
 mod shadow_steps;
 mod shadowed_name;
 mod shadows_builtin;
 mod shift_range;
 mod sin_hash;
+mod single_turn_loop;
 mod smoothstep_edges;
 mod sqrt_negative;
 mod step_budget;
+mod switch_fallthrough;
 mod switch_return;
 mod tunable_range;
 mod unbounded_loop;
@@ -76,13 +86,16 @@ pub static RULES: &[&Rule] = &[
     &assignment_in_condition::RULE,
     &backend_keyword::RULE,
     &clamp_bounds::RULE,
+    &comment_continues::RULE,
     &constant_condition::RULE,
+    &contradiction::RULE,
     &dead_code::RULE,
     &define_with_call::RULE,
     &degrees_in_trig::RULE,
     &derivative_in_divergent_flow::RULE,
     &double_underscore::RULE,
     &duplicate_branch::RULE,
+    &empty_body::RULE,
     &float_equality::RULE,
     &gradient_in_loop::RULE,
     &index_range::RULE,
@@ -94,10 +107,14 @@ pub static RULES: &[&Rule] = &[
     &log_nonpositive::RULE,
     &loop_invariant_call::RULE,
     &luma_weights::RULE,
+    &macro_parentheses::RULE,
+    &macro_statements::RULE,
     &mainimage_qualifiers::RULE,
     &manual_builtin::RULE,
     &map_inlining::RULE,
     &mediump_noise::RULE,
+    &misleading_indentation::RULE,
+    &misplaced_sign::RULE,
     &missing_return_path::RULE,
     &mistyped_constant::RULE,
     &nan_compare::RULE,
@@ -114,15 +131,18 @@ pub static RULES: &[&Rule] = &[
     &redundant_constructor::RULE,
     &repeated_call::RULE,
     &rounded_away::RULE,
+    &same_operands::RULE,
     &self_assignment::RULE,
     &shadow_steps::RULE,
     &shadowed_name::RULE,
     &shadows_builtin::RULE,
     &shift_range::RULE,
     &sin_hash::RULE,
+    &single_turn_loop::RULE,
     &smoothstep_edges::RULE,
     &sqrt_negative::RULE,
     &step_budget::RULE,
+    &switch_fallthrough::RULE,
     &switch_return::RULE,
     &tunable_range::RULE,
     &unbounded_loop::RULE,

@@ -2,9 +2,11 @@
 
 mod broken;
 mod context;
+pub mod expansion;
 mod facts;
 mod fix;
 pub mod formula;
+pub mod indent;
 mod judged;
 pub mod march;
 mod misspelt;

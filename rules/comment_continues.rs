@@ -1,0 +1,48 @@
+//! A `\` at the end of a comment, which takes the next line with it.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::text::Span;
+
+pub static RULE: Rule = Rule {
+    name: "comment-continues",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("comment_continues.md"),
+    checks: &[Check::Program(check)],
+};
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    for &comment in &program.tokens.comments {
+        let text = program.sources.text(comment);
+        if text.starts_with("//") && text.contains('\\') && program.is_user(comment) {
+            check_comment(cx, comment, text);
+        }
+    }
+}
+
+/// Reports the first line of a comment that is in it by mistake.
+fn check_comment(cx: &mut Context, comment: Span, text: &str) {
+    let mut start = 0;
+    for (at, _) in text.match_indices('\n') {
+        let line = text.get(start..at).unwrap_or("").trim_end_matches('\r');
+        let next = text.get(at + 1..).unwrap_or("");
+        let next = next.lines().next().unwrap_or("");
+        let code = next.trim_start();
+        let is_comment = code.is_empty() || code.starts_with("//") || code.starts_with('\\');
+        if line.ends_with('\\') && !is_comment {
+            let mark = comment.start + (start + line.len()) as u32;
+            let mark = Span::new(mark - 1, mark);
+            let from = comment.start + (at + 1 + next.len() - code.len()) as u32;
+            let place = Span::new(from, from + code.trim_end().len() as u32);
+            cx.report_span(place, "this line is part of the comment above it")
+                .label(mark, "`\\` at the end of a line joins the next one to it")
+                .help("take the `\\` out, or put something behind it");
+            return;
+        }
+        start = at + 1;
+    }
+}

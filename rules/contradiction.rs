@@ -1,0 +1,234 @@
+//! `x > 0.5 && x < 0.2`, `k != 1 || k != 2`.
+
+use crate::diagnostic::Severity;
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule, same_code};
+use crate::semantic::{Program, Scalar, Value};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "contradiction",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("contradiction.md"),
+    checks: &[Check::Binary(check)],
+};
+
+/// Longest chain of `&&` or `||` that is looked at.
+const MAX_CHAIN: usize = 32;
+
+/// One condition of a chain that compares something with a constant: where it lies if that is true.
+#[derive(Clone, Copy)]
+struct Term {
+    expr: ExprId,
+    subject: ExprId,
+    is: Set,
+}
+
+/// The numbers from `lo` to `hi` without the ends that are open, or all but one.
+#[derive(Clone, Copy)]
+struct Set {
+    lo: f64,
+    hi: f64,
+    without_lo: bool,
+    without_hi: bool,
+    /// All numbers but `lo`, which is `hi`.
+    is_all_but: bool,
+}
+
+fn check(cx: &mut Context, e: &BinaryExpr) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let is_and = match e.op {
+        BinaryOp::And => true,
+        BinaryOp::Or => false,
+        _ => return,
+    };
+    let is_op = |id: ExprId| matches!(tree.expr(id).kind, ExprKind::Binary(op, ..) if op == e.op);
+    let is_inner = cx.facts.structure().parent(e.id).is_some_and(is_op);
+    if is_inner || !cx.is_direct(e.id) {
+        return;
+    }
+    let mut terms: Vec<Term> = Vec::new();
+    for id in chain(tree, e) {
+        // `a || b` fails where both fail.
+        let Some(term) = term(program, id, is_and) else {
+            continue;
+        };
+        let is_same = |other: &&Term| {
+            let [a, b] = [other.subject, term.subject].map(|s| tree.expr(s).extent);
+            same_code(program, a, b) && other.is.misses(&term.is)
+        };
+        let before = terms.iter().find(is_same).copied();
+        terms.push(term);
+        let Some(before) = before.filter(|_| !cx.facts.effects().has(term.subject)) else {
+            continue;
+        };
+        if !is_and && is_test_for_nan(program, &before, &term) {
+            continue;
+        }
+        report(cx, e.id, before.expr, id, is_and);
+        return;
+    }
+}
+
+fn report(cx: &mut Context, whole: ExprId, before: ExprId, term: ExprId, is_and: bool) {
+    let program = cx.program;
+    let [first, second] = [before, term].map(|t| program.expr_text(t).to_string());
+    let (place, label) = (program.expr_span(before), program.expr_span(term));
+    let message = match is_and {
+        true => format!("`{first}` and `{second}` are never true together"),
+        false => format!("`{first}` or `{second}` is always true"),
+    };
+    let other = if is_and { "||" } else { "&&" };
+    cx.report_expr(whole, message)
+        .label(place, "one of them")
+        .label(label, "the other")
+        .help(format!("perhaps `{other}` is meant between them"));
+}
+
+/// The conditions of a chain, from left to right.
+fn chain(tree: &Tree, e: &BinaryExpr) -> Vec<ExprId> {
+    let mut all = vec![e.right];
+    let mut at = e.left;
+    while let ExprKind::Binary(op, left, right) = tree.expr(tree.unparen(at)).kind {
+        if op != e.op || all.len() >= MAX_CHAIN {
+            break;
+        }
+        all.push(right);
+        at = left;
+    }
+    all.push(at);
+    all.reverse();
+    all
+}
+
+/// A comparison with a constant, or its contrary.
+fn term(program: &Program, expr: ExprId, mut truth: bool) -> Option<Term> {
+    let tree = &program.tree;
+    let mut at = tree.unparen(expr);
+    while let ExprKind::Unary(UnaryOp::Not, inner) = tree.expr(at).kind {
+        at = tree.unparen(inner);
+        truth = !truth;
+    }
+    let ExprKind::Binary(op, left, right) = tree.expr(at).kind else {
+        return None;
+    };
+    let scalar = program
+        .ty(left)
+        .scalar_kind()
+        .filter(|_| program.ty(left).is_scalar())?;
+    let (subject, op, value) = match (program.scalar(left), program.scalar(right)) {
+        (None, Some(value)) => (left, op, value),
+        (Some(value), None) => (right, turned(op), value),
+        _ => return None,
+    };
+    let op = if truth { op } else { negated(op)? };
+    let set = Set::of(op, number(value))?;
+    let is = match scalar {
+        Scalar::Int | Scalar::Uint => set.of_whole(),
+        _ => set,
+    };
+    Some(Term {
+        expr,
+        subject: tree.unparen(subject),
+        is,
+    })
+}
+
+/// Whether two conditions leave out nothing but what is no number: `x < 0.0 || x >= 0.0`.
+fn is_test_for_nan(program: &Program, a: &Term, b: &Term) -> bool {
+    let is_float = program.ty(a.subject).scalar_kind() == Some(Scalar::Float);
+    // Both are turned round already.
+    is_float
+        && !(a.is.is_single() && b.is.is_single())
+        && (a.is.lo == b.is.hi || a.is.hi == b.is.lo)
+}
+
+impl Set {
+    fn of(op: BinaryOp, value: f64) -> Option<Set> {
+        let (below, above) = (f64::NEG_INFINITY, f64::INFINITY);
+        let (lo, hi) = match op {
+            BinaryOp::Less | BinaryOp::LessEqual => (below, value),
+            BinaryOp::Greater | BinaryOp::GreaterEqual => (value, above),
+            BinaryOp::Equal | BinaryOp::NotEqual => (value, value),
+            _ => return None,
+        };
+        Some(Set {
+            lo,
+            hi,
+            without_lo: op == BinaryOp::Greater,
+            without_hi: op == BinaryOp::Less,
+            is_all_but: op == BinaryOp::NotEqual,
+        })
+    }
+
+    /// The same for numbers that are whole: `x > 1` is `x >= 2`.
+    fn of_whole(self) -> Set {
+        Set {
+            lo: if self.without_lo {
+                self.lo + 1.0
+            } else {
+                self.lo
+            },
+            hi: if self.without_hi {
+                self.hi - 1.0
+            } else {
+                self.hi
+            },
+            without_lo: false,
+            without_hi: false,
+            ..self
+        }
+    }
+
+    fn is_single(&self) -> bool {
+        self.lo == self.hi && !self.is_all_but
+    }
+
+    /// Whether no number lies in both.
+    fn misses(&self, other: &Set) -> bool {
+        match (self.is_all_but, other.is_all_but) {
+            (true, true) => false,
+            (true, false) => other.is_single() && other.lo == self.lo,
+            (false, true) => self.is_single() && self.lo == other.lo,
+            (false, false) => self.ends_before(other) || other.ends_before(self),
+        }
+    }
+
+    fn ends_before(&self, other: &Set) -> bool {
+        let is_open = self.without_hi || other.without_lo;
+        self.hi < other.lo || (self.hi == other.lo && is_open)
+    }
+}
+
+fn number(value: Value) -> f64 {
+    match value {
+        Value::Int(v) => v as f64,
+        Value::Uint(v) => v as f64,
+        v => v.as_float() as f64,
+    }
+}
+
+fn turned(op: BinaryOp) -> BinaryOp {
+    match op {
+        BinaryOp::Less => BinaryOp::Greater,
+        BinaryOp::LessEqual => BinaryOp::GreaterEqual,
+        BinaryOp::Greater => BinaryOp::Less,
+        BinaryOp::GreaterEqual => BinaryOp::LessEqual,
+        op => op,
+    }
+}
+
+fn negated(op: BinaryOp) -> Option<BinaryOp> {
+    Some(match op {
+        BinaryOp::Less => BinaryOp::GreaterEqual,
+        BinaryOp::LessEqual => BinaryOp::Greater,
+        BinaryOp::Greater => BinaryOp::LessEqual,
+        BinaryOp::GreaterEqual => BinaryOp::Less,
+        BinaryOp::Equal => BinaryOp::NotEqual,
+        BinaryOp::NotEqual => BinaryOp::Equal,
+        _ => return None,
+    })
+}

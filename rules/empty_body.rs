@@ -1,0 +1,93 @@
+//! `if (x); { ... }`: a semicolon that takes the place of the body.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::indent::{indent, line_indent};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::syntax::ast::*;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "empty-body",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("empty_body.md"),
+    checks: &[Check::Stmt(check)],
+};
+
+fn check(cx: &mut Context, id: StmtId) {
+    let tree = &cx.program.tree;
+    let StmtKind::Block(body) = tree.stmt(id).kind else {
+        return;
+    };
+    let body = tree.block(body);
+    for (at, &stmt) in body.iter().enumerate() {
+        let (what, empty) = match headed(tree, stmt) {
+            Some(found) => found,
+            None => continue,
+        };
+        let is_direct = cx.program.is_direct(tree.stmt(empty).extent);
+        let next = body.get(at + 1).copied();
+        let next = next.filter(|n| is_meant(cx, stmt, empty, *n));
+        // Nothing can be the point of a loop, whose head may do the work, and not of an `if`.
+        if is_direct && (next.is_some() || what == "if") {
+            report(cx, what, empty, next);
+        }
+    }
+}
+
+/// The word before an empty body, and the empty body at the end of a statement.
+fn headed(tree: &Tree, stmt: StmtId) -> Option<(&'static str, StmtId)> {
+    let is_empty = |s: &StmtId| tree.stmt(*s).kind == StmtKind::Empty;
+    let (what, body) = match tree.stmt(stmt).kind {
+        StmtKind::If {
+            then,
+            otherwise: None,
+            ..
+        } => ("if", then),
+        StmtKind::If {
+            otherwise: Some(otherwise),
+            ..
+        } => match tree.stmt(otherwise).kind {
+            StmtKind::If { .. } => return headed(tree, otherwise),
+            _ => ("else", otherwise),
+        },
+        StmtKind::For { body, .. } => ("for", body),
+        StmtKind::While { body, .. } => ("while", body),
+        _ => return None,
+    };
+    Some((what, body)).filter(|(_, body)| is_empty(body))
+}
+
+/// Whether the statement behind an empty body looks like the body: a block, or one that stands
+/// further in than the head.
+fn is_meant(cx: &Context, head: StmtId, empty: StmtId, next: StmtId) -> bool {
+    let program = cx.program;
+    let tree = &program.tree;
+    let is_block = matches!(tree.stmt(next).kind, StmtKind::Block(_));
+    let first = |stmt: StmtId| tree.stmt(stmt).extent.first;
+    let is_further_in = || {
+        let (head, next) = (
+            line_indent(program, first(head))?,
+            indent(program, first(next))?,
+        );
+        let empty = line_indent(program, first(empty))?;
+        Some(next.line == empty.line + 1 && next.is_deeper_than(&head))
+    };
+    is_block || is_further_in() == Some(true)
+}
+
+fn report(cx: &mut Context, what: &str, empty: StmtId, next: Option<StmtId>) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let span = program.span(tree.stmt(empty).extent);
+    let next = next.map(|n| program.span(Extent::token(tree.stmt(n).extent.first)));
+    let fix = next.map(|_| Fix::suggestion("take the `;` out", vec![Edit::delete(span)]));
+    let message = format!("this `;` is all that the `{what}` has for a body");
+    let mut finding = cx.report_span(span, message);
+    if let Some(next) = next {
+        finding = finding.label(next, "this runs whatever is asked before");
+    }
+    finding.fix(fix);
+}

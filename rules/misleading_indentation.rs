@@ -1,0 +1,79 @@
+//! A statement that stands as if an `if` held it, and is behind it.
+
+use crate::diagnostic::Severity;
+use crate::lint::indent::{indent, line_indent};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "misleading-indentation",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("misleading_indentation.md"),
+    checks: &[Check::Stmt(check)],
+};
+
+fn check(cx: &mut Context, id: StmtId) {
+    let tree = &cx.program.tree;
+    let (StmtKind::Block(body) | StmtKind::Switch { body, .. }) = tree.stmt(id).kind else {
+        return;
+    };
+    for pair in tree.block(body).windows(2) {
+        if let &[stmt, next] = pair
+            && let Some((what, last)) = last_body(tree, stmt)
+            && is_misleading(cx, stmt, last, next) == Some(true)
+        {
+            let program = cx.program;
+            let place = Extent::token(tree.stmt(stmt).extent.first);
+            let next = tree.stmt(next).extent;
+            let message = format!("this stands as if the `{what}` before it held it");
+            let head = program.span(place);
+            let end = program.span(Extent::token(tree.stmt(last).extent.last));
+            cx.report(next, message)
+                .label(head, "without braces it holds one statement")
+                .label(end, "which ends here");
+        }
+    }
+}
+
+/// The last body of a statement, if it has no braces, and the word before it.
+fn last_body(tree: &Tree, stmt: StmtId) -> Option<(&'static str, StmtId)> {
+    let (what, body) = match tree.stmt(stmt).kind {
+        StmtKind::If {
+            otherwise: Some(otherwise),
+            ..
+        } => match tree.stmt(otherwise).kind {
+            StmtKind::If { .. } => return last_body(tree, otherwise),
+            _ => ("else", otherwise),
+        },
+        StmtKind::If { then, .. } => ("if", then),
+        StmtKind::For { body, .. } => ("for", body),
+        StmtKind::While { body, .. } => ("while", body),
+        _ => return None,
+    };
+    // Nothing for a body is another mistake.
+    let is_plain = !matches!(tree.stmt(body).kind, StmtKind::Block(_) | StmtKind::Empty);
+    is_plain.then_some((what, body))
+}
+
+/// Whether a statement begins its line just as far in as the body before it, and that further in
+/// than the head.
+fn is_misleading(cx: &Context, head: StmtId, body: StmtId, next: StmtId) -> Option<bool> {
+    let program = cx.program;
+    let first = |stmt: StmtId| program.tree.stmt(stmt).extent.first;
+    let is_direct = |stmt| program.token(first(stmt)).is_some_and(|t| t.is_direct());
+    let (body_at, next_at) = (indent(program, first(body))?, indent(program, first(next))?);
+    let head_at = line_indent(program, first(head))?;
+    // A `;` too many stands for nothing.
+    let is_code = program.tree.stmt(next).kind != StmtKind::Empty;
+    Some(
+        is_code
+            && is_direct(head)
+            && is_direct(body)
+            && is_direct(next)
+            && body_at.blanks == next_at.blanks
+            && body_at.is_deeper_than(&head_at),
+    )
+}

@@ -1,0 +1,69 @@
+//! `x =- 1.0`.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule, Shape};
+use crate::syntax::ast::*;
+use crate::text::{Edit, Span};
+
+pub static RULE: Rule = Rule {
+    name: "misplaced-sign",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("misplaced_sign.md"),
+    checks: &[Check::Expr(&[Shape::Assign], check)],
+};
+
+fn check(cx: &mut Context, id: ExprId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let ExprKind::Assign(None, target, value) = tree.expr(id).kind else {
+        return;
+    };
+    let Some(op) = leading_sign(tree, value) else {
+        return;
+    };
+    let sign = tree.expr(value).extent.first;
+    let [before, equal, sign, behind] = [
+        tree.expr(target).extent.last,
+        sign.saturating_sub(1),
+        sign,
+        sign + 1,
+    ]
+    .map(|t| program.token(t).filter(|t| t.is_direct()).map(|t| t.span));
+    let (Some(before), Some(equal), Some(sign), Some(behind)) = (before, equal, sign, behind)
+    else {
+        return;
+    };
+    // `x =-1.0` sets the sign of a number; nobody writes it apart from its operand. A plus does
+    // nothing, wherever it stands.
+    let is_one = equal.end == sign.start && before.end < equal.start;
+    let is_apart = sign.end < behind.start;
+    if !is_one || !(is_apart || op == UnaryOp::Plus) {
+        return;
+    }
+    let symbol = op.symbol();
+    let operator = Span::new(equal.start, sign.end);
+    let fix = Fix::suggestion(
+        format!("write `{symbol}=`"),
+        vec![Edit::replace(operator, format!("{symbol}="))],
+    );
+    let text = program.expr_text(target);
+    let message = match op {
+        UnaryOp::Plus => format!("`=+` sets `{text}`, it adds nothing to it"),
+        _ => format!("`=-` sets `{text}`, it takes nothing from it"),
+    };
+    cx.report_span(operator, message).fix(fix);
+}
+
+/// The sign that an expression begins with.
+fn leading_sign(tree: &Tree, mut expr: ExprId) -> Option<UnaryOp> {
+    loop {
+        match tree.expr(expr).kind {
+            ExprKind::Unary(op @ (UnaryOp::Plus | UnaryOp::Minus), _) => return Some(op),
+            ExprKind::Binary(_, left, _) | ExprKind::Ternary(left, ..) => expr = left,
+            _ => return None,
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! `x - x`, `max(a, a)`, `a || b || a`.
+
+use crate::diagnostic::Severity;
+use crate::lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, code_hash, same_code};
+use crate::semantic::{BuiltinId, Scalar};
+use crate::syntax::ast::*;
+use rustc_hash::FxHashMap;
+
+pub static RULE: Rule = Rule {
+    name: "same-operands",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("same_operands.md"),
+    checks: &[Check::Binary(check_binary), Check::Builtin(check_builtin)],
+};
+
+/// Longest chain of `&&` or `||` that is looked at.
+const MAX_CHAIN: usize = 64;
+
+fn check_binary(cx: &mut Context, e: &BinaryExpr) {
+    use BinaryOp::*;
+    let program = cx.program;
+    let outcome = match e.op {
+        And | Or => return check_chain(cx, e),
+        Sub => "always zero",
+        Div => "always one, or nothing where it is zero",
+        Rem => "always zero",
+        BitXor => "always zero",
+        BitAnd | BitOr => "just that",
+        Xor | Less | Greater => "always false",
+        LessEqual | GreaterEqual => "always true",
+        // Of floats that is a test for NaN, which is another matter.
+        Equal | NotEqual if program.ty(e.left).scalar_kind() == Some(Scalar::Float) => return,
+        Equal => "always true",
+        NotEqual => "always false",
+        Mul | Add | ShiftLeft | ShiftRight => return,
+    };
+    let is_matrix = program.ty(e.left).is_matrix();
+    if is_twice(cx, e.left, e.right) && !program.expr(e.id).is_const && !is_matrix {
+        let text = program.expr_text(e.left);
+        let symbol = e.op.symbol();
+        let message = format!("`{text}` stands on both sides of `{symbol}`, which is {outcome}");
+        cx.report_expr(e.id, message);
+    }
+}
+
+/// Each condition of a chain against those before it.
+fn check_chain(cx: &mut Context, e: &BinaryExpr) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let is_inner =
+        |id: ExprId| matches!(tree.expr(id).kind, ExprKind::Binary(op, ..) if op == e.op);
+    let is_top = cx
+        .facts
+        .structure()
+        .parent(e.id)
+        .is_none_or(|p| !is_inner(p));
+    if !is_top {
+        return;
+    }
+    let mut all = vec![e.right];
+    let mut at = e.left;
+    while let ExprKind::Binary(op, left, right) = tree.expr(at).kind {
+        if op != e.op || all.len() >= MAX_CHAIN {
+            break;
+        }
+        all.push(right);
+        at = left;
+    }
+    all.push(at);
+    let mut asked: FxHashMap<u64, ExprId> = FxHashMap::default();
+    for &next in all.iter().rev() {
+        let hash = code_hash(program, tree.expr(tree.unparen(next)).extent);
+        let before = *asked.entry(hash).or_insert(next);
+        if before != next && is_twice(cx, before, next) {
+            let text = program.expr_text(next);
+            let message = format!("`{text}` is asked twice");
+            let before = program.expr_span(before);
+            cx.report_expr(next, message)
+                .label(before, "asked here first");
+        }
+    }
+}
+
+fn check_builtin(cx: &mut Context, call: &Builtin) {
+    use BuiltinId::*;
+    let program = cx.program;
+    let (a, b) = match *call.args {
+        [a, b] => (a, b),
+        [a, b, _] if call.function == Mix => (a, b),
+        [_, a, b] if call.function == Clamp => (a, b),
+        _ => return,
+    };
+    let outcome = match call.function {
+        Min | Max | Mix => "just that",
+        Clamp => "always that bound",
+        Step | LessThanEqual | GreaterThanEqual => "always the same",
+        LessThan | GreaterThan => "always false",
+        Distance | Cross | Mod => "always zero",
+        Equal | NotEqual if program.ty(a).scalar_kind() != Some(Scalar::Float) => "always the same",
+        _ => return,
+    };
+    if is_twice(cx, a, b) && !program.expr(call.id).is_const {
+        let (text, name) = (program.expr_text(a), call.function.name());
+        let message = format!("`{name}` is given `{text}` twice, which gives {outcome}");
+        cx.report_expr(call.id, message);
+    }
+}
+
+/// Whether two expressions are the same code, written out by hand, with the same value each time.
+fn is_twice(cx: &Context, a: ExprId, b: ExprId) -> bool {
+    let program = cx.program;
+    let tree = &program.tree;
+    let [a, b] = [a, b].map(|e| tree.unparen(e));
+    let [first, second] = [a, b].map(|e| tree.expr(e).extent);
+    first.last - first.first == second.last - second.first
+        && same_code(program, first, second)
+        && program.is_direct(first)
+        && program.is_direct(second)
+        && !cx.facts.effects().has(a)
+}

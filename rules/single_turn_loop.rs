@@ -1,0 +1,69 @@
+//! Loops that never turn twice.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::each_inner;
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "single-turn-loop",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("single_turn_loop.md"),
+    checks: &[Check::Stmt(check)],
+};
+
+fn check(cx: &mut Context, id: StmtId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    // A loop without an end of its own is a way to jump: `while (true) { ... break; }`.
+    let (condition, body) = match tree.stmt(id).kind {
+        StmtKind::For {
+            condition: Some(condition),
+            body,
+            ..
+        }
+        | StmtKind::While { condition, body } => match tree.stmt(condition).kind {
+            StmtKind::Expr(condition) => (condition, body),
+            _ => return,
+        },
+        _ => return,
+    };
+    let head = tree.stmt(id).extent.first;
+    let is_direct = program.token(head).is_some_and(|t| t.is_direct());
+    if !is_direct || !cx.facts.reach().ends(body) || program.scalar(condition).is_some() {
+        return;
+    }
+    let Some(last) = leaving(cx, body) else {
+        return;
+    };
+    let jump = match tree.stmt(last).kind {
+        StmtKind::Break => "`break`",
+        StmtKind::Return(_) => "`return`",
+        _ => "`discard`",
+    };
+    let place = program.span(tree.stmt(last).extent);
+    cx.report(Extent::token(head), "this loop never turns twice")
+        .label(place, format!("{jump} leaves it in its first turn"));
+}
+
+/// The last statement that leaves a loop's body, if no `continue` keeps it turning.
+fn leaving(cx: &Context, body: StmtId) -> Option<StmtId> {
+    let tree = &cx.program.tree;
+    let mut todo = vec![body];
+    let mut last = None;
+    while let Some(id) = todo.pop() {
+        let stmt = tree.stmt(id);
+        match stmt.kind {
+            StmtKind::Continue => return None,
+            StmtKind::Break | StmtKind::Return(_) | StmtKind::Discard => last = last.max(Some(id)),
+            // What an inner loop or a `switch` does with its own jumps ends nothing here.
+            StmtKind::For { .. } | StmtKind::While { .. } | StmtKind::Do { .. } => {}
+            StmtKind::Switch { .. } => return None,
+            _ => each_inner(tree, stmt, |inner| todo.push(inner)),
+        }
+    }
+    last
+}

@@ -1,0 +1,81 @@
+//! `case` groups that run on into the next one.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::syntax::ast::*;
+use crate::text::{Edit, Span};
+
+pub static RULE: Rule = Rule {
+    name: "switch-fallthrough",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("switch_fallthrough.md"),
+    checks: &[Check::Stmt(check)],
+};
+
+fn check(cx: &mut Context, id: StmtId) {
+    let tree = &cx.program.tree;
+    let StmtKind::Switch { body, .. } = tree.stmt(id).kind else {
+        return;
+    };
+    let body = tree.block(body);
+    let is_label = |s: StmtId| matches!(tree.stmt(s).kind, StmtKind::Case(_) | StmtKind::Default);
+    for (at, pair) in body.windows(2).enumerate() {
+        let &[last, label] = pair else { continue };
+        if is_label(last) || !is_label(label) {
+            continue;
+        }
+        let group = body.get(..=at).unwrap_or(&[]);
+        let group = group.rsplit(|s| is_label(*s)).next().unwrap_or(&[]);
+        let behind = body.get(at + 1..).unwrap_or(&[]);
+        let next = behind.iter().find(|s| !is_label(**s));
+        // What only leaves may be run into.
+        let leaves = next.is_some_and(|n| {
+            matches!(
+                tree.stmt(*n).kind,
+                StmtKind::Break | StmtKind::Return(_) | StmtKind::Discard
+            )
+        });
+        if !leaves && !group.iter().any(|s| cx.facts.reach().ends(*s)) {
+            report(cx, last, label);
+        }
+    }
+}
+
+fn report(cx: &mut Context, last: StmtId, label: StmtId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let (last, label) = (tree.stmt(last).extent, tree.stmt(label).extent);
+    let gap = Span::new(program.span(last).end, program.span(label).start);
+    // A comment between them says what is meant.
+    let is_noted = program
+        .tokens
+        .comments
+        .iter()
+        .any(|c| gap.contains(*c) && is_own_line(cx, *c));
+    if is_noted || !program.is_direct(Extent::token(last.last)) || !program.is_direct(label) {
+        return;
+    }
+    let edit = Edit::insert(program.span(last).end, " break;");
+    let fix = Fix::suggestion("end it with `break;`", vec![edit]);
+    cx.report(label, "the case before runs on into this one")
+        .label(
+            program.span(Extent::token(last.last)),
+            "nothing leaves here",
+        )
+        .help("if it is meant, say so in a comment on a line between them")
+        .fix(fix);
+}
+
+/// Whether a comment begins its line, so that it is not about the code before it.
+fn is_own_line(cx: &Context, comment: Span) -> bool {
+    let code = cx.program.sources.file_at(comment.start);
+    let start = code.and_then(|file| {
+        let offset = comment.start - file.base;
+        let (line, _) = file.lines().bounds(offset, file.text.len() as u32);
+        file.text.get(line as usize..offset as usize)
+    });
+    start.is_some_and(|s| s.trim().is_empty())
+}
