@@ -25,7 +25,7 @@ pub static RULE: Rule = Rule {
 
 static MAIN: Setting<u64> = Setting::new(
     "main",
-    256,
+    200,
     "Most steps of a loop that looks for what a pixel shows",
 )
 .on_swiftshader(64);

@@ -64,7 +64,7 @@ fn a_rule_that_is_off_can_be_turned_on() {
 }
 
 const MARCH: &str = "\
-#define MAX_STEPS 256
+#define MAX_STEPS 200
 
 float map(vec3 p) {
     return length(p) - 1.0;
@@ -95,7 +95,7 @@ fn options_and_target_change_what_rules_go_by() {
         places.iter().any(|p| p.ends_with(" step-budget"))
     };
     assert!(!finds(""));
-    assert!(finds("[rules.step-budget]\nmain = 255"));
+    assert!(finds("[rules.step-budget]\nmain = 199"));
     assert!(!finds("target = \"gpu\""));
     assert!(finds("target = \"swiftshader\""));
     assert!(!finds(
@@ -106,7 +106,7 @@ fn options_and_target_change_what_rules_go_by() {
         let out = scratch.run(&["--only", "step-budget", "a.glsl"]).out;
         out.split('[').next().unwrap().to_string()
     };
-    let limits = "[rules.step-budget]\nmain = 255\n";
+    let limits = "[rules.step-budget]\nmain = 199\n";
     assert_eq!(level(limits), "note");
     assert_eq!(
         level(&format!("target = \"swiftshader\"\n{limits}")),
