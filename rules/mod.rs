@@ -11,6 +11,7 @@ mod dead_code;
 mod define_with_call;
 mod degrees_in_trig;
 mod derivative_in_divergent_flow;
+mod derivative_of_jump;
 mod double_underscore;
 mod duplicate_branch;
 mod empty_body;
@@ -35,6 +36,7 @@ mod misleading_indentation;
 mod misplaced_sign;
 mod missing_return_path;
 mod mistyped_constant;
+mod mouse_sign;
 mod nan_compare;
 mod negative_remainder;
 mod negative_to_uint;
@@ -62,6 +64,8 @@ mod sqrt_negative;
 mod step_budget;
 mod switch_fallthrough;
 mod switch_return;
+mod texture_seam;
+mod time_precision;
 mod tunable_range;
 mod unbounded_loop;
 mod undefined_constant;
@@ -93,6 +97,7 @@ pub static RULES: &[&Rule] = &[
     &define_with_call::RULE,
     &degrees_in_trig::RULE,
     &derivative_in_divergent_flow::RULE,
+    &derivative_of_jump::RULE,
     &double_underscore::RULE,
     &duplicate_branch::RULE,
     &empty_body::RULE,
@@ -117,6 +122,7 @@ pub static RULES: &[&Rule] = &[
     &misplaced_sign::RULE,
     &missing_return_path::RULE,
     &mistyped_constant::RULE,
+    &mouse_sign::RULE,
     &nan_compare::RULE,
     &negative_remainder::RULE,
     &negative_to_uint::RULE,
@@ -144,6 +150,8 @@ pub static RULES: &[&Rule] = &[
     &step_budget::RULE,
     &switch_fallthrough::RULE,
     &switch_return::RULE,
+    &texture_seam::RULE,
+    &time_precision::RULE,
     &tunable_range::RULE,
     &unbounded_loop::RULE,
     &undefined_constant::RULE,

@@ -19,7 +19,7 @@ fn check(cx: &mut Context) {
     let Some(span) = cx.program.tokens.version_span else {
         return;
     };
-    if cx.facts.embedder.is_webgl1 && cx.program.version == Version::Es300 {
+    if cx.facts.around.embedder.is_webgl1 && cx.program.version == Version::Es300 {
         cx.report_span(
             span,
             "the page asks for WebGL1, which cannot compile `#version 300 es`",

@@ -112,6 +112,7 @@ fn part(
         infer_channels: first.dialect.is_shadertoy(),
         readings,
         embedder: around.embedder,
+        mipmapped: [None; 4],
         missing: Vec::new(),
         analysis: None,
     })

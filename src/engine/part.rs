@@ -7,7 +7,7 @@ use super::options::{DialectChoice, Options};
 use super::reading::{Reading, Readings, Standing, lacking};
 use super::world::Keep;
 use crate::diagnostic::{Applicability, Diagnostic, Severity, error};
-use crate::lint::{Allows, Judged, Settings, Unrun, keep_comments, lint_within};
+use crate::lint::{Allows, Around, Judged, Settings, Unrun, keep_comments, lint_within};
 use crate::port::PassUnit;
 use crate::rules::RULES;
 use crate::semantic::{Checked, Dialect, Stage, Wholeness};
@@ -25,6 +25,8 @@ pub struct Part {
     pub infer_channels: bool,
     /// The page or script around it.
     pub embedder: Embedder,
+    /// By channel: whether its texture has mipmaps, where that is known.
+    pub mipmapped: [Option<bool>; 4],
     /// What it includes and is not found.
     pub missing: Vec<MissingInclude>,
     /// What came of checking it, where that is kept.
@@ -43,6 +45,7 @@ impl Part {
             readings: Readings::whole(reading),
             infer_channels: false,
             embedder: Embedder::default(),
+            mipmapped: unit.mipmapped,
             missing: Vec::new(),
             analysis: None,
         }
@@ -130,7 +133,11 @@ fn tell_part(
     let unrun = if !checked.open.is_any && wholeness != Wholeness::Excerpt {
         let mut found = Vec::new();
         let (program, errors) = (&checked.program, &checked.diagnostics);
-        let unrun = lint_within(program, part.embedder, errors, RULES, settings, &mut found);
+        let around = Around {
+            embedder: part.embedder,
+            mipmapped: part.mipmapped,
+        };
+        let unrun = lint_within(program, around, errors, RULES, settings, &mut found);
         if unrun != Unrun::Everywhere {
             allows.apply(&checked.program, RULES, &mut found);
         }

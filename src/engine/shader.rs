@@ -69,6 +69,7 @@ pub(super) fn shader_part(
         infer_channels: first.dialect.is_shadertoy(),
         readings,
         embedder: Embedder::default(),
+        mipmapped: [None; 4],
         missing,
         analysis: None,
     });

@@ -7,14 +7,24 @@ use super::words::count;
 use crate::flow::defs::Defs;
 use crate::flow::ranges::{Interval, Query, Ranges};
 use crate::flow::{
-    Calls, Effects, Gradient, Loops, Paths, Uniformity, Work, Writes, gradients, is_same,
+    Calls, Effects, Gradient, Jump, Loops, Paths, Start, Uniformity, Work, Writes, gradients,
+    is_same, jump, origin, trace,
 };
-use crate::ir::{Module, lower};
-use crate::semantic::{FunctionRef, Mentions, Program, Reachability, Stage, Structure};
+use crate::ir::{Module, OpId, Root, lower};
+use crate::semantic::{FunctionRef, Mentions, Program, Reachability, Stage, Structure, channel};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
 use crate::text::embed::Embedder;
 use std::cell::OnceCell;
+
+/// What is known of where a shader stands and runs, that its text does not say.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Around {
+    /// The page or script that it stands in.
+    pub embedder: Embedder,
+    /// By channel: whether its texture has mipmaps, where that is known.
+    pub mipmapped: [Option<bool>; 4],
+}
 
 /// Answers about one shader.
 pub struct Facts<'a> {
@@ -36,8 +46,8 @@ pub struct Facts<'a> {
     uniformity: OnceCell<Uniformity>,
     gradients: OnceCell<Vec<Gradient>>,
     marches: OnceCell<Vec<March>>,
-    /// The page or script that the shader stands in.
-    pub embedder: Embedder,
+    /// What is known of where it runs.
+    pub around: Around,
     /// What of the shader has errors.
     pub broken: Broken<'a>,
 }
@@ -64,7 +74,7 @@ impl<'a> Facts<'a> {
             uniformity: OnceCell::new(),
             gradients: OnceCell::new(),
             marches: OnceCell::new(),
-            embedder: Embedder::default(),
+            around: Around::default(),
             broken: Broken::default(),
         }
     }
@@ -172,6 +182,47 @@ impl<'a> Facts<'a> {
         let module = self.module();
         let both = module.op_of(a).zip(module.op_of(b));
         both.is_some_and(|(a, b)| is_same(module, self.defs(), a, b))
+    }
+
+    /// What makes a lane of a value jump between neighbouring pixels.
+    pub fn jump(&self, op: OpId, lane: u32) -> Option<Jump> {
+        jump(self.ranges(), self.uniformity(), (op, lane))
+    }
+
+    /// Whether the texture that an expression names may have mipmaps.
+    pub fn may_have_mipmaps(&self, sampler: ExprId) -> bool {
+        let named = self.program.variable_of(sampler);
+        let name = named
+            .and_then(|id| self.program.variable(id))
+            .map(|v| v.name);
+        let number = name.and_then(|name| channel(self.program.names.text(name)));
+        let known = self.around.mipmapped;
+        match number.and_then(|number| known.get(number as usize)) {
+            Some(known) => *known != Some(false),
+            // A parameter: any of them.
+            None => known.iter().all(Option::is_none) || known.contains(&Some(true)),
+        }
+    }
+
+    /// Calls `visit` with what a lane of a value was made of, as [`trace`] does.
+    pub fn trace(&self, op: OpId, lane: u32, visit: impl FnMut(Start) -> bool) -> bool {
+        trace(self.module(), self.defs(), (op, lane), visit)
+    }
+
+    /// What a lane of a value is, copies taken back.
+    pub fn origin(&self, op: OpId, lane: u32) -> Option<Start> {
+        origin(self.module(), self.defs(), op, lane)
+    }
+
+    /// Whether a lane is that of a variable which the host or the language fills in under this name.
+    pub fn is_given(&self, origin: Option<Start>, name: &str) -> bool {
+        let Some(Start::Given(variable, _)) = origin else {
+            return false;
+        };
+        let found = self.program.variable(variable);
+        let root = self.module().variable(variable).map(|v| v.root);
+        matches!(root, Some(Root::Uniform | Root::Input))
+            && found.is_some_and(|v| self.program.names.text(v.name) == name)
     }
 
     /// The function that draws: `mainImage` and its kin, or `main`.

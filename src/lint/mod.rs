@@ -23,7 +23,7 @@ mod words;
 
 pub use broken::Broken;
 pub use context::{Context, Finding};
-pub use facts::Facts;
+pub use facts::{Around, Facts};
 pub use fix::{Allow, Fixed, Look, fix, fix_seen, keep_comments};
 pub use judged::Judged;
 pub use option::{OptionType, OptionValue, RuleOption, Setting};

@@ -2,14 +2,13 @@
 
 use super::broken::Broken;
 use super::{
-    BinaryExpr, Builtin, Check, Context, DeclaredName, DeclaredVariable, Facts, Named, Rule,
-    Settings, Shape,
+    Around, BinaryExpr, Builtin, Check, Context, DeclaredName, DeclaredVariable, Facts, Named,
+    Rule, Settings, Shape,
 };
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::semantic::{FunctionRef, Program, VariableId};
 use crate::syntax::Macro;
 use crate::syntax::ast::*;
-use crate::text::embed::Embedder;
 use crate::text::{Role, Span};
 
 /// Where rules did not run, since what stands there has errors.
@@ -39,7 +38,7 @@ pub fn lint(
 ) {
     lint_within(
         program,
-        Embedder::default(),
+        Around::default(),
         &[],
         rules,
         settings,
@@ -51,14 +50,14 @@ pub fn lint(
 /// the errors given. Says where they did not run.
 pub fn lint_within(
     program: &Program,
-    embedder: Embedder,
+    around: Around,
     errors: &[Diagnostic],
     rules: &[&'static Rule],
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Unrun {
     let mut facts = Facts::new(program);
-    facts.embedder = embedder;
+    facts.around = around;
     facts.broken = Broken::of(program, errors);
     if facts.broken.whole() {
         return Unrun::Everywhere;

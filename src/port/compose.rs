@@ -16,6 +16,8 @@ pub struct PassUnit {
     pub wrapper: Wrapper,
     /// The stage that it is for.
     pub stage: Stage,
+    /// By channel: whether its texture has mipmaps, where that is known.
+    pub mipmapped: [Option<bool>; 4],
     /// Header, Commons and code, in the order in which they are compiled.
     pub files: Vec<FileId>,
     /// What came of checking it, once that was asked for.
@@ -113,6 +115,7 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
             kind: found.kind,
             wrapper: found.wrapper,
             stage: found.stage,
+            mipmapped: found.mipmapped(),
             files,
             checked: OnceLock::new(),
         });

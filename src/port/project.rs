@@ -382,6 +382,17 @@ impl ProjectPass {
         }
     }
 
+    /// By channel: whether its texture has mipmaps; not known of a channel without input.
+    pub fn mipmapped(&self) -> [Option<bool>; 4] {
+        let mut mipmapped = [None; 4];
+        for input in &self.inputs {
+            if let Some(slot) = mipmapped.get_mut(input.channel as usize) {
+                *slot = Some(input.sampler.filter == "mipmap");
+            }
+        }
+        mipmapped
+    }
+
     /// The type of each channel; a channel without input is a `sampler2D`.
     pub fn channels(&self) -> Channels {
         let mut channels = [Some(Sampler::Sampler2D); 4];

@@ -1,0 +1,41 @@
+//! Derivatives of what jumps.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
+
+pub static RULE: Rule = Rule {
+    name: "derivative-of-jump",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("derivative_of_jump.md"),
+    checks: &[Check::Builtin(check)],
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let (BuiltinId::DFdx | BuiltinId::DFdy | BuiltinId::Fwidth, &[of]) = (call.function, call.args)
+    else {
+        return;
+    };
+    let program = cx.program;
+    let Some(op) = cx.facts.module().op_of(of) else {
+        return;
+    };
+    let mut lanes = 0..program.ty(of).components();
+    let Some(jump) = lanes.find_map(|lane| cx.facts.jump(op, lane)) else {
+        return;
+    };
+    let origin = cx.facts.module().provenance(jump.call);
+    let Some(at) = origin.extent(&program.tree).map(|e| program.span(e)) else {
+        return;
+    };
+    let (name, jumps) = (call.function.name(), jump.function.name());
+    cx.report_expr(of, format!("`{name}` of a value that jumps"))
+        .label(at, format!("`{jumps}` jumps here"))
+        .note("where it jumps the derivative is huge, which draws a line of pixels")
+        .help(format!(
+            "take the derivative of what stands in `{jumps}`, before it jumps"
+        ));
+}

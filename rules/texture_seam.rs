@@ -1,0 +1,88 @@
+//! Texture coordinates that jump.
+
+use crate::diagnostic::Severity;
+use crate::flow::Jump;
+use crate::ir::{OpId, OpKind, Provenance};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::{BuiltinId, Dialect, Pass, Stage};
+use crate::syntax::ast::{ExprId, ExprKind};
+
+pub static RULE: Rule = Rule {
+    name: "texture-seam",
+    group: Group::Portability,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("texture_seam.md"),
+    checks: &[Check::Program(check)],
+};
+
+/// A bias that takes the sharpest level for certain.
+const SHARPEST: f32 = -8.0;
+
+/// Each jump is told at the first lookup that it reaches.
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    let has_pixels = program.stage == Stage::Fragment && cx.facts.entry().is_some();
+    let is_sound = program.dialect == Dialect::ShaderToy(Pass::Sound);
+    if !has_pixels || is_sound {
+        return;
+    }
+    let module = cx.facts.module();
+    let ops = (0..).map(OpId).zip(&module.ops);
+    let lookups = ops.filter(|(_, op)| match op.kind {
+        OpKind::Builtin(function, _) => {
+            function.kind().is_texture() && function.kind().takes_derivatives()
+        }
+        _ => false,
+    });
+    let mut told: Vec<OpId> = Vec::new();
+    for (op, _) in lookups {
+        let found = place_of(cx, op).and_then(|place| {
+            let place_op = module.op_of(place)?;
+            let jump = (0..2).find_map(|lane| cx.facts.jump(place_op, lane))?;
+            Some((place, jump))
+        });
+        let Some((place, jump)) = found.filter(|(_, jump)| !told.contains(&jump.call)) else {
+            continue;
+        };
+        told.push(jump.call);
+        tell(cx, place, jump);
+    }
+}
+
+/// The coordinates of a lookup that may read a smaller level.
+fn place_of(cx: &Context, lookup: OpId) -> Option<ExprId> {
+    let program = cx.program;
+    let Provenance::Expr(call) = cx.facts.module().provenance(lookup) else {
+        return None;
+    };
+    let ExprKind::Call(_, args) = program.tree.expr(call).kind else {
+        return None;
+    };
+    let &[sampler, place, ref rest @ ..] = program.tree.args(args) else {
+        return None;
+    };
+    let bias = rest.last().and_then(|b| program.scalar(*b));
+    let is_sharp = bias.is_some_and(|b| b.as_float() <= SHARPEST);
+    // A direction into a cube has no seam of its own.
+    let is_flat = program.ty(place).components() == 2;
+    (is_flat && !is_sharp && cx.facts.may_have_mipmaps(sampler)).then_some(place)
+}
+
+fn tell(cx: &mut Context, place: ExprId, jump: Jump) {
+    let origin = cx.facts.module().provenance(jump.call);
+    let Some(extent) = origin.extent(&cx.program.tree) else {
+        return;
+    };
+    let at = cx.program.span(extent);
+    let name = jump.function.name();
+    let how = match jump.function {
+        BuiltinId::Atan => format!("`{name}` goes from π to -π here"),
+        _ => format!("`{name}` jumps here"),
+    };
+    cx.report_expr(place, "these texture coordinates jump between two pixels")
+        .label(at, how)
+        .note("where the texture has mipmaps the GPU takes the jump for a steep slope, and draws a line of its smallest level there")
+        .help("take the slope of what does not jump, with `textureGrad`, or the level yourself, with `textureLod`");
+}

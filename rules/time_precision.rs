@@ -1,0 +1,96 @@
+//! Time that is multiplied until a `float` has no digits left for it.
+
+use crate::diagnostic::Severity;
+use crate::flow::Start;
+use crate::ir::{Binary, OpId, OpKind, Unary};
+use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
+use crate::semantic::BuiltinId;
+
+pub static RULE: Rule = Rule {
+    name: "time-precision",
+    group: Group::Numeric,
+    severity: Severity::Info,
+    default: true,
+    options: &[RuleOption::Number(&FACTOR)],
+    page: include_str!("time_precision.md"),
+    checks: &[Check::Builtin(check)],
+};
+
+static FACTOR: Setting<f64> = Setting::new(
+    "factor",
+    250.0,
+    "Smallest factor of the time of which nothing sensible is left after an hour",
+);
+
+/// After a quarter of an hour: what is left is the distance between two floats there.
+const LATER: f64 = 900.0;
+
+fn check(cx: &mut Context, call: &Builtin) {
+    use BuiltinId::{Cos, Fract, Mod, Sin, Tan};
+    let Some(&of) = call.args.first() else { return };
+    if !matches!(call.function, Sin | Cos | Tan | Fract | Mod) {
+        return;
+    }
+    let Some(op) = cx.facts.module().op_of(of) else {
+        return;
+    };
+    let limit = cx.option(&FACTOR);
+    let lanes = 0..cx.program.ty(of).components();
+    let factors = lanes.filter_map(|lane| factor(cx, op, lane, 12));
+    let Some(factor) = factors.reduce(f64::max).filter(|f| *f >= limit) else {
+        return;
+    };
+    let period = match call.function {
+        Mod => call
+            .args
+            .get(1)
+            .and_then(|y| cx.program.scalar(*y))
+            .map(|y| f64::from(y.as_float().abs())),
+        Fract => Some(1.0),
+        _ => Some(std::f64::consts::TAU),
+    };
+    // A long period keeps its digits.
+    let Some(period) = period.filter(|p| factor >= limit * p.max(1.0)) else {
+        return;
+    };
+    let step = f64::from((LATER as f32).next_up() - LATER as f32) * factor;
+    let name = call.function.name();
+    let message = format!("`{name}` of the time, {factor} times as fast, loses its digits");
+    cx.report_expr(of, message)
+        .note(format!(
+            "after a quarter of an hour it goes on in steps of {step:.2}, where a full turn is {period:.2}; sooner than that it turns faster than frames are drawn"
+        ))
+        .help("take the remainder of the time first, `mod(iTime, period)`, or slow it down");
+}
+
+/// By how much the running time is multiplied in a lane.
+fn factor(cx: &Context, op: OpId, lane: u32, depth: u32) -> Option<f64> {
+    let rest = depth.checked_sub(1)?;
+    let module = cx.facts.module();
+    let origin = cx.facts.origin(op, lane);
+    if cx.facts.is_given(origin, "iTime") {
+        return Some(1.0);
+    }
+    let Start::Made(made, lane) = origin? else {
+        return None;
+    };
+    let lane_of = |op| if module.ty(op).is_scalar() { 0 } else { lane };
+    let of = |op| factor(cx, op, lane_of(op), rest);
+    let constant = |op| {
+        let range = cx.facts.ranges().lane(op, lane_of(op));
+        range.single().map(f64::abs)
+    };
+    match module.op(made).kind {
+        OpKind::Unary(Unary::Negate, a) => of(a),
+        OpKind::Binary(Binary::Add | Binary::Subtract, a, b) => match (of(a), of(b)) {
+            (Some(a), Some(b)) => Some(a.max(b)),
+            (a, b) => a.or(b),
+        },
+        OpKind::Binary(Binary::Multiply, a, b) => match constant(a) {
+            Some(value) => Some(value * of(b)?),
+            None => Some(constant(b)? * of(a)?),
+        },
+        OpKind::Binary(Binary::Divide, a, b) => Some(of(a)? / constant(b).filter(|v| *v > 0.0)?),
+        _ => None,
+    }
+}

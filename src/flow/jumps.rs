@@ -1,0 +1,97 @@
+//! Where a value jumps between neighbouring pixels, so that its slope means nothing there.
+
+use super::ranges::Query;
+use super::trace::{Start, trace};
+use super::uniformity::{Uniformity, Varying};
+use crate::ir::{Binary, OpId, OpKind, Unary};
+use crate::semantic::BuiltinId;
+
+/// A function whose result jumps.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Jump {
+    /// The call of it.
+    pub call: OpId,
+    /// The function.
+    pub function: BuiltinId,
+}
+
+/// What makes a lane jump, if sums and products carry it there, and nothing makes it whole again.
+pub fn jump(ranges: Query, uniformity: &Uniformity, (op, lane): (OpId, u32)) -> Option<Jump> {
+    let Query { module, defs, .. } = ranges;
+    let mut found: Vec<Jump> = Vec::new();
+    let mut is_mixed = false;
+    trace(module, defs, (op, lane), |origin| {
+        let Start::Made(call, lane) = origin else {
+            is_mixed |= varies(uniformity, origin);
+            return false;
+        };
+        match module.op(call).kind {
+            OpKind::Unary(Unary::Negate, _) | OpKind::Convert(_) => true,
+            OpKind::Binary(Binary::Add | Binary::Subtract, ..) => true,
+            OpKind::Binary(Binary::Multiply | Binary::Divide, ..) => true,
+            OpKind::Builtin(function, operands) if jumps(function, operands.len) => {
+                let operands = module.operands(operands);
+                let mut varying = operands
+                    .iter()
+                    .map(|o| uniformity.varies(Varying::Value(*o)));
+                if varying.any(|v| v) && !is_within(ranges, function, operands, lane) {
+                    found.push(Jump { call, function });
+                }
+                false
+            }
+            _ => {
+                is_mixed |= varies(uniformity, origin);
+                false
+            }
+        }
+    });
+    // What rounding takes away other terms may give back, as in `floor(p) + smooth(p - floor(p))`.
+    let is_rounded = found.iter().any(|j| rounds(j.function));
+    let is_whole = is_rounded && (is_mixed || found.iter().any(|j| !rounds(j.function)));
+    found
+        .into_iter()
+        .find(|j| !is_whole || j.function == BuiltinId::Atan)
+}
+
+/// Whether the arguments stay within one period.
+fn is_within(ranges: Query, function: BuiltinId, operands: &[OpId], lane: u32) -> bool {
+    let of = |position: usize| {
+        let op = *operands.get(position)?;
+        let own = if ranges.module.ty(op).is_scalar() {
+            0
+        } else {
+            lane
+        };
+        Some(ranges.lane(op, own))
+    };
+    let Some(x) = of(0) else { return false };
+    match (function, of(1)) {
+        // The seam lies where `y` changes its sign on the left.
+        (BuiltinId::Atan, Some(right)) => {
+            right.lo.value >= 0.0 || x.lo.value > 0.0 || x.hi.value < 0.0
+        }
+        (BuiltinId::Mod, Some(y)) => x.lo.value >= 0.0 && x.hi.value < y.lo.value,
+        _ => x.lo.value.floor() == x.hi.value.floor(),
+    }
+}
+
+fn varies(uniformity: &Uniformity, origin: Start) -> bool {
+    uniformity.varies(match origin {
+        Start::Made(op, _) => Varying::Value(op),
+        Start::Given(variable, _) => Varying::Variable(variable),
+    })
+}
+
+const fn rounds(function: BuiltinId) -> bool {
+    use BuiltinId::{Ceil, Floor, Round, RoundEven, Trunc};
+    matches!(function, Floor | Ceil | Round | RoundEven | Trunc)
+}
+
+const fn jumps(function: BuiltinId, operands: u32) -> bool {
+    use BuiltinId::{Atan, Fract, Mod};
+    match function {
+        Atan => operands == 2,
+        Fract | Mod => true,
+        _ => rounds(function),
+    }
+}

@@ -1,0 +1,146 @@
+//! Back from a lane of a value to what it was made of: through variables, swizzles, constructors and
+//! the parameters of functions.
+
+use super::defs::{Def, DefId, Defs};
+use crate::ir::{Module, OpId, OpKind};
+use crate::semantic::VariableId;
+
+/// How many steps are taken for one question.
+const BUDGET: u32 = 64;
+
+/// Where the way back from a lane ends, which is where the lane starts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Start {
+    /// At an operation that makes the lane.
+    Made(OpId, u32),
+    /// At what a lane of a variable holds from the start, as uniforms and inputs do.
+    Given(VariableId, u32),
+}
+
+/// Calls `visit` with everything that a lane may be, copies taken back; where `visit` says so, with
+/// what that was made of too: the same lane of each operand, or all that there is of a scalar.
+/// Gives back whether all of it was seen.
+pub fn trace(
+    module: &Module,
+    defs: &Defs,
+    (op, lane): (OpId, u32),
+    mut visit: impl FnMut(Start) -> bool,
+) -> bool {
+    let mut trail = Trail {
+        module,
+        defs,
+        todo: vec![At::Lane(op, lane)],
+        seen: Vec::new(),
+    };
+    for _ in 0..BUDGET {
+        let Some(at) = trail.todo.pop() else {
+            return true;
+        };
+        if trail.seen.contains(&at) {
+            continue;
+        }
+        trail.seen.push(at);
+        match at {
+            At::Lane(op, lane) => trail.lane(op, lane, &mut visit),
+            At::Def(def) => trail.def(def, &mut visit),
+        }
+    }
+    trail.todo.is_empty()
+}
+
+/// What one lane alone is, copies taken back; `None` where it may be one of several.
+pub fn origin(module: &Module, defs: &Defs, op: OpId, lane: u32) -> Option<Start> {
+    let (mut first, mut count) = (None, 0);
+    let is_all = trace(module, defs, (op, lane), |origin| {
+        first = first.or(Some(origin));
+        count += 1;
+        false
+    });
+    first.filter(|_| is_all && count == 1)
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum At {
+    Lane(OpId, u32),
+    Def(DefId),
+}
+
+struct Trail<'a> {
+    module: &'a Module,
+    defs: &'a Defs,
+    todo: Vec<At>,
+    seen: Vec<At>,
+}
+
+impl Trail<'_> {
+    fn lane(&mut self, op: OpId, lane: u32, visit: &mut impl FnMut(Start) -> bool) {
+        let (module, defs) = (self.module, self.defs);
+        let found = module.op(op);
+        if let OpKind::Load(_) = found.kind {
+            let def = defs.unrefined(defs.seen(op, lane));
+            return match defs.get(def) {
+                Def::Unknown => {
+                    visit(Start::Made(op, lane));
+                }
+                _ => self.todo.push(At::Def(def)),
+            };
+        }
+        if let Some((part, lane)) = defs.part_of(module, op, lane) {
+            return self.todo.push(At::Lane(part, lane));
+        }
+        if let OpKind::Select {
+            then, otherwise, ..
+        } = found.kind
+        {
+            self.todo
+                .extend([then, otherwise].map(|side| At::Lane(side, lane)));
+            return;
+        }
+        if let OpKind::Call(function, _) = found.kind
+            && let [value] = defs.returns_of(function)
+        {
+            return self.todo.push(At::Lane(*value, lane));
+        }
+        if visit(Start::Made(op, lane)) {
+            module.each_operand(op, |operand| {
+                let own = if module.ty(operand).is_scalar() {
+                    0
+                } else {
+                    lane
+                };
+                self.todo.push(At::Lane(operand, own));
+            });
+        }
+    }
+
+    fn def(&mut self, def: DefId, visit: &mut impl FnMut(Start) -> bool) {
+        let (module, defs) = (self.module, self.defs);
+        match defs.get(def) {
+            Def::Stored { value, lane } => self.todo.push(At::Lane(value, lane)),
+            Def::Merge { sides, .. } => {
+                let sides = defs.list(sides).iter();
+                self.todo
+                    .extend(sides.map(|side| At::Def(defs.unrefined(*side))));
+            }
+            Def::Head { init, back, .. } => {
+                self.todo
+                    .extend([init, back].map(|side| At::Def(defs.unrefined(side))));
+            }
+            Def::Refined { of, .. } => self.todo.push(At::Def(of)),
+            Def::Entry(slot) => {
+                let (variable, lane) = defs.variable_at(slot);
+                match (defs.passed(module, slot), defs.global_writes(slot)) {
+                    (Some(passed), _) if passed.args().len() == 1 => {
+                        let args = passed.args();
+                        self.todo.extend(args.map(|arg| At::Lane(arg, passed.lane)));
+                    }
+                    (None, &[written]) => self.todo.push(At::Def(defs.unrefined(written))),
+                    _ => {
+                        visit(Start::Given(variable, lane));
+                    }
+                }
+            }
+            Def::Measured(_) | Def::Unknown => {}
+        }
+    }
+}
