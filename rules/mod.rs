@@ -8,6 +8,7 @@ mod comment_continues;
 mod constant_condition;
 mod contradiction;
 mod dead_code;
+mod dead_store;
 mod define_with_call;
 mod degrees_in_trig;
 mod derivative_in_divergent_flow;
@@ -15,6 +16,7 @@ mod derivative_of_jump;
 mod double_underscore;
 mod duplicate_branch;
 mod empty_body;
+mod float_counter_drift;
 mod float_equality;
 mod gradient_in_loop;
 mod index_range;
@@ -46,6 +48,7 @@ mod no_effect;
 mod normalize_zero;
 mod octave_budget;
 mod output_not_written;
+mod overwritten_parameter;
 mod pow_negative_base;
 mod precision_missing_for_sampler;
 mod redundant_constructor;
@@ -56,6 +59,7 @@ mod self_assignment;
 mod shadow_steps;
 mod shadowed_name;
 mod shadows_builtin;
+mod shared_counter;
 mod shift_range;
 mod sin_hash;
 mod single_turn_loop;
@@ -94,6 +98,7 @@ pub static RULES: &[&Rule] = &[
     &constant_condition::RULE,
     &contradiction::RULE,
     &dead_code::RULE,
+    &dead_store::RULE,
     &define_with_call::RULE,
     &degrees_in_trig::RULE,
     &derivative_in_divergent_flow::RULE,
@@ -101,6 +106,7 @@ pub static RULES: &[&Rule] = &[
     &double_underscore::RULE,
     &duplicate_branch::RULE,
     &empty_body::RULE,
+    &float_counter_drift::RULE,
     &float_equality::RULE,
     &gradient_in_loop::RULE,
     &index_range::RULE,
@@ -132,6 +138,7 @@ pub static RULES: &[&Rule] = &[
     &normalize_zero::RULE,
     &octave_budget::RULE,
     &output_not_written::RULE,
+    &overwritten_parameter::RULE,
     &pow_negative_base::RULE,
     &precision_missing_for_sampler::RULE,
     &redundant_constructor::RULE,
@@ -142,6 +149,7 @@ pub static RULES: &[&Rule] = &[
     &shadow_steps::RULE,
     &shadowed_name::RULE,
     &shadows_builtin::RULE,
+    &shared_counter::RULE,
     &shift_range::RULE,
     &sin_hash::RULE,
     &single_turn_loop::RULE,

@@ -7,7 +7,7 @@ use super::words::count;
 use crate::flow::defs::Defs;
 use crate::flow::ranges::{Interval, Query, Ranges};
 use crate::flow::{
-    Calls, Effects, Gradient, Jump, Loops, Paths, Start, Uniformity, Work, Writes, gradients,
+    Calls, Effects, Gradient, Jump, Live, Loops, Paths, Start, Uniformity, Work, Writes, gradients,
     is_same, jump, origin, trace,
 };
 use crate::ir::{Module, OpId, Root, lower};
@@ -35,6 +35,7 @@ pub struct Facts<'a> {
     loops: OnceCell<Loops>,
     mentions: OnceCell<Mentions>,
     defs: OnceCell<Defs>,
+    live: OnceCell<Live>,
     ranges: OnceCell<Ranges>,
     paths: OnceCell<Paths>,
     entry: OnceCell<Option<FunctionRef>>,
@@ -63,6 +64,7 @@ impl<'a> Facts<'a> {
             loops: OnceCell::new(),
             mentions: OnceCell::new(),
             defs: OnceCell::new(),
+            live: OnceCell::new(),
             ranges: OnceCell::new(),
             paths: OnceCell::new(),
             entry: OnceCell::new(),
@@ -154,6 +156,12 @@ impl<'a> Facts<'a> {
     pub fn defs(&self) -> &Defs {
         self.defs
             .get_or_init(|| Defs::of(self.program, self.module(), self.calls()))
+    }
+
+    /// Which writes are ever read.
+    pub fn live(&self) -> &Live {
+        self.live
+            .get_or_init(|| Live::of(self.module(), self.defs()))
     }
 
     /// What numbers values may be.

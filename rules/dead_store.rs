@@ -1,0 +1,114 @@
+//! Values that are overwritten before anything reads them.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, DeclaredVariable, Group, Rule, Shape};
+use crate::semantic::{Storage, VariableId};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "dead-store",
+    group: Group::Tidy,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("dead_store.md"),
+    checks: &[
+        Check::Expr(&[Shape::Assign], check_assignment),
+        Check::Declaration(check_declaration),
+    ],
+};
+
+fn check_assignment(cx: &mut Context, id: ExprId) {
+    let tree = &cx.program.tree;
+    let ExprKind::Assign(op, target, value) = tree.expr(id).kind else {
+        return;
+    };
+    let is_statement = cx.facts.structure().stmt_of(id);
+    let is_statement = is_statement.is_some_and(|s| tree.stmt(s).kind == StmtKind::Expr(id));
+    let place = match tree.expr(target).kind {
+        ExprKind::Member(inner, _) => inner,
+        _ => target,
+    };
+    let Some(variable) = cx.program.variable_of(place) else {
+        return;
+    };
+    if is_statement && is_own(cx, variable) && cx.is_direct(id) {
+        // Of `a += b` the sum is what is stored.
+        let stored = if op.is_some() { id } else { value };
+        check_value(cx, variable, stored, id);
+    }
+}
+
+fn check_declaration(cx: &mut Context, declared: &DeclaredVariable) {
+    let Some(init) = declared.declarator().and_then(|d| d.init) else {
+        return;
+    };
+    // A value to begin with, a constant or a copy, is a habit that costs nothing.
+    let is_plain = cx.program.expr(init).is_const || !is_work(cx, init);
+    if declared.stmt.is_some() && !is_plain && is_own(cx, declared.variable) && cx.is_direct(init) {
+        check_value(cx, declared.variable, init, init);
+    }
+}
+
+/// Whether an expression computes something, and is no copy of a variable or of parts of one.
+fn is_work(cx: &Context, expr: ExprId) -> bool {
+    let tree = &cx.program.tree;
+    let mut at = tree.unparen(expr);
+    while let ExprKind::Member(inner, _) | ExprKind::Index(inner, _) = tree.expr(at).kind {
+        at = tree.unparen(inner);
+    }
+    !matches!(tree.expr(at).kind, ExprKind::Name(_))
+}
+
+/// Whether a variable lives in its function, has numbers that are told apart, and is read at all:
+/// what is never read is another finding.
+fn is_own(cx: &Context, id: VariableId) -> bool {
+    let program = cx.program;
+    let Some(variable) = program.variable(id) else {
+        return false;
+    };
+    let is_inside = match variable.storage {
+        Storage::Local => true,
+        Storage::Param(direction) => !direction.writes(),
+        _ => false,
+    };
+    let name = program.names.text(variable.name);
+    is_inside
+        && (variable.ty.is_scalar() || variable.ty.is_vector())
+        && !name.starts_with('_')
+        && cx.facts.writes().is_read(id)
+        && !cx.facts.unseen().has(name)
+}
+
+fn check_value(cx: &mut Context, variable: VariableId, value: ExprId, whole: ExprId) {
+    let program = cx.program;
+    let facts = cx.facts;
+    let lost = facts.module().op_of(value);
+    if !lost.is_some_and(|value| facts.live().is_lost(value)) {
+        return;
+    }
+    let name = program.variable(variable).map(|v| v.name);
+    let name = name.map_or("", |n| program.names.text(n));
+    let extent = program.tree.expr(whole).extent;
+    let next =
+        facts.writes().all().iter().find(|(write, v)| {
+            *v == variable && program.tree.expr(*write).extent.first > extent.last
+        });
+    let next = next.map(|(write, _)| program.expr_span(*write));
+    // The last step of what goes on step by step is one too many, and is left to the compiler; so is
+    // a constant that others take the place of.
+    let is_step = facts
+        .mentions()
+        .is_in(program, variable, program.tree.expr(value).extent);
+    let is_idle = match next {
+        Some(_) => program.expr(value).is_const,
+        None => is_step,
+    };
+    if is_idle {
+        return;
+    }
+    let finding = cx.report_expr(whole, format!("nothing reads this value of `{name}`"));
+    if let Some(next) = next {
+        finding.label(next, "its next value");
+    }
+}

@@ -1,0 +1,152 @@
+//! Float counters whose rounding decides how often a loop turns.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::{Program, Scalar, Value, VariableId};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "float-counter-drift",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("float_counter_drift.md"),
+    checks: &[Check::Stmt(check)],
+};
+
+/// Most turns that are counted.
+const MAX_TURNS: u32 = 10_000;
+
+/// `for (float x = start; x < limit; x += step)`
+#[derive(Clone, Copy)]
+struct Counted {
+    counter: VariableId,
+    start: f32,
+    limit: f32,
+    step: f32,
+    op: BinaryOp,
+}
+
+fn check(cx: &mut Context, id: StmtId) {
+    let program = cx.program;
+    let Some(counted) = counted(program, id) else {
+        return;
+    };
+    let Some((turns, meant)) = turns(&counted) else {
+        return;
+    };
+    // Whoever changes the counter elsewhere too counts otherwise.
+    let writes = cx.facts.writes().all().iter();
+    let writes = writes.filter(|(_, v)| *v == counted.counter).count();
+    if turns == meant || writes != 1 {
+        return;
+    }
+    let StmtKind::For { init, body, .. } = program.tree.stmt(id).kind else {
+        return;
+    };
+    let head = program.tree.stmt(init).extent.first;
+    let head = Extent {
+        first: head,
+        last: program.tree.stmt(body).extent.first.saturating_sub(2),
+    };
+    let step = plain(counted.step);
+    cx.report(head, format!("this loop turns {turns} times, not {meant}"))
+        .note(format!("`{step}` is no number that a float can be, so the sum of many is not where it should be"))
+        .help("count in whole numbers, and compute the rest from the count");
+}
+
+/// How often a loop turns, and how often it would on paper.
+fn turns(counted: &Counted) -> Option<(u32, u32)> {
+    let Counted {
+        start,
+        limit,
+        step,
+        op,
+        ..
+    } = *counted;
+    let goes = |x: f32| match op {
+        BinaryOp::Less => x < limit,
+        BinaryOp::LessEqual => x <= limit,
+        BinaryOp::Greater => x > limit,
+        _ => x >= limit,
+    };
+    // What the author wrote, such as 0.1, which no float is.
+    let written = |x: f32| plain(x).parse::<f64>().ok();
+    let way = (written(limit)? - written(start)?) / written(step)?;
+    let whole = way.round();
+    let is_between = (way - whole).abs() > 1e-9 * whole.max(1.0);
+    if is_between || !(1.0..MAX_TURNS as f64).contains(&whole) {
+        return None;
+    }
+    let is_closed = matches!(op, BinaryOp::LessEqual | BinaryOp::GreaterEqual);
+    let meant = whole as u32 + u32::from(is_closed);
+    let mut x = start;
+    let turns = (0..MAX_TURNS).take_while(|_| {
+        let is_on = goes(x);
+        x += step;
+        is_on
+    });
+    Some((turns.count() as u32, meant))
+}
+
+/// A number in the fewest digits that tell it from others.
+fn plain(x: f32) -> String {
+    format!("{x:?}")
+}
+
+fn counted(program: &Program, id: StmtId) -> Option<Counted> {
+    let tree = &program.tree;
+    let StmtKind::For {
+        init,
+        condition: Some(condition),
+        step: Some(step),
+        ..
+    } = tree.stmt(id).kind
+    else {
+        return None;
+    };
+    let (counter, start) = started(program, init)?;
+    let StmtKind::Expr(condition) = tree.stmt(condition).kind else {
+        return None;
+    };
+    let ExprKind::Binary(op, left, limit) = tree.expr(condition).kind else {
+        return None;
+    };
+    let (sign, target, step) = match tree.expr(step).kind {
+        ExprKind::Assign(Some(BinaryOp::Add), target, step) => (1.0, target, step),
+        ExprKind::Assign(Some(BinaryOp::Sub), target, step) => (-1.0, target, step),
+        _ => return None,
+    };
+    let is_order = op.compares() && !matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
+    let is_counter = |e| program.variable_of(e) == Some(counter);
+    (is_order && is_counter(left) && is_counter(target)).then_some(Counted {
+        counter,
+        start,
+        limit: float(program, limit)?,
+        step: sign * float(program, step)?,
+        op,
+    })
+}
+
+/// The counter that a loop declares or sets, and what it starts from.
+fn started(program: &Program, init: StmtId) -> Option<(VariableId, f32)> {
+    let tree = &program.tree;
+    let StmtKind::Decl(decl) = tree.stmt(init).kind else {
+        return None;
+    };
+    let DeclKind::Variables { declarators, .. } = tree.decl(decl)?.kind else {
+        return None;
+    };
+    let first = tree.declarators(declarators).first()?;
+    let counter = *program.declared.get(declarators.start as usize)?;
+    Some((counter?, float(program, first.init?)?))
+}
+
+fn float(program: &Program, expr: ExprId) -> Option<f32> {
+    let is_float = program.ty(expr).scalar_kind() == Some(Scalar::Float);
+    match program.scalar(expr)? {
+        Value::Float(value) if is_float => Some(value),
+        _ => None,
+    }
+}

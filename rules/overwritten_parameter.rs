@@ -1,0 +1,57 @@
+//! Parameters that the function overwrites before it looks at them.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::{Direction, FunctionRef, Storage};
+use crate::syntax::ast::Extent;
+
+pub static RULE: Rule = Rule {
+    name: "overwritten-parameter",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("overwritten_parameter.md"),
+    checks: &[Check::Function(check)],
+};
+
+fn check(cx: &mut Context, id: FunctionRef) {
+    let program = cx.program;
+    let function = program.function(id);
+    let definition = function.and_then(|f| program.tree.function(f.definition?));
+    let (Some(function), Some(definition)) = (function, definition) else {
+        return;
+    };
+    let from = definition.params.start as usize;
+    for at in from..from + definition.params.len as usize {
+        let found = program.declared_params.get(at).copied().flatten();
+        let Some((variable, param)) = found.and_then(|v| Some((v, program.variable(v)?))) else {
+            continue;
+        };
+        // What goes back to the caller may be called `inout` for want of a first look.
+        let takes = param.storage == Storage::Param(Direction::In);
+        let is_read = param.written && cx.facts.writes().is_read(variable);
+        let (Some(token), true, true) = (param.token, takes, is_read) else {
+            continue;
+        };
+        let (facts, ty) = (cx.facts, param.ty);
+        let name = program.names.text(param.name);
+        let is_plain = ty.is_scalar() || ty.is_vector();
+        let lanes = facts.defs().layout.lanes(ty);
+        if !is_plain
+            || !program.is_direct(Extent::token(token))
+            || facts.unseen().has(name)
+            || !facts.live().is_unseen(facts.defs(), variable, lanes)
+        {
+            continue;
+        }
+        let own = program.names.text(function.name);
+        let write = facts.writes().all().iter().find(|(_, v)| *v == variable);
+        let write = write.map(|(write, _)| program.expr_span(*write));
+        let message = format!("whatever `{own}` is given as `{name}`, it overwrites");
+        let finding = cx.report(Extent::token(token), message);
+        if let Some(write) = write {
+            finding.label(write, "overwritten here, before anything reads it");
+        }
+    }
+}

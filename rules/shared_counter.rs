@@ -1,0 +1,62 @@
+//! Loops in each other that count with one variable.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::{Program, VariableId};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "shared-counter",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("shared_counter.md"),
+    checks: &[Check::Stmt(check)],
+};
+
+fn check(cx: &mut Context, id: StmtId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let Some((counter, place)) = counted(program, id) else {
+        return;
+    };
+    let outer = cx.facts.structure().outwards(id).skip(1).find(|s| {
+        let is_in_body = match tree.stmt(*s).kind {
+            StmtKind::For { body, .. } => tree.stmt(body).extent.contains(tree.stmt(id).extent),
+            _ => false,
+        };
+        is_in_body && counted(program, *s).is_some_and(|(other, _)| other == counter)
+    });
+    let Some((_, around)) = outer.and_then(|s| counted(program, s)) else {
+        return;
+    };
+    // Where the outer loop is left behind the inner one, nobody counts on.
+    let is_direct = program.is_direct(tree.expr(place).extent);
+    if !is_direct {
+        return;
+    }
+    let name = program.variable(counter).map(|v| v.name);
+    let name = name.map_or("", |n| program.names.text(n));
+    let message = format!("this loop counts with `{name}`, as the loop around it does");
+    let around = program.expr_span(around);
+    cx.report_expr(place, message)
+        .label(around, "what it leaves there is counted on from here");
+}
+
+/// The variable that a loop's step changes, where the loop sets it first, and the step.
+fn counted(program: &Program, id: StmtId) -> Option<(VariableId, ExprId)> {
+    let tree = &program.tree;
+    let StmtKind::For {
+        step: Some(step), ..
+    } = tree.stmt(id).kind
+    else {
+        return None;
+    };
+    let target = match tree.expr(step).kind {
+        ExprKind::Assign(_, target, _) | ExprKind::Postfix(_, target) => target,
+        ExprKind::Unary(op, target) if op.assigns() => target,
+        _ => return None,
+    };
+    Some((program.variable_of(target)?, step))
+}
