@@ -7,6 +7,7 @@ mod clamp_bounds;
 mod comment_continues;
 mod constant_condition;
 mod contradiction;
+mod copied_component;
 mod dead_code;
 mod dead_store;
 mod define_with_call;
@@ -24,9 +25,11 @@ mod inout_alias;
 mod integer_division;
 mod inverse_trig_range;
 mod isnan_optimised;
+mod known_comparison;
 mod legacy_extension;
 mod log_nonpositive;
 mod loop_invariant_call;
+mod loop_never_runs;
 mod luma_weights;
 mod macro_parentheses;
 mod macro_statements;
@@ -52,6 +55,7 @@ mod overwritten_parameter;
 mod pow_negative_base;
 mod precision_missing_for_sampler;
 mod redundant_constructor;
+mod redundant_normalize;
 mod repeated_call;
 mod rounded_away;
 mod same_operands;
@@ -75,6 +79,7 @@ mod unbounded_loop;
 mod undefined_constant;
 mod uninitialized_read;
 mod unknown_uniform;
+mod unreachable_case;
 mod unsigned_underflow;
 mod unused_allow;
 mod unused_function;
@@ -82,6 +87,7 @@ mod unused_macro;
 mod unused_parameter;
 mod unused_uniform;
 mod unused_variable;
+mod useless_clamp;
 mod vec2_resolution;
 mod webgl1_context;
 mod zero_division;
@@ -97,6 +103,7 @@ pub static RULES: &[&Rule] = &[
     &comment_continues::RULE,
     &constant_condition::RULE,
     &contradiction::RULE,
+    &copied_component::RULE,
     &dead_code::RULE,
     &dead_store::RULE,
     &define_with_call::RULE,
@@ -114,9 +121,11 @@ pub static RULES: &[&Rule] = &[
     &integer_division::RULE,
     &inverse_trig_range::RULE,
     &isnan_optimised::RULE,
+    &known_comparison::RULE,
     &legacy_extension::RULE,
     &log_nonpositive::RULE,
     &loop_invariant_call::RULE,
+    &loop_never_runs::RULE,
     &luma_weights::RULE,
     &macro_parentheses::RULE,
     &macro_statements::RULE,
@@ -142,6 +151,7 @@ pub static RULES: &[&Rule] = &[
     &pow_negative_base::RULE,
     &precision_missing_for_sampler::RULE,
     &redundant_constructor::RULE,
+    &redundant_normalize::RULE,
     &repeated_call::RULE,
     &rounded_away::RULE,
     &same_operands::RULE,
@@ -165,6 +175,7 @@ pub static RULES: &[&Rule] = &[
     &undefined_constant::RULE,
     &uninitialized_read::RULE,
     &unknown_uniform::RULE,
+    &unreachable_case::RULE,
     &unsigned_underflow::RULE,
     &unused_allow::RULE,
     &unused_function::RULE,
@@ -172,6 +183,7 @@ pub static RULES: &[&Rule] = &[
     &unused_parameter::RULE,
     &unused_uniform::RULE,
     &unused_variable::RULE,
+    &useless_clamp::RULE,
     &vec2_resolution::RULE,
     &webgl1_context::RULE,
     &zero_division::RULE,

@@ -6,6 +6,7 @@ pub mod expansion;
 mod facts;
 mod fix;
 pub mod formula;
+pub mod given;
 pub mod indent;
 mod judged;
 pub mod march;

@@ -1,0 +1,127 @@
+//! Comparisons whose answer follows from the ranges of both sides.
+
+use crate::diagnostic::Severity;
+use crate::flow::ranges::{Interval, Rounding};
+use crate::lint::given::{hangs_on_callers, is_of_uniforms};
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
+use crate::semantic::{Scalar, Storage};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "known-comparison",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("known_comparison.md"),
+    checks: &[Check::Binary(check)],
+};
+
+fn check(cx: &mut Context, e: &BinaryExpr) {
+    use BinaryOp::{Greater, GreaterEqual, Less, LessEqual};
+    let program = cx.program;
+    let is_order = matches!(e.op, Less | Greater | LessEqual | GreaterEqual);
+    let kind = program.ty(e.left).scalar_kind();
+    // That a `uint` is never below zero is another finding.
+    if !is_order || kind == Some(Scalar::Uint) || program.expr(e.id).is_const {
+        return;
+    }
+    if !cx.is_direct(e.id) {
+        return;
+    }
+    let (left, right) = (
+        cx.facts.range(e.left).next(),
+        cx.facts.range(e.right).next(),
+    );
+    let (Some(left), Some(right)) = (left, right) else {
+        return;
+    };
+    // Two numbers that the author set are a switch.
+    if left.single().is_some() && right.single().is_some() {
+        return;
+    }
+    let answer = match e.op {
+        Less => is_less(&left, &right),
+        Greater => is_less(&right, &left),
+        LessEqual => is_less(&right, &left).map(|a| !a),
+        _ => is_less(&left, &right).map(|a| !a),
+    };
+    let Some(answer) = answer else {
+        return;
+    };
+    let (spelled, range, place) = match right.single() {
+        Some(_) => (program.expr_text(e.left), left, e.left),
+        None => (program.expr_text(e.right), right, e.right),
+    };
+    // What always holds is often the last of several cases, spelled out.
+    let tree = &program.tree;
+    let is_written_here = !matches!(
+        tree.expr(tree.unparen(place)).kind,
+        ExprKind::Name(_) | ExprKind::Member(..) | ExprKind::Index(..)
+    );
+    let settled = settled(cx, e.id, answer);
+    if settled.is_none_or(|truth| truth && !is_written_here) || !is_computed_here(cx, e) {
+        return;
+    }
+    let known = match kind {
+        Some(Scalar::Float) => range.to_string(),
+        _ => range.of_integer(),
+    };
+    let text = format!("`{spelled}` is {known} here");
+    let place = program.expr_span(place);
+    cx.report_expr(e.id, format!("this is always {answer}"))
+        .label(place, text);
+}
+
+/// Whether all of one number is less than all of another, or none of it.
+fn is_less(a: &Interval, b: &Interval) -> Option<bool> {
+    // What rounding has come into may be a little beyond its bounds.
+    let slack = |r: &Interval| match r.rounding {
+        Rounding::Never => 0.0,
+        _ => 1e-4 * r.lo.value.abs().min(r.hi.value.abs()).max(1e-3),
+    };
+    let slack = slack(a).max(slack(b));
+    if a.hi.value < b.lo.value - slack {
+        return Some(true);
+    }
+    let is_beyond = a.lo.value >= b.hi.value + slack && (slack == 0.0 || a.lo.value > b.hi.value);
+    is_beyond.then_some(false)
+}
+
+/// Whether a comparison is of what the code around it computes: what callers pass and other functions
+/// leave is asked after in good faith, and so is a uniform by itself.
+fn is_computed_here(cx: &Context, e: &BinaryExpr) -> bool {
+    let program = cx.program;
+    let is_plain = |side: ExprId| {
+        let variable = program.variable_of(side).and_then(|v| program.variable(v));
+        variable.is_some_and(|v| v.storage != Storage::Local)
+    };
+    let sides = [e.left, e.right];
+    !sides
+        .iter()
+        .any(|s| is_plain(*s) || is_of_uniforms(program, *s))
+        && !sides.iter().any(|s| hangs_on_callers(cx.facts, *s))
+}
+
+/// What the whole condition is that a comparison is part of, where its answer settles that: one of
+/// several that all must hold may well always hold.
+fn settled(cx: &Context, expr: ExprId, answer: bool) -> Option<bool> {
+    let tree = &cx.program.tree;
+    let structure = cx.facts.structure();
+    let mut at = expr;
+    let mut answer = answer;
+    while let Some(parent) = structure.parent(at) {
+        match tree.expr(parent).kind {
+            ExprKind::Paren(_) => {}
+            ExprKind::Unary(UnaryOp::Not, _) => answer = !answer,
+            ExprKind::Binary(BinaryOp::And, ..) if !answer => {}
+            ExprKind::Binary(BinaryOp::Or, ..) if answer => {}
+            ExprKind::Ternary(condition, ..) => return (condition == at).then_some(answer),
+            _ => return None,
+        }
+        at = parent;
+    }
+    let stmt = structure.stmt_of(at).map(|s| tree.stmt(s).kind);
+    let is_condition = matches!(stmt, Some(StmtKind::If { condition, .. }) if condition == at);
+    is_condition.then_some(answer)
+}

@@ -1,0 +1,83 @@
+//! `normalize` of what is normalized already.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::flow::defs::Def;
+use crate::ir::{OpId, OpKind, Provenance};
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
+use crate::syntax::ast::ExprId;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "redundant-normalize",
+    group: Group::Budget,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("redundant_normalize.md"),
+    checks: &[Check::Builtin(check)],
+};
+
+/// Most copies that a value is followed through.
+const MAX_COPIES: usize = 8;
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let &[arg] = call.args else { return };
+    let program = cx.program;
+    let ty = program.ty(arg);
+    let is_vector = call.function == BuiltinId::Normalize && ty.is_vector();
+    if !is_vector || program.expr(call.id).is_const {
+        return;
+    }
+    let Some(made) = cx.facts.module().op_of(arg).and_then(|op| unit(cx, op)) else {
+        return;
+    };
+    let text = program.expr_text(arg).to_string();
+    let fix = cx.is_direct(call.id).then(|| {
+        let edit = Edit::replace(program.expr_span(call.id), text.clone());
+        Fix::suggestion(format!("write `{text}`"), vec![edit])
+    });
+    let made = made.map(|expr| program.expr_span(expr));
+    let mut finding = cx.report_expr(call.id, format!("`{text}` has length 1 already"));
+    if let Some(made) = made {
+        finding = finding.label(made, "normalized here");
+    }
+    finding.fix(fix);
+}
+
+/// Where a vector was normalized that is a copy of such a one, whole and in order; `None` inside
+/// where that is in more places than one.
+fn unit(cx: &Context, op: OpId) -> Option<Option<ExprId>> {
+    let (module, defs) = (cx.facts.module(), cx.facts.defs());
+    let is_normalize =
+        |op: OpId| matches!(module.op(op).kind, OpKind::Builtin(BuiltinId::Normalize, _));
+    let mut at = op;
+    for _ in 0..MAX_COPIES {
+        match module.op(at).kind {
+            OpKind::Builtin(BuiltinId::Normalize, _) => {
+                return Some(match module.provenance(at) {
+                    Provenance::Expr(expr) => Some(expr),
+                    _ => None,
+                });
+            }
+            OpKind::Call(function, _) => {
+                let returns = defs.returns_of(function);
+                let all = !returns.is_empty() && returns.iter().all(|r| is_normalize(*r));
+                return all.then_some(None);
+            }
+            OpKind::Load(_) => {
+                let width = module.ty(at).components();
+                let held = |lane| match defs.get(defs.unrefined(defs.seen(at, lane))) {
+                    Def::Stored { value, lane: from } if from == lane => Some(value),
+                    _ => None,
+                };
+                let value = held(0)?;
+                let is_whole = module.ty(value) == module.ty(at);
+                let is_one = (1..width).all(|lane| held(lane) == Some(value));
+                at = Some(value).filter(|_| is_whole && is_one)?;
+            }
+            _ => return None,
+        }
+    }
+    None
+}

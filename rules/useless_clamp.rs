@@ -1,0 +1,131 @@
+//! `clamp`, `min` and `max` that never cut anything, or always everything.
+
+use crate::diagnostic::Severity;
+use crate::flow::ranges::Interval;
+use crate::lint::given::{hangs_on_callers, is_of_uniforms};
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::{BuiltinId, Storage};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "useless-clamp",
+    group: Group::Numeric,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("useless_clamp.md"),
+    checks: &[Check::Builtin(check)],
+};
+
+/// What a bound does to a value.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Cut {
+    Never,
+    Sometimes,
+    Always,
+}
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let program = cx.program;
+    let (low, high) = match *call.args {
+        [_, _] if call.function == BuiltinId::Max => (true, false),
+        [_, _] if call.function == BuiltinId::Min => (false, true),
+        [_, _, _] if call.function == BuiltinId::Clamp => (true, true),
+        _ => return,
+    };
+    if program.expr(call.id).is_const || !cx.is_direct(call.id) {
+        return;
+    }
+    // The bound of `max` may stand on either side.
+    let is_known = |e: &ExprId| !program.values(*e).is_empty();
+    let (value, low, high) = match *call.args {
+        [value, a, b] => (value, low.then_some(a), high.then_some(b)),
+        [a, b] if is_known(&a) != is_known(&b) => {
+            let (value, bound) = if is_known(&a) { (b, a) } else { (a, b) };
+            (value, low.then_some(bound), high.then_some(bound))
+        }
+        _ => return,
+    };
+    if ![low, high].iter().flatten().all(is_known) {
+        return;
+    }
+    let below = low.map(|bound| cut(cx, value, bound, true));
+    let above = high.map(|bound| cut(cx, value, bound, false));
+    let all = [below, above];
+    let always = all
+        .iter()
+        .zip([low, high])
+        .find(|(cut, _)| **cut == Some(Cut::Always));
+    let text = program.expr_text(value);
+    let Some(range) = cx.facts.range(value).next() else {
+        return;
+    };
+    let name = call.function.name();
+    let message = match always.and_then(|(_, bound)| bound) {
+        Some(bound) => format!("this `{name}` is always `{}`", program.expr_text(bound)),
+        None if all.iter().flatten().all(|c| *c == Cut::Never) => {
+            format!("`{name}` changes nothing here")
+        }
+        None => return,
+    };
+    if !is_computed_here(cx, value) {
+        return;
+    }
+    let place = program.expr_span(value);
+    cx.report_expr(call.id, message)
+        .label(place, format!("`{text}` is {range} here"));
+}
+
+/// What a bound does to all components of a value.
+fn cut(cx: &Context, value: ExprId, bound: ExprId, is_low: bool) -> Cut {
+    let exact = is_exact(cx, value, is_low);
+    let bounds: Vec<Interval> = cx.facts.range(bound).collect();
+    let mut all = None;
+    for (at, range) in cx.facts.range(value).enumerate() {
+        let Some(bound) = bounds.get(at).or(bounds.first()).and_then(Interval::single) else {
+            return Cut::Sometimes;
+        };
+        let (near, far) = match is_low {
+            true => (range.lo.value - bound, range.hi.value - bound),
+            false => (bound - range.hi.value, bound - range.lo.value),
+        };
+        let slack = 1e-3 * bound.abs().max(0.1);
+        let cut = match () {
+            _ if range.single().is_some() => Cut::Sometimes,
+            _ if near > slack || near >= 0.0 && exact => Cut::Never,
+            _ if far < -slack => Cut::Always,
+            _ => Cut::Sometimes,
+        };
+        if *all.get_or_insert(cut) != cut {
+            return Cut::Sometimes;
+        }
+    }
+    all.unwrap_or(Cut::Sometimes)
+}
+
+/// Whether no rounding takes a value beyond the end of its range: below zero, of what has no sign,
+/// and beyond what a function has cut already.
+fn is_exact(cx: &Context, value: ExprId, is_low: bool) -> bool {
+    use BuiltinId::*;
+    let program = cx.program;
+    let tree = &program.tree;
+    let at = tree.unparen(value);
+    match (tree.expr(at).kind, program.builtin_called(at)) {
+        (_, Some(Clamp | Min | Max | Step | Fract | Smoothstep)) => true,
+        (_, Some(Abs | Length | Distance | Exp | Exp2 | Sqrt)) => is_low,
+        (ExprKind::Binary(BinaryOp::Mul, a, b), _) => is_low && cx.facts.is_same(a, b),
+        _ => false,
+    }
+}
+
+/// Whether a value is what the code around it computes: what callers and the host give is cut in good
+/// faith.
+fn is_computed_here(cx: &Context, value: ExprId) -> bool {
+    let variable = cx.program.variable_of(value);
+    let storage = variable
+        .and_then(|v| cx.program.variable(v))
+        .map(|v| v.storage);
+    matches!(storage, None | Some(Storage::Local))
+        && !is_of_uniforms(cx.program, value)
+        && !hangs_on_callers(cx.facts, value)
+}

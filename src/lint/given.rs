@@ -1,0 +1,124 @@
+//! What the range of a value hangs on: the code around it, or what callers pass today.
+
+use super::Facts;
+use crate::flow::defs::{Def, DefId};
+use crate::ir::{OpId, OpKind, Root};
+use crate::semantic::{Program, Resolution, Storage, each_operand};
+use crate::syntax::ast::ExprId;
+use rustc_hash::FxHashSet;
+
+/// Most operations and definitions that are looked at.
+const MAX_PARTS: usize = 160;
+
+/// Whether the range of an expression is what it is because of what callers pass, or what other
+/// functions leave in globals: code that asks after it does so in good faith. So does code whose
+/// value takes too long to follow.
+pub fn hangs_on_callers(facts: &Facts, expr: ExprId) -> bool {
+    let Some(op) = facts.module().op_of(expr) else {
+        return false;
+    };
+    let mut search = Search {
+        facts,
+        ops: vec![op],
+        defs: Vec::new(),
+        seen_ops: FxHashSet::default(),
+        seen_defs: FxHashSet::default(),
+    };
+    search.run()
+}
+
+/// Whether all variables of an expression are uniforms: `max(-iFrame, 1)` hides a number from the
+/// compiler, and means to.
+pub fn is_of_uniforms(program: &Program, expr: ExprId) -> bool {
+    let mut todo = vec![expr];
+    let mut has_uniform = false;
+    for _ in 0..MAX_PARTS {
+        let Some(next) = todo.pop() else {
+            return has_uniform;
+        };
+        if let Resolution::Variable(v) = program.expr(next).resolution {
+            let variable = program.variable(v);
+            if variable.is_none_or(|v| v.storage != Storage::Uniform && !v.is_const) {
+                return false;
+            }
+            has_uniform |= variable.is_some_and(|v| v.storage == Storage::Uniform);
+        }
+        let tree = &program.tree;
+        each_operand(tree, tree.expr(next), |child| todo.push(child));
+    }
+    false
+}
+
+struct Search<'a, 'p> {
+    facts: &'a Facts<'p>,
+    ops: Vec<OpId>,
+    defs: Vec<DefId>,
+    seen_ops: FxHashSet<OpId>,
+    seen_defs: FxHashSet<DefId>,
+}
+
+impl Search<'_, '_> {
+    fn run(&mut self) -> bool {
+        while self.seen_ops.len() + self.seen_defs.len() < MAX_PARTS {
+            if let Some(op) = self.ops.pop() {
+                if self.seen_ops.insert(op) {
+                    self.op(op);
+                }
+            } else if let Some(def) = self.defs.pop() {
+                if self.seen_defs.insert(def) && self.def(def) {
+                    return true;
+                }
+            } else {
+                return false;
+            }
+        }
+        true
+    }
+
+    fn op(&mut self, op: OpId) {
+        let (module, defs) = (self.facts.module(), self.facts.defs());
+        match module.op(op).kind {
+            OpKind::Load(_) => {
+                let width = module.ty(op).components().max(1).min(defs.lanes_of(op));
+                let seen = (0..width).map(|lane| defs.unrefined(defs.seen(op, lane)));
+                self.defs.extend(seen);
+            }
+            OpKind::Call(function, _) => self.ops.extend(defs.returns_of(function)),
+            _ => {
+                let ops = &mut self.ops;
+                module.each_operand(op, |operand| ops.push(operand));
+            }
+        }
+    }
+
+    /// Follows a definition; says whether it is what a caller gives and the range knows of.
+    fn def(&mut self, def: DefId) -> bool {
+        let (module, defs) = (self.facts.module(), self.facts.defs());
+        match defs.get(def) {
+            Def::Stored { value, .. } => self.ops.push(value),
+            Def::Merge { sides, .. } | Def::Measured(sides) => {
+                let sides = defs.list(sides).iter();
+                self.defs.extend(sides.map(|d| defs.unrefined(*d)));
+            }
+            Def::Head { init, back, .. } => {
+                self.defs.extend([init, back].map(|d| defs.unrefined(d)));
+            }
+            Def::Refined { of, .. } => self.defs.push(defs.unrefined(of)),
+            Def::Entry(slot) => {
+                let (variable, _) = defs.variable_at(slot);
+                let Some(variable) = module.variable(variable) else {
+                    return true;
+                };
+                let is_inner = variable.function != self.facts.entry();
+                let is_given = match variable.root {
+                    Root::Parameter | Root::ParameterInout => is_inner,
+                    Root::Global => true,
+                    _ => false,
+                };
+                return is_given && !self.facts.ranges().def(def).is_any();
+            }
+            Def::Unknown => {}
+        }
+        false
+    }
+}
