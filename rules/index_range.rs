@@ -1,6 +1,7 @@
 //! Indexes outside their array, vector or matrix.
 
 use crate::diagnostic::Severity;
+use crate::flow::ranges::Side;
 use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::Type;
 use crate::syntax::ast::{ExprId, ExprKind};
@@ -37,7 +38,12 @@ fn check(cx: &mut Context, id: ExprId) {
     }
     let is = range.may_or_is(|r| r.is_below(0.0) || r.is_above(last));
     let (known, what) = (range.of_integer(), program.type_name(ty));
-    cx.report_expr(index, format!("the index {is} outside 0..{last}: {known}"))
+    let side = match range.reaches_below(0.0) {
+        true => Side::Low,
+        false => Side::High,
+    };
+    let message = format!("the index {is} outside 0..{last}: {known}");
+    cx.report_range(index, (&range, side), message)
         .note(format!(
             "`{what}` has {count} elements; beyond them lies anything"
         ));

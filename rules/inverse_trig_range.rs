@@ -1,7 +1,7 @@
 //! `asin` and `acos` of numbers that are no sine or cosine.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::flow::ranges::Interval;
+use crate::flow::ranges::{Interval, Side};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
 use crate::text::Edit;
@@ -16,15 +16,12 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Builtin(check)],
 };
 
-/// How far beyond 1.0 a range may go by the rounding of its own computation.
-const ROUNDING: f64 = 1e-5;
-
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Asin | BuiltinId::Acos, &[of]) = (call.function, call.args) else {
         return;
     };
-    let (least, most) = (-1.0 - ROUNDING, 1.0 + ROUNDING);
-    let is_beyond = |r: &Interval| r.reaches_below(least) || r.reaches_above(most);
+    let (least, most) = (-1.0, 1.0);
+    let is_beyond = |r: &Interval| r.strays_below(least) || r.strays_above(most);
     let Some(range) = cx.facts.range(of).find(is_beyond) else {
         return;
     };
@@ -37,8 +34,13 @@ fn check(cx: &mut Context, call: &Builtin) {
         Fix::suggestion("bound it with `clamp(..., -1.0, 1.0)`", edits)
     });
     let is = range.may_or_is(|r| r.is_below(least) || r.is_above(most));
-    cx.report_expr(
+    let side = match range.strays_below(least) {
+        true => Side::Low,
+        false => Side::High,
+    };
+    cx.report_range(
         of,
+        (&range, side),
         format!(
             "the argument of `{}` {is} outside -1.0..1.0: {range}",
             call.function.name()

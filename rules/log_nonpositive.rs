@@ -1,7 +1,7 @@
 //! Logarithms of zero and of negative numbers.
 
 use crate::diagnostic::Severity;
-use crate::flow::ranges::Interval;
+use crate::flow::ranges::{Interval, Side};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
 
@@ -20,7 +20,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let ranges: Vec<Interval> = cx.facts.range(of).collect();
-    let negative = ranges.iter().find(|r| r.reaches_below(0.0));
+    let negative = ranges.iter().find(|r| r.strays_below(0.0));
     let Some(range) = negative.or(ranges.iter().find(|r| r.holds(0.0))) else {
         return;
     };
@@ -31,8 +31,9 @@ fn check(cx: &mut Context, call: &Builtin) {
     };
     let is = range.may_or_is(|r| r.is_below(0.0) || r.single() == Some(0.0));
     let text = cx.program.expr_text(of).to_string();
-    cx.report_expr(
+    cx.report_range(
         of,
+        (range, Side::Low),
         format!(
             "the argument of `{}` {is} {what}: {range}",
             call.function.name()

@@ -1,7 +1,7 @@
 //! Negative floats that become unsigned.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::flow::ranges::Interval;
+use crate::flow::ranges::{Interval, Side};
 use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::Scalar;
 use crate::syntax::ast::{ExprId, ExprKind};
@@ -49,8 +49,9 @@ fn check(cx: &mut Context, id: ExprId) {
             .sources
             .text(program.span(program.tree.ty(ty).extent))
             .to_string();
-        cx.report_expr(
+        cx.report_range(
             arg,
+            (&range, Side::Low),
             format!("what becomes a `{name}` {is} negative: {range}"),
         )
         .note("a negative float has no unsigned value; GPUs give 0, or wrap round, or anything")

@@ -1,6 +1,7 @@
 //! `pow` of a negative number.
 
 use crate::diagnostic::{Fix, Severity};
+use crate::flow::ranges::Side;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::{BuiltinId, Value};
 use crate::syntax::ast::{ExprId, ExprKind};
@@ -20,7 +21,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Pow, &[base, exponent]) = (call.function, call.args) else {
         return;
     };
-    let bad = cx.facts.range(base).find(|r| r.reaches_below(0.0));
+    let bad = cx.facts.range(base).find(|r| r.strays_below(0.0));
     let Some(range) = bad else { return };
     let exponents = cx.program.values(exponent);
     let square = !exponents.is_empty() && exponents.iter().all(|e| *e == Value::Float(2.0));
@@ -35,7 +36,8 @@ fn check(cx: &mut Context, call: &Builtin) {
         false => format!("bound it with `max({text}, 0.0)`, or take `abs({text})`"),
     };
     let is = range.may_or_is(|r| r.is_below(0.0));
-    cx.report_expr(base, format!("the base of `pow` {is} negative: {range}"))
+    let message = format!("the base of `pow` {is} negative: {range}");
+    cx.report_range(base, (&range, Side::Low), message)
         .note("`pow` of a negative number is undefined, and a NaN on many GPUs, whatever the exponent")
         .help(help)
         .fix(fix);

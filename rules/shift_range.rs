@@ -1,6 +1,7 @@
 //! Shifts by more bits than an integer has.
 
 use crate::diagnostic::Severity;
+use crate::flow::ranges::{Interval, Side};
 use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
 
@@ -22,14 +23,19 @@ fn check(cx: &mut Context, id: ExprId) {
     if !matches!(op, BinaryOp::ShiftLeft | BinaryOp::ShiftRight) {
         return;
     }
-    let is_bad = |r: &crate::flow::ranges::Interval| r.reaches_below(0.0) || r.reaches_above(31.0);
+    let is_bad = |r: &Interval| r.reaches_below(0.0) || r.reaches_above(31.0);
     let Some(range) = cx.facts.range(by).find(is_bad) else {
         return;
     };
     let is = range.may_or_is(|r| r.is_below(0.0) || r.is_above(31.0));
     let known = range.of_integer();
-    cx.report_expr(
+    let side = match range.reaches_below(0.0) {
+        true => Side::Low,
+        false => Side::High,
+    };
+    cx.report_range(
         by,
+        (&range, side),
         format!("the number of bits to shift by {is} outside 0..31: {known}"),
     )
     .note("integers have 32 bits; a shift by a negative number, or by 32 or more, is undefined")

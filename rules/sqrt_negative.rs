@@ -1,7 +1,7 @@
 //! Roots of negative numbers.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::flow::ranges::Interval;
+use crate::flow::ranges::{Interval, Side};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
 use crate::text::Edit;
@@ -23,7 +23,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let is_inverse = call.function == BuiltinId::InverseSqrt;
     let name = call.function.name();
     let ranges: Vec<Interval> = cx.facts.range(of).collect();
-    if let Some(range) = ranges.iter().find(|r| r.reaches_below(0.0)) {
+    if let Some(range) = ranges.iter().find(|r| r.strays_below(0.0)) {
         let least = if is_inverse { "1e-6" } else { "0.0" };
         let span = cx.program.expr_span(of);
         let fix = cx.is_direct(of).then(|| {
@@ -34,16 +34,18 @@ fn check(cx: &mut Context, call: &Builtin) {
             Fix::suggestion(format!("bound it with `max(..., {least})`"), edits)
         });
         let is = range.may_or_is(|r| r.is_below(0.0));
-        cx.report_expr(
+        cx.report_range(
             of,
+            (range, Side::Low),
             format!("the argument of `{name}` {is} negative: {range}"),
         )
         .note("the root of a negative number is undefined, and a NaN on most GPUs")
         .fix(fix);
     } else if is_inverse && let Some(range) = ranges.iter().find(|r| r.holds(0.0)) {
         let is = range.may_or_is(|r| r.single() == Some(0.0));
-        cx.report_expr(
+        cx.report_range(
             of,
+            (range, Side::Low),
             format!("the argument of `inversesqrt` {is} zero: {range}"),
         )
         .note("the inverse root of zero is undefined")

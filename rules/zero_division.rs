@@ -1,6 +1,7 @@
 //! Division by zero.
 
 use crate::diagnostic::Severity;
+use crate::flow::ranges::Side;
 use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::{BuiltinId, Scalar};
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
@@ -20,6 +21,12 @@ pub static RULE: Rule = Rule {
 
 fn check(cx: &mut Context, id: ExprId) {
     let (op, divisor) = match cx.program.tree.expr(id).kind {
+        // `1.0 / 0.0` is how an infinity is written.
+        ExprKind::Binary(BinaryOp::Div, dividend, divisor)
+            if is_infinity(cx, dividend, divisor) =>
+        {
+            return;
+        }
         ExprKind::Binary(op, _, divisor) | ExprKind::Assign(Some(op), _, divisor) => (op, divisor),
         ExprKind::Call(_, args) if cx.program.builtin_called(id) == Some(BuiltinId::Mod) => {
             match cx.program.tree.args(args) {
@@ -45,7 +52,13 @@ fn check(cx: &mut Context, id: ExprId) {
         true => "division by zero".to_string(),
         false => format!("the divisor may be zero: {known}"),
     };
-    let finding = cx.report_expr(divisor, message).note(match is_float {
+    let side = if range.lo.value == 0.0 {
+        Side::Low
+    } else {
+        Side::High
+    };
+    let finding = cx.report_range(divisor, (&range, side), message);
+    let finding = finding.note(match is_float {
         true => {
             "the result is an infinity, or a NaN if both are zero; some GPUs give something else"
         }
@@ -54,4 +67,11 @@ fn check(cx: &mut Context, id: ExprId) {
     if !is_zero && range.lo.value >= 0.0 {
         finding.help("decide what comes out there: start the counter behind zero, leave that case out, or bound the divisor from below by the smallest value that means something");
     }
+}
+
+/// Whether both sides of a division of floats are constants.
+fn is_infinity(cx: &Context, dividend: ExprId, divisor: ExprId) -> bool {
+    let is_constant = |e| cx.program.expr(e).is_const;
+    let is_float = cx.program.ty(divisor).scalar_kind() == Some(Scalar::Float);
+    is_float && is_constant(dividend) && is_constant(divisor)
 }

@@ -46,6 +46,9 @@ fn same(module: &Module, defs: &Defs, a: OpId, b: OpId, left: &mut u32) -> bool 
         (OpKind::Builtin(overload, x), OpKind::Builtin(other, y)) => {
             overload == other && all(module, x, y, both)
         }
+        (OpKind::Call(function, x), OpKind::Call(other, y)) => {
+            function == other && defs.is_pure(function) && all(module, x, y, both)
+        }
         _ => false,
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Facts, OptionType, Rule, Setting, Settings};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
+use crate::flow::ranges::{Interval, Side};
 use crate::ir::OpId;
 use crate::semantic::Program;
 use crate::syntax::ast::{ExprId, ExprKind, Extent};
@@ -66,6 +67,24 @@ impl<'p> Context<'_, 'p> {
     pub fn report_expr(&mut self, expr: ExprId, message: impl Into<String>) -> Finding<'_> {
         let extent = self.program.tree.expr(expr).extent;
         self.report(extent, message)
+    }
+
+    /// Reports a finding at an expression whose range reaches too far on one side, and says where
+    /// that end comes from.
+    pub fn report_range(
+        &mut self,
+        expr: ExprId,
+        (range, side): (&Interval, Side),
+        message: impl Into<String>,
+    ) -> Finding<'_> {
+        let reason = self.facts.reason(expr, range, side);
+        let program = self.program;
+        let finding = self.report_expr(expr, message);
+        match reason {
+            Some((place, words)) if place == program.expr_span(expr) => finding.mark(words),
+            Some((place, words)) => finding.label(place, words),
+            None => finding,
+        }
     }
 
     /// Reports a finding at what an operation comes from.

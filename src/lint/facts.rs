@@ -5,13 +5,15 @@ use super::march::{March, marches};
 use super::unseen::Unseen;
 use super::words::count;
 use crate::flow::defs::Defs;
-use crate::flow::ranges::{Interval, Query, Ranges};
+use crate::flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
 use crate::flow::{
     Calls, Effects, Gradient, Jump, Live, Loops, Paths, Start, Uniformity, Work, Writes, gradients,
     is_same, jump, origin, trace,
 };
-use crate::ir::{Module, OpId, Root, lower};
-use crate::semantic::{FunctionRef, Mentions, Program, Reachability, Stage, Structure, channel};
+use crate::ir::{Module, OpId, OpKind, Root, lower};
+use crate::semantic::{
+    FunctionRef, Mentions, Program, Reachability, Scalar, Stage, Structure, channel,
+};
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
 use crate::text::embed::Embedder;
@@ -183,6 +185,43 @@ impl<'a> Facts<'a> {
     /// What numbers the components of a number or vector may be.
     pub fn range(&self, expr: ExprId) -> impl Iterator<Item = Interval> {
         self.ranges().expr(expr)
+    }
+
+    /// Where an end of the range of one of an expression's components comes from, and in which words.
+    pub fn reason(&self, expr: ExprId, range: &Interval, side: Side) -> Option<(Span, String)> {
+        let op = self.module().op_of(expr)?;
+        let query = self.ranges();
+        let lane = (0..).zip(query.expr(expr)).find(|(_, r)| r == range)?.0;
+        let reason = query.reason(op, lane, side)?;
+        let extent = self.module().provenance(reason.op);
+        let place = self.program.span(extent.extent(&self.program.tree)?);
+        Some((place, self.in_words(&reason)?))
+    }
+
+    fn in_words(&self, reason: &Reason) -> Option<String> {
+        let module = self.module();
+        let of = match module.op(reason.op).kind {
+            OpKind::Binary(op, left, _) if op.compares() => left,
+            _ => reason.op,
+        };
+        let is_integer = module.ty(of).scalar_kind().is_some_and(Scalar::is_integer);
+        let range = match is_integer {
+            true => reason.range.of_integer(),
+            false => reason.range.to_string(),
+        };
+        Some(match reason.giver {
+            _ if reason.range.is_any() && !reason.range.takes_both_signs() => return None,
+            Giver::Builtin(function) => format!("`{}` gives {range}", function.name()),
+            Giver::Constant | Giver::Operation => format!("this is {range}"),
+            Giver::Condition(true) => format!("this condition leaves {range}"),
+            Giver::Condition(false) => format!("where this does not hold, {range} is left"),
+            Giver::Loop => format!("the loop counts {range}"),
+            Giver::Host(id) => {
+                let variable = self.program.variable(id)?;
+                let name = self.program.names.text(variable.name);
+                format!("`{name}` is {range}")
+            }
+        })
     }
 
     /// Whether two expressions give the same value, as far as a short look tells.

@@ -28,6 +28,19 @@ pub struct Refinement {
     /// Which operand each hop takes, two bits each, the first lowest.
     path: u32,
     hops: u8,
+    /// The call of the function that the comparison stands in, if it is another.
+    call: Option<OpId>,
+}
+
+/// A comparison, or other condition, that holds or does not.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Premise {
+    /// The comparison.
+    pub comparison: OpId,
+    /// Whether it is true.
+    pub truth: bool,
+    /// The call of the function that it stands in, where a condition calls one.
+    pub call: Option<OpId>,
 }
 
 /// A lane of an operation on the way from a comparison to what it tells of.
@@ -48,12 +61,13 @@ pub fn each_comparison(
     defs: &Defs,
     condition: OpId,
     truth: bool,
-    mut each: impl FnMut(OpId, bool),
+    mut each: impl FnMut(Premise),
 ) {
     let mut parts = Parts {
         module,
         defs,
         left: MAX_PARTS,
+        call: None,
         each: &mut each,
     };
     parts.condition(condition, truth);
@@ -64,15 +78,21 @@ struct Parts<'a, F> {
     module: &'a Module,
     defs: &'a Defs,
     left: usize,
+    call: Option<OpId>,
     each: &'a mut F,
 }
 
-impl<F: FnMut(OpId, bool)> Parts<'_, F> {
+impl<F: FnMut(Premise)> Parts<'_, F> {
     fn condition(&mut self, at: OpId, truth: bool) {
         if self.left == 0 {
             return;
         }
         self.left -= 1;
+        let told = Premise {
+            comparison: at,
+            truth,
+            call: self.call,
+        };
         match self.module.op(at).kind {
             OpKind::Unary(Unary::Not, inner) => self.condition(inner, !truth),
             OpKind::Binary(Binary::And, a, b) if truth => {
@@ -83,15 +103,23 @@ impl<F: FnMut(OpId, bool)> Parts<'_, F> {
                 self.condition(a, false);
                 self.condition(b, false);
             }
-            OpKind::Binary(op, ..) if op.compares() => (self.each)(at, truth),
+            OpKind::Binary(op, ..) if op.compares() => (self.each)(told),
             OpKind::Same { left, negated, .. } => {
                 // Of vectors that differ it is not known where.
                 let ty = self.module.ty(left);
                 if ty.is_scalar() || ty.is_vector() && truth != negated {
-                    (self.each)(at, truth);
+                    (self.each)(told);
                 }
             }
             OpKind::Load(_) => self.held(self.defs.seen(at, 0), truth),
+            // A function that is nothing but a condition.
+            OpKind::Call(function, _) if self.call.is_none() => {
+                if let Some(value) = self.defs.value_of(function) {
+                    self.call = Some(at);
+                    self.condition(value, truth);
+                    self.call = None;
+                }
+            }
             _ => {}
         }
     }
@@ -149,10 +177,14 @@ pub(super) fn sides(module: &Module, comparison: OpId) -> Option<(OpId, OpId)> {
 pub fn each_load(
     module: &Module,
     defs: &Defs,
-    comparison: OpId,
-    truth: bool,
+    told: Premise,
     mut each: impl FnMut(OpId, u32, Refinement),
 ) {
+    let Premise {
+        comparison,
+        truth,
+        call,
+    } = told;
     let Some((left, right)) = sides(module, comparison) else {
         return;
     };
@@ -171,6 +203,7 @@ pub fn each_load(
                 lane,
                 path: 0,
                 hops: 0,
+                call,
             };
             loads.part(side, lane as u32, way);
         }
@@ -198,7 +231,7 @@ impl<F: FnMut(OpId, u32, Refinement)> Loads<'_, F> {
             return;
         }
         for choice in 0..3 {
-            if let Some((op, lane)) = hop(self.module, self.defs, op, lane, choice) {
+            if let Some((op, lane)) = way.hop(self.module, self.defs, op, lane, choice) {
                 let path = way.path | (choice as u32) << (2 * way.hops);
                 let hops = way.hops + 1;
                 self.part(op, lane, Refinement { path, hops, ..way });
@@ -218,21 +251,36 @@ impl Refinement {
             let (op, lane) = at?;
             let choice = (number < self.hops).then(|| (self.path >> (2 * number) & 3) as u8);
             number += 1;
-            at = choice.and_then(|choice| hop(module, defs, op, lane, choice));
+            at = choice.and_then(|choice| self.hop(module, defs, op, lane, choice));
             Some(Hop { op, lane, choice })
         })
     }
+
+    /// An operand of which something is known where something is known of a lane of an operation.
+    fn hop(
+        self,
+        module: &Module,
+        defs: &Defs,
+        op: OpId,
+        lane: u32,
+        choice: u8,
+    ) -> Option<(OpId, u32)> {
+        match (module.op(op).kind, choice) {
+            (OpKind::Load(_), 0) => match defs.get(defs.unrefined(defs.seen(op, lane))) {
+                Def::Stored { value, lane } => Some((value, lane)),
+                Def::Entry(slot) => defs.argument(module, self.call?, slot),
+                _ => None,
+            },
+            _ => operand(module, defs, op, lane, choice),
+        }
+    }
 }
 
-/// An operand of which something is known where something is known of a lane of an operation.
-fn hop(module: &Module, defs: &Defs, op: OpId, lane: u32, choice: u8) -> Option<(OpId, u32)> {
+/// See [`Refinement::hop`].
+fn operand(module: &Module, defs: &Defs, op: OpId, lane: u32, choice: u8) -> Option<(OpId, u32)> {
     let found = module.op(op);
     let is_length = length_lane(found.ty) == Some(lane);
     match (found.kind, choice) {
-        (OpKind::Load(_), 0) => match defs.get(defs.unrefined(defs.seen(op, lane))) {
-            Def::Stored { value, lane } => Some((value, lane)),
-            _ => None,
-        },
         (OpKind::Unary(Unary::Negate, a) | OpKind::Convert(a), 0) => Some((a, lane)),
         (OpKind::Binary(kind, a, b), 0 | 1) if !is_length => {
             use Binary::*;

@@ -4,9 +4,48 @@ use super::Slot;
 use super::walk::Walker;
 use crate::flow::Calls;
 use crate::ir::{OpKind, Root};
+use crate::semantic::VariableId;
 use rustc_hash::FxHashSet;
 
 impl Walker<'_> {
+    /// By function: whether it writes to nothing of others, and reads no global that changes.
+    pub(super) fn pure_functions(&self, calls: &Calls) -> Vec<bool> {
+        let module = self.module;
+        let written: FxHashSet<Slot> = self.writes.iter().flatten().copied().collect();
+        let changes = |op| {
+            let OpKind::Load(place) = module.op(op).kind else {
+                return false;
+            };
+            let id = module.place(place).variable;
+            let variable = module.variable(id);
+            let lanes = variable.map_or(0, |v| self.defs.layout.lanes(v.ty));
+            let is_global = variable.is_some_and(|v| matches!(v.root, Root::Global | Root::Output));
+            is_global && (0..lanes).any(|lane| written.contains(&self.defs.slot(id, lane)))
+        };
+        let goes_back = |id: &VariableId| {
+            let root = module.variable(*id).map(|v| v.root);
+            matches!(root, Some(Root::ParameterOut | Root::ParameterInout))
+        };
+        let numbered = module.functions.iter().zip(&self.writes);
+        let mut pure: Vec<bool> = numbered
+            .map(|(function, writes)| {
+                writes.is_empty()
+                    && !module.parameters(function).iter().any(goes_back)
+                    && (written.is_empty() || !function.ops.ops().any(changes))
+            })
+            .collect();
+        for caller in calls.graph().bottom_up() {
+            let is_pure = calls
+                .graph()
+                .callees(caller)
+                .all(|f| pure.get(f.0 as usize) == Some(&true));
+            if let Some(own) = pure.get_mut(caller.0 as usize) {
+                *own &= is_pure;
+            }
+        }
+        pure
+    }
+
     /// By function: the slots of globals that a call of it may write to.
     pub(super) fn written_globals(&self, calls: &Calls) -> Vec<Vec<Slot>> {
         let module = self.module;

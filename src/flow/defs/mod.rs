@@ -13,7 +13,7 @@ mod place;
 mod state;
 mod walk;
 
-pub use condition::{Hop, Refinement, each_comparison, each_load};
+pub use condition::{Hop, Premise, Refinement, each_comparison, each_load};
 
 use super::Calls;
 use super::layout::Layout;
@@ -139,6 +139,11 @@ pub struct Defs {
     calls: Lists<OpId>,
     /// By function: the values that it returns.
     returns: Lists<OpId>,
+    /// By function: the one value that it returns, if it just gives that and does nothing else that
+    /// anybody sees.
+    values: Vec<Option<OpId>>,
+    /// By function: whether the same arguments give the same again.
+    pure: Vec<bool>,
     /// By slot of a parameter that goes back to the caller: what it holds in the end.
     exits: FxHashMap<Slot, DefId>,
     /// By slot: what is ever put there, if it is one of a global.
@@ -235,6 +240,28 @@ impl Defs {
     /// The values that a function returns.
     pub fn returns_of(&self, function: FunctionRef) -> &[OpId] {
         self.returns.get(function.0)
+    }
+
+    /// The value that a function is just another word for.
+    pub fn value_of(&self, function: FunctionRef) -> Option<OpId> {
+        self.values.get(function.0 as usize).copied().flatten()
+    }
+
+    /// Whether a function writes to nothing of others and gives the same for the same arguments.
+    pub fn is_pure(&self, function: FunctionRef) -> bool {
+        self.pure.get(function.0 as usize) == Some(&true)
+    }
+
+    /// What a call passes to a slot of a parameter.
+    pub fn argument(&self, module: &Module, call: OpId, slot: Slot) -> Option<(OpId, u32)> {
+        let (id, lane) = self.variable_at(slot);
+        let OpKind::Call(function, list) = module.op(call).kind else {
+            return None;
+        };
+        let parameters = module.parameters(module.function(function)?);
+        let position = parameters.iter().position(|p| *p == id)?;
+        let argument = module.operands(list).get(position)?;
+        Some((*argument, lane))
     }
 
     /// What a parameter that goes back to the caller holds in the end.

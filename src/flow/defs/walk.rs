@@ -66,7 +66,7 @@ pub(super) struct Walker<'m> {
     is_alive: bool,
     function: Option<FunctionRef>,
     /// By function: the slots of globals that a call may write to.
-    writes: Vec<Vec<Slot>>,
+    pub(super) writes: Vec<Vec<Slot>>,
     /// Calls, with the function that is called.
     calls: Vec<(u32, OpId)>,
     /// Values that are returned, with the function.
@@ -116,6 +116,8 @@ impl<'m> Walker<'m> {
                 lists: Vec::new(),
                 calls: Lists::default(),
                 returns: Lists::default(),
+                values: vec![None; module.functions.len()],
+                pure: Vec::new(),
                 exits: FxHashMap::default(),
                 global_writes: Lists::default(),
                 loop_defs: vec![(DefId(0), DefId(0)); module.loops.len()],
@@ -142,6 +144,7 @@ impl<'m> Walker<'m> {
         };
         walker.define(Def::Unknown);
         walker.writes = walker.written_globals(calls);
+        walker.defs.pure = walker.pure_functions(calls);
         walker
     }
 
@@ -158,6 +161,13 @@ impl<'m> Walker<'m> {
         }
         self.roll_back(0);
         self.function = None;
+        let mut returned = self.returns.iter().rev();
+        let last = returned.next().filter(|(f, _)| *f == function.0);
+        let is_alone = returned.next().is_none_or(|(f, _)| *f != function.0);
+        let is_pure = self.defs.is_pure(function);
+        if let Some(value) = self.defs.values.get_mut(function.0 as usize) {
+            *value = last.filter(|_| is_alone && is_pure).map(|(_, op)| *op);
+        }
         let mut exits = std::mem::take(&mut self.open_exits);
         exits.sort_by_key(|(slot, _)| *slot);
         for ways in exits.chunk_by(|a, b| a.0 == b.0) {
@@ -313,8 +323,8 @@ impl<'m> Walker<'m> {
         self.push_guard(condition, truth);
         let mut told = std::mem::take(&mut self.told);
         let (module, defs) = (self.module, &self.defs);
-        each_comparison(module, defs, condition, truth, |comparison, truth| {
-            each_load(module, defs, comparison, truth, |load, lane, by| {
+        each_comparison(module, defs, condition, truth, |comparison| {
+            each_load(module, defs, comparison, |load, lane, by| {
                 told.push((load, lane, by));
             });
         });
@@ -322,6 +332,10 @@ impl<'m> Walker<'m> {
             let OpKind::Load(place) = self.module.op(load).kind else {
                 continue;
             };
+            let variable = self.module.variable(self.module.place(place).variable);
+            if variable.is_some_and(|v| v.function.is_some() && v.function != self.function) {
+                continue;
+            }
             let Some(slot) = self.slot_of(place, lane) else {
                 continue;
             };

@@ -50,8 +50,10 @@ impl Found {
         };
         let mut comparisons = Vec::new();
         for goes in &self.goes {
-            each_comparison(module, defs, goes.condition, goes.truth, |op, truth| {
-                comparisons.push((op, truth));
+            each_comparison(module, defs, goes.condition, goes.truth, |told| {
+                if told.call.is_none() {
+                    comparisons.push((told.comparison, told.truth));
+                }
             });
         }
         for (comparison, truth) in comparisons {

@@ -15,8 +15,8 @@ use crate::semantic::{BuiltinId, Scalar};
 pub(super) struct Wanted {
     lo: f64,
     hi: f64,
-    /// What it is not.
-    not: Option<f64>,
+    /// What it is not: numbers between two, and these.
+    not: Option<(f64, f64)>,
 }
 
 impl Wanted {
@@ -60,7 +60,7 @@ impl Wanted {
             return match negated != truth {
                 true => Wanted::between(with.lo.value, with.hi.value),
                 false => Wanted {
-                    not: with.single(),
+                    not: with.single().map(|v| (v, v)),
                     ..Wanted::ANY
                 },
             };
@@ -109,7 +109,7 @@ impl Wanted {
         let module = query.module;
         match module.op(op).kind {
             OpKind::Unary(Unary::Negate, _) if length_lane(module.ty(op)) != Some(lane) => Wanted {
-                not: self.not.map(|v| 0.0 - v),
+                not: self.not.map(|(lo, hi)| (0.0 - hi, 0.0 - lo)),
                 ..Wanted::between(-self.hi, -self.lo)
             },
             OpKind::Convert(a) => self.converted(query, op, a),
@@ -118,8 +118,7 @@ impl Wanted {
                 let other = Node::lane(query.defs, other, lane).and_then(&mut *get);
                 let other = other.unwrap_or(Interval::ANY);
                 if kind == Binary::Multiply && is_same(module, query.defs, a, b) {
-                    let root = self.hi.max(0.0).sqrt();
-                    return Wanted::between(-root, root);
+                    return self.root().magnitude();
                 }
                 let wanted = self.operand(kind, choice, other);
                 match query.is_whole(op) && matches!(kind, Binary::Divide | Binary::Multiply) {
@@ -174,7 +173,14 @@ impl Wanted {
             (Binary::Add, _) => Wanted::between(self.lo - hi, self.hi - lo),
             (Binary::Subtract, 0) => Wanted::between(self.lo + lo, self.hi + hi),
             (Binary::Subtract, _) => Wanted::between(lo - self.hi, hi - self.lo),
+            (Binary::Multiply, _) if other.lo.value < 0.0 && other.hi.value > 0.0 => Wanted {
+                not: self.is_nonzero().then_some((0.0, 0.0)),
+                ..Wanted::ANY
+            },
             (Binary::Multiply, _) => self.factor(other),
+            (Binary::Divide, 0) if lo >= 0.0 && self.lo > 0.0 => {
+                Wanted::between(above(0.0), f64::INFINITY)
+            }
             // The quotient times the divisor.
             (Binary::Divide, 0) if lo > 0.0 => Wanted::between(
                 if self.lo < 0.0 {
@@ -203,7 +209,13 @@ impl Wanted {
             return Wanted::between(-self.hi, -self.lo).factor(-other);
         }
         if lo <= 0.0 {
-            return Wanted::ANY;
+            return match self.lo > 0.0 {
+                true => Wanted::between(above(0.0), f64::INFINITY),
+                false => Wanted {
+                    not: self.is_nonzero().then_some((0.0, 0.0)),
+                    ..Wanted::ANY
+                },
+            };
         }
         Wanted::between(
             if self.lo < 0.0 {
@@ -225,18 +237,13 @@ impl Wanted {
             Transfer::Magnitude => self.magnitude(),
             // The length of a scalar is its magnitude.
             Transfer::Norm if is_scalar => self.magnitude(),
-            Transfer::Product if is_scalar => {
-                Wanted::between(0.0, self.hi.max(0.0).sqrt()).magnitude()
-            }
+            Transfer::Product if is_scalar => self.root().magnitude(),
             Transfer::Norm => Wanted {
                 not: self.not,
                 ..Wanted::between(self.lo.max(0.0), self.hi)
             },
             // The square of a length.
-            Transfer::Product => Wanted {
-                not: self.not.filter(|v| *v == 0.0),
-                ..Wanted::between(self.lo.max(0.0).sqrt(), self.hi.max(0.0).sqrt())
-            },
+            Transfer::Product => self.root(),
             Transfer::Minimum if other.lo.value > self.hi => Wanted::between(self.lo, self.hi),
             Transfer::Minimum => Wanted::between(self.lo, f64::INFINITY),
             Transfer::Maximum if other.hi.value < self.lo => Wanted::between(self.lo, self.hi),
@@ -254,12 +261,30 @@ impl Wanted {
         }
     }
 
+    /// What is wanted of `abs(x)`, where this is wanted of `x * x`.
+    fn root(self) -> Wanted {
+        Wanted {
+            not: self.not.filter(|_| self.is_nonzero()).map(|_| (0.0, 0.0)),
+            ..Wanted::between(self.lo.max(0.0).sqrt(), self.hi.max(0.0).sqrt())
+        }
+    }
+
     /// What is wanted of `x`, where this is wanted of `abs(x)`.
     pub(super) fn magnitude(self) -> Wanted {
+        let hole = match self.lo > 0.0 {
+            true => Some((-below(self.lo), below(self.lo))),
+            false => self.not.filter(|_| self.is_nonzero()).map(|_| (0.0, 0.0)),
+        };
         Wanted {
-            not: self.not.filter(|v| *v == 0.0),
+            not: hole,
             ..Wanted::between(-self.hi, self.hi)
         }
+    }
+
+    /// Whether zero is not wanted.
+    fn is_nonzero(self) -> bool {
+        let is_out = self.not.is_some_and(|(lo, hi)| lo <= 0.0 && hi >= 0.0);
+        self.lo > 0.0 || self.hi < 0.0 || is_out
     }
 
     /// Leaves of a range what is wanted.
@@ -270,12 +295,16 @@ impl Wanted {
         };
         range.raise(lo);
         range.lower(hi);
-        if let Some(value) = self.not {
-            if range.lo.value == value {
-                range.raise(if is_float { above(value) } else { value + 1.0 });
+        if let Some((lo, hi)) = self.not {
+            if (lo..=hi).contains(&range.lo.value) {
+                range.raise(if is_float {
+                    above(hi)
+                } else {
+                    hi.floor() + 1.0
+                });
             }
-            if range.hi.value == value {
-                range.lower(if is_float { below(value) } else { value - 1.0 });
+            if (lo..=hi).contains(&range.hi.value) {
+                range.lower(if is_float { below(lo) } else { lo.ceil() - 1.0 });
             }
         }
     }

@@ -41,12 +41,12 @@ fn transferred(transfer: Transfer, args: &[Interval]) -> Option<Interval> {
         T::Rising(f) => x.rising(f),
         T::RisingOn(from, to, f) => inside(x, from, to).rising(f),
         T::FallingOn(from, to, f) => (-inside(x, from, to)).rising(|v| f(-v)),
-        T::Rounded(f) => x.rising(f).exactly(),
+        T::Rounded(f) => x.stepped(f).exactly(),
         T::Logarithm(f) if x.lo.value > 0.0 => x.rising(f),
         T::NonNegative => Interval::new(0.0, f64::INFINITY, Tightness::Loose),
         T::Sine => wave(x, 0.5 * PI),
         T::Cosine => wave(x, 0.0),
-        T::ArcTangent if args.len() == 2 => Interval::new(-PI, PI, Tightness::Touched),
+        T::ArcTangent if args.len() == 2 => angle(x, y()?),
         T::ArcTangent => x.rising(f64::atan),
         T::Power => power(x, y()?)?,
         T::Magnitude => x.abs(),
@@ -82,6 +82,23 @@ fn transferred(transfer: Transfer, args: &[Interval]) -> Option<Interval> {
     })
 }
 
+/// `atan(y, x)`: the quadrants that the signs leave.
+fn angle(y: Interval, x: Interval) -> Interval {
+    let mut range = Interval::new(-PI, PI, Tightness::Touched);
+    if x.lo.value >= 0.0 {
+        range = Interval::new(-0.5 * PI, 0.5 * PI, Tightness::Touched);
+    }
+    let has_ends = y.is_any() || y.takes_both_signs();
+    if y.lo.value >= 0.0 {
+        range.raise(0.0);
+    } else if y.hi.value <= 0.0 {
+        range.lower(0.0);
+    } else if !has_ends || !(x.is_any() || x.takes_both_signs() || x.lo.value >= 0.0) {
+        range = range.loose();
+    }
+    range
+}
+
 fn modulo(x: Interval, y: Interval) -> Option<Interval> {
     let divisor = y.single().filter(|d| *d > 0.0)?;
     if x.lo.value >= 0.0 && x.hi.value < divisor {
@@ -93,6 +110,10 @@ fn modulo(x: Interval, y: Interval) -> Option<Interval> {
         Tightness::Touched
     };
     let mut range = Interval::new(0.0, below(divisor), tightness);
+    // Whole numbers from zero on are multiples of the divisor again and again.
+    if x.holds(0.0) && x.rounding == Rounding::Never {
+        range.lo.tightness = Tightness::Held;
+    }
     // The division inside rounds, unless it is by a power of two: on some GPUs `mod(3.0, 3.0)` is 3.
     range.rounding = match is_power_of_two(divisor) {
         true => x.rounding,

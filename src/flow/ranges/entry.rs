@@ -132,8 +132,8 @@ impl Query<'_> {
         let mut range = known?;
         wanted.narrow(&mut range, is_float);
         if let (Some(counter), Some(Some(first))) = (counter, first) {
-            snap(&mut range, first, counter.step);
-            if by.truth && self.is_test(counter.of, by) {
+            let is_counted = snap(&mut range, first, counter.step);
+            if is_counted && by.truth && self.is_test(counter.of, by) {
                 range.touch_ends();
             }
         }
@@ -151,8 +151,8 @@ impl Query<'_> {
         let condition = self.module.looped(looped).and_then(|l| l.condition);
         let mut is_test = false;
         if let Some(condition) = condition {
-            each_comparison(self.module, self.defs, condition, true, |op, _| {
-                is_test |= op == by.comparison;
+            each_comparison(self.module, self.defs, condition, true, |told| {
+                is_test |= told.comparison == by.comparison;
             });
         }
         is_test
@@ -168,13 +168,18 @@ impl Query<'_> {
         let mut is_tested = false;
         if let Some(condition) = condition {
             let (module, defs) = (self.module, self.defs);
-            each_comparison(module, defs, condition, true, |comparison, truth| {
-                each_load(module, defs, comparison, truth, |load, lane, _| {
+            each_comparison(module, defs, condition, true, |told| {
+                each_load(module, defs, told, |load, lane, _| {
                     is_tested |= defs.unrefined(defs.seen(load, lane)) == head;
                 });
             });
         }
         is_tested
+    }
+
+    /// Whether a definition is, conditions aside, what a loop counts.
+    pub(super) fn is_counted(&self, def: DefId) -> bool {
+        self.counter(self.defs.unrefined(def)).is_some()
     }
 
     /// What a lane counts, if it is the head of a loop whose turns each add one number to it.
@@ -288,8 +293,10 @@ impl Query<'_> {
                 .loose(),
         };
         let scalar = variable.ty.element().scalar_kind().filter(|_| lane < rows);
+        // The size of the picture stays as it is, so numbers do not hang on each other by it.
+        let sources = if name == "iResolution" { 0 } else { source };
         Interval {
-            sources: source,
+            sources,
             ..fitting(scalar, range)
         }
     }
@@ -318,22 +325,32 @@ pub(super) fn measure(parts: impl Iterator<Item = Option<Interval>>) -> Option<I
     Some(length)
 }
 
-/// Moves the ends of what a counter may be to numbers that it counts.
-fn snap(range: &mut Interval, first: Interval, step: f64) {
+/// Moves the ends of what a counter may be to numbers that it counts. Says whether it comes to them.
+fn snap(range: &mut Interval, first: Interval, step: f64) -> bool {
     let Some(first) = first.single() else {
-        return;
+        return true;
     };
-    let step = step.abs();
-    let whole = |v: f64| v.fract() == 0.0;
-    // Other numbers are rounded at each turn.
-    if !whole(first) || !whole(step) {
-        return;
-    }
     let (lo, hi) = (range.lo.value, range.hi.value);
+    let (mut least, mut most) = (Some(lo), Some(hi));
     if lo.is_finite() {
-        range.raise(first + ((lo - first) / step).ceil() * step);
+        least = counted(first, step.abs(), lo, f64::ceil);
     }
     if hi.is_finite() {
-        range.lower(first + ((hi - first) / step).floor() * step);
+        most = counted(first, step.abs(), hi, f64::floor);
     }
+    range.raise(least.unwrap_or(lo));
+    range.lower(most.unwrap_or(hi));
+    least.is_some() && most.is_some()
+}
+
+/// The last number on this side of an end that counting comes to. `None` where rounding decides
+/// whether one turn more is made.
+fn counted(first: f64, step: f64, end: f64, rounded: fn(f64) -> f64) -> Option<f64> {
+    let turns = (end - first) / step;
+    let is_exact = |v: f64| (v * 256.0).fract() == 0.0;
+    let is_near = (turns - turns.round()).abs() < 1e-4 * turns.abs().max(1.0);
+    if is_near && turns.round() != 0.0 && !(is_exact(first) && is_exact(step)) {
+        return None;
+    }
+    Some(first + rounded(turns) * step)
 }

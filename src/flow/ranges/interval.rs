@@ -6,6 +6,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// How well a value takes a bound of its range.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Tightness {
+    /// It is a limit that no value takes, as 0 is of `exp(x)`.
+    Open,
     /// Never beyond it, but perhaps never near it.
     Loose,
     /// It comes as near as one likes.
@@ -45,6 +47,14 @@ impl Rounding {
     }
 }
 
+/// How far arithmetic that rounds may stray beyond what it gives on paper: `cos(PI / 2.0)` is a
+/// little below zero.
+const STRAY: f64 = 1e-5;
+/// No number is taken for certain.
+const NOTHING: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
+/// Below and above zero, nobody knows how far.
+const BOTH_SIGNS: [f32; 2] = [-1e-30, 1e-30];
+
 /// What a number may be.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Interval {
@@ -52,6 +62,9 @@ pub struct Interval {
     pub lo: End,
     /// The greatest.
     pub hi: End,
+    /// Some of it is for certain as little as the first, and some as great as the second, although
+    /// the ends lie further out. None is, where the first is the greater.
+    pub inner: [f32; 2],
     /// Whether rounding comes into it.
     pub rounding: Rounding,
     /// What it hangs on, a bit for each unknown. Two numbers that hang on the same are not free of
@@ -108,6 +121,11 @@ impl End {
         self.tightness >= Tightness::Touched
     }
 
+    /// How well an end is taken that a condition tells of.
+    fn told(self) -> Tightness {
+        self.tightness.clamp(Tightness::Loose, Tightness::Touched)
+    }
+
     fn at_most(self, tightness: Tightness) -> End {
         bound(self.value, self.tightness.min(tightness))
     }
@@ -124,6 +142,7 @@ impl Interval {
             value: f64::INFINITY,
             tightness: Tightness::Loose,
         },
+        inner: NOTHING,
         rounding: Rounding::Unknown,
         sources: 0,
         mixed: false,
@@ -191,8 +210,41 @@ impl Interval {
         Interval {
             lo: self.lo.at_most(Tightness::Loose),
             hi: self.hi.at_most(Tightness::Loose),
+            inner: NOTHING,
             ..self
         }
+    }
+
+    /// The same, with some of it for certain as little as `lo` and some as great as `hi`.
+    pub fn taking(self, lo: f64, hi: f64) -> Interval {
+        Interval {
+            inner: [lo as f32, hi as f32],
+            ..self
+        }
+    }
+
+    /// The same, with some of it for certain below and some above zero.
+    pub fn taking_both_signs(self) -> Interval {
+        Interval {
+            inner: BOTH_SIGNS,
+            ..self
+        }
+    }
+
+    /// The least and the greatest number that it comes near to for certain.
+    fn taken(&self) -> Option<(f64, f64)> {
+        let [least, most] = self.inner;
+        let of = |end: End, inner: f32| match end.is_reached() {
+            true => end.value,
+            false => inner as f64,
+        };
+        let (lo, hi) = (of(self.lo, least), of(self.hi, most));
+        (lo <= hi).then_some((lo, hi))
+    }
+
+    /// Whether some of it is for certain below and some above zero.
+    pub fn takes_both_signs(&self) -> bool {
+        self.taken().is_some_and(|(lo, hi)| lo < 0.0 && hi > 0.0)
     }
 
     /// The same, with no bound that is more than touched.
@@ -236,12 +288,34 @@ impl Interval {
 
     /// Whether some of it is for certain less than `value`.
     pub fn reaches_below(&self, value: f64) -> bool {
-        self.is_below(value) || (self.lo.value < value && self.lo.is_reached())
+        let is_reached = self.lo.value < value && self.lo.is_reached();
+        self.is_below(value) || is_reached || self.is_parted_by(value)
     }
 
     /// Whether some of it is for certain greater than `value`.
     pub fn reaches_above(&self, value: f64) -> bool {
-        self.is_above(value) || (self.hi.value > value && self.hi.is_reached())
+        let is_reached = self.hi.value > value && self.hi.is_reached();
+        self.is_above(value) || is_reached || self.is_parted_by(value)
+    }
+
+    /// Whether a number lies amid those that it takes for certain. Where all of them lie on one side,
+    /// it holds something else than one might think.
+    fn is_parted_by(&self, value: f64) -> bool {
+        let [least, most] = self.inner;
+        (least as f64) < value && value < most as f64
+    }
+
+    /// Whether some of it is for certain less than `value`, and not by rounding alone.
+    pub fn strays_below(&self, value: f64) -> bool {
+        let is_open = self.hi.tightness == Tightness::Open && self.hi.value <= value;
+        self.is_parted_by(value)
+            || is_open && self.lo.value < value
+            || self.reaches_below(value - STRAY)
+    }
+
+    /// Whether some of it is for certain greater than `value`, and not by rounding alone.
+    pub fn strays_above(&self, value: f64) -> bool {
+        (-*self).strays_below(-value)
     }
 
     /// Whether it is for certain `value`, and not only in passing.
@@ -257,6 +331,10 @@ impl Interval {
         Interval {
             lo: least(self.lo, other.lo),
             hi: greatest(self.hi, other.hi),
+            inner: [
+                self.inner[0].min(other.inner[0]),
+                self.inner[1].max(other.inner[1]),
+            ],
             rounding: self.rounding.join(other.rounding),
             sources: self.sources | other.sources,
             mixed: self.mixed | other.mixed,
@@ -266,14 +344,16 @@ impl Interval {
     /// No less than `lo`: what a comparison told.
     pub fn raise(&mut self, lo: f64) {
         if lo > self.lo.value {
-            self.lo = bound(lo, self.lo.tightness.min(Tightness::Touched));
+            self.lo = bound(lo, self.lo.told());
+            self.inner = NOTHING;
         }
     }
 
     /// No greater than `hi`.
     pub fn lower(&mut self, hi: f64) {
         if hi < self.hi.value {
-            self.hi = bound(hi, self.hi.tightness.min(Tightness::Touched));
+            self.hi = bound(hi, self.hi.told());
+            self.inner = NOTHING;
         }
     }
 
@@ -281,6 +361,7 @@ impl Interval {
     pub fn down_to(self, lo: f64) -> Interval {
         Interval {
             lo: bound(lo, Tightness::Loose),
+            inner: NOTHING,
             ..self
         }
     }
@@ -289,8 +370,20 @@ impl Interval {
     pub fn up_to(self, hi: f64) -> Interval {
         Interval {
             hi: bound(hi, Tightness::Loose),
+            inner: NOTHING,
             ..self
         }
+    }
+
+    /// The same, where another computation of it goes less far.
+    pub fn within(mut self, other: &Interval) -> Interval {
+        if other.lo.value > self.lo.value {
+            self.lo = other.lo;
+        }
+        if other.hi.value < self.hi.value {
+            self.hi = other.hi;
+        }
+        self
     }
 
     /// Both ends are come near to.
@@ -304,12 +397,45 @@ impl Interval {
         let range = Interval {
             lo,
             hi,
+            inner: NOTHING,
             rounding: a.rounding_with(b),
             sources: a.sources | b.sources,
             mixed: a.mixed | b.mixed,
         };
-        let is_free = a.sources & b.sources == 0 && !(a.mixed && b.mixed);
-        if is_free { range } else { range.loose() }
+        if a.is_free_of(b) {
+            range
+        } else {
+            range.loose()
+        }
+    }
+
+    /// Whether two numbers do not hang on each other.
+    pub fn is_free_of(&self, other: &Interval) -> bool {
+        self.sources & other.sources == 0 && !(self.mixed && other.mixed)
+    }
+
+    /// Whether this, made of two, is taken only in part as far as its ends go.
+    fn is_partly_taken(&self, a: &Interval, b: &Interval) -> bool {
+        let is_inner = |r: &Interval| r.inner[0] <= r.inner[1];
+        (is_inner(a) || is_inner(b)) && a.is_free_of(b)
+    }
+
+    /// Takes over from a factor or dividend that it takes both signs, or how far a number scales it.
+    fn scale(&mut self, of: &Interval, by: &Interval) {
+        let is_open = |end: End| end.value == 0.0 && end.tightness == Tightness::Open;
+        let is_positive = by.lo.value > 0.0 || is_open(by.lo);
+        let is_signed = is_positive || by.hi.value < 0.0 || is_open(by.hi);
+        let Some((least, most)) = of.taken().filter(|_| is_signed) else {
+            return;
+        };
+        match by.single() {
+            Some(factor) if of.inner[0] <= of.inner[1] => {
+                let (a, b) = ((least * factor) as f32, (most * factor) as f32);
+                self.inner = [a.min(b), a.max(b)];
+            }
+            _ if least < 0.0 && most > 0.0 && !self.takes_both_signs() => self.inner = BOTH_SIGNS,
+            _ => {}
+        }
     }
 
     /// `a * a`
@@ -323,7 +449,12 @@ impl Interval {
         if self.contains(0.0) && lo.value > 0.0 {
             lo = bound(0.0, self.inner_reach());
         }
-        Interval { lo, hi, ..self }
+        Interval {
+            lo,
+            hi,
+            inner: NOTHING,
+            ..self
+        }
     }
 
     /// How well a value between the ends is taken: in passing, if both ends are reached.
@@ -345,6 +476,7 @@ impl Interval {
         Interval {
             lo: bound(0.0, self.inner_reach()),
             hi: greatest(self.hi, self.lo.negated()),
+            inner: NOTHING,
             ..self
         }
     }
@@ -363,15 +495,22 @@ impl Interval {
         };
         // The higher of the lower ends is the result where the other value lies below it, which it
         // does for certain, or as far as anybody who writes `max` thinks.
-        let is_below = low.is_reached() || low.value.is_infinite();
+        let is_below = low.is_reached() || low.value < high.value;
         let tightness = if is_below {
             high.tightness
         } else {
             Tightness::Loose
         };
+        let inner = match (self.single(), other.single(), self.inner, other.inner) {
+            (_, Some(least), [lo, hi], _) | (Some(least), _, _, [lo, hi]) if lo <= hi => {
+                [lo.max(least as f32), hi.max(least as f32)]
+            }
+            _ => NOTHING,
+        };
         Interval {
             lo: bound(high.value, tightness),
             hi: greatest(self.hi, other.hi),
+            inner,
             // A constant bound is known by the end of the range that it makes.
             rounding: match (self.single(), other.single()) {
                 (None, Some(_)) => self.rounding,
@@ -383,11 +522,48 @@ impl Interval {
         }
     }
 
+    /// The range of a function that never falls and takes whole stretches to one number.
+    pub fn stepped(self, f: impl Fn(f64) -> f64) -> Interval {
+        let part = (self.hi.value - self.lo.value) * 1e-6;
+        // Where an end is touched, so are the numbers beside it, and what they become is held.
+        let at = |end: End, beside: f64| {
+            let value = f(end.value);
+            let is_flat = end.is_reached() && part > 0.0 && f(beside) == value;
+            let tightness = if is_flat {
+                Tightness::Held
+            } else {
+                end.tightness
+            };
+            bound(value, tightness)
+        };
+        Interval {
+            lo: at(self.lo, self.lo.value + part),
+            hi: at(self.hi, self.hi.value - part),
+            ..self.rising(&f)
+        }
+    }
+
     /// The range of a function that never falls.
     pub fn rising(self, f: impl Fn(f64) -> f64) -> Interval {
+        let at = |end: End| {
+            let value = f(end.value);
+            let is_limit = end.value.is_infinite() && value.is_finite();
+            let tightness = if is_limit {
+                Tightness::Open
+            } else {
+                end.tightness
+            };
+            bound(value, tightness)
+        };
+        let [least, most] = self.inner;
+        let inner = match least <= most {
+            true => [f(least as f64) as f32, f(most as f64) as f32],
+            false => NOTHING,
+        };
         Interval {
-            lo: bound(f(self.lo.value), self.lo.tightness),
-            hi: bound(f(self.hi.value), self.hi.tightness),
+            lo: at(self.lo),
+            hi: at(self.hi),
+            inner,
             rounding: match self.single() {
                 Some(_) => Rounding::Unknown,
                 None => Rounding::Always,
@@ -405,6 +581,7 @@ impl Neg for Interval {
         Interval {
             lo: self.hi.negated(),
             hi: self.lo.negated(),
+            inner: [-self.inner[1], -self.inner[0]],
             ..self
         }
     }
@@ -417,7 +594,13 @@ impl Add for Interval {
     fn add(self, other: Interval) -> Interval {
         let sum = |a: End, b: End| bound(a.value + b.value, a.tightness.min(b.tightness));
         let (lo, hi) = (sum(self.lo, other.lo), sum(self.hi, other.hi));
-        Interval::made_of(&self, &other, lo, hi)
+        let mut range = Interval::made_of(&self, &other, lo, hi);
+        if range.is_partly_taken(&self, &other)
+            && let (Some((a, b)), Some((c, d))) = (self.taken(), other.taken())
+        {
+            range.inner = [(a + c) as f32, (b + d) as f32];
+        }
+        range
     }
 }
 
@@ -438,7 +621,18 @@ impl Mul for Interval {
         let (lo, hi) = ends(&self, &other, |a, b| {
             if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
         });
-        Interval::made_of(&self, &other, lo, hi)
+        let mut range = Interval::made_of(&self, &other, lo, hi);
+        // Whatever the one is where the other is zero.
+        if !(self.mixed && other.mixed) && (self.holds(0.0) || other.holds(0.0)) {
+            for end in [&mut range.lo, &mut range.hi] {
+                if end.value == 0.0 {
+                    end.tightness = Tightness::Held;
+                }
+            }
+        }
+        range.scale(&self, &other);
+        range.scale(&other, &self);
+        range
     }
 }
 
@@ -459,6 +653,12 @@ impl Div for Interval {
             (a, b) => a / b,
         });
         let mut range = Interval::made_of(&self, &other, lo, hi);
+        // So far away as one likes it comes near to zero.
+        if sign > 0.0 && self.lo.value > 0.0 && other.hi.value.is_infinite() {
+            range.lo.tightness = Tightness::Open;
+        }
+        let inverse = other.single().map(|v| Interval::constant(1.0 / v));
+        range.scale(&self, &inverse.unwrap_or(other));
         // Only a power of two divides without rounding.
         let divisor = other.single().unwrap_or(3.0).abs();
         let divides = is_power_of_two(divisor) && divisor <= 256.0;
@@ -513,6 +713,15 @@ impl fmt::Display for Interval {
             (false, true) => {
                 number(hi, f)?;
                 f.write_str(" or less")
+            }
+            (false, false) if self.inner[0] <= self.inner[1] => {
+                if self.inner == BOTH_SIGNS {
+                    return f.write_str("less and more than 0.0");
+                }
+                number(self.inner[0] as f64, f)?;
+                f.write_str("..")?;
+                number(self.inner[1] as f64, f)?;
+                f.write_str(" and beyond")
             }
             (false, false) => f.write_str("any number"),
         }

@@ -11,13 +11,18 @@ mod builtin;
 mod copies;
 mod entry;
 mod interval;
+mod matrix;
 mod node;
 mod operation;
+mod polynomial;
+mod reason;
+mod screen;
 mod solve;
 #[cfg(test)]
 mod tests;
 
 pub use interval::{End, Interval, Rounding, Tightness};
+pub use reason::{Giver, Reason, Side};
 
 use super::defs::{DefId, Defs, Guard, each_comparison};
 use super::layout::length_lane;
@@ -152,7 +157,8 @@ impl<'x> Query<'x> {
         let mut is_met = true;
         let (module, defs) = (self.module, self.defs);
         let (condition, truth) = (guard.condition, guard.truth);
-        each_comparison(module, defs, condition, truth, |comparison, truth| {
+        each_comparison(module, defs, condition, truth, |told| {
+            let (comparison, truth) = (told.comparison, told.truth);
             if let OpKind::Binary(_, left, _) | OpKind::Same { left, .. } =
                 module.op(comparison).kind
             {
@@ -178,17 +184,31 @@ impl<'x> Query<'x> {
         if matches!(self.module.op(op).kind, OpKind::Load(_)) {
             return;
         }
+        let mut own = None;
         for (_, guard) in self.defs.guards(op).take(MAX_GUARDS) {
             let (condition, truth) = (guard.condition, guard.truth);
-            each_comparison(
-                self.module,
-                self.defs,
-                condition,
-                truth,
-                |comparison, truth| {
-                    self.narrow_by(comparison, truth, op, range);
-                },
-            );
+            let (module, defs) = (self.module, self.defs);
+            each_comparison(module, defs, condition, truth, |told| {
+                if told.call.is_some() {
+                    return;
+                }
+                self.narrow_by(told.comparison, told.truth, op, range);
+                if let OpKind::Binary(relation, left, right) = module.op(told.comparison).kind
+                    && self.is_float(op)
+                    && self.is_float(left)
+                    && let Some(own) = own.get_or_insert_with(|| self.terms(op))
+                {
+                    let relation = if told.truth {
+                        relation
+                    } else {
+                        negated(relation)
+                    };
+                    self.narrow_by_terms((left, right), relation, own, range);
+                }
+            });
+        }
+        if range.lo.value > range.hi.value {
+            *range = Interval::ANY.like(range);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::builtin::of_function;
 use super::entry::{join, measure};
-use super::interval::{Interval, Tightness, below};
+use super::interval::{Interval, Tightness};
 use super::node::{Node, Subject};
 use super::{Query, number};
 use crate::flow::defs::Def;
@@ -10,7 +10,7 @@ use crate::flow::layout::{column_lanes, length_lane};
 use crate::flow::same::is_same;
 use crate::ir::{Binary, OpId, OpKind, Unary};
 use crate::semantic::builtins::{MAX_PARAMS, Transfer};
-use crate::semantic::{FunctionRef, Scalar, Type, VariableId};
+use crate::semantic::{BuiltinId, FunctionRef, Scalar, Type, VariableId};
 use crate::syntax::ast::List;
 
 /// How far copies of a variable are followed.
@@ -48,8 +48,7 @@ impl Query<'_> {
                 let (x, y) = (of(a, lane), of(b, lane));
                 Some(self.binary(kind, (a, x?), (b, y?), lane))
             }
-            // Rotated and mirrored: each component may be anything for itself.
-            OpKind::MatrixProduct(..) => Some(unknown(1 << ((op.0 * 4 + lane) % 64))),
+            OpKind::MatrixProduct(a, b) => self.product(op, (a, b), lane, get),
             OpKind::Same { left, right, .. } => {
                 let (x, y) = (of(left, 0), of(right, 0));
                 Some(
@@ -86,9 +85,8 @@ impl Query<'_> {
                 Some(joined)
             }
             OpKind::Builtin(function, list) => {
-                let transfer = function.transfer();
                 let args = module.operands(list);
-                let mut range = self.builtin(transfer, args, lane, get)?;
+                let mut range = self.builtin(function, args, lane, get)?;
                 if range.sources == 0 && range.single().is_none() {
                     range.sources = source;
                 }
@@ -218,17 +216,23 @@ impl Query<'_> {
         let unknown = Interval::ANY.like(&x).like(&y);
         let same = || x.sources & y.sources != 0 && is_same(self.module, self.defs, a, b);
         match op {
-            Binary::Add => x + y,
-            Binary::Subtract if same() => Interval::constant(0.0),
-            Binary::Subtract => x - y,
+            Binary::Add => match may_cross(&x, &y) && self.is_centred(a, b, lane, 1.0) {
+                true => (x + y).taking_both_signs(),
+                false => x + y,
+            },
+            Binary::Subtract if same() || self.is_passed_twice(&x, &y, (a, b), lane) => {
+                Interval::constant(0.0)
+            }
+            Binary::Subtract => match may_cross(&x, &-y) && self.is_centred(a, b, lane, -1.0) {
+                true => (x - y).taking_both_signs(),
+                false => x - y,
+            },
             Binary::Multiply if same() => x.square(),
             Binary::Multiply => x * y,
-            Binary::Divide if self.is_whole(a) => (x / y).rising(f64::trunc),
-            Binary::Divide => match self.is_share(a, b, lane) {
-                true => Interval::new(0.0, below(1.0), Tightness::Touched)
-                    .rounded()
-                    .like(&x),
-                false => x / y,
+            Binary::Divide if self.is_whole(a) => (x / y).stepped(f64::trunc),
+            Binary::Divide => match self.share(a, b, lane) {
+                Some(share) => share.rounded().like(&x),
+                None => x / y,
             },
             Binary::Remainder if y.lo.value > 0.0 => remainder(x, y),
             Binary::BitAnd if x.lo.value >= 0.0 || y.lo.value >= 0.0 => {
@@ -255,11 +259,36 @@ impl Query<'_> {
         }
     }
 
+    /// Whether two parameters are given the same value by every call.
+    fn is_passed_twice(&self, x: &Interval, y: &Interval, (a, b): (OpId, OpId), lane: u32) -> bool {
+        let (module, defs) = (self.module, self.defs);
+        if x.sources & y.sources == 0 {
+            return false;
+        }
+        let passed = |op| {
+            let (load, at) = defs.through(module, op, lane)?;
+            let Def::Entry(slot) = defs.get(defs.unrefined(defs.seen(load, at))) else {
+                return None;
+            };
+            let variable = module.variable(defs.variable_at(slot).0)?;
+            let is_one = !variable.ty.is_array();
+            defs.passed(module, slot).filter(|_| is_one)
+        };
+        let Some((first, second)) = passed(a).zip(passed(b)) else {
+            return false;
+        };
+        let (left, right) = (first.args(), second.args());
+        first.lane == second.lane
+            && left.len() == right.len()
+            && left.len() <= MAX_COPIES as usize
+            && left.zip(right).all(|(a, b)| is_same(module, defs, a, b))
+    }
+
     /// The value of another kind of scalar.
     fn converted(&self, op: OpId, a: OpId, range: Interval) -> Interval {
         let is_float = self.module.ty(a).scalar_kind() == Some(Scalar::Float);
         match self.module.ty(op).scalar_kind() {
-            Some(kind) if kind.is_integer() && is_float => range.rising(f64::trunc).exactly(),
+            Some(kind) if kind.is_integer() && is_float => range.stepped(f64::trunc).exactly(),
             Some(Scalar::Bool) => Interval::new(0.0, 1.0, Tightness::Loose).like(&range),
             _ => range,
         }
@@ -267,12 +296,13 @@ impl Query<'_> {
 
     fn builtin(
         &self,
-        transfer: Transfer,
+        function: BuiltinId,
         args: &[OpId],
         lane: u32,
         get: &mut impl FnMut(Node) -> Option<Interval>,
     ) -> Option<Interval> {
         let (module, defs) = (self.module, self.defs);
+        let transfer = function.transfer();
         let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
             Some(node) => get(node),
             None => Some(Interval::ANY),
@@ -326,12 +356,18 @@ impl Query<'_> {
                     all(op).fold(0, |bits, lane| bits | of(op, lane).map_or(0, |r| r.sources))
                 };
                 let (own, other) = (sources(a), sources(b));
+                let terms = all(a).map(|lane| Some(of(a, lane)? * of(b, lane)?));
+                let sum = terms.reduce(|sum, term| Some(sum? + term?))??;
                 Interval {
                     rounding: hanging?.rounding,
-                    ..dot((x?, own), (y?, other))
+                    ..dot((x?, own), (y?, other)).within(&sum)
                 }
             }
-            (Transfer::Texel | Transfer::Mixed, _) => Interval::ANY.like(&hanging?),
+            (Transfer::Texel, _) => Interval::ANY.taking(0.0, 1.0).like(&hanging?),
+            (_, &[a, b]) if function == BuiltinId::Cross && is_same(module, defs, a, b) => {
+                Interval::constant(0.0)
+            }
+            (Transfer::Mixed, _) => Interval::ANY.like(&hanging?),
             (Transfer::MixedMagnitude, _) => {
                 Interval::new(0.0, f64::INFINITY, Tightness::Loose).like(&hanging?)
             }
@@ -409,23 +445,8 @@ impl Query<'_> {
         Some(range)
     }
 
-    /// Whether this is `fragCoord.x / iResolution.x`: how far along the picture a pixel lies.
-    fn is_share(&self, a: OpId, b: OpId, lane: u32) -> bool {
-        let named = |id: VariableId, name: &str| {
-            let variable = self.program.variable(id);
-            variable.is_some_and(|v| self.program.names.text(v.name) == name)
-        };
-        let Some((size, along)) = self.copied_from(b, lane) else {
-            return false;
-        };
-        named(size, "iResolution")
-            && self
-                .copied_from(a, lane)
-                .is_some_and(|(place, at)| at == along && named(place, "gl_FragCoord"))
-    }
-
     /// The variable that the host fills in, and its lane, that a value is a copy of.
-    fn copied_from(&self, mut op: OpId, mut lane: u32) -> Option<(VariableId, u32)> {
+    pub(super) fn copied_from(&self, mut op: OpId, mut lane: u32) -> Option<(VariableId, u32)> {
         let (module, defs) = (self.module, self.defs);
         for _ in 0..MAX_COPIES {
             let (load, at) = defs.through(module, op, lane)?;
@@ -442,6 +463,13 @@ impl Query<'_> {
         }
         None
     }
+}
+
+/// Whether of two numbers one is positive and one negative, neither bounded.
+fn may_cross(x: &Interval, y: &Interval) -> bool {
+    let is_unbounded = |r: &Interval| r.lo.value.is_infinite() != r.hi.value.is_infinite();
+    let is_positive = |r: &Interval| r.lo.value >= 0.0;
+    is_unbounded(x) && is_unbounded(y) && is_positive(x) != is_positive(y)
 }
 
 fn unknown(sources: u64) -> Interval {
@@ -553,7 +581,11 @@ fn remainder(x: Interval, y: Interval) -> Interval {
     let mut range = Interval::new(least, most, Tightness::Touched)
         .like(&x)
         .like(&y);
-    if x.is_finite() || y.single().is_none() {
+    if x.lo.value == 0.0 && x.holds(0.0) {
+        // Counted from zero: multiples of `y` come again and again.
+        range = range.loose();
+        range.lo.tightness = Tightness::Held;
+    } else if x.is_finite() || y.single().is_none() {
         range = range.loose();
     } else if !x.reaches_below(0.0) {
         range.lo.tightness = Tightness::Loose;

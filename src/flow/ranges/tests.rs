@@ -9,6 +9,11 @@ use crate::syntax::ast::{ExprKind, StmtKind};
 
 /// The range of what `float test()` returns at its last `return`.
 fn interval(code: &str) -> Interval {
+    returned(code, 0)
+}
+
+/// The same of a `return` before the last, by how many there are behind it.
+fn returned(code: &str, skipped: usize) -> Interval {
     let analysis = checked(code);
     let program = &analysis.program;
     let module = lower(program);
@@ -19,13 +24,18 @@ fn interval(code: &str) -> Interval {
         defs: &defs,
         ranges: &Ranges::default(),
     };
-    let returned = program.tree.stmts.iter().rev().find_map(|s| match s.kind {
-        StmtKind::Return(Some(e)) if !matches!(program.tree.expr(e).kind, ExprKind::Error) => {
-            Some(e)
-        }
-        _ => None,
-    });
-    query.expr(returned.unwrap()).next().unwrap()
+    let mut returned = program
+        .tree
+        .stmts
+        .iter()
+        .rev()
+        .filter_map(|s| match s.kind {
+            StmtKind::Return(Some(e)) if !matches!(program.tree.expr(e).kind, ExprKind::Error) => {
+                Some(e)
+            }
+            _ => None,
+        });
+    query.expr(returned.nth(skipped).unwrap()).next().unwrap()
 }
 
 fn range(code: &str) -> String {
@@ -78,7 +88,13 @@ fn built_in_functions_have_ranges() {
     check("vec3(1.0, sin(x), x).y", "-1.0..1.0");
     check("float(n % 4)", "-3.0..3.0");
     check("float(n & 7)", "0.0..7.0");
-    check("unknown(x)", "any number");
+    check("unknown(x)", "0.0..1.0 and beyond");
+    check("exp(-x)", "0.0 or more");
+    check("atan(abs(x), v.y)", "0.0..3.142");
+    check("atan(x, abs(v.y))", "-1.571..1.571");
+    check("atan(abs(x), abs(v.y))", "0.0..1.571");
+    check("dot(clamp(v, 0.0, 1.0), vec3(0.3, 0.6, 0.1))", "0.0..1.0");
+    check("cross(v, v).x", "0.0");
 }
 
 #[test]
@@ -267,4 +283,172 @@ fn rounding_is_told_from_exact_arithmetic() {
         "float a = 0.0; for (int i = 0; i < n; i++) a += 0.1; return a;",
         Always,
     );
+}
+
+/// Whether what `body` returns is for certain below zero somewhere.
+#[track_caller]
+fn check_negative(body: &str, expected: bool) {
+    let code = format!(
+        "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
+         float test(float x, vec3 v, int n) {{ {body} }}"
+    );
+    assert_eq!(interval(&code).strays_below(0.0), expected, "{body}");
+}
+
+#[test]
+fn the_middle_of_the_picture_parts_signs() {
+    let place = "vec2 p = gl_FragCoord.xy, R = iResolution.xy;";
+    let check = |expr: &str, expected| check_negative(&format!("{place} return {expr};"), expected);
+    check("(p.x - 0.5 * R.x) / R.y", true);
+    check("((p + p - R) / R.y).x", true);
+    check("(p - R / 2.0).y", true);
+    check("(-1.0 + 2.0 * p / R).x", true);
+    check("(p / R * 2.0 - 1.0).x * (R.x / R.y)", true);
+    check("(p / R.y).x - 0.5", true);
+    check("(p.x + 0.5 * R.x) / R.y", false);
+    check("(p.x - 0.5 * R.y) / R.y", false);
+    check("abs((p.x - 0.5 * R.x) / R.y)", false);
+    check("max((p.x - 0.5 * R.x) / R.y, 0.0)", false);
+    check("mix(1.0, 2.0, (p / R).x)", false);
+}
+
+#[test]
+fn rotated_vectors_take_both_signs() {
+    let check = |vector: &str, expected| {
+        check_negative(
+            &format!(
+                "mat2 m = mat2(cos(x), -sin(x), sin(x), cos(x));
+                 vec2 p = m * {vector}; return p.y;"
+            ),
+            expected,
+        );
+    };
+    check("(gl_FragCoord.xy / iResolution.xy - 0.5)", true);
+    check("(gl_FragCoord.xy / iResolution.xy)", false);
+    check("vec2(x)", false);
+    check_body(
+        "mat2 m = mat2(1.0, 0.0, 0.0, 2.0); return (m * vec2(3.0, 4.0)).y;",
+        "8.0",
+    );
+    check_body(
+        "mat2 m = mat2(1.0, 2.0, 3.0, 4.0); return (m * m)[1].x + (vec2(1.0) * m).x;",
+        "18.0",
+    );
+}
+
+#[test]
+fn colours_may_be_darker_than_black() {
+    let check = |expr: &str, expected| {
+        let texel = "vec3 c = texture(iChannel0, v.xy).rgb;";
+        check_negative(&format!("{texel} return {expr};"), expected);
+    };
+    check("((c - 0.5) * 1.2 + 0.5).x", true);
+    check("0.5 - 0.8 * c.x", true);
+    check("c.x", false);
+    check("c.x * 0.5", false);
+    // No colour, but something else that was put there.
+    check("c.x - 20.0", false);
+}
+
+#[test]
+fn rounding_alone_makes_nothing_negative() {
+    check_negative("return cos(3.14159265 / 2.0);", false);
+    check_negative("return cos(3.0);", true);
+    check_negative("return -exp(x);", true);
+    check_negative("return exp(x);", false);
+}
+
+#[test]
+fn whole_numbers_are_taken_again_and_again() {
+    let holds_zero = |expr: &str, expected: bool| {
+        let code = format!(
+            "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
+             float test(float x, vec3 v, int n) {{ return {expr}; }}"
+        );
+        assert_eq!(interval(&code).holds(0.0), expected, "{expr}");
+    };
+    holds_zero("float(iFrame % 4)", true);
+    holds_zero("mod(float(iFrame), 4.0)", true);
+    holds_zero("float(iFrame % 4 + 1)", false);
+    holds_zero("floor(fract(x) * 4.0)", true);
+    holds_zero("ceil(fract(x) * 4.0)", false);
+    holds_zero("fract(x) * 4.0", false);
+    holds_zero("max(x, 0.0) * max(sin(x), 0.0)", true);
+    holds_zero("max(x, 0.0) + max(sin(x), 0.0)", false);
+}
+
+#[test]
+fn conditions_tell_of_magnitudes_and_products() {
+    check_body(
+        "x = max(x, 0.0); if (abs(x) > 0.5) return x; return 1.0;",
+        "1.0",
+    );
+    let narrowed = |condition: &str, expr: &str, expected: &str| {
+        let body = format!("x = max(x, 0.0); if (!({condition})) return 1.0; return {expr};");
+        check_body(&body, expected);
+    };
+    narrowed("abs(x) >= 0.5", "x", "0.5 or more");
+    narrowed("x * x > 0.25", "x", "0.5 or more");
+    narrowed("x * v.x > 4.0", "min(x, 0.0) + 1.0", "1.0");
+    narrowed(
+        "dot(v, v) < 1.0",
+        "1.0 - v.x * v.x - v.y * v.y - v.z * v.z",
+        "0.0..1.0",
+    );
+    narrowed(
+        "length(v) < 2.0",
+        "2.0 * (v.x * v.x + v.y * v.y + v.z * v.z)",
+        "0.0..8.0",
+    );
+    let waves = |condition: &str, expected: &str| {
+        let body = format!(
+            "float a = sin(v.x), b = sin(v.y), c = sin(v.z);
+             if (!({condition})) return 1.0; return b + a * a - 1.0;"
+        );
+        check_body(&body, expected);
+    };
+    waves("a * a + b > 0.5", "-0.5..1.0");
+    waves("a * a + c > 0.5", "-2.0..1.0");
+}
+
+#[test]
+fn functions_may_be_conditions() {
+    let code = "void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
+        bool within(vec2 p, float r) { float l = length(p); return l < r && r > 0.0; }
+        float test(vec2 v) { if (!within(v, 2.0)) return 0.0; return dot(v, v); }";
+    assert_eq!(range(code), "0.0..4.0");
+}
+
+#[test]
+fn float_counters_stop_at_their_last_turn() {
+    let last = |head: &str, expected: bool, end: &str| {
+        let code = format!(
+            "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
+             float test(float x) {{ for ({head}) {{ if (x > 0.5) return i; }} }}"
+        );
+        let range = interval(&code);
+        assert_eq!(
+            (range.hi.is_reached(), range.to_string().as_str()),
+            (expected, end),
+            "{head}"
+        );
+    };
+    last("float i = 0.0; i < 1.0; i += 0.25", true, "0.0..0.75");
+    last("float i = 0.0; i < 0.95; i += 0.1", true, "0.0..0.9");
+    // Rounding decides whether there is one more.
+    last("float i = 0.0; i < 1.0; i += 0.1", false, "0.0..1.0");
+}
+
+#[test]
+fn what_is_passed_twice_cancels() {
+    let check = |call: &str, expected: &str| {
+        let code = format!(
+            "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
+             float test(vec3 a, vec3 b) {{ return (a - b).x; }}
+             vec3 use(vec3 v, vec3 w) {{ float f = test({call}); return v; }}"
+        );
+        assert_eq!(returned(&code, 1).to_string(), expected, "{call}");
+    };
+    check("v, v", "0.0");
+    check("v, w", "any number");
 }
