@@ -1,6 +1,7 @@
 //! Every lint rule: a pair of files each, `NAME.rs` for what it does and `NAME.md` for what it
 //! means. `errors/` holds the pages of the compile errors.
 
+mod aspect_ellipse;
 mod assignment_in_condition;
 mod backend_keyword;
 mod clamp_bounds;
@@ -14,9 +15,12 @@ mod define_with_call;
 mod degrees_in_trig;
 mod derivative_in_divergent_flow;
 mod derivative_of_jump;
+mod derivative_of_uniform;
+mod double_gamma;
 mod double_underscore;
 mod duplicate_branch;
 mod empty_body;
+mod exp_overflow;
 mod float_counter_drift;
 mod float_equality;
 mod gradient_in_loop;
@@ -48,6 +52,7 @@ mod negative_to_uint;
 mod nested_iterations;
 mod no_early_exit;
 mod no_effect;
+mod normal_length;
 mod normalize_zero;
 mod octave_budget;
 mod output_not_written;
@@ -70,10 +75,14 @@ mod single_turn_loop;
 mod smoothstep_edges;
 mod sqrt_negative;
 mod step_budget;
+mod swapped_arguments;
 mod switch_fallthrough;
 mod switch_return;
+mod texel_out_of_range;
 mod texture_seam;
+mod texture_units;
 mod time_precision;
+mod truncated_cell;
 mod tunable_range;
 mod unbounded_loop;
 mod undefined_constant;
@@ -97,6 +106,7 @@ use crate::lint::Rule;
 /// All rules, by name.
 #[rustfmt::skip]
 pub static RULES: &[&Rule] = &[
+    &aspect_ellipse::RULE,
     &assignment_in_condition::RULE,
     &backend_keyword::RULE,
     &clamp_bounds::RULE,
@@ -110,9 +120,12 @@ pub static RULES: &[&Rule] = &[
     &degrees_in_trig::RULE,
     &derivative_in_divergent_flow::RULE,
     &derivative_of_jump::RULE,
+    &derivative_of_uniform::RULE,
+    &double_gamma::RULE,
     &double_underscore::RULE,
     &duplicate_branch::RULE,
     &empty_body::RULE,
+    &exp_overflow::RULE,
     &float_counter_drift::RULE,
     &float_equality::RULE,
     &gradient_in_loop::RULE,
@@ -144,6 +157,7 @@ pub static RULES: &[&Rule] = &[
     &nested_iterations::RULE,
     &no_early_exit::RULE,
     &no_effect::RULE,
+    &normal_length::RULE,
     &normalize_zero::RULE,
     &octave_budget::RULE,
     &output_not_written::RULE,
@@ -166,10 +180,14 @@ pub static RULES: &[&Rule] = &[
     &smoothstep_edges::RULE,
     &sqrt_negative::RULE,
     &step_budget::RULE,
+    &swapped_arguments::RULE,
     &switch_fallthrough::RULE,
     &switch_return::RULE,
+    &texel_out_of_range::RULE,
     &texture_seam::RULE,
+    &texture_units::RULE,
     &time_precision::RULE,
+    &truncated_cell::RULE,
     &tunable_range::RULE,
     &unbounded_loop::RULE,
     &undefined_constant::RULE,

@@ -17,6 +17,7 @@ mod removal;
 mod rule;
 mod run;
 mod same;
+pub mod screen;
 mod settings;
 mod suppress;
 mod unseen;

@@ -31,6 +31,8 @@ pub(super) fn walk(program: &Program, module: &Module, calls: &Calls) -> Defs {
             walker.function(FunctionRef(number), body);
         }
     }
+    // Functions are not numbered in the order of their operations.
+    walker.defs.guarded.sort_by_key(|(first, _)| *first);
     let is_complete = !walker.is_full();
     let (functions, slots) = (module.functions.len(), walker.current.len());
     Defs {
@@ -153,7 +155,7 @@ impl<'m> Walker<'m> {
         self.is_alive = true;
         self.guard = None;
         if let Some(found) = self.module.function(function) {
-            self.enter_guard(found.ops.first);
+            self.defs.guarded.push((found.ops.first, None));
         }
         self.region(body);
         if self.is_alive {
@@ -216,8 +218,8 @@ impl<'m> Walker<'m> {
     /// From this operation on the guard at the moment holds.
     fn enter_guard(&mut self, from: OpId) {
         match self.defs.guarded.last_mut() {
-            Some((first, guard)) if *first >= from => *guard = self.guard,
-            Some((_, guard)) if *guard == self.guard => {}
+            Some((first, guard)) if *first == from => *guard = self.guard,
+            Some((first, guard)) if *first < from && *guard == self.guard => {}
             _ => self.defs.guarded.push((from, self.guard)),
         }
     }

@@ -1,0 +1,41 @@
+//! Derivatives of what is the same for all pixels.
+
+use crate::diagnostic::Severity;
+use crate::flow::Varying;
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::{BuiltinId, Stage};
+
+pub static RULE: Rule = Rule {
+    name: "derivative-of-uniform",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("derivative_of_uniform.md"),
+    checks: &[Check::Builtin(check)],
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let (BuiltinId::DFdx | BuiltinId::DFdy | BuiltinId::Fwidth, &[of]) = (call.function, call.args)
+    else {
+        return;
+    };
+    // Where nothing runs, or nobody calls the function, nothing differs.
+    let (Some(entry), Stage::Fragment) = (cx.facts.entry(), cx.program.stage) else {
+        return;
+    };
+    let function = cx.facts.structure().function_of_expr(call.id);
+    let reached = cx.facts.calls().graph().reached_from(entry);
+    if function.is_none_or(|f| reached.get(f.0 as usize) != Some(&true)) {
+        return;
+    }
+    let op = cx.facts.module().op_of(of);
+    let is_known = !cx.program.values(of).is_empty();
+    let varies = |op| cx.facts.uniformity().varies(Varying::Value(op));
+    if !is_known && op.is_none_or(varies) {
+        return;
+    }
+    let (name, text) = (call.function.name(), cx.program.expr_text(of));
+    let message = format!("`{name}` is always zero, since `{text}` is the same for all pixels");
+    cx.report_expr(call.id, message);
+}

@@ -1,0 +1,71 @@
+//! Texels beyond the edge.
+
+use crate::diagnostic::Severity;
+use crate::flow::defs::{each_comparison, each_load};
+use crate::ir::{OpId, OpKind, Provenance};
+use crate::lint::screen::along;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
+
+pub static RULE: Rule = Rule {
+    name: "texel-out-of-range",
+    group: Group::Portability,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("texel_out_of_range.md"),
+    checks: &[Check::Program(check)],
+};
+
+/// The first of such lookups is told; the others read the same neighbours.
+fn check(cx: &mut Context) {
+    let module = cx.facts.module();
+    let ops = (0..).map(OpId).zip(&module.ops);
+    let fetches = ops.filter_map(|(op, made)| match made.kind {
+        OpKind::Builtin(BuiltinId::TexelFetch, operands) => {
+            Some((op, *module.operands(operands).get(1)?))
+        }
+        _ => None,
+    });
+    let mut fetches =
+        fetches.filter(|(op, _)| matches!(module.provenance(*op), Provenance::Expr(_)));
+    let found = fetches.find_map(|(op, place)| {
+        let sides = (0..2).find_map(|lane| beyond(cx, place, lane))?;
+        (!is_guarded(cx, op)).then_some((place, sides))
+    });
+    let Some((place, side)) = found else { return };
+    cx.report_op(place, format!("beyond the {side} edge of the picture there is no such texel"))
+        .note("what `texelFetch` gives outside its texture differs: zero on some GPUs, the texel at the edge on others")
+        .help("bound it with `clamp`, or wrap it round: `(p + size) % size`");
+}
+
+/// The edge that a lane goes beyond: the place of the pixel with something added.
+fn beyond(cx: &Context, place: OpId, lane: u32) -> Option<&'static str> {
+    let along = along(cx.facts, place, lane)?;
+    if along.axis != lane || along.scale != 1.0 || along.share_of.is_some() {
+        return None;
+    }
+    let (first, last) = match lane {
+        0 => ("left", "right"),
+        _ => ("lower", "upper"),
+    };
+    if along.offset.reaches_below(-0.6) {
+        Some(first)
+    } else {
+        along.offset.reaches_above(0.6).then_some(last)
+    }
+}
+
+/// Whether a condition around an operation speaks of the place of the pixel.
+fn is_guarded(cx: &Context, op: OpId) -> bool {
+    let (module, defs) = (cx.facts.module(), cx.facts.defs());
+    let mut is_guarded = false;
+    for (_, guard) in defs.guards(op) {
+        each_comparison(module, defs, guard.condition, guard.truth, |told| {
+            each_load(module, defs, told, |load, lane, _| {
+                is_guarded |= along(cx.facts, load, lane).is_some();
+            });
+        });
+    }
+    is_guarded
+}

@@ -1,0 +1,69 @@
+//! Pixels where a share of the texture is wanted, and the other way round.
+
+use crate::diagnostic::Severity;
+use crate::flow::Varying;
+use crate::ir::OpKind;
+use crate::lint::screen::along;
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::{BuiltinId, Scalar};
+use crate::syntax::ast::{ExprId, ExprKind};
+
+pub static RULE: Rule = Rule {
+    name: "texture-units",
+    group: Group::Numeric,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("texture_units.md"),
+    checks: &[Check::Builtin(check)],
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let &[_, place, ..] = call.args else { return };
+    use BuiltinId::{TexelFetch, Texture, Texture2D, TextureLod};
+    match call.function {
+        Texture | Texture2D | TextureLod if is_in_pixels(cx, place) => {
+            let name = call.function.name();
+            cx.report_expr(place, format!("`{name}` wants coordinates from 0 to 1, not pixels"))
+                .note("a whole picture lies between two pixels here, so that all of them read the same texel")
+                .help("divide by `iResolution.xy`, or read with `texelFetch(…, ivec2(…), 0)`");
+        }
+        TexelFetch if is_always_zero(cx, place) => {
+            cx.report_expr(place, "`texelFetch` wants texels, and these coordinates are always 0")
+                .note("what lies between -1 and 1 becomes 0 as an integer, so that all pixels read the same texel")
+                .help("multiply by the size first, or read with `texture`");
+        }
+        _ => {}
+    }
+}
+
+/// Whether coordinates grow by whole numbers from pixel to pixel.
+fn is_in_pixels(cx: &Context, place: ExprId) -> bool {
+    let Some(op) = cx.facts.module().op_of(place) else {
+        return false;
+    };
+    let mut lanes = 0..cx.program.ty(place).components().min(2);
+    lanes.all(|lane| {
+        along(cx.facts, op, lane)
+            .is_some_and(|a| a.share_of.is_none() && a.scale != 0.0 && a.scale.fract() == 0.0)
+    })
+}
+
+/// Whether floats that differ from pixel to pixel all become 0.
+fn is_always_zero(cx: &Context, place: ExprId) -> bool {
+    let tree = &cx.program.tree;
+    let ExprKind::Construct(_, args) = tree.expr(tree.unparen(place)).kind else {
+        return false;
+    };
+    let args = tree.args(args);
+    let module = cx.facts.module();
+    let varies = args.iter().any(|arg| {
+        let is_float = cx.program.ty(*arg).scalar_kind() == Some(Scalar::Float);
+        let op = module
+            .op_of(*arg)
+            .filter(|op| !matches!(module.op(*op).kind, OpKind::Const(_)));
+        is_float && op.is_some_and(|op| cx.facts.uniformity().varies(Varying::Value(op)))
+    });
+    let mut ranges = cx.facts.range(place).peekable();
+    varies && ranges.peek().is_some() && ranges.all(|r| r.single() == Some(0.0))
+}

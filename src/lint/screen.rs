@@ -1,0 +1,102 @@
+//! Values that run along the picture: the place of the pixel, moved and scaled.
+
+use super::Facts;
+use crate::flow::ranges::Interval;
+use crate::flow::{Start, Varying};
+use crate::ir::{Binary, OpId, OpKind, Unary};
+use crate::semantic::Scalar;
+
+/// How many operations are looked through.
+const MAX_DEPTH: u32 = 12;
+
+/// A value that grows by the same from each pixel to the next.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Along {
+    /// 0 where it goes from left to right, 1 where it goes upwards.
+    pub axis: u32,
+    /// By how much it grows.
+    pub scale: f64,
+    /// The component of the picture's size that it was divided by.
+    pub share_of: Option<u32>,
+    /// What is added.
+    pub offset: Interval,
+}
+
+/// How a lane runs along the picture, if it does.
+pub fn along(facts: &Facts, op: OpId, lane: u32) -> Option<Along> {
+    within(facts, op, lane, MAX_DEPTH)
+}
+
+fn within(facts: &Facts, op: OpId, lane: u32, depth: u32) -> Option<Along> {
+    let rest = depth.checked_sub(1)?;
+    let module = facts.module();
+    let start = facts.origin(op, lane)?;
+    let (made, lane) = match start {
+        Start::Given(_, axis @ (0 | 1)) if facts.is_given(Some(start), "gl_FragCoord") => {
+            return Some(Along {
+                axis,
+                scale: 1.0,
+                share_of: None,
+                offset: Interval::constant(0.0),
+            });
+        }
+        Start::Given(..) => return None,
+        Start::Made(made, lane) => (made, lane),
+    };
+    let lane_of = |op: OpId| if module.ty(op).is_scalar() { 0 } else { lane };
+    let of = |op| within(facts, op, lane_of(op), rest);
+    // What all pixels share.
+    let shared = |op| {
+        let is_shared = !facts.uniformity().varies(Varying::Value(op));
+        is_shared.then(|| facts.ranges().lane(op, lane_of(op)))
+    };
+    let number = |op| facts.ranges().lane(op, lane_of(op)).single();
+    let scaled = |a: Along, by: f64| Along {
+        scale: a.scale * by,
+        offset: a.offset * Interval::constant(by),
+        ..a
+    };
+    match module.op(made).kind {
+        OpKind::Convert(a) => {
+            let is_number = module.scalar(a) != Some(Scalar::Bool);
+            of(a).filter(|_| is_number)
+        }
+        OpKind::Unary(Unary::Negate, a) => Some(scaled(of(a)?, -1.0)),
+        OpKind::Binary(Binary::Add, a, b) => match shared(b) {
+            Some(by) => of(a).map(|a| moved(a, by)),
+            None => Some(moved(of(b)?, shared(a)?)),
+        },
+        OpKind::Binary(Binary::Subtract, a, b) => match shared(b) {
+            Some(by) => of(a).map(|a| moved(a, -by)),
+            None => Some(moved(scaled(of(b)?, -1.0), shared(a)?)),
+        },
+        OpKind::Binary(Binary::Multiply, a, b) => match number(b) {
+            Some(by) => Some(scaled(of(a)?, by)),
+            None => Some(scaled(of(b)?, number(a)?)),
+        },
+        OpKind::Binary(Binary::Divide, a, b) => match number(b) {
+            Some(by) if by != 0.0 => Some(scaled(of(a)?, 1.0 / by)),
+            _ => {
+                let size = facts.origin(b, lane_of(b))?;
+                let Start::Given(_, component) = size else {
+                    return None;
+                };
+                let whole = of(a).filter(|a| a.share_of.is_none())?;
+                let is_size = facts.is_given(Some(size), "iResolution");
+                is_size.then_some(Along {
+                    share_of: Some(component),
+                    offset: Interval::ANY,
+                    ..whole
+                })
+            }
+        },
+        _ => None,
+    }
+}
+
+fn moved(a: Along, by: Interval) -> Along {
+    Along {
+        offset: a.offset + by,
+        ..a
+    }
+}
