@@ -22,7 +22,7 @@ fn check(cx: &mut Context) {
     let program = cx.program;
     let macros = &program.tokens.macros;
     let is_candidate =
-        |m: &&Macro| !m.predefined && m.params.is_none() && m.uses > 1 && holds_call(m);
+        |m: &&Macro| !m.predefined && m.params.is_none() && m.uses > 0 && holds_call(m);
     if !macros.iter().any(|m| is_candidate(&m)) {
         return;
     }
@@ -35,12 +35,15 @@ fn check(cx: &mut Context) {
             continue;
         }
         let name = program.names.text(definition.name);
-        let uses = definition.uses;
+        let place = match definition.uses {
+            1 => "the place of its name".to_string(),
+            uses => format!("each of its {uses} uses"),
+        };
         let fix = fix(cx, definition, ty);
         let type_name = program.type_name(ty);
         cx.report_span(
             definition.name_span,
-            format!("`{name}` writes a call into each of its {uses} uses"),
+            format!("`{name}` writes a call into {place}"),
         )
         .note(format!(
             "its value never changes: a `const {type_name}` is computed once, and checked where it stands"

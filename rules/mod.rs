@@ -6,9 +6,12 @@ mod assignment_in_condition;
 mod backend_keyword;
 mod clamp_bounds;
 mod comment_continues;
+mod component_by_index;
 mod constant_condition;
 mod contradiction;
 mod copied_component;
+mod could_be_const;
+mod dangling_else;
 mod dead_code;
 mod dead_store;
 mod define_with_call;
@@ -24,6 +27,7 @@ mod exp_overflow;
 mod float_counter_drift;
 mod float_equality;
 mod gradient_in_loop;
+mod identity_operation;
 mod index_range;
 mod inout_alias;
 mod integer_division;
@@ -31,8 +35,10 @@ mod inverse_trig_range;
 mod isnan_optimised;
 mod known_comparison;
 mod legacy_extension;
+mod length_compare;
 mod log_nonpositive;
 mod loop_invariant_call;
+mod loop_invariant_math;
 mod loop_never_runs;
 mod luma_weights;
 mod macro_parentheses;
@@ -47,6 +53,7 @@ mod missing_return_path;
 mod mistyped_constant;
 mod mouse_sign;
 mod nan_compare;
+mod needless_bool;
 mod negative_remainder;
 mod negative_to_uint;
 mod nested_iterations;
@@ -54,9 +61,11 @@ mod no_early_exit;
 mod no_effect;
 mod normal_length;
 mod normalize_zero;
+mod octal_literal;
 mod octave_budget;
 mod output_not_written;
 mod overwritten_parameter;
+mod pow_in_loop;
 mod pow_negative_base;
 mod precision_missing_for_sampler;
 mod redundant_constructor;
@@ -69,9 +78,11 @@ mod shadow_steps;
 mod shadowed_name;
 mod shadows_builtin;
 mod shared_counter;
+mod shift_precedence;
 mod shift_range;
 mod sin_hash;
 mod single_turn_loop;
+mod six_sample_normal;
 mod smoothstep_edges;
 mod sqrt_negative;
 mod step_budget;
@@ -111,9 +122,12 @@ pub static RULES: &[&Rule] = &[
     &backend_keyword::RULE,
     &clamp_bounds::RULE,
     &comment_continues::RULE,
+    &component_by_index::RULE,
     &constant_condition::RULE,
     &contradiction::RULE,
     &copied_component::RULE,
+    &could_be_const::RULE,
+    &dangling_else::RULE,
     &dead_code::RULE,
     &dead_store::RULE,
     &define_with_call::RULE,
@@ -129,6 +143,7 @@ pub static RULES: &[&Rule] = &[
     &float_counter_drift::RULE,
     &float_equality::RULE,
     &gradient_in_loop::RULE,
+    &identity_operation::RULE,
     &index_range::RULE,
     &inout_alias::RULE,
     &integer_division::RULE,
@@ -136,8 +151,10 @@ pub static RULES: &[&Rule] = &[
     &isnan_optimised::RULE,
     &known_comparison::RULE,
     &legacy_extension::RULE,
+    &length_compare::RULE,
     &log_nonpositive::RULE,
     &loop_invariant_call::RULE,
+    &loop_invariant_math::RULE,
     &loop_never_runs::RULE,
     &luma_weights::RULE,
     &macro_parentheses::RULE,
@@ -152,6 +169,7 @@ pub static RULES: &[&Rule] = &[
     &mistyped_constant::RULE,
     &mouse_sign::RULE,
     &nan_compare::RULE,
+    &needless_bool::RULE,
     &negative_remainder::RULE,
     &negative_to_uint::RULE,
     &nested_iterations::RULE,
@@ -159,9 +177,11 @@ pub static RULES: &[&Rule] = &[
     &no_effect::RULE,
     &normal_length::RULE,
     &normalize_zero::RULE,
+    &octal_literal::RULE,
     &octave_budget::RULE,
     &output_not_written::RULE,
     &overwritten_parameter::RULE,
+    &pow_in_loop::RULE,
     &pow_negative_base::RULE,
     &precision_missing_for_sampler::RULE,
     &redundant_constructor::RULE,
@@ -174,9 +194,11 @@ pub static RULES: &[&Rule] = &[
     &shadowed_name::RULE,
     &shadows_builtin::RULE,
     &shared_counter::RULE,
+    &shift_precedence::RULE,
     &shift_range::RULE,
     &sin_hash::RULE,
     &single_turn_loop::RULE,
+    &six_sample_normal::RULE,
     &smoothstep_edges::RULE,
     &sqrt_negative::RULE,
     &step_budget::RULE,

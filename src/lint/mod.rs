@@ -19,6 +19,7 @@ mod run;
 mod same;
 pub mod screen;
 mod settings;
+pub mod still;
 mod suppress;
 mod unseen;
 mod words;

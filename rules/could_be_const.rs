@@ -1,0 +1,43 @@
+//! Variables that hold a constant and never change.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, DeclaredVariable, Group, Rule};
+use crate::semantic::Storage;
+use crate::syntax::ast::*;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "could-be-const",
+    group: Group::Tidy,
+    severity: Severity::Info,
+    default: false,
+    options: &[],
+    page: include_str!("could_be_const.md"),
+    checks: &[Check::Declaration(check)],
+};
+
+fn check(cx: &mut Context, declared: &DeclaredVariable) {
+    let program = cx.program;
+    let Some(variable) = program.variable(declared.variable) else {
+        return;
+    };
+    let declarator = declared.declarator();
+    let (Some(token), Some(init)) = (variable.token, declarator.and_then(|d| d.init)) else {
+        return;
+    };
+    let is_plain = matches!(variable.storage, Storage::Local | Storage::Global)
+        && declared.qualifiers.len == 0
+        && declared.declarators.len() == 1;
+    let is_still = !variable.is_const && !cx.facts.writes().changes(declared.variable);
+    if !is_plain || !is_still || !program.expr(init).is_const {
+        return;
+    }
+    if !program.is_direct(declared.extent) || !cx.facts.writes().is_read(declared.variable) {
+        return;
+    }
+    let name = program.names.text(variable.name);
+    let start = program.span(declared.extent).start;
+    let edit = Edit::insert(start, "const ");
+    cx.report(Extent::token(token), format!("`{name}` never changes"))
+        .fix(Fix::suggestion("make it `const`", vec![edit]));
+}

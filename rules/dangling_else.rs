@@ -1,0 +1,64 @@
+//! An `else` that belongs to another `if` than it stands under.
+
+use crate::diagnostic::Severity;
+use crate::lint::indent::{indent, line_indent};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::syntax::TokenKind;
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "dangling-else",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("dangling_else.md"),
+    checks: &[Check::Stmt(check)],
+};
+
+fn check(cx: &mut Context, id: StmtId) {
+    let program = cx.program;
+    let tree = &program.tree;
+    let StmtKind::If {
+        then,
+        otherwise: None,
+        ..
+    } = tree.stmt(id).kind
+    else {
+        return;
+    };
+    // Down through bodies without braces to the `if` that takes the `else`.
+    let mut inner = then;
+    let otherwise = loop {
+        match tree.stmt(inner).kind {
+            StmtKind::If {
+                otherwise: Some(otherwise),
+                ..
+            } => break otherwise,
+            StmtKind::For { body, .. } | StmtKind::While { body, .. } => inner = body,
+            StmtKind::If { then, .. } => inner = then,
+            _ => return,
+        }
+    };
+    let word = tree.stmt(otherwise).extent.first.saturating_sub(1);
+    let is_else = program
+        .token(word)
+        .is_some_and(|t| t.kind == TokenKind::Else);
+    let first = |stmt: StmtId| tree.stmt(stmt).extent.first;
+    let places = indent(program, word).zip(line_indent(program, first(id)));
+    let (Some((at, outer)), Some(own)) = (places, indent(program, first(inner))) else {
+        return;
+    };
+    let is_under_outer = at.blanks == outer.blanks && own.is_deeper_than(&outer);
+    if !is_else || !is_under_outer || !program.is_direct(Extent::token(word)) {
+        return;
+    }
+    let [near, far] = [inner, id].map(|s| program.span(Extent::token(first(s))));
+    cx.report(
+        Extent::token(word),
+        "this `else` belongs to the `if` inside",
+    )
+    .label(near, "to this one")
+    .label(far, "and stands under this one")
+    .help("put braces around the inner `if`");
+}

@@ -1,0 +1,64 @@
+//! `x * 1.0`, `x + 0.0`, `pow(x, 1.0)`.
+
+use crate::diagnostic::Severity;
+use crate::lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "identity-operation",
+    group: Group::Tidy,
+    severity: Severity::Info,
+    default: false,
+    options: &[],
+    page: include_str!("identity_operation.md"),
+    checks: &[Check::Binary(check_binary), Check::Builtin(check_builtin)],
+};
+
+fn check_binary(cx: &mut Context, e: &BinaryExpr) {
+    use BinaryOp::*;
+    let (left, right) = (literal(cx, e.left), literal(cx, e.right));
+    let kept = match (e.op, left, right) {
+        (Mul, Some(1.0), None) | (Add, Some(0.0), None) => e.right,
+        (Mul | Div, None, Some(1.0)) | (Add | Sub, None, Some(0.0)) => e.left,
+        (Mul, Some(0.0), None) | (Mul, None, Some(0.0)) => {
+            return report(cx, e.id, "this is always zero".to_string());
+        }
+        _ => return,
+    };
+    // `0.0 + x` may make a vector of a number.
+    let is_same_type = cx.program.ty(kept) == cx.program.ty(e.id);
+    if is_same_type {
+        let text = cx.program.expr_text(kept);
+        let message = format!("this is `{text}`");
+        report(cx, e.id, message);
+    }
+}
+
+fn check_builtin(cx: &mut Context, call: &Builtin) {
+    let kept = match (call.function, call.args) {
+        (BuiltinId::Pow, &[base, power]) if literal(cx, power) == Some(1.0) => base,
+        (BuiltinId::Mix, &[a, _, t]) if literal(cx, t) == Some(0.0) => a,
+        (BuiltinId::Mix, &[_, b, t]) if literal(cx, t) == Some(1.0) => b,
+        _ => return,
+    };
+    let text = cx.program.expr_text(kept);
+    let message = format!("this is `{text}`");
+    report(cx, call.id, message);
+}
+
+fn report(cx: &mut Context, id: ExprId, message: String) {
+    if cx.is_direct(id) && !cx.program.expr(id).is_const {
+        cx.report_expr(id, message);
+    }
+}
+
+/// A number that stands in the text: one with a name may be changed.
+fn literal(cx: &Context, id: ExprId) -> Option<f32> {
+    let tree = &cx.program.tree;
+    match tree.expr(tree.unparen(id)).kind {
+        ExprKind::Float(value) => Some(value),
+        ExprKind::Int(value) => Some(value as f32),
+        _ => None,
+    }
+}

@@ -1,0 +1,53 @@
+//! `length(p) < r`
+
+use crate::diagnostic::Severity;
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "length-compare",
+    group: Group::Budget,
+    severity: Severity::Info,
+    default: false,
+    options: &[],
+    page: include_str!("length_compare.md"),
+    checks: &[Check::Binary(check)],
+};
+
+fn check(cx: &mut Context, e: &BinaryExpr) {
+    use BinaryOp::{Greater, GreaterEqual, Less, LessEqual};
+    let program = cx.program;
+    let tree = &program.tree;
+    if !matches!(e.op, Less | LessEqual | Greater | GreaterEqual) || program.expr(e.id).is_const {
+        return;
+    }
+    let sides = [(e.left, e.right), (e.right, e.left)];
+    for (measured, bound) in sides {
+        let ExprKind::Call(_, args) = tree.expr(tree.unparen(measured)).kind else {
+            continue;
+        };
+        let call = program.builtin_called(tree.unparen(measured));
+        let bound = program.scalar(bound).map(|v| v.as_float());
+        let Some(bound) = bound.filter(|b| *b >= 0.0 && b.is_finite()) else {
+            continue;
+        };
+        let square = match (call, tree.args(args)) {
+            (Some(BuiltinId::Length), &[v]) if program.ty(v).is_vector() => {
+                let v = program.expr_text(v);
+                format!("dot({v}, {v})")
+            }
+            (Some(BuiltinId::Distance), &[a, b]) if program.ty(a).is_vector() => {
+                let (a, b) = (program.expr_text(a), program.expr_text(b));
+                format!("dot({a} - {b}, {a} - {b})")
+            }
+            _ => continue,
+        };
+        cx.report_expr(e.id, "a root is taken only to be compared")
+            .help(format!(
+                "compare `{square}` with the square, {:?}",
+                bound * bound
+            ));
+        return;
+    }
+}

@@ -1,0 +1,103 @@
+//! Functions of the language in a loop that give the same in every turn.
+
+use crate::diagnostic::Severity;
+use crate::lint::still::{Places, is_still, runs_each_turn};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::{BuiltinId, Program, Resolution, each_operand};
+use crate::syntax::ast::*;
+
+pub static RULE: Rule = Rule {
+    name: "loop-invariant-math",
+    group: Group::Budget,
+    severity: Severity::Info,
+    default: false,
+    options: &[],
+    page: include_str!("loop_invariant_math.md"),
+    checks: &[Check::Program(check)],
+};
+
+/// How many expressions around a call are looked at.
+const MAX_OUTER: usize = 6;
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    let facts = cx.facts;
+    let mut places: Option<Places> = None;
+    for (expr, at) in program.tree.exprs.iter().zip(0..) {
+        let id = ExprId(at);
+        let ExprKind::Call(..) = expr.kind else {
+            continue;
+        };
+        let is_call = program.builtin_called(id).is_some_and(is_dear);
+        if !is_call || program.expr(id).is_const || !program.is_user(program.expr_span(id)) {
+            continue;
+        }
+        let Some(stmt) = facts.structure().stmt_of(id) else {
+            continue;
+        };
+        let mut around = facts
+            .structure()
+            .outwards(stmt)
+            .filter_map(|s| facts.loops().get(s));
+        let Some(looped) =
+            around.find(|l| runs_each_turn(program, l.stmt, id) && l.bound.turns() != Some(1))
+        else {
+            continue;
+        };
+        let places = places.get_or_insert_with(|| Places::of(cx.program, facts.writes()));
+        let extent = program.tree.stmt(looped.stmt).extent;
+        let still = |e| is_still(program, facts.writes(), places, e, extent);
+        if !still(id) || calls_function(program, id) {
+            continue;
+        }
+        // The largest call that stays is the one to take out.
+        let outer = std::iter::successors(facts.structure().parent(id), |p| {
+            facts.structure().parent(*p)
+        });
+        let is_larger = |p: &ExprId| program.builtin_called(*p).is_some_and(is_dear);
+        if outer.take(MAX_OUTER).any(|p| is_larger(&p) && still(p)) {
+            continue;
+        }
+        let text = program.expr_text(id);
+        let head = program.span(Extent::token(extent.first));
+        let message = format!("`{text}` is the same in every turn of the loop");
+        cx.report_expr(id, message)
+            .label(head, "computed again in each turn")
+            .help("compute it once before the loop");
+    }
+}
+
+/// Whether an expression calls one of the shader's functions, which may do more than it seems.
+fn calls_function(program: &Program, id: ExprId) -> bool {
+    let mut todo = vec![id];
+    while let Some(next) = todo.pop() {
+        if let Resolution::Function(_) = program.expr(next).resolution {
+            return true;
+        }
+        let tree = &program.tree;
+        each_operand(tree, tree.expr(next), |child| todo.push(child));
+    }
+    false
+}
+
+/// Functions that take many steps of a processor.
+const fn is_dear(function: BuiltinId) -> bool {
+    use BuiltinId::*;
+    matches!(
+        function,
+        Normalize
+            | Sin
+            | Cos
+            | Tan
+            | Asin
+            | Acos
+            | Atan
+            | Pow
+            | Exp
+            | Log
+            | Sqrt
+            | Inverse
+            | Length
+            | Distance
+    )
+}

@@ -1,0 +1,80 @@
+//! `x == true`, `c ? true : false`, `!!a`.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule, Shape};
+use crate::syntax::ast::*;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "needless-bool",
+    group: Group::Tidy,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("needless_bool.md"),
+    checks: &[
+        Check::Binary(check_comparison),
+        Check::Expr(&[Shape::Ternary], check_ternary),
+    ],
+};
+
+/// `x == true`
+fn check_comparison(cx: &mut Context, e: &BinaryExpr) {
+    let is_equal = match e.op {
+        BinaryOp::Equal => true,
+        BinaryOp::NotEqual => false,
+        _ => return,
+    };
+    let (value, truth) = match (literal(cx, e.left), literal(cx, e.right)) {
+        (None, Some(truth)) => (e.left, truth),
+        (Some(truth), None) => (e.right, truth),
+        _ => return,
+    };
+    report(cx, e.id, value, is_equal == truth);
+}
+
+/// `c ? true : false`
+fn check_ternary(cx: &mut Context, id: ExprId) {
+    let ExprKind::Ternary(condition, a, b) = cx.program.tree.expr(id).kind else {
+        return;
+    };
+    if let (Some(a), Some(b)) = (literal(cx, a), literal(cx, b))
+        && a != b
+    {
+        report(cx, id, condition, a);
+    }
+}
+
+fn literal(cx: &Context, id: ExprId) -> Option<bool> {
+    let tree = &cx.program.tree;
+    match tree.expr(tree.unparen(id)).kind {
+        ExprKind::Bool(value) => Some(value),
+        _ => None,
+    }
+}
+
+/// Says that `whole` is `value`, or its contrary.
+fn report(cx: &mut Context, whole: ExprId, value: ExprId, truth: bool) {
+    let program = cx.program;
+    if !cx.is_direct(whole) {
+        return;
+    }
+    let tree = &program.tree;
+    let text = program.expr_text(value);
+    let is_short = matches!(
+        tree.expr(value).kind,
+        ExprKind::Name(_) | ExprKind::Member(..) | ExprKind::Paren(_) | ExprKind::Call(..)
+    );
+    let code = match (truth, is_short) {
+        (true, _) => text.to_string(),
+        (false, true) => format!("!{text}"),
+        (false, false) => format!("!({text})"),
+    };
+    let written = match tree.expr(value).kind {
+        ExprKind::Binary(..) if truth => cx.in_place_of(whole, code.clone()),
+        _ => code.clone(),
+    };
+    let edit = Edit::replace(program.expr_span(whole), written);
+    cx.report_expr(whole, format!("this is `{code}`"))
+        .fix(Fix::safe(format!("write `{code}`"), vec![edit]));
+}

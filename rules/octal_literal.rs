@@ -1,0 +1,41 @@
+//! `010`, which is eight.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::syntax::TokenKind;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "octal-literal",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("octal_literal.md"),
+    checks: &[Check::Program(check)],
+};
+
+fn check(cx: &mut Context) {
+    let program = cx.program;
+    for token in &program.tokens.tokens {
+        let is_integer = matches!(token.kind, TokenKind::Int | TokenKind::Uint);
+        if !is_integer || !token.is_direct() || !program.is_user(token.span) {
+            continue;
+        }
+        let text = program.sources.text(token.span);
+        let Some(digits) = text.strip_prefix('0') else {
+            continue;
+        };
+        let digits = digits.trim_start_matches('0').trim_end_matches(['u', 'U']);
+        let meant = digits.parse::<u32>().ok();
+        if let Some(meant) = meant.filter(|m| *m != token.value) {
+            let suffix = if text.ends_with(['u', 'U']) { "u" } else { "" };
+            let decimal = format!("{meant}{suffix}");
+            let edit = Edit::replace(token.span, decimal.clone());
+            let value = token.value;
+            cx.report_span(token.span, format!("`{text}` is {value}"))
+                .note("a whole number that begins with 0 is read to base 8")
+                .fix(Fix::suggestion(format!("write `{decimal}`"), vec![edit]));
+        }
+    }
+}

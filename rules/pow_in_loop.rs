@@ -1,0 +1,73 @@
+//! `pow` with a small whole exponent in a loop.
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::{BuiltinId, Value};
+use crate::syntax::ast::*;
+use crate::text::Edit;
+
+pub static RULE: Rule = Rule {
+    name: "pow-in-loop",
+    group: Group::Budget,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("pow_in_loop.md"),
+    checks: &[Check::Builtin(check)],
+};
+
+/// The largest exponent for which a few multiplications do.
+const MAX_EXPONENT: f32 = 8.0;
+
+fn check(cx: &mut Context, call: &Builtin) {
+    let (BuiltinId::Pow, &[base, exponent]) = (call.function, call.args) else {
+        return;
+    };
+    let program = cx.program;
+    // An exponent with a name is there to be changed.
+    let is_literal = matches!(program.tree.expr(exponent).kind, ExprKind::Float(_));
+    let Some(Value::Float(power)) = program.scalar(exponent).filter(|_| is_literal) else {
+        return;
+    };
+    let is_whole = power.fract() == 0.0 && (2.0..=MAX_EXPONENT).contains(&power);
+    if !is_whole || program.expr(call.id).is_const || !program.ty(base).is_scalar() {
+        return;
+    }
+    let structure = cx.facts.structure();
+    let Some(stmt) = structure.stmt_of(call.id) else {
+        return;
+    };
+    let mut around = structure
+        .outwards(stmt)
+        .filter_map(|s| cx.facts.loops().get(s));
+    let Some(head) = around.find(|l| l.bound.turns() != Some(1)).map(|l| l.stmt) else {
+        return;
+    };
+    // That the base may be negative is another finding, and a worse one.
+    if cx.facts.range(base).any(|r| r.reaches_below(0.0)) {
+        return;
+    }
+    let text = program.expr_text(base).to_string();
+    let is_name = matches!(program.tree.expr(base).kind, ExprKind::Name(_));
+    let fix = (is_name && power <= 4.0 && cx.is_direct(call.id)).then(|| {
+        let factors = vec![text.as_str(); power as usize];
+        let product = cx.in_place_of(call.id, factors.join(" * "));
+        let edit = Edit::replace(program.expr_span(call.id), product.clone());
+        Fix::suggestion(format!("write `{product}`"), vec![edit])
+    });
+    let place = program.span(Extent::token(program.tree.stmt(head).extent.first));
+    let most = if power > 4.0 {
+        "three or four multiplications"
+    } else {
+        "one or two multiplications"
+    };
+    cx.report_expr(
+        call.id,
+        format!("`pow` with the exponent {power} in each turn of a loop"),
+    )
+    .label(place, "in this loop")
+    .note(format!(
+        "it is a logarithm and an exponential, and inexact; {most} give the same"
+    ))
+    .fix(fix);
+}

@@ -1,0 +1,58 @@
+//! `1 << n - 1`
+
+use crate::diagnostic::{Fix, Severity};
+use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
+use crate::syntax::ast::*;
+use crate::text::{Edit, Span};
+
+pub static RULE: Rule = Rule {
+    name: "shift-precedence",
+    group: Group::Tidy,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("shift_precedence.md"),
+    checks: &[Check::Binary(check)],
+};
+
+fn check(cx: &mut Context, e: &BinaryExpr) {
+    let program = cx.program;
+    let tree = &program.tree;
+    if !matches!(e.op, BinaryOp::ShiftLeft | BinaryOp::ShiftRight) || !cx.is_direct(e.id) {
+        return;
+    }
+    let sum = |side: ExprId| match tree.expr(side).kind {
+        ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), left, _) => Some((op, left)),
+        _ => None,
+    };
+    for side in [e.left, e.right] {
+        let Some((op, left)) = sum(side) else {
+            continue;
+        };
+        // Blanks that keep the sum together say that it is meant so.
+        let inner = gap(cx, left);
+        let outer = gap(cx, e.left);
+        if inner.is_none() || outer.is_none() || inner < outer {
+            continue;
+        }
+        let span = program.expr_span(side);
+        let edits = vec![Edit::insert(span.start, "("), Edit::insert(span.end, ")")];
+        let symbol = op.symbol();
+        let shift = e.op.symbol();
+        cx.report_expr(
+            side,
+            format!("`{symbol}` binds more tightly than `{shift}`"),
+        )
+        .help("put the shift in parentheses, or the sum, if that is meant")
+        .fix(Fix::safe("put the sum in parentheses", edits));
+    }
+}
+
+/// How many blanks stand before the operator behind an operand.
+fn gap(cx: &Context, operand: ExprId) -> Option<u32> {
+    let program = cx.program;
+    let last = program.tree.expr(operand).extent.last;
+    let operator = program.token(last + 1)?;
+    let between = Span::new(program.token(last)?.span.end, operator.span.start);
+    Some(between.len())
+}
