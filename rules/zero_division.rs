@@ -44,6 +44,9 @@ fn check(cx: &mut Context, id: ExprId) {
     };
     let is_float = cx.program.ty(divisor).scalar_kind() == Some(Scalar::Float);
     let is_zero = range.single() == Some(0.0);
+    if is_float && !is_zero && is_bounded(cx, id) {
+        return;
+    }
     let known = match is_float {
         true => range.to_string(),
         false => range.of_integer(),
@@ -74,4 +77,24 @@ fn is_infinity(cx: &Context, dividend: ExprId, divisor: ExprId) -> bool {
     let is_constant = |e| cx.program.expr(e).is_const;
     let is_float = cx.program.ty(divisor).scalar_kind() == Some(Scalar::Float);
     is_float && is_constant(dividend) && is_constant(divisor)
+}
+
+/// Whether `min` or `clamp` bounds what comes out, so that an infinity does as well as a large number.
+fn is_bounded(cx: &Context, quotient: ExprId) -> bool {
+    let mut at = quotient;
+    while let Some(parent) = cx.facts.structure().parent(at) {
+        match cx.program.tree.expr(parent).kind {
+            ExprKind::Paren(_) | ExprKind::Binary(BinaryOp::Mul, ..) => at = parent,
+            ExprKind::Call(_, args) => {
+                let first = cx.program.tree.args(args).first();
+                return match cx.program.builtin_called(parent) {
+                    Some(BuiltinId::Min) => true,
+                    Some(BuiltinId::Clamp) => first == Some(&at),
+                    _ => false,
+                };
+            }
+            _ => return false,
+        }
+    }
+    false
 }

@@ -114,10 +114,13 @@ fn modulo(x: Interval, y: Interval) -> Option<Interval> {
     if x.holds(0.0) && x.rounding == Rounding::Never {
         range.lo.tightness = Tightness::Held;
     }
-    // The division inside rounds, unless it is by a power of two: on some GPUs `mod(3.0, 3.0)` is 3.
-    range.rounding = match is_power_of_two(divisor) {
-        true => x.rounding,
-        false => Rounding::Always,
+    // What is left of halves and the like by a whole number is exact, but for multiples of it: there
+    // some GPUs give the number itself instead of zero.
+    let is_exact = Interval::constant(divisor).rounding == Rounding::Never;
+    range.rounding = match (is_power_of_two(divisor), x.rounding) {
+        (true, rounding) => rounding,
+        (false, Rounding::Never) if is_exact => Rounding::Never,
+        _ => Rounding::Always,
     };
     Some(range)
 }

@@ -422,6 +422,10 @@ impl Interval {
 
     /// Takes over from a factor or dividend that it takes both signs, or how far a number scales it.
     fn scale(&mut self, of: &Interval, by: &Interval) {
+        let is_crossing = of.lo.value < 0.0 && of.hi.value > 0.0;
+        if !is_crossing && of.inner[0] > of.inner[1] {
+            return;
+        }
         let is_open = |end: End| end.value == 0.0 && end.tightness == Tightness::Open;
         let is_positive = by.lo.value > 0.0 || is_open(by.lo);
         let is_signed = is_positive || by.hi.value < 0.0 || is_open(by.hi);

@@ -264,7 +264,9 @@ fn rounding_is_told_from_exact_arithmetic() {
     check("return floor(x) * 0.5 + 1.0;", Never);
     check("return float(n) / 4.0;", Never);
     check("return mod(floor(x), 4.0);", Never);
-    check("return mod(floor(x), 3.0);", Always);
+    check("return mod(floor(x), 3.0);", Never);
+    check("return mod(floor(x), 0.1);", Always);
+    check("return mod(x, 3.0);", Always);
     check("return dot(vec2(1.0), vec2(n & 1));", Never);
     check("return x;", Unknown);
     check("return unknown(x) + 1.0;", Unknown);
@@ -451,4 +453,14 @@ fn what_is_passed_twice_cancels() {
     };
     check("v, v", "0.0");
     check("v, w", "any number");
+}
+
+#[test]
+fn a_function_may_be_announced_before_its_body() {
+    let code = "float late(float a);
+        float wave(float a) { return max(sin(a), 0.0); }
+        float test(float a) { if (wave(a) == 0.0) return 1.0; return wave(a); }
+        float late(float a) { float r = 1.0; if (a > 0.0 && a < 4.0) r = wave(a); return r; }
+        void mainImage(out vec4 o, vec2 p) { o = vec4(late(p.x)); }";
+    assert!(!returned(code, 1).holds(0.0));
 }
