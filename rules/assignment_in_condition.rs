@@ -31,9 +31,16 @@ fn check(cx: &mut Context, id: StmtId) {
         _ => return,
     };
     // A second pair of parentheses says that it is meant.
-    let ExprKind::Assign(None, target, _) = tree.expr(condition).kind else {
+    let ExprKind::Assign(None, target, value) = tree.expr(condition).kind else {
         return;
     };
+    // Nobody compares with what has just been asked or computed: `if (hit = distance < 0.1)`.
+    if !matches!(
+        tree.expr(tree.unparen(value)).kind,
+        ExprKind::Name(_) | ExprKind::Member(..) | ExprKind::Index(..) | ExprKind::Bool(_)
+    ) {
+        return;
+    }
     let Some(operator) = program.token(tree.expr(target).extent.last + 1) else {
         return;
     };

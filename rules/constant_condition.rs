@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
 
 fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;
-    if !(e.op.compares() || e.op.is_logical()) {
+    if !e.op.compares() {
         return;
     }
     let extent = program.tree.expr(e.id).extent;
@@ -36,8 +36,7 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     }
 }
 
-/// The answer where both sides are literals, or one side of `&&` and `||` decides alone. A name may
-/// be a switch that the author sets.
+/// The answer where both sides are literals. A name may be a switch that the author sets.
 fn literal_answer(cx: &Context, e: &BinaryExpr) -> Option<bool> {
     let program = cx.program;
     let tree = &program.tree;
@@ -45,14 +44,14 @@ fn literal_answer(cx: &Context, e: &BinaryExpr) -> Option<bool> {
         ExprKind::Bool(value) => Some(value),
         _ => None,
     };
-    match (e.op, literal(e.left), literal(e.right)) {
-        (BinaryOp::And, Some(false), _) | (BinaryOp::And, _, Some(false)) => Some(false),
-        (BinaryOp::Or, Some(true), _) | (BinaryOp::Or, _, Some(true)) => Some(true),
-        _ if !e.op.compares() || has_name(cx, e.id) => None,
-        _ => match program.scalar(e.id)? {
-            Value::Bool(value) => Some(value),
-            _ => None,
-        },
+    // A `true` or `false` that is written out switches something on or off.
+    let is_switch = literal(e.left).or(literal(e.right)).is_some();
+    if is_switch || !e.op.compares() || has_name(cx, e.id) {
+        return None;
+    }
+    match program.scalar(e.id)? {
+        Value::Bool(value) => Some(value),
+        _ => None,
     }
 }
 

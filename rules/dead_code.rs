@@ -25,14 +25,6 @@ fn check(cx: &mut Context, id: StmtId) {
                 check_run(cx, run, false);
             }
         }
-        StmtKind::If {
-            condition, then, ..
-        } => check_never(cx, condition, then),
-        StmtKind::While { condition, body } => {
-            if let StmtKind::Expr(condition) = tree.stmt(condition).kind {
-                check_never(cx, condition, body);
-            }
-        }
         _ => {}
     }
 }
@@ -79,16 +71,4 @@ fn check_run(cx: &mut Context, run: &[StmtId], is_block: bool) {
     cx.report(tree.stmt(first).extent, message)
         .label(end, format!("{jump} leaves before it"))
         .fix(fix);
-}
-
-/// `if (false)`.
-fn check_never(cx: &mut Context, condition: ExprId, body: StmtId) {
-    let program = cx.program;
-    let tree = &program.tree;
-    let kind = tree.expr(tree.unparen(condition)).kind;
-    let extent = tree.expr(condition).extent;
-    let is_empty = matches!(tree.stmt(body).kind, StmtKind::Block(b) if b.len == 0);
-    if kind == ExprKind::Bool(false) && program.is_direct(extent) && !is_empty {
-        cx.report(extent, "what stands behind this condition never runs");
-    }
 }

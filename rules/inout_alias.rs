@@ -40,6 +40,9 @@ fn check(cx: &mut Context, id: ExprId) {
             .find(|p| overlap(*p, part));
         let text = program.expr_text(arg).to_string();
         if twin.is_some() {
+            if !is_read(cx, id, callee, arg) {
+                return;
+            }
             cx.report_expr(
                 arg,
                 format!("`{name}` gets `{text}` under two names and writes to both"),
@@ -77,6 +80,22 @@ fn overlap(a: (VariableId, u8), b: (VariableId, u8)) -> bool {
 fn is_global(cx: &Context, id: VariableId) -> bool {
     let variable = cx.program.variable(id);
     variable.is_some_and(|v| v.storage == Storage::Global)
+}
+
+/// Whether what a call leaves in an argument is read; an output may be given a variable to be thrown
+/// away in.
+fn is_read(cx: &Context, id: ExprId, callee: FunctionRef, arg: ExprId) -> bool {
+    let (module, defs, live) = (cx.facts.module(), cx.facts.defs(), cx.facts.live());
+    let mut calls = cx.facts.calls().calls_of(callee);
+    let ExprKind::Call(_, args) = cx.program.tree.expr(id).kind else {
+        return true;
+    };
+    let position = cx.program.tree.args(args).iter().position(|a| *a == arg);
+    let call = calls.find(|call| call.expr == id);
+    call.zip(position).is_none_or(|(call, position)| {
+        let mut lanes = 0..defs.layout.lanes(cx.program.ty(arg));
+        lanes.any(|lane| live.is_taken(module, call.op, position, lane))
+    })
 }
 
 /// Whether the body of a function names a variable.

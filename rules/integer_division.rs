@@ -38,7 +38,9 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         (Some(x), Some(y)) if y != 0.0 && x % y != 0.0 => {
             let whole = (x / y).trunc();
             let is_float = becomes_float(cx, e.id);
-            if !(is_float || (whole == 0.0 && literals)) {
+            // Half of a size that has a name is counted in whole cells.
+            let is_meant = !literals && whole != 0.0;
+            if is_meant || !(is_float || whole == 0.0 && literals) {
                 return;
             }
             (format!("`{x} / {y}` of integers is {whole}"), is_float)

@@ -25,6 +25,7 @@ fn check_statement(cx: &mut Context, id: StmtId) {
     if let StmtKind::Expr(root) = program.tree.stmt(id).kind
         && is_idle(cx, root)
         && is_dropped(program, cx.facts.structure(), root)
+        && !is_placeholder(cx, id, root)
     {
         report_statement(cx, id, root);
     }
@@ -52,6 +53,30 @@ fn is_idle(cx: &Context, id: ExprId) -> bool {
         && !cx.facts.effects().has(id)
         && !program.ty(id).is_error()
         && program.is_direct(program.tree.expr(id).extent)
+}
+
+/// Whether something stands here because something has to: the name of the counter at the beginning of
+/// a `for`, the call of a function that is still empty.
+fn is_placeholder(cx: &Context, stmt: StmtId, root: ExprId) -> bool {
+    let program = cx.program;
+    let tree = &program.tree;
+    match tree.expr(tree.unparen(root)).kind {
+        ExprKind::Name(_) => {
+            let outer = cx.facts.structure().outer(stmt);
+            outer.is_some_and(|o| matches!(tree.stmt(o).kind, StmtKind::For { .. }))
+        }
+        ExprKind::Call(..) => {
+            let Resolution::Function(callee) = program.expr(root).resolution else {
+                return false;
+            };
+            let definition = program.function(callee).and_then(|f| f.definition);
+            let body = definition.and_then(|d| tree.function(d)?.body);
+            body.is_some_and(
+                |b| matches!(tree.stmt(b).kind, StmtKind::Block(list) if list.len == 0),
+            )
+        }
+        _ => false,
+    }
 }
 
 /// Whether an expression is an assignment, or a call that writes to its arguments, as nearly all

@@ -1,8 +1,9 @@
 //! Outputs that a function leaves without a value.
 
 use crate::diagnostic::Severity;
+use crate::flow::Parts;
 use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::FunctionRef;
+use crate::semantic::{Dialect, FunctionRef, Pass, VariableId};
 
 pub static RULE: Rule = Rule {
     name: "output-not-written",
@@ -14,8 +15,10 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Function(check)],
 };
 
+/// All components of a color.
+const PICTURE: Parts = 0b1111;
 /// The bit of the alpha component.
-const ALPHA: u8 = 1 << 3;
+const ALPHA: Parts = 1 << 3;
 
 fn check(cx: &mut Context, function: FunctionRef) {
     let program = cx.program;
@@ -25,12 +28,23 @@ fn check(cx: &mut Context, function: FunctionRef) {
     let is_entry = cx.facts.entry() == Some(function);
     // The player shows a picture without its alpha.
     let is_picture = program.dialect.host().hides_alpha && is_entry;
+    let pass = Dialect::ShaderToy(Pass::Buffer);
+    let is_buffer = is_entry
+        && (program.dialect == pass || program.dialect == Dialect::ShaderToy(Pass::Cubemap));
     // A function that returns something tells by it whether the rest has a value.
-    let function = program.function(function);
-    let tells = function.is_some_and(|f| !f.returns.is_void());
+    let tells = program
+        .function(function)
+        .is_some_and(|f| !f.returns.is_void());
     for unset in found.outputs.iter().filter(|u| u.always || !tells) {
         let ignored = if is_picture { ALPHA } else { 0 };
         let missing = unset.missing & !ignored;
+        // Which pixels and components of a buffer are of use, the other passes know.
+        if is_buffer && !(unset.always && missing == PICTURE) {
+            continue;
+        }
+        if !is_entry && !is_taken(cx, function, unset.variable, missing) {
+            continue;
+        }
         let Some(variable) = program.variable(unset.variable).filter(|_| missing != 0) else {
             continue;
         };
@@ -61,4 +75,24 @@ fn check(cx: &mut Context, function: FunctionRef) {
             "the value is undefined: browsers make it zero, other programs leave what was there",
         );
     }
+}
+
+/// Whether a caller uses what a function does not write; of a function without callers nobody knows.
+fn is_taken(cx: &Context, function: FunctionRef, output: VariableId, missing: Parts) -> bool {
+    let (module, live) = (cx.facts.module(), cx.facts.live());
+    let parameters = module.function(function).map(|f| module.parameters(f));
+    let position = parameters.and_then(|p| p.iter().position(|p| *p == output));
+    let Some(position) = position else {
+        return true;
+    };
+    let ty = module.variable(output).map(|v| v.ty);
+    let is_vector = ty.is_some_and(|ty| ty.is_vector());
+    let lanes = ty.map_or(0, |ty| cx.facts.defs().layout.lanes(ty));
+    let is_missing = |lane: &u32| !is_vector || missing & 1 << lane != 0;
+    let mut calls = cx.facts.calls().calls_of(function).peekable();
+    calls.peek().is_none()
+        || calls.any(|call| {
+            let mut lanes = (0..lanes).filter(is_missing);
+            lanes.any(|lane| live.is_taken(module, call.op, position, lane))
+        })
 }

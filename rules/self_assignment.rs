@@ -40,6 +40,7 @@ fn check_assignment(cx: &mut Context, id: ExprId) {
     if !same_code(program, left, right)
         || !program.is_direct(whole)
         || cx.facts.effects().has(target)
+        || is_case(cx, id)
     {
         return;
     }
@@ -47,6 +48,25 @@ fn check_assignment(cx: &mut Context, id: ExprId) {
     let fix = removal(cx, id);
     cx.report(whole, format!("`{text}` is assigned to itself"))
         .fix(fix);
+}
+
+/// Whether an assignment is all that one of several branches does: it says that there everything
+/// stays as it is.
+fn is_case(cx: &Context, id: ExprId) -> bool {
+    let tree = &cx.program.tree;
+    let structure = cx.facts.structure();
+    let Some(stmt) = structure.stmt_of(id) else {
+        return false;
+    };
+    let mut at = stmt;
+    while let Some(outer) = structure.outer(at) {
+        match tree.stmt(outer).kind {
+            StmtKind::Block(list) if tree.block(list).len() == 1 => at = outer,
+            StmtKind::If { otherwise, .. } => return otherwise.is_some(),
+            _ => return false,
+        }
+    }
+    false
 }
 
 /// Two statements, of which the second gives back what the first one took.

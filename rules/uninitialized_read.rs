@@ -1,7 +1,7 @@
 //! Variables that are read before they have a value.
 
 use crate::diagnostic::{Fix, Severity};
-use crate::flow::Unset;
+use crate::flow::{Parts, Unset};
 use crate::lint::{Check, Context, Group, Rule};
 use crate::semantic::{FunctionRef, Scalar, Storage, Variable, VariableId};
 use crate::text::Edit;
@@ -78,11 +78,18 @@ fn zero(cx: &Context, variable: &Variable) -> Option<Fix> {
 }
 
 /// The variable, and those of its components that are missing where it is not all of them.
-fn name_of(cx: &Context, id: VariableId, missing: u8) -> String {
+fn name_of(cx: &Context, id: VariableId, missing: Parts) -> String {
     let Some(variable) = cx.program.variable(id) else {
         return String::new();
     };
     let name = cx.program.names.text(variable.name);
+    if let Some(found) = cx.program.struct_of(variable.ty) {
+        let only = found.fields.get(missing.trailing_zeros() as usize);
+        return match only.filter(|_| missing.count_ones() == 1) {
+            Some(field) => format!("{name}.{}", cx.program.names.text(field.name)),
+            None => name.to_string(),
+        };
+    }
     let count = variable.ty.components();
     let letters = ["x", "y", "z", "w"];
     let missing: Vec<&str> = (0..4)

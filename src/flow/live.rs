@@ -1,9 +1,12 @@
 //! Which writes are ever read.
 
 use super::defs::{Def, DefId, Defs, Slot};
-use crate::ir::{Module, OpId, OpKind};
+use crate::ir::{Module, OpId, OpKind, Root};
 use crate::semantic::VariableId;
 use rustc_hash::{FxHashMap, FxHashSet};
+
+/// How far behind a call stands what it gives back.
+const MAX_BEHIND: usize = 64;
 
 /// The definitions of a shader that some read sees.
 #[derive(Default, Debug)]
@@ -14,6 +17,8 @@ pub struct Live {
     entries: FxHashSet<Slot>,
     /// By value that is stored: whether a read sees it where it is stored.
     stored: FxHashMap<OpId, bool>,
+    /// The lanes of stored values that a read sees.
+    lanes: FxHashSet<(OpId, u32)>,
     is_complete: bool,
 }
 
@@ -24,6 +29,7 @@ impl Live {
             seen: vec![false; defs.len() as usize],
             entries: FxHashSet::default(),
             stored: FxHashMap::default(),
+            lanes: FxHashSet::default(),
             is_complete: defs.is_complete,
         };
         let mut todo: Vec<DefId> = Vec::new();
@@ -48,9 +54,12 @@ impl Live {
             }
         }
         for number in 0..defs.len() {
-            if let Def::Stored { value, .. } = defs.get(DefId(number)) {
+            if let Def::Stored { value, lane } = defs.get(DefId(number)) {
                 let is_seen = live.seen.get(number as usize) == Some(&true);
                 *live.stored.entry(value).or_default() |= is_seen;
+                if is_seen {
+                    live.lanes.insert((value, lane));
+                }
             }
         }
         live
@@ -59,6 +68,31 @@ impl Live {
     /// Whether no read sees a value in any place where it is stored.
     pub fn is_lost(&self, value: OpId) -> bool {
         self.is_complete && self.stored.get(&value) == Some(&false)
+    }
+
+    /// Whether the caller makes use of a lane of what a call leaves in the parameter with a number.
+    pub fn is_taken(&self, module: &Module, call: OpId, position: usize, lane: u32) -> bool {
+        let behind = (call.0 + 1..module.ops.len() as u32).map(OpId);
+        let mut behind = behind.take(MAX_BEHIND);
+        let returned = behind.find(|op| match module.op(*op).kind {
+            OpKind::Returned(of, number) => of == call && number as usize == position,
+            _ => false,
+        });
+        let Some(value) = returned.filter(|_| self.is_complete) else {
+            return true;
+        };
+        let target = behind.find_map(|op| match module.op(op).kind {
+            OpKind::Store(place, stored) if stored == value => Some(module.place(place)),
+            _ => None,
+        });
+        // What outlives the function, and elements, of which it is not known which are read.
+        let is_own = target.is_some_and(|place| {
+            let variable = module.variable(place.variable);
+            variable.is_some_and(|v| {
+                matches!(v.root, Root::Local | Root::Temporary | Root::Parameter) && v.ty.array == 0
+            })
+        });
+        !is_own || self.lanes.contains(&(value, lane))
     }
 
     /// Whether no read sees what a variable of so many lanes held when its function began.

@@ -25,7 +25,7 @@ pub use gradients::{Gradient, Parted, gradients};
 pub use jumps::{Jump, jump};
 pub use live::Live;
 pub use loops::{Bound, LoopFacts, Loops};
-pub use paths::{Findings, Paths, Unset};
+pub use paths::{Findings, Parts, Paths, Unset};
 pub use same::is_same;
 pub use trace::{Start, origin, trace};
 pub use uniformity::{Control, ControlId, Parting, PartingId, Turns, Uniformity, Varying};

@@ -10,7 +10,7 @@ use crate::flow::{
     Calls, Effects, Gradient, Jump, Live, Loops, Paths, Start, Uniformity, Work, Writes, gradients,
     is_same, jump, origin, trace,
 };
-use crate::ir::{Module, OpId, OpKind, Root, lower};
+use crate::ir::{Module, OpId, OpKind, Provenance, Root, lower};
 use crate::semantic::{
     FunctionRef, Mentions, Program, Reachability, Scalar, Stage, Structure, channel,
 };
@@ -136,8 +136,26 @@ impl<'a> Facts<'a> {
 
     /// The calls that take derivatives where neighbouring pixels may have parted.
     pub fn gradients(&self) -> &[Gradient] {
-        self.gradients
-            .get_or_init(|| gradients(self.module(), self.calls(), || self.uniformity()))
+        self.gradients.get_or_init(|| {
+            let mut found = gradients(self.module(), self.calls(), || self.uniformity());
+            found.retain(|gradient| self.chooses_levels(gradient));
+            found
+        })
+    }
+
+    /// Whether anything hangs on the derivatives: without mipmaps a texture has one level to choose.
+    fn chooses_levels(&self, gradient: &Gradient) -> bool {
+        let module = self.module();
+        let OpKind::Builtin(function, list) = module.op(gradient.call).kind else {
+            return true;
+        };
+        let sampler = module.operands(list).first();
+        match sampler.map(|op| module.provenance(*op)) {
+            Some(Provenance::Expr(sampler)) if function.kind().is_texture() => {
+                self.may_have_mipmaps(sampler)
+            }
+            _ => true,
+        }
     }
 
     /// The loops that march along a ray.
@@ -150,8 +168,10 @@ impl<'a> Facts<'a> {
 
     /// What has a value when, on the paths through the functions.
     pub fn paths(&self) -> &Paths {
-        self.paths
-            .get_or_init(|| Paths::of(self.program, self.module(), self.calls(), self.mentions()))
+        self.paths.get_or_init(|| {
+            let shader = (self.program, self.module());
+            Paths::of(shader, self.calls(), self.mentions(), &|| self.ranges())
+        })
     }
 
     /// Which write each read sees.

@@ -1,13 +1,16 @@
 //! What ends a loop for certain, and after how many turns.
 
+use super::halving::halves;
 use super::pace::{Pace, Tracer, is_still};
-use super::{Bound, Found, LoopFacts};
+use super::{Bound, Found, Goes, LoopFacts};
 use crate::flow::defs::{Def, DefId, each_comparison};
 use crate::flow::ranges::Query;
 use crate::ir::{Binary, OpId, OpKind, Provenance, Root};
 use crate::semantic::builtins::Transfer;
 use crate::syntax::ast::ExprId;
 
+/// A step that is smaller may as well be none: it is lost when it is added to a counter.
+const LEAST_STEP: f64 = 1e-9;
 /// How far a limit is followed from parameters to arguments.
 const MAX_CALLS: u32 = 24;
 
@@ -32,7 +35,7 @@ impl Relation {
 impl Found {
     /// Looks for what ends the loop.
     pub(super) fn looped(self, query: Query) -> Option<LoopFacts> {
-        let (module, defs) = (query.module, query.defs);
+        let module = query.module;
         let looped = module.looped(self.id)?;
         let is_one = |op: OpId| match module.op(op).kind {
             OpKind::Binary(kind, ..) => kind.compares(),
@@ -48,25 +51,53 @@ impl Found {
             given: None,
             ends_early: self.ends_early || looped.condition.is_some_and(|c| !is_one(c)),
         };
-        let mut comparisons = Vec::new();
         for goes in &self.goes {
-            each_comparison(module, defs, goes.condition, goes.truth, |told| {
-                if told.call.is_none() {
-                    comparisons.push((told.comparison, told.truth));
-                }
-            });
-        }
-        for (comparison, truth) in comparisons {
-            let Some((relation, left, right)) = related(query, comparison, truth) else {
-                continue;
-            };
-            self.compare(query, &mut made, relation, left, right);
-            self.compare(query, &mut made, relation.turned(), right, left);
+            self.take(query, &mut made, *goes);
         }
         if let (Bound::Exact(turns), true) = (made.bound, made.ends_early) {
             made.bound = Bound::AtMost(turns);
         }
         Some(made)
+    }
+
+    /// Takes a condition over where it says more than what is known.
+    fn take(&self, query: Query, made: &mut LoopFacts, goes: Goes) {
+        let (module, defs) = (query.module, query.defs);
+        // `a || b` goes on until both have come to their ends.
+        if let (OpKind::Binary(Binary::Or, a, b), true) =
+            (module.op(goes.condition).kind, goes.truth)
+        {
+            let start = LoopFacts {
+                bound: Bound::Open,
+                ..*made
+            };
+            let ends = [a, b].map(|condition| {
+                let mut made = start;
+                self.take(query, &mut made, Goes { condition, ..goes });
+                made
+            });
+            if let (Bound::Open, [one, other]) = (made.bound, ends)
+                && one.bound != Bound::Open
+                && other.bound != Bound::Open
+            {
+                let turns = one.bound.turns().zip(other.bound.turns());
+                made.bound = turns.map_or(Bound::Ends, |(a, b)| Bound::AtMost(a.max(b)));
+            }
+            return;
+        }
+        let mut comparisons = Vec::new();
+        each_comparison(module, defs, goes.condition, goes.truth, |told| {
+            if told.call.is_none() {
+                comparisons.push((told.comparison, told.truth));
+            }
+        });
+        for (comparison, truth) in comparisons {
+            let Some((relation, left, right)) = related(query, comparison, truth) else {
+                continue;
+            };
+            self.compare(query, made, relation, left, right);
+            self.compare(query, made, relation.turned(), right, left);
+        }
     }
 
     /// Takes a relation over where it says more than what is known.
@@ -79,6 +110,10 @@ impl Found {
         limit: OpId,
     ) -> Option<()> {
         let defs = query.defs;
+        let is_above = matches!(relation, Relation::Above { .. });
+        if made.bound == Bound::Open && is_above && halves(query, self.id, side) {
+            made.bound = Bound::Ends;
+        }
         let moved = Tracer::new(query, self.id).value(side, 0)?;
         let Def::Head {
             slot, init, back, ..
@@ -86,8 +121,17 @@ impl Found {
         else {
             return None;
         };
-        let turn = Tracer::new(query, self.id).def(back)?;
-        let is_there = turn.head == moved.head && heads_there(relation, turn.pace);
+        let mut tracer = Tracer::new(query, self.id);
+        let turn = tracer.def(back)?;
+        let all = query.lane(limit, 0);
+        let ends = |number: &f64| match relation {
+            Relation::Below { .. } => *number >= all.hi.value,
+            Relation::Above { .. } => *number <= all.lo.value,
+            Relation::Not => all.single() == Some(*number),
+        };
+        let is_there = turn.head == moved.head
+            && heads_there(relation, turn.pace)
+            && tracer.jumps.iter().all(ends);
         if !is_there || !is_still(query, self.id, limit) {
             return None;
         }
@@ -96,7 +140,7 @@ impl Found {
             .and_then(|(start, end)| turns(start, relation, end, turn.pace));
         let is_exact = || {
             let is_known = query.lane(limit, 0).single().is_some();
-            is_known && query.def(init).single().is_some()
+            is_known && query.def(init).single().is_some() && tracer.jumps.is_empty()
         };
         let bound = match turns {
             Some(turns) if is_exact() => Bound::Exact(turns),
@@ -158,8 +202,8 @@ fn heads_there(relation: Relation, pace: Pace) -> bool {
             },
         ) => false,
         (_, Pace::By { is_still: true, .. }) if !is_known(pace) => true,
-        (Relation::Below { .. }, Pace::By { lo, .. }) => lo > 0.0,
-        (Relation::Above { .. }, Pace::By { hi, .. }) => hi < 0.0,
+        (Relation::Below { .. }, Pace::By { lo, .. }) => lo > LEAST_STEP,
+        (Relation::Above { .. }, Pace::By { hi, .. }) => hi < -LEAST_STEP,
         (Relation::Not, Pace::By { lo, hi, .. }) => lo == hi,
         (Relation::Below { .. }, Pace::Times(by)) => by > 1.0,
         // Whole numbers that are shifted come to zero.

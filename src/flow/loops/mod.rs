@@ -1,6 +1,7 @@
 //! The loops of a shader, and what ends them.
 
 mod bound;
+mod halving;
 mod pace;
 #[cfg(test)]
 mod tests;

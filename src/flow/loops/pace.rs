@@ -2,8 +2,11 @@
 
 use crate::flow::defs::{Def, DefId};
 use crate::flow::ranges::{Interval, Query};
+use crate::flow::same::is_same;
 use crate::ir::{Binary, LoopId, OpId, OpKind, Root};
 
+/// How much Euclid's algorithm leaves of a number at least in each turn: the golden ratio.
+const EUCLID: f64 = 0.618;
 /// How many steps back are looked at.
 const BUDGET: u32 = 64;
 
@@ -68,6 +71,8 @@ impl Pace {
 pub(super) struct Tracer<'x> {
     pub query: Query<'x>,
     pub looped: LoopId,
+    /// Numbers that some turns put into the counter, whatever it was.
+    pub jumps: Vec<f64>,
     left: u32,
 }
 
@@ -76,6 +81,7 @@ impl<'x> Tracer<'x> {
         Tracer {
             query,
             looped,
+            jumps: Vec::new(),
             left: BUDGET,
         }
     }
@@ -120,6 +126,12 @@ impl<'x> Tracer<'x> {
             Binary::Divide => 1.0 / factor(b)?,
             Binary::ShiftLeft => factor(b)?.exp2(),
             Binary::ShiftRight => (-factor(b)?).exp2(),
+            // What is left of a division is nearer to zero than the divisor: Euclid's algorithm.
+            Binary::Remainder => {
+                let moved = self.value(b, lane)?;
+                let is_own = moved.pace == Pace::NONE;
+                return is_own.then_some(moved)?.then(Pace::Times(EUCLID));
+            }
             _ => return None,
         };
         self.value(a, lane)?.then(Pace::Times(times))
@@ -130,6 +142,11 @@ impl<'x> Tracer<'x> {
         match (left, right) {
             // `i += i`
             (Some(x), Some(y)) if x == y && x.pace == Pace::NONE => x.then(Pace::Times(2.0)),
+            // `t += 0.1 * t`
+            (Some(x), Some(y)) if x.head == y.head && x.pace == Pace::NONE => match y.pace {
+                Pace::Times(by) => x.then(Pace::Times(1.0 + by)),
+                Pace::By { .. } => None,
+            },
             (Some(moved), None) => moved.then(self.by(b, lane, 1.0)),
             (None, Some(moved)) => moved.then(self.by(a, lane, 1.0)),
             _ => None,
@@ -179,6 +196,10 @@ impl<'x> Tracer<'x> {
             Def::Merge { sides, .. } => {
                 let mut joined: Option<Moved> = None;
                 for side in defs.list(sides) {
+                    if let Some(number) = self.jump(*side) {
+                        self.jumps.push(number);
+                        continue;
+                    }
                     let moved = self.def(*side)?;
                     joined = Some(match joined {
                         Some(known) => known.or(moved)?,
@@ -189,6 +210,20 @@ impl<'x> Tracer<'x> {
             }
             _ => None,
         }
+    }
+
+    /// The number that is put into a variable, if it is always the same.
+    fn jump(&self, def: DefId) -> Option<f64> {
+        let (module, defs) = (self.query.module, self.query.defs);
+        let Def::Stored { value, lane } = defs.get(defs.unrefined(def)) else {
+            return None;
+        };
+        if let OpKind::Binary(Binary::Subtract, a, b) = module.op(value).kind
+            && is_same(module, defs, a, b)
+        {
+            return Some(0.0);
+        }
+        self.query.lane(value, lane).single()
     }
 
     fn is_inside(&self, def: DefId) -> bool {

@@ -85,3 +85,66 @@ fn loops_that_nothing_ends_are_open() {
     check("for (int i = 0; i < 8; i++) { i = 0; }", "Open");
     check("for (int i = 0; i < n; i++) { n++; }", "Open");
 }
+
+#[test]
+fn what_leaves_by_another_way_ends_too() {
+    check(
+        "for (int i = 0; i < 8; i++) { if (x > 1.0) i = 8; }",
+        "AtMost(8)",
+    );
+    check(
+        "for (float i = 60.0; --i > 0.0;) { x > 0.9 ? i -= i : i; }",
+        "AtMost(60)",
+    );
+    check(
+        "for (int i = 0; i < 8; i++) { if (x > 1.0) i = 2; }",
+        "Open",
+    );
+    check(
+        "float t = 0.0; while (t < 4.0 || t < 8.0) { t += 1.0; }",
+        "AtMost(8)",
+    );
+    check("for (int i = 0; i < 8 || x > 1.0; i++) { x *= x; }", "Open");
+}
+
+#[test]
+fn steps_that_grow_with_the_way_end() {
+    check(
+        "float s = 0.01; for (float t = 0.001; t < 9.0; t += s) { s = 0.01 * t; }",
+        "Exact(916)",
+    );
+}
+
+#[test]
+fn numbers_that_come_together_end() {
+    check(
+        "float a = 0.0, b = x; while (abs(b - a) > 0.01) { float m = (a + b) / 2.0; \
+         if (sin(m) > 0.5) a = m; else b = m; }",
+        "Ends",
+    );
+    check(
+        "float a = 0.0, b = x; while (b - a > 0.01) { float m = 0.5 * (a + b); \
+         if (sin(m) > 0.5) { a = m; } else { if (m > 1.0) { b = m; } else { a = m; } } }",
+        "Ends",
+    );
+    check(
+        "float a = 0.0, b = x; while (b - a > 0.01) { float m = 0.5 * (a + b); if (sin(m) > 0.5) a = m; }",
+        "Open",
+    );
+    check(
+        "int a = n, b = 6; while (b != 0) { int r = a % b; a = b; b = r; }",
+        "Ends",
+    );
+    check(
+        "int a = n, b = 6; while (b != 0) { int r = b % a; b = a; a = r; }",
+        "Open",
+    );
+}
+
+#[test]
+fn a_step_that_may_be_nothing_ends_nothing() {
+    check(
+        "float t = 0.0; while (t < 1.0) { float h = sin(t * fract(x)); if (h < 0.0) break; t += h * 0.1; }",
+        "Open",
+    );
+}

@@ -1,5 +1,8 @@
 //! Conditions that are asked more than once, and what follows from the answers.
 
+use super::cases::{Answer, MAX_CONDITIONS, may_all_be};
+use super::state::Parts;
+use crate::flow::ranges::Query;
 use crate::ir::{Access, Binary, Module, OpId, OpKind, Root, Unary};
 use crate::semantic::{Scalar, Value, VariableId};
 use rustc_hash::{FxHashMap, FxHasher};
@@ -30,13 +33,15 @@ impl Fact {
 struct Consequence {
     fact: Fact,
     variable: VariableId,
-    mask: u8,
+    mask: Parts,
 }
 
 /// What is known of conditions on the way to a point.
 #[derive(Default)]
 pub(super) struct Conditions {
     facts: Vec<Fact>,
+    /// The conditions behind the facts, and their answers.
+    held: Vec<Answer>,
     consequences: Vec<Consequence>,
     /// By load: how often its variable had been written to.
     versions: FxHashMap<OpId, u32>,
@@ -50,6 +55,7 @@ pub(super) struct Conditions {
 #[derive(Clone, Copy)]
 pub(super) struct Mark {
     facts: usize,
+    held: usize,
     consequences: usize,
 }
 
@@ -63,6 +69,7 @@ impl Conditions {
     pub fn mark(&self) -> Mark {
         Mark {
             facts: self.facts.len(),
+            held: self.held.len(),
             consequences: self.consequences.len(),
         }
     }
@@ -70,6 +77,7 @@ impl Conditions {
     /// Forgets what was learned since a point.
     pub fn undo(&mut self, mark: Mark) {
         self.facts.truncate(mark.facts);
+        self.held.truncate(mark.held);
         self.consequences.truncate(mark.consequences);
     }
 
@@ -104,7 +112,7 @@ impl Conditions {
     }
 
     /// What it means that a condition has an answer: itself, and what it is made of.
-    pub fn facts_of(&self, module: &Module, condition: OpId, truth: bool) -> Vec<Fact> {
+    fn facts_of(&self, module: &Module, condition: OpId, truth: bool) -> Vec<Fact> {
         let mut found = Vec::new();
         let mut todo = vec![(condition, truth, 0)];
         while let Some((op, truth, depth)) = todo.pop() {
@@ -188,14 +196,24 @@ impl Conditions {
         all
     }
 
-    /// From here on some facts hold.
-    pub fn learn(&mut self, facts: impl IntoIterator<Item = Fact>) {
+    /// From here on a condition has an answer.
+    pub fn learn(&mut self, module: &Module, condition: OpId, truth: bool) {
+        let facts = self.facts_of(module, condition, truth);
         self.facts.extend(facts);
+        self.held.push((condition, truth));
+    }
+
+    /// Whether a condition may have an answer here.
+    pub fn may_be(&self, query: Query, condition: OpId, truth: bool) -> bool {
+        let first = self.held.len().saturating_sub(MAX_CONDITIONS);
+        let held = self.held.get(first..).unwrap_or(&[]).iter().copied();
+        let all: Vec<Answer> = held.chain([(condition, truth)]).collect();
+        may_all_be(query, self, &all)
     }
 
     /// Where a fact holds, components of a variable have a value. Gives those that have one whatever
     /// the answer is.
-    pub fn follows(&mut self, fact: Fact, variable: VariableId, mask: u8) -> u8 {
+    pub fn follows(&mut self, fact: Fact, variable: VariableId, mask: Parts) -> Parts {
         let other = fact.turned();
         let others = self.consequences.iter();
         let others = others.filter(|c| c.variable == variable && c.fact == other);
@@ -209,7 +227,7 @@ impl Conditions {
     }
 
     /// The components of a variable that have a value because of what holds here.
-    pub fn known(&self, variable: VariableId) -> u8 {
+    pub fn known(&self, variable: VariableId) -> Parts {
         let own = self.consequences.iter();
         let own = own.filter(|c| c.variable == variable && self.facts.contains(&c.fact));
         own.fold(0, |all, c| all | c.mask)

@@ -5,6 +5,7 @@
 //! what it looks for, is seldom written in the text. A condition that is asked again gives the same
 //! answer as before, until something that it is made of changes.
 
+mod cases;
 mod conditions;
 mod state;
 #[cfg(test)]
@@ -12,10 +13,12 @@ mod tests;
 mod walk;
 
 use super::Calls;
-use crate::ir::{Module, OpKind, Root};
+use super::ranges::Query;
+use crate::ir::{Module, OpId, OpKind, Root};
 use crate::semantic::{FunctionRef, Mentions, Program, Stage, VariableId};
 use crate::syntax::ast::Extent;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
+pub use state::Parts;
 use walk::Walk;
 
 /// A variable without a value.
@@ -25,8 +28,8 @@ pub struct Unset {
     pub variable: VariableId,
     /// Where its value is missed.
     pub at: Extent,
-    /// The components that are missing, a bit each.
-    pub missing: u8,
+    /// The components or members that are missing, a bit each.
+    pub missing: Parts,
     /// Whether nothing has written to them before; of an output: whether nothing ever does.
     pub always: bool,
     /// Whether a condition stands between the declaration and here, which may well tell whether
@@ -53,10 +56,16 @@ pub struct Paths {
 
 impl Paths {
     /// Follows the paths through all functions of a shader.
-    pub fn of(program: &Program, module: &Module, calls: &Calls, mentions: &Mentions) -> Paths {
+    pub fn of<'x>(
+        (program, module): (&'x Program, &'x Module),
+        calls: &Calls,
+        mentions: &'x Mentions,
+        query: &'x dyn Fn() -> Query<'x>,
+    ) -> Paths {
         let main = main(program);
         let outputs = main.map_or(Vec::new(), |main| outputs_of(program, module, main));
-        let mut walk = Walk::new(program, module, mentions);
+        let ignored = ignored(module, calls);
+        let mut walk = Walk::new(program, module, mentions, &ignored, query);
         let mut paths = Paths::default();
         for id in calls.graph().bottom_up() {
             let globals = match Some(id) == main {
@@ -74,6 +83,46 @@ impl Paths {
     pub fn get(&self, function: FunctionRef) -> Option<&Findings> {
         self.by_function.get(&function)
     }
+}
+
+/// Parameters whose value their function makes no use of, but to hand it to such a one.
+fn ignored(module: &Module, calls: &Calls) -> FxHashSet<VariableId> {
+    let mut ignored = FxHashSet::default();
+    for id in calls.graph().bottom_up() {
+        let Some(function) = module.function(id) else {
+            continue;
+        };
+        let mut loads: Vec<(OpId, VariableId)> = Vec::new();
+        let mut passed: FxHashSet<OpId> = FxHashSet::default();
+        for op in function.ops.ops() {
+            match module.op(op).kind {
+                OpKind::Load(place) => loads.push((op, module.place(place).variable)),
+                OpKind::Call(callee, list) => {
+                    let parameters = module.function(callee).map(|f| module.parameters(f));
+                    let given = module.operands(list).iter().zip(parameters.unwrap_or(&[]));
+                    passed.extend(
+                        given
+                            .filter(|(_, p)| ignored.contains(*p))
+                            .map(|(op, _)| *op),
+                    );
+                }
+                _ => {}
+            }
+        }
+        let is_used = |parameter: &VariableId| {
+            let mut own = loads.iter().filter(|(_, variable)| variable == parameter);
+            own.any(|(op, _)| !passed.contains(op))
+        };
+        let is_in = |p: &&VariableId| {
+            let root = module.variable(**p).map(|v| v.root);
+            root == Some(Root::Parameter)
+        };
+        let parameters = module.parameters(function).iter();
+        if function.body.is_some() {
+            ignored.extend(parameters.filter(is_in).filter(|p| !is_used(p)));
+        }
+    }
+    ignored
 }
 
 fn main(program: &Program) -> Option<FunctionRef> {

@@ -3,17 +3,21 @@
 use crate::semantic::VariableId;
 use rustc_hash::FxHashMap;
 
-/// All components, or the whole of what has none.
-pub(super) const ALL: u8 = 0xff;
+/// Parts of a variable, a bit each: the components of a vector, the members of a struct; one bit for
+/// what has none, and the last for all members behind it.
+pub type Parts = u32;
+
+/// All parts.
+pub(super) const ALL: Parts = Parts::MAX;
 
 /// What differs from a point of the trail on one way from there, by variable.
-pub(super) type Path = FxHashMap<u32, u8>;
+pub(super) type Path = FxHashMap<u32, Parts>;
 
 /// By variable: the components that have a value on every path to here.
 pub(super) struct State {
-    set: Vec<u8>,
+    set: Vec<Parts>,
     /// The variables that changed, and what they were.
-    trail: Vec<(u32, u8)>,
+    trail: Vec<(u32, Parts)>,
     /// Whether no path leads here.
     pub dead: bool,
 }
@@ -29,20 +33,20 @@ impl State {
     }
 
     /// The components of a variable that have a value.
-    pub fn get(&self, variable: VariableId) -> u8 {
+    pub fn get(&self, variable: VariableId) -> Parts {
         self.at(variable.0)
     }
 
-    fn at(&self, variable: u32) -> u8 {
+    fn at(&self, variable: u32) -> Parts {
         self.set.get(variable as usize).copied().unwrap_or(ALL)
     }
 
     /// Sets which components of a variable have a value.
-    pub fn put(&mut self, variable: VariableId, value: u8) {
+    pub fn put(&mut self, variable: VariableId, value: Parts) {
         self.put_at(variable.0, value);
     }
 
-    fn put_at(&mut self, variable: u32, value: u8) {
+    fn put_at(&mut self, variable: u32, value: Parts) {
         if let Some(slot) = self.set.get_mut(variable as usize)
             && *slot != value
         {
@@ -74,7 +78,7 @@ impl State {
     }
 
     /// What a variable was at a point.
-    pub fn before(&self, mark: usize, variable: u32) -> u8 {
+    pub fn before(&self, mark: usize, variable: u32) -> Parts {
         let since = self.trail.get(mark..).unwrap_or(&[]);
         let first = since.iter().find(|(v, _)| *v == variable);
         first.map_or_else(|| self.at(variable), |(_, old)| *old)

@@ -2,6 +2,8 @@
 
 use super::{Paths, Unset};
 use crate::flow::Calls;
+use crate::flow::defs::Defs;
+use crate::flow::ranges::{Query, Ranges};
 use crate::ir::lower;
 use crate::semantic::{Dialect, Mentions, Pass, Stage, Unit, Wholeness, analyze};
 use crate::text::{Role, Sources};
@@ -26,12 +28,16 @@ fn check(code: &str, expected: &str) {
     assert_eq!(analysis.diagnostics, [], "{code}");
     let program = &analysis.program;
     let module = lower(program);
-    let paths = Paths::of(
+    let calls = Calls::of(&module);
+    let (defs, ranges) = (Defs::of(program, &module, &calls), Ranges::default());
+    let query = || Query {
         program,
-        &module,
-        &Calls::of(&module),
-        &Mentions::of(program),
-    );
+        module: &module,
+        defs: &defs,
+        ranges: &ranges,
+    };
+    let mentions = Mentions::of(program);
+    let paths = Paths::of((program, &module), &calls, &mentions, &query);
     let tested = program
         .functions
         .iter()
@@ -169,6 +175,95 @@ fn what_functions_leave_behind() {
     check("float f(float d) { if (d > 1.) return 1.; }", "end");
     check(
         "float f(float d) { while (true) { if (d > 1.) return 1.; d += 1.; } }",
+        "",
+    );
+}
+
+#[test]
+fn what_is_left_when_all_are_told_apart() {
+    check(
+        "float f(float x, float y) { float a; if (x <= y) a = 1.; else if (y < x) a = 2.; return a; }",
+        "",
+    );
+    check(
+        "float f(bool b, bool c) { if (b || c) { float a; if (b && c) a = 1.; else if (b && !c) a = 2.; \
+         else if (!b && c) a = 3.; return a; } return 0.; }",
+        "",
+    );
+    check(
+        "float f(vec3 p) { if (p.x >= max(p.y, p.z)) return 1.; if (p.y >= max(p.x, p.z)) return 2.; \
+         if (p.z >= max(p.y, p.x)) return 3.; }",
+        "",
+    );
+    check(
+        "float f(vec3 p) { float m = max(p.x, max(p.y, p.z)); if (p.x == m) return 1.; \
+         if (p.y == m) return 2.; if (p.z == m) return 3.; }",
+        "",
+    );
+    check(
+        "float f(vec3 p) { if (p.x >= max(p.y, p.z)) return 1.; if (p.y >= p.x) return 2.; \
+         if (p.z >= 9.) return 3.; }",
+        "end",
+    );
+    check(
+        "float f(float x) { x = fract(x); if (x < .5) return 1.; if (.5 <= x && x < 1.) return 2.; }",
+        "",
+    );
+    check(
+        "float f(float x) { if (x < .5) return 1.; if (.5 < x) return 2.; }",
+        "end",
+    );
+    check(
+        "float f(int i) { i &= 3; if (i == 0) return 1.; if (i == 1) return 2.; if (i > 1 && i < 4) return 3.; }",
+        "",
+    );
+    check(
+        "float f(int i) { switch (i & 1) { case 0: return 1.; case 1: return 2.; } }",
+        "",
+    );
+    check(
+        "float f(int i) { switch (i & 2) { case 0: return 1.; case 1: return 2.; } }",
+        "end",
+    );
+    check(
+        "float f(int i) { float a; if (i == 1) a = 1.; if (i == 2) a = 2.; return a; }",
+        "",
+    );
+    check(
+        "float f(float x) { float a; if (x > 1.) a = 1.; x += 1.; if (x <= 1.) a = 2.; return a; }",
+        "a read",
+    );
+}
+
+#[test]
+fn a_value_that_is_ignored_need_not_be() {
+    check(
+        "float g(float a, float b) { return b; } float h(float a) { return g(a, 1.); } \
+         float f() { float a; return h(a); }",
+        "",
+    );
+    check(
+        "float g(float a, float b) { return b; } float f() { float a; return g(1., a); }",
+        "a never",
+    );
+}
+
+#[test]
+fn members_have_values_of_their_own() {
+    check(
+        "struct S { float a, b; }; float f() { S s; s.a = 1.; return s.b; }",
+        "s never",
+    );
+    check(
+        "struct S { float a, b; }; float f() { S s; s.a = 1.; s.b = 2.; return s.b + s.a; }",
+        "",
+    );
+    check(
+        "struct S { float a, b; }; S f() { S s; s.a = 1.; return s; }",
+        "",
+    );
+    check(
+        "struct S { vec2 a; float b; }; float f() { S s; s.a.x = 1.; return s.a.x; }",
         "",
     );
 }

@@ -1,15 +1,16 @@
 //! The walk through the regions of a function.
 
 use super::conditions::Conditions;
-use super::state::{ALL, Path, State};
+use super::state::{ALL, Parts, Path, State};
 use super::{Findings, Unset};
+use crate::flow::ranges::Query;
 use crate::ir::{
-    Access, Binary, Loop, LoopId, Module, Op, OpId, OpKind, Place, PlaceId, Region, Root, Run,
-    Step, SwitchId,
+    Access, Binary, Case, CaseLabel, Loop, LoopId, Module, Op, OpId, OpKind, Place, PlaceId,
+    Region, Root, Run, Step, SwitchId,
 };
 use crate::semantic::{Direction, FunctionRef, Mentions, Program, VariableId};
 use crate::syntax::ast::Extent;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// How deep regions may nest; of a function with deeper ones nothing is said.
 const MAX_DEPTH: u32 = 200;
@@ -35,18 +36,24 @@ pub(super) struct Walk<'x> {
     state: State,
     conditions: Conditions,
     /// By variable: the components that were written to anywhere so far.
-    ever: FxHashMap<VariableId, u8>,
+    ever: FxHashMap<VariableId, Parts>,
     /// By variable: where it began to be without a value.
     since: FxHashMap<VariableId, u32>,
     /// Variables that must have a value when the function is left.
     outputs: Vec<VariableId>,
-    /// By load: the `inout` parameter that it is handed to; `None` is one of a function without a
-    /// body.
+    /// By load: the `inout` parameter that it is handed to; `None` is one whose value is not used, or
+    /// nobody knows.
     handed: FxHashMap<OpId, Option<VariableId>>,
+    /// Asked for where something was found that may not be.
+    query: &'x dyn Fn() -> Query<'x>,
+    /// What tells which conditions may hold, in a second walk.
+    cases: Option<Query<'x>>,
+    /// By variable and value: the parts that were written where the value was one constant.
+    told: FxHashMap<(VariableId, u64), Parts>,
     /// By `inout` parameter of a function walked so far: the components whose value it uses.
-    taken: FxHashMap<VariableId, u8>,
+    taken: FxHashMap<VariableId, Parts>,
     /// All writes in the function so far.
-    writes: Vec<(VariableId, u8)>,
+    writes: Vec<(VariableId, Parts)>,
     frames: Vec<Frame>,
     /// The sides of conditions around here: where the condition stands, and the last operation.
     branches: Vec<(u32, u32)>,
@@ -61,7 +68,13 @@ pub(super) struct Walk<'x> {
 }
 
 impl<'x> Walk<'x> {
-    pub fn new(program: &'x Program, module: &'x Module, mentions: &'x Mentions) -> Walk<'x> {
+    pub fn new(
+        program: &'x Program,
+        module: &'x Module,
+        mentions: &'x Mentions,
+        ignored: &FxHashSet<VariableId>,
+        query: &'x dyn Fn() -> Query<'x>,
+    ) -> Walk<'x> {
         Walk {
             program,
             module,
@@ -72,7 +85,10 @@ impl<'x> Walk<'x> {
             ever: FxHashMap::default(),
             since: FxHashMap::default(),
             outputs: Vec::new(),
-            handed: handed(program, module),
+            handed: handed(program, module, ignored),
+            query,
+            cases: None,
+            told: FxHashMap::default(),
             taken: FxHashMap::default(),
             writes: Vec::new(),
             frames: Vec::new(),
@@ -85,15 +101,31 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// Follows the paths through a function that has to write to some globals. The functions that it
-    /// calls come before it.
+    /// What happens in a function that has to write to some globals. The functions that it calls
+    /// come before it.
     pub fn function(&mut self, id: FunctionRef, globals: &[VariableId]) -> Option<Findings> {
+        let found = self.follow(id, globals)?;
+        let function = self.program.function(id)?;
+        let is_clean = found.reads.is_empty() && found.outputs.is_empty();
+        if is_clean && (function.returns.is_void() || !found.reaches_end) {
+            return Some(found);
+        }
+        // Only now it is worth asking which paths there are.
+        self.cases = Some((self.query)());
+        let found = self.follow(id, globals);
+        self.cases = None;
+        found
+    }
+
+    /// Follows the paths through a function.
+    fn follow(&mut self, id: FunctionRef, globals: &[VariableId]) -> Option<Findings> {
         let module = self.module;
         let function = module.function(id)?;
         let body = function.body?;
         self.conditions.clear();
         self.ever.clear();
         self.since.clear();
+        self.told.clear();
         self.writes.clear();
         self.exit = 0;
         self.next = function.ops.first.0;
@@ -132,15 +164,17 @@ impl<'x> Walk<'x> {
     fn lose(&mut self, variable: VariableId, at: u32) {
         self.state.put(variable, 0);
         self.since.insert(variable, at);
+        self.told.retain(|(v, _), _| *v != variable);
         self.conditions.reset(variable);
     }
 
-    /// Whether any variable of the function was ever without a value.
+    /// Whether conditions matter: a variable of the function was without a value, or it is asked
+    /// whether its end is reached.
     fn is_open(&self) -> bool {
-        !self.since.is_empty()
+        !self.since.is_empty() || self.cases.is_some()
     }
 
-    fn written(&self, variable: VariableId) -> u8 {
+    fn written(&self, variable: VariableId) -> Parts {
         self.ever.get(&variable).copied().unwrap_or(0)
     }
 
@@ -213,8 +247,18 @@ impl<'x> Walk<'x> {
         }
     }
 
+    /// The only answer that a condition may have here.
     fn known(&self, condition: OpId) -> Option<bool> {
-        self.module.constant(condition).first().map(|v| v.as_bool())
+        let constant = self.module.constant(condition).first();
+        constant.map(|v| v.as_bool()).or_else(|| {
+            let query = self.cases.filter(|_| !self.state.dead)?;
+            let may_be = |truth| self.conditions.may_be(query, condition, truth);
+            match (may_be(true), may_be(false)) {
+                (true, false) => Some(true),
+                (false, true) => Some(false),
+                _ => None,
+            }
+        })
     }
 
     fn branch(&mut self, condition: OpId, then: Region, otherwise: Region, depth: u32) {
@@ -225,14 +269,15 @@ impl<'x> Walk<'x> {
         let compared = self.compared(condition);
         let is_next = compared.is_some() && compared == self.compared;
         let outer = self.compared.take();
+        self.state.dead |= known == Some(false);
         self.side(condition, true, then, depth);
-        let first = self.state.path(mark).filter(|_| known != Some(false));
+        let first = self.state.path(mark);
         self.state.undo(mark);
-        self.state.dead = was_dead;
+        self.state.dead = was_dead || known == Some(true);
         self.compared = compared;
         self.side(condition, false, otherwise, depth);
         self.compared = outer;
-        let second = self.state.path(mark).filter(|_| known != Some(true));
+        let second = self.state.path(mark);
         // Two values have been told apart and nothing is left for others: there are none.
         let is_empty = self.module.steps(otherwise).is_empty();
         let second = second.filter(|_| !(is_next && is_empty && first.is_some()));
@@ -246,11 +291,9 @@ impl<'x> Walk<'x> {
             (None, None) => {}
             (first, _) => {
                 self.exit = self.exit.max(if is_next && is_empty { 0 } else { start });
-                let facts = self
-                    .conditions
-                    .facts_of(self.module, condition, first.is_some());
                 if !(is_next && is_empty) {
-                    self.conditions.learn(facts);
+                    self.conditions
+                        .learn(self.module, condition, first.is_some());
                 }
             }
         }
@@ -261,8 +304,7 @@ impl<'x> Walk<'x> {
         let held = self.conditions.mark();
         let start = condition.0 + 1;
         if self.is_open() {
-            let facts = self.conditions.facts_of(self.module, condition, truth);
-            self.conditions.learn(facts);
+            self.conditions.learn(self.module, condition, truth);
         }
         self.guarded_region(region, start, depth);
         self.conditions.undo(held);
@@ -320,6 +362,7 @@ impl<'x> Walk<'x> {
             let start = self.state.get(id);
             let of = |path: &Path| path.get(&variable).copied().unwrap_or(start);
             let (then, otherwise) = (of(first), of(second));
+            let met = fact;
             for (gained, fact) in [
                 (then & !otherwise, fact),
                 (otherwise & !then, fact.turned()),
@@ -328,8 +371,25 @@ impl<'x> Walk<'x> {
                     let both = self.conditions.follows(fact, id, gained);
                     self.state.put(id, self.state.get(id) | both);
                 }
+                if gained != 0 && fact == met {
+                    let again = self.tell(id, condition, gained);
+                    self.state.put(id, self.state.get(id) | again);
+                }
             }
         }
+    }
+
+    /// Parts of a variable are written where a value is one constant. Gives those that were written
+    /// for another constant too: who tells several values apart that the shader made has all that
+    /// there are.
+    fn tell(&mut self, variable: VariableId, condition: OpId, gained: Parts) -> Parts {
+        let Some(value) = self.compared(condition) else {
+            return 0;
+        };
+        let known = self.told.entry((variable, value)).or_insert(0);
+        let again = *known & gained;
+        *known |= gained;
+        again
     }
 
     fn begin(&mut self, start: u32, last: Option<u32>) -> usize {
@@ -414,7 +474,7 @@ impl<'x> Walk<'x> {
         let cases = module.cases(found);
         let mut has_default = false;
         for case in cases {
-            has_default |= module.labels(case).contains(&crate::ir::CaseLabel::Default);
+            has_default |= module.labels(case).contains(&CaseLabel::Default);
             // A label is reached from the top too, where less has a value.
             self.state.undo(mark);
             self.state.dead = was_dead;
@@ -425,11 +485,32 @@ impl<'x> Walk<'x> {
         // Whoever tells several values apart that the shader made has all that there are.
         let is_told =
             cases.len() > 1 && !self.is_outside(found.selector) && (path.is_some() || has_left);
+        let has_default = has_default || self.has_all(found.selector, cases);
         let path = match path {
             _ if !has_default && !was_dead && !is_told => Some(Path::default()),
             path => path,
         };
         self.end(mark, path);
+    }
+
+    /// Whether there is a case for every value that a selector may have.
+    fn has_all(&self, selector: OpId, cases: &[Case]) -> bool {
+        const MOST: f64 = 64.0;
+        let Some(range) = self.cases.map(|query| query.lane(selector, 0)) else {
+            return false;
+        };
+        let (lo, hi) = (range.lo.value, range.hi.value);
+        if !range.is_finite() || hi - lo > MOST {
+            return false;
+        }
+        let labels = cases.iter().flat_map(|c| self.module.labels(c));
+        let values: FxHashSet<i64> = labels
+            .filter_map(|label| match label {
+                CaseLabel::Value(bits) => Some(*bits as i32 as i64),
+                CaseLabel::Default => None,
+            })
+            .collect();
+        (lo as i64..=hi as i64).all(|value| values.contains(&value))
     }
 
     /// A `break`.
@@ -483,10 +564,19 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// The components of a variable, or one bit for anything that has none.
-    fn needed(&self, variable: VariableId) -> u8 {
+    /// The parts of a variable, or one bit for anything that has none.
+    fn needed(&self, variable: VariableId) -> Parts {
         match self.module.variable(variable).map(|v| v.ty) {
             Some(ty) if ty.is_vector() => (1 << ty.components()) - 1,
+            Some(ty) if ty.array == 0 => {
+                let fields = self.program.struct_of(ty).map_or(1, |s| s.fields.len());
+                let all = 1u64.checked_shl(fields as u32).map_or(0, |end| end - 1);
+                if all == 0 || all > Parts::MAX as u64 {
+                    ALL
+                } else {
+                    all as Parts
+                }
+            }
             _ => 1,
         }
     }
@@ -502,6 +592,8 @@ impl<'x> Walk<'x> {
         let needed = match self.module.path(place).first() {
             // Which component it is, the text does not tell.
             Some(Access::Computed(_) | Access::Element(_)) if has != 0 => 0,
+            // Who copies a struct need not use all of it.
+            None if has != 0 && self.has_members(variable) => 0,
             _ => lanes(self.module, place).unwrap_or_else(|| self.needed(variable)),
         };
         // What a function without a body does with it, nobody knows.
@@ -537,6 +629,11 @@ impl<'x> Walk<'x> {
         self.state.put(variable, ALL);
     }
 
+    fn has_members(&self, variable: VariableId) -> bool {
+        let ty = self.module.variable(variable).map(|v| v.ty);
+        ty.is_some_and(|ty| ty.array == 0 && self.program.struct_of(ty).is_some())
+    }
+
     /// Whether a condition stands between a point and here.
     fn is_guarded(&self, op: OpId, since: u32) -> bool {
         let is_chosen = self.chosen.get(op.0 as usize).copied().unwrap_or(false);
@@ -545,7 +642,7 @@ impl<'x> Walk<'x> {
 
     /// Whether the turn before may have written what is read here: on a way that passes the read
     /// over, by a condition that may well tell the first turn from the others.
-    fn is_written_later(&self, variable: VariableId, missing: u8, op: OpId, since: u32) -> bool {
+    fn is_written_later(&self, variable: VariableId, missing: Parts, op: OpId, since: u32) -> bool {
         let loops = self.frames.iter().filter(|f| f.start >= since);
         let mut loops = loops.filter_map(|f| Some((f.start, f.last?)));
         loops.any(|(start, last)| {
@@ -574,10 +671,14 @@ impl<'x> Walk<'x> {
     }
 }
 
-/// The components that a place is, if they are known and all that is in its way.
-fn lanes(module: &Module, place: &Place) -> Option<u8> {
+/// The number of the last part; members behind it share it.
+const LAST_PART: u32 = Parts::BITS - 1;
+
+/// The components that a place is, or the member that it lies in, if they are known.
+fn lanes(module: &Module, place: &Place) -> Option<Parts> {
     match module.path(place) {
         [Access::Lanes(lanes)] => Some(lanes.numbers().iter().fold(0, |mask, n| mask | 1 << n)),
+        [Access::Member(number), ..] => Some(1 << number.min(&LAST_PART)),
         _ => None,
     }
 }
@@ -588,8 +689,12 @@ fn is_inout(module: &Module, variable: VariableId) -> bool {
     root == Some(Root::ParameterInout)
 }
 
-/// By load: the `inout` parameter that it is handed to; `None` is one of a function without a body.
-fn handed(program: &Program, module: &Module) -> FxHashMap<OpId, Option<VariableId>> {
+/// See [`Walk::handed`].
+fn handed(
+    program: &Program,
+    module: &Module,
+    ignored: &FxHashSet<VariableId>,
+) -> FxHashMap<OpId, Option<VariableId>> {
     let mut handed = FxHashMap::default();
     for op in &module.ops {
         if let OpKind::Call(id, list) = op.kind
@@ -597,13 +702,14 @@ fn handed(program: &Program, module: &Module) -> FxHashMap<OpId, Option<Variable
         {
             let parameters = module.function(id).map(|f| module.parameters(f));
             let arguments = module.operands(list).iter().zip(&function.params);
-            let inout = arguments
-                .enumerate()
-                .filter(|(_, (_, p))| p.direction == Direction::Inout);
-            handed.extend(inout.map(|(i, (argument, _))| {
-                let parameter = parameters.and_then(|p| p.get(i));
-                (*argument, parameter.copied())
-            }));
+            for (i, (argument, given)) in arguments.enumerate() {
+                let parameter = parameters.and_then(|p| p.get(i)).copied();
+                if given.direction == Direction::Inout {
+                    handed.insert(*argument, parameter);
+                } else if parameter.is_some_and(|p| ignored.contains(&p)) {
+                    handed.insert(*argument, None);
+                }
+            }
         }
     }
     handed

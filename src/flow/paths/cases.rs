@@ -1,0 +1,372 @@
+//! Whether conditions can all hold at once: what is left where the others have been told apart.
+//!
+//! A condition is taken apart at `&&`, `||`, `!`, `min` and `max` into comparisons, each of which puts
+//! two values in order. Orders that run in a circle cannot be, and neither can two answers to one
+//! question.
+
+use super::conditions::{Conditions, Fact};
+use crate::flow::defs::Def;
+use crate::flow::ranges::Query;
+use crate::ir::{Binary, OpId, OpKind, Unary};
+use crate::semantic::Scalar;
+use crate::semantic::builtins::Transfer;
+
+/// Most values that are put in order.
+const MAX_VALUES: usize = 20;
+/// Most steps until anything may be.
+const MAX_STEPS: u32 = 1000;
+/// Most conditions that are looked at, the last ones.
+pub(super) const MAX_CONDITIONS: usize = 24;
+
+/// A condition, and whether it is true.
+pub(super) type Answer = (OpId, bool);
+
+/// Whether all of these may be so.
+pub(super) fn may_all_be(query: Query, conditions: &Conditions, answers: &[Answer]) -> bool {
+    let answers = answers.iter().rev();
+    let mut open = vec![Case {
+        goals: answers.map(|(op, truth)| Goal::Is(*op, *truth)).collect(),
+        ..Case::default()
+    }];
+    let cases = Cases { query, conditions };
+    for _ in 0..MAX_STEPS {
+        let Some(mut case) = open.pop() else {
+            return false;
+        };
+        let Some(goal) = case.goals.pop() else {
+            return true;
+        };
+        match cases.meaning(goal) {
+            Meaning::Anything => open.push(case),
+            Meaning::Never => {}
+            Meaning::All(goals) => {
+                case.goals.extend(goals);
+                open.push(case);
+            }
+            Meaning::One(first, second) => {
+                let mut other = case.clone();
+                other.goals.extend(second);
+                case.goals.extend(first);
+                open.extend([other, case]);
+            }
+            Meaning::Fact(fact) => {
+                if !case.facts.contains(&fact.turned()) {
+                    case.facts.push(fact);
+                    open.push(case);
+                }
+            }
+            Meaning::Below {
+                low,
+                high,
+                is_strict,
+            } => {
+                if case.order.add(low, high, is_strict) {
+                    open.push(case);
+                }
+            }
+        }
+    }
+    true
+}
+
+/// What has to be.
+#[derive(Clone, Copy)]
+enum Goal {
+    Is(OpId, bool),
+    /// One number is less than another, or the same unless it is strict.
+    Below {
+        low: OpId,
+        high: OpId,
+        is_strict: bool,
+    },
+}
+
+/// What a goal comes to.
+enum Meaning {
+    Anything,
+    Never,
+    All([Goal; 2]),
+    One(Vec<Goal>, Vec<Goal>),
+    Fact(Fact),
+    Below {
+        low: Value,
+        high: Value,
+        is_strict: bool,
+    },
+}
+
+/// A number that is known, or that something comes to, with the least and most that it may be.
+#[derive(Clone, Copy)]
+enum Value {
+    Known(f64),
+    Found { key: u64, lo: f64, hi: f64 },
+}
+
+/// One way in which all may be.
+#[derive(Clone, Default)]
+struct Case {
+    goals: Vec<Goal>,
+    facts: Vec<Fact>,
+    order: Order,
+}
+
+struct Cases<'x> {
+    query: Query<'x>,
+    conditions: &'x Conditions,
+}
+
+impl Cases<'_> {
+    fn meaning(&self, goal: Goal) -> Meaning {
+        match goal {
+            Goal::Is(op, truth) => self.answer(op, truth),
+            Goal::Below {
+                low,
+                high,
+                is_strict,
+            } => self.below(low, high, is_strict),
+        }
+    }
+
+    fn answer(&self, op: OpId, truth: bool) -> Meaning {
+        let module = self.query.module;
+        let is = |a, truth| Goal::Is(a, truth);
+        match module.op(op).kind {
+            OpKind::Const(_) => match module.constant(op) {
+                [value] if value.as_bool() != truth => Meaning::Never,
+                _ => Meaning::Anything,
+            },
+            OpKind::Unary(Unary::Not, a) => Meaning::All([is(a, !truth), is(a, !truth)]),
+            OpKind::Binary(Binary::And, a, b) => match truth {
+                true => Meaning::All([is(a, true), is(b, true)]),
+                false => Meaning::One(vec![is(a, false)], vec![is(a, true), is(b, false)]),
+            },
+            OpKind::Binary(Binary::Or, a, b) => match truth {
+                true => Meaning::One(vec![is(a, true)], vec![is(a, false), is(b, true)]),
+                false => Meaning::All([is(a, false), is(b, false)]),
+            },
+            OpKind::Binary(kind, a, b) if kind.compares() => {
+                let (low, high) = match (kind, truth) {
+                    (Binary::Less | Binary::LessEqual, true)
+                    | (Binary::Greater | Binary::GreaterEqual, false) => (a, b),
+                    _ => (b, a),
+                };
+                let is_strict = matches!(kind, Binary::Less | Binary::Greater) == truth;
+                self.below(low, high, is_strict)
+            }
+            OpKind::Same {
+                negated,
+                left,
+                right,
+            } if self.is_number(left) => {
+                let below = |low, high, is_strict| Goal::Below {
+                    low,
+                    high,
+                    is_strict,
+                };
+                match truth != negated {
+                    true => Meaning::All([below(left, right, false), below(right, left, false)]),
+                    false => {
+                        let less = below(left, right, true);
+                        Meaning::One(vec![less], vec![below(right, left, true)])
+                    }
+                }
+            }
+            _ => {
+                let fact = self.conditions.fact(module, op, truth);
+                fact.map_or(Meaning::Anything, Meaning::Fact)
+            }
+        }
+    }
+
+    fn is_number(&self, op: OpId) -> bool {
+        let ty = self.query.module.ty(op);
+        ty.is_scalar() && ty.scalar_kind() != Some(Scalar::Bool)
+    }
+
+    fn below(&self, low: OpId, high: OpId, is_strict: bool) -> Meaning {
+        let goal = |low, high| Goal::Below {
+            low,
+            high,
+            is_strict,
+        };
+        if let Some((is_most, [a, b])) = self.extreme(high) {
+            let (a, b) = (goal(low, a), goal(low, b));
+            return match is_most {
+                true => Meaning::One(vec![a], vec![b]),
+                false => Meaning::All([a, b]),
+            };
+        }
+        if let Some((is_most, [a, b])) = self.extreme(low) {
+            let (a, b) = (goal(a, high), goal(b, high));
+            return match is_most {
+                true => Meaning::All([a, b]),
+                false => Meaning::One(vec![a], vec![b]),
+            };
+        }
+        let (Some(mut left), Some(mut right)) = (self.value(low), self.value(high)) else {
+            return Meaning::Anything;
+        };
+        let is_whole = self.query.module.ty(low).scalar_kind() != Some(Scalar::Float);
+        let mut is_strict = is_strict;
+        // Between whole numbers there is nothing.
+        if is_whole && is_strict {
+            match (&mut left, &mut right) {
+                (_, Value::Known(value)) => (*value, is_strict) = (*value - 1.0, false),
+                (Value::Known(value), _) => (*value, is_strict) = (*value + 1.0, false),
+                _ => {}
+            }
+        }
+        Meaning::Below {
+            low: left,
+            high: right,
+            is_strict,
+        }
+    }
+
+    /// The operands of `max`, or of `min`; a variable that holds one of them is looked into.
+    fn extreme(&self, op: OpId) -> Option<(bool, [OpId; 2])> {
+        let (module, defs) = (self.query.module, self.query.defs);
+        let mut at = op;
+        if let OpKind::Load(_) = module.op(op).kind
+            && let Def::Stored { value, .. } = defs.get(defs.unrefined(defs.seen(op, 0)))
+            && module.ty(value).is_scalar()
+        {
+            at = value;
+        }
+        let OpKind::Builtin(function, list) = module.op(at).kind else {
+            return None;
+        };
+        let is_most = match function.transfer() {
+            Transfer::Maximum => true,
+            Transfer::Minimum => false,
+            _ => return None,
+        };
+        match module.operands(list) {
+            [a, b] if module.ty(at).is_scalar() => Some((is_most, [*a, *b])),
+            _ => None,
+        }
+    }
+
+    fn value(&self, op: OpId) -> Option<Value> {
+        let (query, module) = (self.query, self.query.module);
+        if !self.is_number(op) {
+            return None;
+        }
+        let range = query.lane(op, 0);
+        if let Some(value) = range.single() {
+            return Some(Value::Known(value));
+        }
+        Some(Value::Found {
+            key: self.conditions.number(module, op)?,
+            lo: range.lo.value,
+            hi: range.hi.value,
+        })
+    }
+}
+
+/// How values are known to lie: by pair, whether the first is at most, or less than, the second.
+#[derive(Clone, Default)]
+struct Order {
+    values: Vec<Value>,
+    pairs: [[Step; MAX_VALUES]; MAX_VALUES],
+}
+
+/// The way from one value to another that is as great or greater.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+enum Step {
+    #[default]
+    Unknown,
+    AtMost,
+    Less,
+}
+
+impl Order {
+    /// Takes on that one value is below another; `false` where that cannot be.
+    fn add(&mut self, low: Value, high: Value, is_strict: bool) -> bool {
+        let (Some(low), Some(high)) = (self.place(low), self.place(high)) else {
+            // There are too many.
+            return true;
+        };
+        let step = match is_strict {
+            true => Step::Less,
+            false => Step::AtMost,
+        };
+        self.join(low, high, step)
+    }
+
+    fn step(&self, from: usize, to: usize) -> Step {
+        match from == to {
+            true => Step::AtMost,
+            false => self
+                .pairs
+                .get(from)
+                .and_then(|row| row.get(to))
+                .copied()
+                .unwrap_or_default(),
+        }
+    }
+
+    fn join(&mut self, low: usize, high: usize, step: Step) -> bool {
+        let mut may_be = true;
+        for from in 0..self.values.len() {
+            let before = self.step(from, low);
+            for to in 0..self.values.len() {
+                let behind = self.step(high, to);
+                if before == Step::Unknown || behind == Step::Unknown {
+                    continue;
+                }
+                let all = step.max(before).max(behind);
+                may_be &= from != to || all != Step::Less;
+                if let Some(slot) = self.pairs.get_mut(from).and_then(|row| row.get_mut(to)) {
+                    *slot = all.max(*slot);
+                }
+            }
+        }
+        may_be
+    }
+
+    /// The number of a value, which has its place among those that are known.
+    fn place(&mut self, value: Value) -> Option<usize> {
+        let is_it = |other: &Value| match (value, *other) {
+            (Value::Known(a), Value::Known(b)) => a == b,
+            (Value::Found { key: a, .. }, Value::Found { key: b, .. }) => a == b,
+            _ => false,
+        };
+        if let Some(known) = self.values.iter().position(is_it) {
+            return Some(known);
+        }
+        let own = self.values.len();
+        if own >= MAX_VALUES {
+            return None;
+        }
+        self.values.push(value);
+        match value {
+            Value::Known(number) => {
+                for other in 0..own {
+                    match self.values.get(other) {
+                        Some(Value::Known(known)) if *known < number => {
+                            self.join(other, own, Step::Less);
+                        }
+                        Some(Value::Known(_)) => {
+                            self.join(own, other, Step::Less);
+                        }
+                        _ => {}
+                    }
+                }
+            }
+            Value::Found { lo, hi, .. } => {
+                if lo.is_finite()
+                    && let Some(low) = self.place(Value::Known(lo))
+                {
+                    self.join(low, own, Step::AtMost);
+                }
+                if hi.is_finite()
+                    && let Some(high) = self.place(Value::Known(hi))
+                {
+                    self.join(own, high, Step::AtMost);
+                }
+            }
+        }
+        Some(own)
+    }
+}
