@@ -78,7 +78,7 @@ fn check_vector(cx: &mut Context, id: ExprId) {
     };
     let args = tree.args(args);
     let ty = program.ty(id);
-    let is_whole = ty.is_vector() && ty.components() as usize == args.len() && args.len() > 2;
+    let is_whole = ty.is_vector() && ty.components() as usize == args.len() && args.len() > 1;
     if !is_whole || !cx.is_direct(id) {
         return;
     }

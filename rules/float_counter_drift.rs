@@ -22,6 +22,8 @@ const MAX_TURNS: u32 = 10_000;
 #[derive(Clone, Copy)]
 struct Counted {
     counter: VariableId,
+    /// Whether the loop sets a variable that was there before.
+    is_set: bool,
     start: f32,
     limit: f32,
     step: f32,
@@ -39,7 +41,8 @@ fn check(cx: &mut Context, id: StmtId) {
     // Whoever changes the counter elsewhere too counts otherwise.
     let writes = cx.facts.writes().all().iter();
     let writes = writes.filter(|(_, v)| *v == counted.counter).count();
-    if turns == meant || writes != 1 {
+    let own = 1 + usize::from(counted.is_set);
+    if turns == meant || writes != own {
         return;
     }
     let StmtKind::For { init, body, .. } = program.tree.stmt(id).kind else {
@@ -122,6 +125,7 @@ fn counted(program: &Program, id: StmtId) -> Option<Counted> {
     let is_counter = |e| program.variable_of(e) == Some(counter);
     (is_order && is_counter(left) && is_counter(target)).then_some(Counted {
         counter,
+        is_set: matches!(tree.stmt(init).kind, StmtKind::Expr(_)),
         start,
         limit: float(program, limit)?,
         step: sign * float(program, step)?,
@@ -132,8 +136,15 @@ fn counted(program: &Program, id: StmtId) -> Option<Counted> {
 /// The counter that a loop declares or sets, and what it starts from.
 fn started(program: &Program, init: StmtId) -> Option<(VariableId, f32)> {
     let tree = &program.tree;
-    let StmtKind::Decl(decl) = tree.stmt(init).kind else {
-        return None;
+    let decl = match tree.stmt(init).kind {
+        StmtKind::Decl(decl) => decl,
+        StmtKind::Expr(e) => {
+            let ExprKind::Assign(None, target, value) = tree.expr(e).kind else {
+                return None;
+            };
+            return Some((program.variable_of(target)?, float(program, value)?));
+        }
+        _ => return None,
     };
     let DeclKind::Variables { declarators, .. } = tree.decl(decl)?.kind else {
         return None;

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::flow::ranges::{Interval, Rounding};
-use crate::lint::given::{hangs_on_callers, is_of_uniforms};
+use crate::lint::given::{hangs_on_callers, is_exact, is_of_uniforms};
 use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
 use crate::semantic::{Scalar, Storage};
 use crate::syntax::ast::*;
@@ -40,11 +40,12 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     if left.single().is_some() && right.single().is_some() {
         return;
     }
+    let [a, b] = [(left, e.left), (right, e.right)].map(|(range, expr)| Side { range, expr });
     let answer = match e.op {
-        Less => is_less(&left, &right),
-        Greater => is_less(&right, &left),
-        LessEqual => is_less(&right, &left).map(|a| !a),
-        _ => is_less(&left, &right).map(|a| !a),
+        Less => is_less(cx, a, b),
+        Greater => is_less(cx, b, a),
+        LessEqual => is_less(cx, b, a).map(|a| !a),
+        _ => is_less(cx, a, b).map(|a| !a),
     };
     let Some(answer) = answer else {
         return;
@@ -60,7 +61,8 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         ExprKind::Name(_) | ExprKind::Member(..) | ExprKind::Index(..)
     );
     let settled = settled(cx, e.id, answer);
-    if settled.is_none_or(|truth| truth && !is_written_here) || !is_computed_here(cx, e) {
+    let is_open = settled.is_none_or(|truth| truth && !is_written_here);
+    if is_open || is_spoken_of_twice(cx, e.id, place) || !is_computed_here(cx, e) {
         return;
     }
     let known = match kind {
@@ -73,19 +75,64 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         .label(place, text);
 }
 
+/// One side of a comparison.
+#[derive(Clone, Copy)]
+struct Side {
+    range: Interval,
+    expr: ExprId,
+}
+
 /// Whether all of one number is less than all of another, or none of it.
-fn is_less(a: &Interval, b: &Interval) -> Option<bool> {
+fn is_less(cx: &Context, a: Side, b: Side) -> Option<bool> {
     // What rounding has come into may be a little beyond its bounds.
-    let slack = |r: &Interval| match r.rounding {
-        Rounding::Never => 0.0,
-        _ => 1e-4 * r.lo.value.abs().min(r.hi.value.abs()).max(1e-3),
+    let slack = |side: Side, is_low: bool| {
+        let r = side.range;
+        let is_sharp = r.rounding == Rounding::Never
+            || r.single().is_some()
+            || is_exact(cx.facts, cx.program, side.expr, is_low);
+        match is_sharp {
+            true => 0.0,
+            false => 1e-4 * r.lo.value.abs().min(r.hi.value.abs()).max(1e-3),
+        }
     };
-    let slack = slack(a).max(slack(b));
-    if a.hi.value < b.lo.value - slack {
+    let (low, high) = (
+        slack(a, false).max(slack(b, true)),
+        slack(a, true).max(slack(b, false)),
+    );
+    if a.range.hi.value < b.range.lo.value - low {
         return Some(true);
     }
-    let is_beyond = a.lo.value >= b.hi.value + slack && (slack == 0.0 || a.lo.value > b.hi.value);
-    is_beyond.then_some(false)
+    (a.range.lo.value >= b.range.hi.value + high).then_some(false)
+}
+
+/// Whether a condition speaks of a value in more places than one: what one tells may settle the
+/// other, which is a contradiction.
+fn is_spoken_of_twice(cx: &Context, comparison: ExprId, place: ExprId) -> bool {
+    let tree = &cx.program.tree;
+    let structure = cx.facts.structure();
+    let is_logical = |p: &ExprId| {
+        let kind = tree.expr(*p).kind;
+        matches!(kind, ExprKind::Binary(op, ..) if op.is_logical())
+            || matches!(kind, ExprKind::Paren(_) | ExprKind::Unary(UnaryOp::Not, _))
+    };
+    let around = std::iter::successors(structure.parent(comparison), |p| structure.parent(*p));
+    let Some(whole) = around.take_while(is_logical).last() else {
+        return false;
+    };
+    let mut at = tree.unparen(place);
+    while let ExprKind::Member(inner, _) | ExprKind::Index(inner, _) = tree.expr(at).kind {
+        at = tree.unparen(inner);
+    }
+    let (whole, own) = (tree.expr(whole).extent, tree.expr(comparison).extent);
+    cx.program.variable_of(at).is_some_and(|v| {
+        let mut all = cx
+            .facts
+            .mentions()
+            .all(v)
+            .iter()
+            .map(|e| tree.expr(*e).extent);
+        all.any(|e| whole.contains(e) && !own.contains(e))
+    })
 }
 
 /// Whether a comparison is of what the code around it computes: what callers pass and other functions

@@ -1,6 +1,7 @@
 //! Functions of the language in a loop that give the same in every turn.
 
 use crate::diagnostic::Severity;
+use crate::flow::Bound;
 use crate::lint::still::{Places, is_still, runs_each_turn};
 use crate::lint::{Check, Context, Group, Rule};
 use crate::semantic::{BuiltinId, Program, Resolution, each_operand};
@@ -10,11 +11,14 @@ pub static RULE: Rule = Rule {
     name: "loop-invariant-math",
     group: Group::Budget,
     severity: Severity::Info,
-    default: false,
+    default: true,
     options: &[],
     page: include_str!("loop_invariant_math.md"),
     checks: &[Check::Program(check)],
 };
+
+/// Fewest turns of a loop that is looked at: a few samples for each pixel are no matter.
+const FEWEST_TURNS: u64 = 8;
 
 /// How many expressions around a call are looked at.
 const MAX_OUTER: usize = 6;
@@ -23,6 +27,7 @@ fn check(cx: &mut Context) {
     let program = cx.program;
     let facts = cx.facts;
     let mut places: Option<Places> = None;
+    let mut last: Option<StmtId> = None;
     for (expr, at) in program.tree.exprs.iter().zip(0..) {
         let id = ExprId(at);
         let ExprKind::Call(..) = expr.kind else {
@@ -39,8 +44,7 @@ fn check(cx: &mut Context) {
             .structure()
             .outwards(stmt)
             .filter_map(|s| facts.loops().get(s));
-        let Some(looped) =
-            around.find(|l| runs_each_turn(program, l.stmt, id) && l.bound.turns() != Some(1))
+        let Some(looped) = around.find(|l| runs_each_turn(program, l.stmt, id) && is_long(l.bound))
         else {
             continue;
         };
@@ -58,6 +62,10 @@ fn check(cx: &mut Context) {
         if outer.take(MAX_OUTER).any(|p| is_larger(&p) && still(p)) {
             continue;
         }
+        // One line is taken out as a whole.
+        if last.replace(stmt) == Some(stmt) {
+            continue;
+        }
         let text = program.expr_text(id);
         let head = program.span(Extent::token(extent.first));
         let message = format!("`{text}` is the same in every turn of the loop");
@@ -65,6 +73,10 @@ fn check(cx: &mut Context) {
             .label(head, "computed again in each turn")
             .help("compute it once before the loop");
     }
+}
+
+fn is_long(bound: Bound) -> bool {
+    bound.turns().is_none_or(|turns| turns >= FEWEST_TURNS)
 }
 
 /// Whether an expression calls one of the shader's functions, which may do more than it seems.
@@ -85,19 +97,6 @@ const fn is_dear(function: BuiltinId) -> bool {
     use BuiltinId::*;
     matches!(
         function,
-        Normalize
-            | Sin
-            | Cos
-            | Tan
-            | Asin
-            | Acos
-            | Atan
-            | Pow
-            | Exp
-            | Log
-            | Sqrt
-            | Inverse
-            | Length
-            | Distance
+        Normalize | Sin | Cos | Tan | Asin | Acos | Atan | Pow | Exp | Log | Inverse
     )
 }

@@ -38,9 +38,8 @@ fn check(cx: &mut Context, id: ExprId) {
     };
     // `x =-1.0` sets the sign of a number; nobody writes it apart from its operand. A plus does
     // nothing, wherever it stands.
-    let is_one = equal.end == sign.start && before.end < equal.start;
-    let is_apart = sign.end < behind.start;
-    if !is_one || !(is_apart || op == UnaryOp::Plus) {
+    let is_apart = before.end < equal.start && sign.end < behind.start;
+    if equal.end != sign.start || !(is_apart || op == UnaryOp::Plus) {
         return;
     }
     let symbol = op.symbol();

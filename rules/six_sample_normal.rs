@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "six-sample-normal",
     group: Group::Budget,
     severity: Severity::Info,
-    default: false,
+    default: true,
     options: &[RuleOption::Number(&OPERATIONS)],
     page: include_str!("six_sample_normal.md"),
     checks: &[Check::Program(check)],
@@ -21,6 +21,9 @@ static OPERATIONS: Setting<f64> = Setting::new(
     20.0,
     "Fewest operations of a function that is reported",
 );
+
+/// The size of a scene function from which on its copies matter more than its calls.
+const LARGE: f64 = 150.0;
 
 fn check(cx: &mut Context) {
     let program = cx.program;
@@ -40,7 +43,10 @@ fn check(cx: &mut Context) {
         let &[first, .., last] = differences.as_slice() else {
             continue;
         };
-        let is_dear = cx.facts.work().operations(callee) >= cx.option(&OPERATIONS);
+        // A large scene is another finding, that of its copies.
+        let work = cx.facts.work();
+        let is_dear =
+            work.operations(callee) >= cx.option(&OPERATIONS) && work.size(callee) < LARGE;
         let (Some(function), 3, true) = (program.function(callee), differences.len(), is_dear)
         else {
             continue;

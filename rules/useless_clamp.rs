@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::flow::ranges::Interval;
-use crate::lint::given::{hangs_on_callers, is_of_uniforms};
+use crate::lint::given::{hangs_on_callers, is_exact, is_of_uniforms};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::{BuiltinId, Storage};
 use crate::syntax::ast::*;
@@ -78,7 +78,7 @@ fn check(cx: &mut Context, call: &Builtin) {
 
 /// What a bound does to all components of a value.
 fn cut(cx: &Context, value: ExprId, bound: ExprId, is_low: bool) -> Cut {
-    let exact = is_exact(cx, value, is_low);
+    let exact = is_exact(cx.facts, cx.program, value, is_low);
     let bounds: Vec<Interval> = cx.facts.range(bound).collect();
     let mut all = None;
     for (at, range) in cx.facts.range(value).enumerate() {
@@ -101,21 +101,6 @@ fn cut(cx: &Context, value: ExprId, bound: ExprId, is_low: bool) -> Cut {
         }
     }
     all.unwrap_or(Cut::Sometimes)
-}
-
-/// Whether no rounding takes a value beyond the end of its range: below zero, of what has no sign,
-/// and beyond what a function has cut already.
-fn is_exact(cx: &Context, value: ExprId, is_low: bool) -> bool {
-    use BuiltinId::*;
-    let program = cx.program;
-    let tree = &program.tree;
-    let at = tree.unparen(value);
-    match (tree.expr(at).kind, program.builtin_called(at)) {
-        (_, Some(Clamp | Min | Max | Step | Fract | Smoothstep)) => true,
-        (_, Some(Abs | Length | Distance | Exp | Exp2 | Sqrt)) => is_low,
-        (ExprKind::Binary(BinaryOp::Mul, a, b), _) => is_low && cx.facts.is_same(a, b),
-        _ => false,
-    }
 }
 
 /// Whether a value is what the code around it computes: what callers and the host give is cut in good

@@ -3,8 +3,8 @@
 use super::Facts;
 use crate::flow::defs::{Def, DefId};
 use crate::ir::{OpId, OpKind, Root};
-use crate::semantic::{Program, Resolution, Storage, each_operand};
-use crate::syntax::ast::ExprId;
+use crate::semantic::{BuiltinId, Program, Resolution, Storage, each_operand};
+use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
 use rustc_hash::FxHashSet;
 
 /// Most operations and definitions that are looked at.
@@ -47,6 +47,20 @@ pub fn is_of_uniforms(program: &Program, expr: ExprId) -> bool {
         each_operand(tree, tree.expr(next), |child| todo.push(child));
     }
     false
+}
+
+/// Whether no rounding takes a value beyond the end of its range: below zero, of what has no sign,
+/// and beyond what a function has cut already.
+pub fn is_exact(facts: &Facts, program: &Program, value: ExprId, is_low: bool) -> bool {
+    use BuiltinId::*;
+    let tree = &program.tree;
+    let at = tree.unparen(value);
+    match (tree.expr(at).kind, program.builtin_called(at)) {
+        (_, Some(Clamp | Min | Max | Step | Fract | Smoothstep)) => true,
+        (_, Some(Abs | Length | Distance | Exp | Exp2 | Sqrt)) => is_low,
+        (ExprKind::Binary(BinaryOp::Mul, a, b), _) => is_low && facts.is_same(a, b),
+        _ => false,
+    }
 }
 
 struct Search<'a, 'p> {
