@@ -41,6 +41,14 @@ fn check(cx: &mut Context, id: ExprId) {
     let Some((whole, fraction)) = number.split_once('.') else {
         return;
     };
+    let Ok(written) = number.parse::<f64>() else {
+        return;
+    };
+    // Nearly all numbers are far from all that are known.
+    let is_near = |value: f64| (written - value).abs() < value * 0.01;
+    if !KNOWN.iter().any(|(value, ..)| is_near(*value)) {
+        return;
+    }
     let digits = format!("{whole}{fraction}");
     let digits = digits.trim_start_matches('0').to_string();
     let found = KNOWN.iter().find_map(|&(value, name, telling)| {
@@ -52,11 +60,10 @@ fn check(cx: &mut Context, id: ExprId) {
             .take_while(|(a, b)| a == b)
             .count();
         let is_meant = same >= telling && digits.len() >= same + 2 && same < EXACT - 1;
-        let written = number.parse::<f64>().ok()?;
         // The last digit may be rounded up or cut off.
         let unit = 10f64.powi(-(fraction.len() as i32));
         let is_right = (written - value).abs() < unit.max(value * 2e-7);
-        (is_meant && !is_right && (written - value).abs() < value * 0.01).then_some((value, name))
+        (is_meant && !is_right && is_near(value)).then_some((value, name))
     });
     let Some((value, name)) = found else { return };
     let right = format!("{value:.8}");
