@@ -27,6 +27,7 @@ mod exp_overflow;
 mod float_counter_drift;
 mod float_equality;
 mod gradient_in_loop;
+mod half_texel;
 mod identity_operation;
 mod index_range;
 mod inout_alias;
@@ -109,6 +110,7 @@ mod unused_uniform;
 mod unused_variable;
 mod useless_clamp;
 mod vec2_resolution;
+mod vector_times_matrix;
 mod webgl1_context;
 mod zero_division;
 
@@ -143,6 +145,7 @@ pub static RULES: &[&Rule] = &[
     &float_counter_drift::RULE,
     &float_equality::RULE,
     &gradient_in_loop::RULE,
+    &half_texel::RULE,
     &identity_operation::RULE,
     &index_range::RULE,
     &inout_alias::RULE,
@@ -225,6 +228,7 @@ pub static RULES: &[&Rule] = &[
     &unused_variable::RULE,
     &useless_clamp::RULE,
     &vec2_resolution::RULE,
+    &vector_times_matrix::RULE,
     &webgl1_context::RULE,
     &zero_division::RULE,
 ];

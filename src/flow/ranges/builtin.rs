@@ -195,7 +195,8 @@ pub fn of_host(name: &str, component: u8) -> Option<Interval> {
         ("iDate", 2) => Interval::new(1.0, 31.0, Tightness::Touched).exactly(),
         ("iDate", 3) => Interval::new(0.0, 86_400.0, Tightness::Touched),
         ("iDate", _) => from(1970.0, Tightness::Loose).exactly(),
-        ("gl_FragCoord", 0 | 1) => from(0.5, Tightness::Loose).exactly(),
+        // The first pixel lies there, and no other value is taken over whole areas.
+        ("gl_FragCoord", 0 | 1) => from(0.5, Tightness::Touched).exactly(),
         ("gl_FragCoord", 2) => Interval::new(0.0, 1.0, Tightness::Loose),
         ("gl_PointCoord", _) => Interval::new(0.0, 1.0, Tightness::Touched),
         _ => return None,

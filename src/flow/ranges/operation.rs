@@ -587,7 +587,7 @@ fn remainder(x: Interval, y: Interval) -> Interval {
         range.lo.tightness = Tightness::Held;
     } else if x.is_finite() || y.single().is_none() {
         range = range.loose();
-    } else if !x.reaches_below(0.0) {
+    } else if !(x.reaches_below(0.0) || x.lo.value == 0.0 && x.lo.is_reached()) {
         range.lo.tightness = Tightness::Loose;
     }
     range

@@ -1,0 +1,75 @@
+//! Lookups at the corners of texels.
+
+use crate::diagnostic::Severity;
+use crate::flow::Start;
+use crate::ir::{Binary, OpId, OpKind};
+use crate::lint::{Builtin, Check, Context, Group, Rule};
+use crate::semantic::{BuiltinId, Scalar};
+
+pub static RULE: Rule = Rule {
+    name: "half-texel",
+    group: Group::Numeric,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("half_texel.md"),
+    checks: &[Check::Builtin(check)],
+};
+
+fn check(cx: &mut Context, call: &Builtin) {
+    use BuiltinId::{Texture, Texture2D, TextureLod};
+    let (Texture | Texture2D | TextureLod, &[_, place, ..]) = (call.function, call.args) else {
+        return;
+    };
+    let Some(op) = cx.facts.module().op_of(place) else {
+        return;
+    };
+    if cx.program.ty(place).components() != 2 || !(0..2).all(|lane| is_corner(cx, op, lane)) {
+        return;
+    }
+    cx.report_expr(place, "these coordinates are corners of texels")
+        .note("four texels meet there: a filter mixes them, and without one rounding picks any")
+        .help("add half a texel, `(p + 0.5) / size`, or read with `texelFetch`");
+}
+
+/// Whether a lane is a whole number divided by the size of the picture or of a channel.
+fn is_corner(cx: &Context, op: OpId, lane: u32) -> bool {
+    let module = cx.facts.module();
+    let Some(Start::Made(made, lane)) = cx.facts.origin(op, lane) else {
+        return false;
+    };
+    let OpKind::Binary(Binary::Divide, whole, size) = module.op(made).kind else {
+        return false;
+    };
+    let lane_of = |op| if module.ty(op).is_scalar() { 0 } else { lane };
+    is_size(cx, size, lane_of(size)) && is_counted(cx, whole, lane_of(whole))
+}
+
+fn is_size(cx: &Context, op: OpId, lane: u32) -> bool {
+    let module = cx.facts.module();
+    let start = cx.facts.origin(op, lane);
+    if let Some(Start::Made(made, lane)) = start {
+        return match module.op(made).kind {
+            OpKind::Convert(a) => is_size(cx, a, lane),
+            OpKind::Builtin(BuiltinId::TextureSize, _) => true,
+            _ => false,
+        };
+    }
+    ["iResolution", "iChannelResolution"]
+        .iter()
+        .any(|name| cx.facts.is_given(start, name))
+}
+
+/// Whether a lane is a number of a texel: rounded, or an integer before.
+fn is_counted(cx: &Context, op: OpId, lane: u32) -> bool {
+    use BuiltinId::{Ceil, Floor, Round, Trunc};
+    let module = cx.facts.module();
+    let Some(Start::Made(made, _)) = cx.facts.origin(op, lane) else {
+        return false;
+    };
+    match module.op(made).kind {
+        OpKind::Builtin(Floor | Ceil | Round | Trunc, _) => true,
+        OpKind::Convert(a) => module.scalar(a).is_some_and(Scalar::is_integer),
+        _ => false,
+    }
+}

@@ -1,0 +1,55 @@
+//! A vector from both sides of one matrix.
+
+use crate::diagnostic::Severity;
+use crate::flow::is_same;
+use crate::ir::{OpId, OpKind};
+use crate::lint::{Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "vector-times-matrix",
+    group: Group::Numeric,
+    severity: Severity::Info,
+    default: false,
+    options: &[],
+    page: include_str!("vector_times_matrix.md"),
+    checks: &[Check::Program(check)],
+};
+
+/// How many products are looked through for each.
+const MOST: usize = 64;
+
+fn check(cx: &mut Context) {
+    let module = cx.facts.module();
+    let ops = (0..).map(OpId).zip(&module.ops);
+    let products: Vec<(OpId, OpId, OpId)> = ops
+        .filter_map(|(op, made)| match made.kind {
+            OpKind::MatrixProduct(a, b) => Some((op, a, b)),
+            _ => None,
+        })
+        .collect();
+    let behind = products
+        .iter()
+        .filter(|(_, _, v)| module.ty(*v).is_vector());
+    let behind: Vec<(OpId, OpId)> = behind.map(|(op, m, _)| (*op, *m)).take(MOST).collect();
+    for (op, vector, matrix) in products {
+        if !module.ty(vector).is_vector() {
+            continue;
+        }
+        let defs = cx.facts.defs();
+        let same = behind
+            .iter()
+            .find(|(_, m)| is_same(module, defs, *m, matrix));
+        let Some((other, _)) = same else { continue };
+        let Some(extent) = module.provenance(*other).extent(&cx.program.tree) else {
+            continue;
+        };
+        let at = cx.program.span(extent);
+        cx.report_op(
+            op,
+            "this turns the other way than the product with the matrix in front",
+        )
+        .label(at, "the same matrix in front of a vector")
+        .note("`v * m` is `transpose(m) * v`; of a rotation that is the rotation back")
+        .help("write `m * v`, or `transpose(m) * v` where it is meant");
+    }
+}
