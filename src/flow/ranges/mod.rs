@@ -117,8 +117,8 @@ impl<'x> Query<'x> {
             if !*is_reached.get_or_insert_with(|| self.is_reached(op)) {
                 return Interval::ANY.like(&range);
             }
-            if count == 1 {
-                self.narrow_written(op, &mut range);
+            if count == 1 || range.lo.is_reached() || range.hi.is_reached() {
+                self.narrow_written(op, lane, &mut range);
             }
             range
         })
@@ -180,10 +180,9 @@ impl<'x> Query<'x> {
 
     /// Narrows by the conditions around that speak of the same value, computed once more:
     /// `f(x) > 0.0 ? log(f(x)) : 0.0`.
-    fn narrow_written(&self, op: OpId, range: &mut Interval) {
-        if matches!(self.module.op(op).kind, OpKind::Load(_)) {
-            return;
-        }
+    fn narrow_written(&self, op: OpId, lane: u32, range: &mut Interval) {
+        let is_load = matches!(self.module.op(op).kind, OpKind::Load(_));
+        let is_written = !is_load && self.module.ty(op).is_scalar();
         let mut own = None;
         for (_, guard) in self.defs.guards(op).take(MAX_GUARDS) {
             let (condition, truth) = (guard.condition, guard.truth);
@@ -192,11 +191,14 @@ impl<'x> Query<'x> {
                 if told.call.is_some() {
                     return;
                 }
-                self.narrow_by(told.comparison, told.truth, op, range);
+                if is_written {
+                    self.narrow_by(told.comparison, told.truth, op, range);
+                }
                 if let OpKind::Binary(relation, left, right) = module.op(told.comparison).kind
                     && self.is_float(op)
                     && self.is_float(left)
-                    && let Some(own) = own.get_or_insert_with(|| self.terms(op))
+                    && (is_written || range.lo.is_reached() || range.hi.is_reached())
+                    && let Some(own) = own.get_or_insert_with(|| self.terms(op, lane))
                 {
                     let relation = if told.truth {
                         relation

@@ -1,9 +1,9 @@
 //! Values as sums of products, to see what a condition tells of another expression of the same
 //! values: `dot(p, p) < 1.0` of `1.0 - p.x * p.x - p.y * p.y`.
 
-use super::interval::Interval;
+use super::Query;
+use super::interval::{Interval, above, below};
 use super::node::Node;
-use super::{Query, number};
 use crate::flow::defs::Def;
 use crate::ir::{Binary, OpId, OpKind, Unary};
 use crate::semantic::builtins::Transfer;
@@ -121,9 +121,12 @@ impl Query<'_> {
             return;
         }
         // The comparison is of the difference with zero.
-        match is_less == (factor > 0.0) {
-            true => range.lower(rest),
-            false => range.raise(rest),
+        let is_strict = matches!(relation, Binary::Less | Binary::Greater);
+        match (is_less == (factor > 0.0), is_strict) {
+            (true, true) => range.lower(below(rest)),
+            (true, false) => range.lower(rest),
+            (false, true) => range.raise(above(rest)),
+            (false, false) => range.raise(rest),
         }
     }
 
@@ -135,7 +138,7 @@ impl Query<'_> {
         if let Some(square) = self.squared_length(right) {
             return self.squared_number(left)?.plus(&square, -1.0);
         }
-        self.terms(left)?.plus(&self.terms(right)?, -1.0)
+        self.terms(left, 0)?.plus(&self.terms(right, 0)?, -1.0)
     }
 
     fn squared_number(&self, op: OpId) -> Option<Polynomial> {
@@ -173,17 +176,17 @@ impl Query<'_> {
         None
     }
 
-    /// A scalar as a sum of products.
-    pub(super) fn terms(&self, op: OpId) -> Option<Polynomial> {
+    /// A lane of a value as a sum of products.
+    pub(super) fn terms(&self, op: OpId, lane: u32) -> Option<Polynomial> {
         let mut left = BUDGET;
-        self.polynomial(op, 0, &mut left)
+        self.polynomial(op, lane, &mut left)
     }
 
     fn polynomial(&self, op: OpId, lane: u32, left: &mut u32) -> Option<Polynomial> {
         *left = left.checked_sub(1)?;
         let (module, defs) = (self.module, self.defs);
-        if let &[value] = module.constant(op) {
-            return Some(Polynomial::constant(number(value)));
+        if let Some(value) = self.lane(op, lane).single() {
+            return Some(Polynomial::constant(value));
         }
         match module.op(op).kind {
             OpKind::Load(_) => {

@@ -464,3 +464,18 @@ fn a_function_may_be_announced_before_its_body() {
         void mainImage(out vec4 o, vec2 p) { o = vec4(late(p.x)); }";
     assert!(!returned(code, 1).holds(0.0));
 }
+
+#[test]
+fn conditions_tell_of_what_was_made_of_a_value_before() {
+    let holds_zero = |condition: &str, expected: bool| {
+        let code = format!(
+            "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
+             vec2 test(float x) {{ float d = max(sin(x), 0.0); vec2 w = vec2(3.0, 1.0) * d;
+             if (!({condition})) return vec2(1.0); return w; }}"
+        );
+        assert_eq!(interval(&code).holds(0.0), expected, "{condition}");
+    };
+    holds_zero("d > 0.0", false);
+    holds_zero("d >= 0.0", true);
+    holds_zero("x > 0.0", true);
+}
