@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Fix, Severity};
 use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::syntax::ast::ExprId;
+use crate::syntax::ast::{ExprId, ExprKind};
 use crate::text::Edit;
 use std::f64::consts::{E, FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 
@@ -33,39 +33,19 @@ const KNOWN: &[(f64, &str, usize)] = &[
 const EXACT: usize = 8;
 
 fn check(cx: &mut Context, id: ExprId) {
+    let ExprKind::Float(number) = cx.program.tree.expr(id).kind else {
+        return;
+    };
+    // Nearly all literals are far from these, and cost no more than that.
+    let number = f64::from(number);
+    let is_near = |(value, ..): &&(f64, &str, usize)| (number - value).abs() < value * 0.01;
+    let Some(&(value, name, telling)) = KNOWN.iter().find(is_near) else {
+        return;
+    };
     let text = cx.program.expr_text(id);
-    let number = text.trim_end_matches(['f', 'F']);
-    if number.contains(['e', 'E']) {
+    if !is_slip(text, value, telling) {
         return;
     }
-    let Some((whole, fraction)) = number.split_once('.') else {
-        return;
-    };
-    let Ok(written) = number.parse::<f64>() else {
-        return;
-    };
-    // Nearly all numbers are far from all that are known.
-    let is_near = |value: f64| (written - value).abs() < value * 0.01;
-    if !KNOWN.iter().any(|(value, ..)| is_near(*value)) {
-        return;
-    }
-    let digits = format!("{whole}{fraction}");
-    let digits = digits.trim_start_matches('0').to_string();
-    let found = KNOWN.iter().find_map(|&(value, name, telling)| {
-        let right = format!("{value:.20}").replace('.', "");
-        let right = right.trim_start_matches('0').to_string();
-        let same = digits
-            .bytes()
-            .zip(right.bytes())
-            .take_while(|(a, b)| a == b)
-            .count();
-        let is_meant = same >= telling && digits.len() >= same + 2 && same < EXACT - 1;
-        // The last digit may be rounded up or cut off.
-        let unit = 10f64.powi(-(fraction.len() as i32));
-        let is_right = (written - value).abs() < unit.max(value * 2e-7);
-        (is_meant && !is_right && is_near(value)).then_some((value, name))
-    });
-    let Some((value, name)) = found else { return };
     let right = format!("{value:.8}");
     let fix = cx.is_direct(id).then(|| {
         let edit = Edit::replace(cx.program.expr_span(id), right.clone());
@@ -73,4 +53,27 @@ fn check(cx: &mut Context, id: ExprId) {
     });
     cx.report_expr(id, format!("`{text}` is almost {name}, which is {right}"))
         .fix(fix);
+}
+
+/// Whether a literal begins with the digits of a number, goes on with others, and is not that number
+/// cut off or rounded.
+fn is_slip(text: &str, value: f64, telling: usize) -> bool {
+    let text = text.trim_end_matches(['f', 'F']);
+    let Some((whole, fraction)) = text.split_once('.').filter(|_| !text.contains(['e', 'E']))
+    else {
+        return false;
+    };
+    let Ok(written) = text.parse::<f64>() else {
+        return false;
+    };
+    let digits = format!("{whole}{fraction}");
+    let digits = digits.trim_start_matches('0');
+    let right = format!("{value:.20}").replace('.', "");
+    let right = right.trim_start_matches('0');
+    let pairs = digits.bytes().zip(right.bytes());
+    let same = pairs.take_while(|(a, b)| a == b).count();
+    // The last digit may be rounded up or cut off.
+    let unit = 10f64.powi(-(fraction.len() as i32));
+    let is_right = (written - value).abs() < unit.max(value * 2e-7);
+    same >= telling && digits.len() >= same + 2 && same < EXACT - 1 && !is_right
 }

@@ -22,12 +22,22 @@ pub static RULE: Rule = Rule {
 /// intention.
 const WRITTEN: usize = 14;
 
+/// What is as short holds no digits that are rounded away.
+const SHORT: usize = 4;
+
 /// `0.99999999` and `1e-46`.
 fn check_literal(cx: &mut Context, id: ExprId) {
     let ExprKind::Float(value) = cx.program.tree.expr(id).kind else {
         return;
     };
+    // Nearly all literals are neither whole nor next to nothing, or say so in few letters.
+    if value.fract() != 0.0 && !value.is_subnormal() {
+        return;
+    }
     let text = cx.program.expr_text(id);
+    if text.len() <= SHORT {
+        return;
+    }
     let Ok(meant) = text.trim_end_matches(['f', 'F']).parse::<f64>() else {
         return;
     };

@@ -25,6 +25,9 @@ static FACTOR: Setting<f64> = Setting::new(
 /// After a quarter of an hour: what is left is the distance between two floats there.
 const LATER: f64 = 900.0;
 
+/// Most operations that are followed for one lane: what is made of more is no plain multiple.
+const MAX_PARTS: u32 = 16;
+
 fn check(cx: &mut Context, call: &Builtin) {
     use BuiltinId::{Cos, Fract, Mod, Sin, Tan};
     let Some(&of) = call.args.first() else { return };
@@ -36,7 +39,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     };
     let limit = cx.option(&FACTOR);
     let lanes = 0..cx.program.ty(of).components();
-    let factors = lanes.filter_map(|lane| factor(cx, op, lane, 12));
+    let factors = lanes.filter_map(|lane| factor(cx, op, lane, &mut { MAX_PARTS }));
     let Some(factor) = factors.reduce(f64::max).filter(|f| *f >= limit) else {
         return;
     };
@@ -64,8 +67,8 @@ fn check(cx: &mut Context, call: &Builtin) {
 }
 
 /// By how much the running time is multiplied in a lane.
-fn factor(cx: &Context, op: OpId, lane: u32, depth: u32) -> Option<f64> {
-    let rest = depth.checked_sub(1)?;
+fn factor(cx: &Context, op: OpId, lane: u32, left: &mut u32) -> Option<f64> {
+    *left = left.checked_sub(1)?;
     let module = cx.facts.module();
     let origin = cx.facts.origin(op, lane);
     if cx.facts.is_given(origin, "iTime") {
@@ -75,7 +78,7 @@ fn factor(cx: &Context, op: OpId, lane: u32, depth: u32) -> Option<f64> {
         return None;
     };
     let lane_of = |op| if module.ty(op).is_scalar() { 0 } else { lane };
-    let of = |op| factor(cx, op, lane_of(op), rest);
+    let mut of = |op| factor(cx, op, lane_of(op), left);
     let constant = |op| {
         let range = cx.facts.ranges().lane(op, lane_of(op));
         range.single().map(f64::abs)
