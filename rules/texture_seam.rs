@@ -17,9 +17,6 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Program(check)],
 };
 
-/// A bias that takes the sharpest level for certain.
-const SHARPEST: f32 = -8.0;
-
 /// Each jump is told at the first lookup that it reaches.
 fn check(cx: &mut Context) {
     let program = cx.program;
@@ -69,14 +66,12 @@ fn place_of(cx: &Context, lookup: OpId) -> Option<ExprId> {
     let ExprKind::Call(_, args) = program.tree.expr(call).kind else {
         return None;
     };
-    let &[sampler, place, ref rest @ ..] = program.tree.args(args) else {
+    let &[_, place, ..] = program.tree.args(args) else {
         return None;
     };
-    let bias = rest.last().and_then(|b| program.scalar(*b));
-    let is_sharp = bias.is_some_and(|b| b.as_float() <= SHARPEST);
     // A direction into a cube has no seam of its own.
     let is_flat = program.ty(place).components() == 2;
-    (is_flat && !is_sharp && cx.facts.may_have_mipmaps(sampler)).then_some(place)
+    (is_flat && cx.facts.chooses_level(lookup)).then_some(place)
 }
 
 fn tell(cx: &mut Context, place: ExprId, jump: Jump) {

@@ -12,7 +12,7 @@ use crate::flow::{
 };
 use crate::ir::{Module, OpId, OpKind, Provenance, Root, lower};
 use crate::semantic::{
-    FunctionRef, Mentions, Program, Reachability, Scalar, Stage, Structure, channel,
+    FunctionRef, Mentions, Program, Reachability, Scalar, Stage, Structure, Value, channel,
 };
 use crate::syntax::ast::ExprId;
 use crate::text::Span;
@@ -27,6 +27,9 @@ pub struct Around {
     /// By channel: whether its texture has mipmaps, where that is known.
     pub mipmapped: [Option<bool>; 4],
 }
+
+/// A bias that takes the sharpest level of a texture for certain.
+const SHARPEST: f32 = -8.0;
 
 /// Answers about one shader.
 pub struct Facts<'a> {
@@ -138,22 +141,29 @@ impl<'a> Facts<'a> {
     pub fn gradients(&self) -> &[Gradient] {
         self.gradients.get_or_init(|| {
             let mut found = gradients(self.module(), self.calls(), || self.uniformity());
-            found.retain(|gradient| self.chooses_levels(gradient));
+            found.retain(|gradient| self.chooses_level(gradient.call));
             found
         })
     }
 
-    /// Whether anything hangs on the derivatives: without mipmaps a texture has one level to choose.
-    fn chooses_levels(&self, gradient: &Gradient) -> bool {
+    /// Whether anything hangs on the derivatives that a call takes: without mipmaps a texture has one
+    /// level to choose, and a bias may take the sharpest for certain.
+    pub fn chooses_level(&self, call: OpId) -> bool {
         let module = self.module();
-        let OpKind::Builtin(function, list) = module.op(gradient.call).kind else {
+        let OpKind::Builtin(function, list) = module.op(call).kind else {
             return true;
         };
-        let sampler = module.operands(list).first();
-        match sampler.map(|op| module.provenance(*op)) {
-            Some(Provenance::Expr(sampler)) if function.kind().is_texture() => {
-                self.may_have_mipmaps(sampler)
-            }
+        let [sampler, _, rest @ ..] = module.operands(list) else {
+            return true;
+        };
+        if !function.kind().is_texture() {
+            return true;
+        }
+        let bias = rest.last().map(|op| module.constant(*op));
+        let is_sharp = |bias: &[Value]| matches!(bias, [Value::Float(b)] if *b <= SHARPEST);
+        match module.provenance(*sampler) {
+            _ if bias.is_some_and(is_sharp) => false,
+            Provenance::Expr(sampler) => self.may_have_mipmaps(sampler),
             _ => true,
         }
     }
