@@ -52,6 +52,13 @@ export function port(input, name, ...args) {
   return `file://${out}`;
 }
 
+/** Whether a message of the console is an error or warning that the page itself is the cause of. */
+export function complains(message) {
+  // The tests read pixels more often than a page would.
+  const isOurs = message.text().includes('GPU stall due to ReadPixels');
+  return ['error', 'warning'].includes(message.type()) && !isOurs;
+}
+
 /**
  * Opens a page. `complaints` collects errors and warnings of its console, errors that nobody caught,
  * and requests of any kind.
@@ -60,9 +67,7 @@ export async function open(context, address, hash = '') {
   const page = await context.newPage();
   const complaints = [];
   page.on('console', (m) => {
-    // The tests read pixels more often than a page would.
-    const isOurs = m.text().includes('GPU stall due to ReadPixels');
-    if (['error', 'warning'].includes(m.type()) && !isOurs) complaints.push(m.text());
+    if (complains(m)) complaints.push(m.text());
   });
   page.on('pageerror', (e) => complaints.push(`uncaught: ${e.message}`));
   page.on('dialog', (d) => {

@@ -27,6 +27,10 @@ float calls = 0.0;
 int next() { calls += 0.125; return int(calls * 8.0) % 2; }
 void main() { vec2 v = gl_FragCoord.xy / 64.0; v.x = v.x; v = v; float w[2]; w[0] = v.x; w[1] = v.y; w[0] = w[0];
   w[next()] = w[next()]; v.xy = v.yx; for (int i = 0; i < 3; i = i) { i++; v = v; } color = vec4(v, w[1], calls); }`],
+  ['bools that are asked once more', `
+bool far(vec2 p) { return length(p) > 20.0 ? true : false; }
+void main() { vec2 p = gl_FragCoord.xy; bool b = p.x > 30.0 == false, c = far(p) == true || b == false;
+  color = vec4(b && c == false ? 1.0 : 0.0, (c ? false : true) == b, far(p.yx) != true, 1.0); }`],
   ['allowances of nothing', `
 // shaderlint: allow(zero-division)
 void main() { vec2 v = gl_FragCoord.xy; // shaderlint: allow(float-equality)
@@ -84,7 +88,7 @@ function fixed(texts) {
   for (const { id, source } of texts) fs.writeFileSync(path.join(folder, `${id}.frag`), source);
   const program = process.env.SHADERLINT || path.join(top, 'target/release/shaderlint');
   try {
-    execFileSync(program, ['--fix', '--no-config', '-q', folder], { stdio: 'ignore' });
+    execFileSync(program, ['--fix', '--select', 'all', '--no-config', '-q', folder], { stdio: 'ignore' });
   } catch (error) {
     if (error.status !== 1) throw error;
   }

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { colors, differences, put, shaderport, top, work } from './browser.js';
+import { colors, complains, differences, put, shaderport, top, work } from './browser.js';
 import { CASES } from './cases.js';
 import { reference } from './reference.js';
 
@@ -49,7 +49,7 @@ async function host(context, body) {
   const page = await context.newPage();
   const complaints = [];
   page.on('console', (m) => {
-    if (['error', 'warning'].includes(m.type())) complaints.push(m.text());
+    if (complains(m)) complaints.push(m.text());
   });
   page.on('pageerror', (e) => complaints.push(e.message));
   await page.route(`${HOST}**`, (route) => {
