@@ -181,13 +181,18 @@ async function threeStandIns(context) {
   assert.equal(differences(drawn, expected), 0);
 }
 
+/** How many were drawn by both. */
+let bothDrawn = 0;
+
 /** What both modules draw of a shader file: `frames` of them, behind what a script does with each. */
 async function drawBoth(context, file, frames, change = '') {
-  shaderport(file, '-t', 'three', '-o', 'both_three.js', '--force');
-  shaderport(file, '-o', 'both_module.js', '--force');
+  // Tests run beside each other.
+  const name = `both${(bothDrawn += 1)}`;
+  shaderport(file, '-t', 'three', '-o', `${name}_three.js`, '--force');
+  shaderport(file, '-o', `${name}_module.js`, '--force');
   const { page, complaints } = await host(context, `
-    import { createShader } from './both_three.js';
-    import { mount } from './both_module.js';
+    import { createShader } from './${name}_three.js';
+    import { mount } from './${name}_module.js';
     import { Camera, Color, Scene, SRGBColorSpace, WebGLRenderer } from 'three';
     const canvas = document.querySelector('canvas');
     const other = document.createElement('canvas');
