@@ -21,6 +21,7 @@
 pub mod cli;
 pub mod diagnostic;
 pub mod engine;
+pub mod exec;
 pub mod flow;
 pub mod host;
 pub mod ir;

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each layer may name, besides itself.
-const LAYERS: [(&str, &[&str]); 13] = [
+const LAYERS: [(&str, &[&str]); 14] = [
     ("text", &[]),
     ("host", &[]),
     ("diagnostic", &["text"]),
@@ -17,9 +17,18 @@ const LAYERS: [(&str, &[&str]); 13] = [
     ("semantic", &["text", "diagnostic", "syntax"]),
     ("ir", &["text", "diagnostic", "syntax", "semantic"]),
     ("flow", &["text", "diagnostic", "syntax", "semantic", "ir"]),
+    ("exec", &["text", "diagnostic", "syntax", "semantic", "ir"]),
     (
         "lint",
-        &["text", "diagnostic", "syntax", "semantic", "ir", "flow"],
+        &[
+            "text",
+            "diagnostic",
+            "syntax",
+            "semantic",
+            "ir",
+            "flow",
+            "exec",
+        ],
     ),
     (
         "rules",
@@ -30,6 +39,7 @@ const LAYERS: [(&str, &[&str]); 13] = [
             "semantic",
             "ir",
             "flow",
+            "exec",
             "lint",
         ],
     ),
@@ -43,6 +53,7 @@ const LAYERS: [(&str, &[&str]); 13] = [
             "semantic",
             "ir",
             "flow",
+            "exec",
         ],
     ),
     ("report", &["text", "diagnostic"]),
@@ -56,6 +67,7 @@ const LAYERS: [(&str, &[&str]); 13] = [
             "semantic",
             "ir",
             "flow",
+            "exec",
             "lint",
             "rules",
             "port",
@@ -72,6 +84,7 @@ const LAYERS: [(&str, &[&str]); 13] = [
             "semantic",
             "ir",
             "flow",
+            "exec",
             "lint",
             "rules",
             "port",

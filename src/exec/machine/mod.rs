@@ -1,0 +1,1 @@
+//! Runs register code.

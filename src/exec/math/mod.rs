@@ -1,0 +1,1 @@
+//! What built-in functions compute, eight lanes at a time.

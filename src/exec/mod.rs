@@ -1,0 +1,23 @@
+//! Shaders are run here, without a GPU: the middle form becomes register code, which a machine runs
+//! for 32 pixels at a time, eight quads of 2x2 neighbours, as a GPU does.
+//!
+//! A result is the same on every machine: arithmetic is that of IEEE 754, functions are computed the
+//! same way everywhere, and what bounds a run is counted in operations, never in time. What cannot be
+//! run is refused by name.
+#![allow(dead_code)]
+
+mod code;
+mod compile;
+mod draw;
+mod image;
+mod machine;
+mod math;
+mod row;
+mod seen;
+
+pub use code::{Code, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
+pub use compile::{CompileOptions, Refusal, Watch, compile};
+pub use draw::{Draw, Drawn, Sampled, Stop, draw, sample};
+pub use image::{Filter, Image, Sampling, Shape, Texels, Texture, Wrap};
+pub use row::LANES;
+pub use seen::{BranchSeen, Kind, LoopSeen, NumberSeen, Seen, Witness};

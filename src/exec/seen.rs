@@ -1,0 +1,88 @@
+//! What was seen in a run: facts about the pixels that ran, and of no others.
+
+use crate::ir::{LoopId, OpId, Provenance};
+
+/// What was seen.
+#[derive(Clone, Default, Debug)]
+pub struct Seen {
+    /// How many pixels ran.
+    pub pixels: u64,
+    /// Operations of lanes, those of pixels that did not take part not counted.
+    pub operations: u64,
+    /// By loop of the module that ran.
+    pub loops: Vec<LoopSeen>,
+    /// By `if` of the module that ran, each source construct once.
+    pub branches: Vec<BranchSeen>,
+    /// Numbers that went wrong, the first of each operation.
+    pub numbers: Vec<NumberSeen>,
+}
+
+/// What was seen of a loop.
+#[derive(Clone, PartialEq, Debug)]
+pub struct LoopSeen {
+    /// The loop.
+    pub id: LoopId,
+    /// Pixels that entered it at least once.
+    pub pixels: u64,
+    /// How often pixels entered it.
+    pub entries: u64,
+    /// Turns in all.
+    pub turns: u64,
+    /// The most turns of one entry.
+    pub most: u32,
+    /// Entries that ended because the condition was false, and by no jump.
+    pub exhausted: u64,
+    /// Pixels of which at least one entry ended so.
+    pub exhausted_pixels: u64,
+    /// How many pixels had this many turns at most in one entry, by number of turns; what lies above
+    /// the last is counted there.
+    pub histogram: Vec<u32>,
+}
+
+/// What was seen of a condition.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BranchSeen {
+    /// The `if` or `?:`.
+    pub at: Provenance,
+    /// How often pixels came here and it held.
+    pub taken: u64,
+    /// How often pixels came here and it did not.
+    pub skipped: u64,
+}
+
+/// What can go wrong with a number.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Kind {
+    /// No operand was a NaN, the result is.
+    Nan,
+    /// No operand was infinite or a NaN, the result is.
+    Infinite,
+    /// A division by zero, of whatever type.
+    DivisionByZero,
+    /// An index outside of its array, matrix or vector.
+    OutOfRange,
+    /// A read of what was never written.
+    Uninitialized,
+}
+
+/// A number that went wrong.
+#[derive(Clone, PartialEq, Debug)]
+pub struct NumberSeen {
+    /// What went wrong.
+    pub kind: Kind,
+    /// The operation that made it.
+    pub op: OpId,
+    /// How often pixels met it.
+    pub times: u64,
+    /// The first of them.
+    pub witness: Witness,
+}
+
+/// The pixel of a finding, and what its operation worked on.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Witness {
+    /// `gl_FragCoord.xy`, less the half.
+    pub pixel: [u32; 2],
+    /// The operands, as floats where they are any, else as their numbers.
+    pub operands: Vec<f64>,
+}
