@@ -1,6 +1,11 @@
 //! Textures: what they hold, and how they are looked up.
 
+mod lookup;
+
 use std::sync::Arc;
+
+#[allow(unused_imports)]
+pub(in crate::exec) use lookup::{LevelOf, Lookup, fetch, lookup, size_of};
 
 /// What the coordinates of an image mean.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
