@@ -13,8 +13,21 @@ pub struct Seen {
     pub loops: Vec<LoopSeen>,
     /// By `if` of the module that ran, each source construct once.
     pub branches: Vec<BranchSeen>,
-    /// Numbers that went wrong, the first of each operation.
+    /// Numbers that went wrong, the first of each operation; by the time at which they did.
     pub numbers: Vec<NumberSeen>,
+    /// The operations at which numbers are watched that any pixel came to.
+    pub watched: Vec<WatchedSeen>,
+}
+
+/// An operation at which numbers are watched.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct WatchedSeen {
+    /// The operation.
+    pub op: OpId,
+    /// What may go wrong there; an operation may be here more than once.
+    pub kind: Kind,
+    /// How often pixels came to it.
+    pub visits: u64,
 }
 
 /// What was seen of a loop.
