@@ -265,7 +265,7 @@ pub(super) fn snorm_bits(x: f32) -> u16 {
 }
 
 /// The 16 bits that are nearest to a number.
-pub(super) fn half_bits(x: f32) -> u16 {
+pub(crate) fn half_bits(x: f32) -> u16 {
     let sign = if x.is_sign_negative() { 0x8000 } else { 0 };
     let bits = x.abs().to_bits();
     sign | if x.is_nan() {
@@ -283,7 +283,7 @@ pub(super) fn half_bits(x: f32) -> u16 {
 }
 
 /// The number that 16 bits stand for.
-pub(super) fn half_value(bits: u16) -> f32 {
+pub(crate) fn half_value(bits: u16) -> f32 {
     let (exponent, rest) = (bits >> 10 & 0x1f, (bits & 0x3ff) as f32);
     let size = match exponent {
         0 => rest / 16_777_216.0,

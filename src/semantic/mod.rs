@@ -38,6 +38,7 @@ pub use constant::{Constant, Pool, Value};
 pub use dialect::{
     Channels, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
 };
+pub(crate) use fold::{half_bits, half_value};
 pub use host::{EntryPoint, EntryResult, Host, channel, starts_a_shader};
 pub use mentions::Mentions;
 pub use part::{Open, Wholeness};

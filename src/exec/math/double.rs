@@ -1,0 +1,139 @@
+//! Eight lanes in double precision, in which what loses digits is computed.
+//!
+//! No multiplication is fused with an addition, so that every machine gives the same digits.
+
+use wide::{f32x8, f64x8, u64x8};
+
+/// Added to a double and taken away again, it leaves the nearest whole number; the lowest bits of the
+/// sum are that number.
+const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
+/// The same numbers as doubles.
+#[inline(always)]
+pub(super) fn widen(x: f32x8) -> f64x8 {
+    f64x8::from(x.to_array().map(f64::from))
+}
+
+/// The nearest floats.
+#[inline(always)]
+pub(super) fn narrow(x: f64x8) -> f32x8 {
+    f32x8::from(x.to_array().map(|x| x as f32))
+}
+
+/// The bits of doubles.
+#[inline(always)]
+pub(super) fn bits(x: f64x8) -> u64x8 {
+    bytemuck::cast(x)
+}
+
+/// The doubles of bits.
+#[inline(always)]
+pub(super) fn of_bits(x: u64x8) -> f64x8 {
+    bytemuck::cast(x)
+}
+
+/// The nearest whole number, and a number whose lowest bits are those of it in two's complement;
+/// below 2^51.
+#[inline(always)]
+pub(super) fn round(x: f64x8) -> (f64x8, u64x8) {
+    let sum = x + f64x8::splat(ROUNDER);
+    (sum - f64x8::splat(ROUNDER), bits(sum))
+}
+
+/// `c[0] + c[1] * x + c[2] * x * x ...`
+#[inline(always)]
+pub(super) fn polynomial<const N: usize>(x: f64x8, coefficients: [f64; N]) -> f64x8 {
+    let mut sum = f64x8::ZERO;
+    for (at, c) in coefficients.into_iter().rev().enumerate() {
+        sum = if at == 0 {
+            f64x8::splat(c)
+        } else {
+            sum * x + f64x8::splat(c)
+        };
+    }
+    sum
+}
+
+/// `2^x`; beyond what a float holds, any number that is too large or too small for one.
+#[inline(always)]
+pub(super) fn exp2(x: f64x8) -> f64x8 {
+    let within = x
+        .fast_max(f64x8::splat(-400.0))
+        .fast_min(f64x8::splat(400.0));
+    let (whole, bits) = round(within);
+    let r = within - whole;
+    let power = f64x8::splat(1.0)
+        + r * polynomial(
+            r,
+            [
+                0.6931471805568274,
+                0.24022650695888467,
+                0.05550410906373737,
+                0.009618129135269306,
+                0.0013333478409865399,
+                0.00015403475142315847,
+                1.5303721130801367e-5,
+                1.3250819664096275e-6,
+            ],
+        );
+    let scale = of_bits((bits << 52_u32) + u64x8::splat(0x3ff0_0000_0000_0000));
+    x.is_nan().bitselect(x, power * scale)
+}
+
+/// The logarithm to base 2 of what is above 0 and finite.
+#[inline(always)]
+pub(super) fn log2(x: f64x8) -> f64x8 {
+    // The exponent is counted from where the rest of the number lies between the roots of 1/2 and 2.
+    let from = u64x8::splat(0x3fe6_a09e_667f_3bcd);
+    let bias = u64x8::splat(0x3ff0_0000_0000_0000);
+    let shifted = bits(x) - from + bias;
+    let exponent = shifted >> 52_u32;
+    let m = of_bits((shifted & u64x8::splat(0x000f_ffff_ffff_ffff)) + from);
+    // Put into the lowest digits of 2^52, a whole number becomes a double.
+    let whole = of_bits(exponent | u64x8::splat(0x4330_0000_0000_0000))
+        - f64x8::splat(4_503_599_627_370_496.0 + 1023.0);
+    let one = f64x8::splat(1.0);
+    let s = (m - one) / (m + one);
+    let series = polynomial(
+        s * s,
+        [
+            2.885390081777927,
+            0.9617966939243245,
+            0.5770780172508768,
+            0.41219840130638086,
+            0.3206164421506635,
+            0.2614424548601942,
+            0.24293825349311085,
+        ],
+    );
+    whole + s * series
+}
+
+/// The arc tangent of what is at least 0, an infinity included.
+#[inline(always)]
+pub(super) fn atan(x: f64x8) -> f64x8 {
+    let one = f64x8::splat(1.0);
+    let large = x.simd_gt(f64x8::splat(2.414_213_562_373_095));
+    let middle = x.simd_gt(f64x8::splat(0.414_213_562_373_095_03));
+    let turned = (x - one) / (x + one);
+    let small = large.bitselect(-one / x, middle.bitselect(turned, x));
+    let from = large.bitselect(
+        f64x8::splat(std::f64::consts::FRAC_PI_2),
+        middle & f64x8::splat(std::f64::consts::FRAC_PI_4),
+    );
+    let square = small * small;
+    let series = polynomial(
+        square,
+        [
+            -0.33333333333265697,
+            0.19999999949530511,
+            -0.14285708076602635,
+            0.11110818413183177,
+            -0.09084078139184734,
+            0.0760457946802056,
+            -0.06026298321805999,
+            0.03293875684556034,
+        ],
+    );
+    from + (small + small * square * series)
+}
