@@ -20,6 +20,7 @@ mod options;
 mod part;
 mod partner;
 pub mod path;
+pub mod play;
 mod prelude;
 mod reading;
 mod repair;

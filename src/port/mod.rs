@@ -41,7 +41,8 @@ pub use compose::{Composed, PassUnit, compose};
 pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
 pub use dialect::{
-    Bindings, DIALECTS, DialectFacts, MAX_CHANNELS, TextsBeside, UniformData, dialect_named,
+    Bindings, DIALECTS, DialectFacts, Feed, MAX_CHANNELS, TextsBeside, UniformData, VaryingValue,
+    bindings, dialect_named,
 };
 pub use draw::{PassDraw, SizeTerm};
 pub use export::{MAX_EXPORT, ProjectError};

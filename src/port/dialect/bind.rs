@@ -2,7 +2,7 @@
 
 use super::DialectFacts;
 use super::feed::{Feed, FeedRow, Texture, TextureRow, USUAL_FEEDS, USUAL_TEXTURES, is_named};
-use super::vertex::{Vertex, vertex};
+use super::vertex::{VaryingValue, Vertex, vertex};
 use crate::port::{
     ControlKind, Input, InputKind, OutputId, SamplerSettings, SignalForm, UniformControl,
 };
@@ -38,6 +38,8 @@ pub struct Bindings {
     pub controls: Vec<UniformControl>,
     /// The vertex shader.
     pub vertex: String,
+    /// What it sets its varyings to.
+    pub varyings: Vec<VaryingValue>,
     /// Uniforms that stay zero, since nothing is known of them.
     pub zeros: Vec<String>,
     /// Varyings that hold what their types suggest.
@@ -63,6 +65,7 @@ pub(in crate::port) fn bind(
     };
     let mut bound = Bindings {
         vertex: vertex.code,
+        varyings: vertex.varyings,
         guessed: vertex.guessed,
         ..Bindings::default()
     };

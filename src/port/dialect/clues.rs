@@ -74,8 +74,30 @@ impl<'t> Clues<'t> {
         Clues::beside(text, "", &NOTHING)
     }
 
+    /// What a text shows that was checked already.
+    pub fn checked(text: &'t str, program: &Program) -> Clues<'t> {
+        static NOTHING: TextsBeside = TextsBeside::new();
+        let mut clues = Clues::unread(text, "", &NOTHING);
+        clues.read(program);
+        clues
+    }
+
     /// Reads a text with others beside it.
     pub fn beside(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
+        let mut clues = Clues::unread(text, name, beside);
+        let completion = completions_of(&clues).into_iter().next_back();
+        let completion = completion.map(|c| match clues.is_body {
+            true => c.in_main(),
+            false => c,
+        });
+        if let Some(checked) = completion.as_ref().and_then(Completion::check) {
+            clues.read(&checked.program);
+        }
+        clues
+    }
+
+    /// What the words of a text show.
+    fn unread(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
         let guess = guess(text);
         let Words {
             words,
@@ -83,7 +105,7 @@ impl<'t> Clues<'t> {
             code,
             asked,
         } = words(text);
-        let mut clues = Clues {
+        Clues {
             text,
             name,
             beside,
@@ -97,16 +119,7 @@ impl<'t> Clues<'t> {
             conditions,
             code,
             declared: FxHashSet::default(),
-        };
-        let completion = completions_of(&clues).into_iter().next_back();
-        let completion = completion.map(|c| match clues.is_body {
-            true => c.in_main(),
-            false => c,
-        });
-        if let Some(checked) = completion.as_ref().and_then(Completion::check) {
-            clues.read(&checked.program);
         }
-        clues
     }
 
     fn read(&mut self, program: &Program) {

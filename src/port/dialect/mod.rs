@@ -32,10 +32,12 @@ pub use clues::{Clues, Interfacing};
 pub use complete::Completion;
 pub(in crate::port) use complete::best;
 pub(super) use feed::PLACES;
-pub use feed::{FeedRow, TextureRow, VaryingRow};
+pub use feed::{Feed, FeedRow, TextureRow, VaryingRow};
+pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
-use crate::semantic::Pass;
+use crate::semantic::{Pass, Program};
+use crate::text::{Role, SourceFile};
 use feed::is_named;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -264,6 +266,20 @@ pub fn recognise(clues: &Clues) -> Recognised {
         signs,
         tied: tied.map(|(_, dialect, _)| dialect),
     }
+}
+
+/// What a checked shader is given that is whole, or that ShaderToy's player completes.
+pub fn bindings(program: &Program) -> Bindings {
+    let is_user = |f: &&SourceFile| f.role == Role::User;
+    let text = program.sources.files().iter().find(is_user);
+    let clues = Clues::checked(text.map_or("", |f| &f.text), program);
+    let mut bound = bind(program, recognise(&clues).dialect, (&[], &[]), None, None);
+    // What a host declares it sets itself.
+    bound.controls.retain(|c| clues.declares(&c.name));
+    let is_own = |name: &str, source| source != Feed::Control || clues.declares(name);
+    bound.uniforms.retain(|u| is_own(&u.name, u.source));
+    bound.zeros.retain(|name| clues.declares(name));
+    bound
 }
 
 /// What speaks for a dialect, the strongest first.

@@ -5,12 +5,24 @@ use super::feed::{USUAL_VARYINGS, VaryingRow};
 use crate::semantic::{Program, Scalar, Storage, Type, Variable};
 use crate::syntax::Version;
 
-/// A vertex shader, and the varyings of which nothing is known.
+/// A vertex shader, and what its varyings hold.
 #[derive(Default)]
 pub(super) struct Vertex {
     pub(super) code: String,
-    /// Their names.
+    pub(super) varyings: Vec<VaryingValue>,
+    /// Names of those of which nothing is known.
     pub(super) guessed: Vec<String>,
+}
+
+/// What a varying without members is set to.
+#[derive(Clone, PartialEq, Debug)]
+pub struct VaryingValue {
+    /// As GLSL writes to it: `vUv`, `surface.normal`, `weights[2]`.
+    pub place: String,
+    /// Its type.
+    pub ty: Type,
+    /// Its value, as [`VaryingRow::value`].
+    pub value: String,
 }
 
 /// The vertex shader that goes with a fragment shader.
@@ -24,7 +36,7 @@ pub(super) fn vertex(program: &Program, dialect: &DialectFacts) -> Vertex {
         false => ("", "attribute", "varying"),
     };
     let mut declared = structs(program, &inputs);
-    let mut set = String::new();
+    let mut varyings = Vec::new();
     for variable in &inputs {
         let name = program.names.text(variable.name);
         let flat = match variable.ty.scalar_kind() {
@@ -41,10 +53,14 @@ pub(super) fn vertex(program: &Program, dialect: &DialectFacts) -> Vertex {
             program,
             rows: dialect.varyings,
             guessed: &mut guessed,
-            set: &mut set,
+            varyings: &mut varyings,
         };
         writer.write(name, name, variable.ty);
     }
+    let set: String = varyings
+        .iter()
+        .map(|v| format!("    {} = {};\n", v.place, v.value))
+        .collect();
     let code = format!(
         "{head}precision highp float;\nprecision highp int;\n{input} vec2 port_pos;\n{size}{declared}\
          void main() {{\n    vec2 port_place = 0.5 + 0.5 * port_pos;\n{set}    \
@@ -54,7 +70,11 @@ pub(super) fn vertex(program: &Program, dialect: &DialectFacts) -> Vertex {
             false => "",
         }
     );
-    Vertex { code, guessed }
+    Vertex {
+        code,
+        varyings,
+        guessed,
+    }
 }
 
 /// The structs that the inputs are made of.
@@ -81,7 +101,7 @@ struct Writer<'a> {
     program: &'a Program,
     rows: &'static [VaryingRow],
     guessed: &'a mut Vec<String>,
-    set: &'a mut String,
+    varyings: &'a mut Vec<VaryingValue>,
 }
 
 impl Writer<'_> {
@@ -112,7 +132,11 @@ impl Writer<'_> {
                 by_type(name, &written).to_string()
             }
         };
-        self.set.push_str(&format!("    {place} = {value};\n"));
+        self.varyings.push(VaryingValue {
+            place: place.to_string(),
+            ty,
+            value,
+        });
     }
 }
 

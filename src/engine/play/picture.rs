@@ -1,0 +1,141 @@
+//! What a draw gives, as a picture and in numbers.
+
+use crate::exec::{Code, Drawn};
+use crate::semantic::{Scalar, Type};
+
+/// A picture. Its rows begin at the bottom.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Picture {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// By pixel: red, green, blue and alpha as the shader gave them.
+    pub pixels: Vec<[f32; 4]>,
+}
+
+/// What a picture is like.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct PictureFacts {
+    /// By channel, of the numbers that are finite.
+    pub mean: [f64; 3],
+    /// The smallest numbers.
+    pub least: [f64; 3],
+    /// The largest numbers.
+    pub most: [f64; 3],
+    /// How many pixels are black on the screen.
+    pub black: u64,
+    /// How many pixels have a NaN in a channel that is shown.
+    pub nan: u64,
+    /// How many have an infinite number there, and no NaN.
+    pub infinite: u64,
+    /// How many were discarded.
+    pub discarded: u64,
+    /// How many colours are on the screen, counted up to 65,536.
+    pub colors: u32,
+}
+
+/// Most colours that are counted.
+const MAX_COLORS: usize = 1 << 16;
+
+/// How a number becomes a byte, as framebuffers round it; a NaN is black.
+fn byte(number: f32) -> u8 {
+    (number.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+}
+
+impl Picture {
+    /// The picture of an output of a draw. What was discarded is black.
+    pub fn of(code: &Code, drawn: &Drawn, output: usize) -> Picture {
+        let ty = code.outputs.get(output).map_or(Type::FLOAT, |slot| slot.ty);
+        let scalar = ty.scalar_kind().unwrap_or(Scalar::Float);
+        let lanes = ty.element().components().min(4) as usize;
+        let bits = drawn.outputs.get(output).map_or(&[][..], Vec::as_slice);
+        let all = bits.iter().zip(&drawn.covered);
+        let pixels = all.map(|(bits, is_covered)| {
+            let mut pixel = [0.0, 0.0, 0.0, 1.0];
+            for (lane, bits) in pixel.iter_mut().zip(bits).take(lanes) {
+                *lane = match (is_covered, scalar) {
+                    (false, _) => 0.0,
+                    (true, Scalar::Float) => f32::from_bits(*bits),
+                    (true, Scalar::Int) => *bits as i32 as f32,
+                    (true, Scalar::Uint) => *bits as f32,
+                    (true, Scalar::Bool) => f32::from(u8::from(*bits != 0)),
+                };
+            }
+            pixel
+        });
+        Picture {
+            size: drawn.size,
+            pixels: pixels.collect(),
+        }
+    }
+
+    /// What the screen shows, the uppermost row first, three bytes a pixel. Alpha is not looked at.
+    pub fn bytes(&self) -> Vec<u8> {
+        let width = self.size[0].max(1) as usize;
+        let rows = self.pixels.chunks_exact(width).rev();
+        let shown = rows.flatten().flat_map(|[r, g, b, _]| [*r, *g, *b]);
+        shown.map(byte).collect()
+    }
+
+    /// What it is like; `covered` says which of its pixels were not discarded.
+    pub fn facts(&self, covered: &[bool]) -> PictureFacts {
+        let mut facts = PictureFacts::default();
+        let mut counts = [0_u64; 3];
+        let mut colors = rustc_hash::FxHashSet::default();
+        facts.least = [f64::INFINITY; 3];
+        facts.most = [f64::NEG_INFINITY; 3];
+        for (pixel, is_covered) in self.pixels.iter().zip(covered) {
+            let [r, g, b, _] = *pixel;
+            let shown = [r, g, b].map(byte);
+            if colors.len() < MAX_COLORS {
+                colors.insert(shown);
+            }
+            facts.black += u64::from(shown == [0; 3]);
+            facts.discarded += u64::from(!is_covered);
+            let has_nan = [r, g, b].iter().any(|n| n.is_nan());
+            facts.nan += u64::from(has_nan);
+            facts.infinite += u64::from(!has_nan && [r, g, b].iter().any(|n| n.is_infinite()));
+            let sums = facts.mean.iter_mut().zip(&mut counts);
+            let ends = facts.least.iter_mut().zip(&mut facts.most);
+            for ((lane, (sum, count)), (least, most)) in [r, g, b].iter().zip(sums).zip(ends) {
+                if lane.is_finite() {
+                    let lane = f64::from(*lane);
+                    *sum += lane;
+                    *count += 1;
+                    *least = least.min(lane);
+                    *most = most.max(lane);
+                }
+            }
+        }
+        for (channel, count) in counts.iter().enumerate() {
+            if let (Some(sum), true) = (facts.mean.get_mut(channel), *count > 0) {
+                *sum /= *count as f64;
+            }
+        }
+        for (least, most) in facts.least.iter_mut().zip(&mut facts.most) {
+            if least > most {
+                (*least, *most) = (0.0, 0.0);
+            }
+        }
+        facts.colors = colors.len() as u32;
+        facts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_turned_and_numbers_rounded() {
+        let picture = Picture {
+            size: [1, 2],
+            pixels: vec![[0.5, 2.0, -1.0, 1.0], [f32::NAN, f32::INFINITY, 0.0, 0.0]],
+        };
+        assert_eq!(picture.bytes(), [0, 255, 0, 128, 255, 0]);
+        let facts = picture.facts(&[true, true]);
+        assert_eq!((facts.nan, facts.infinite, facts.black), (1, 0, 0));
+        assert_eq!(facts.mean, [0.5, 2.0, -0.5]);
+        assert_eq!(facts.least, [0.5, 2.0, -1.0]);
+        assert_eq!(facts.colors, 2);
+    }
+}

@@ -1,0 +1,189 @@
+//! What one shader is run with: its uniforms by what their names mean, its varyings, and what the
+//! user sets by hand.
+
+use super::moment::Moment;
+use super::varyings::Varyings;
+use crate::exec::{Code, CompileOptions, Draw, Refusal, UniformSlot, compile};
+use crate::ir::Module;
+use crate::port::{Bindings, Feed, UniformControl, bindings};
+use crate::semantic::{Program, Storage, Type};
+
+/// A shader that is ready to be drawn, with all that it is given.
+pub struct Scene {
+    /// The shader.
+    pub code: Code,
+    /// What its names mean.
+    pub bound: Bindings,
+    varyings: Option<Varyings>,
+    /// What uniforms are set to whatever the moment.
+    fixed: Vec<(String, Vec<f64>)>,
+    /// The uniforms that the text declares, those that change nothing included.
+    declared: Vec<String>,
+}
+
+/// Why a uniform cannot be set as the user asks for.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Unfit {
+    /// There is none of this name.
+    Unknown,
+    /// It is a sampler.
+    Sampler,
+    /// It takes another count of numbers.
+    Count {
+        /// Its type.
+        ty: Type,
+        /// How many it takes.
+        takes: u32,
+    },
+}
+
+impl Scene {
+    /// A shader that brings its own uniforms, or a pass that ShaderToy's player completes, by the
+    /// meaning of its names.
+    ///
+    /// # Errors
+    /// What of it cannot be run.
+    pub fn of(
+        program: &Program,
+        module: &Module,
+        options: &CompileOptions,
+    ) -> Result<Scene, Refusal> {
+        Scene::bound(program, module, bindings(program), options)
+    }
+
+    /// A shader of which it is known what it is given.
+    ///
+    /// # Errors
+    /// What of it cannot be run.
+    pub fn bound(
+        program: &Program,
+        module: &Module,
+        bound: Bindings,
+        options: &CompileOptions,
+    ) -> Result<Scene, Refusal> {
+        let uniforms = program.variables.iter();
+        let uniforms = uniforms.filter(|v| v.storage == Storage::Uniform);
+        Ok(Scene {
+            code: compile(program, module, options)?,
+            varyings: Varyings::of(&bound.varyings),
+            bound,
+            fixed: Vec::new(),
+            declared: uniforms
+                .map(|v| program.names.text(v.name).to_string())
+                .collect(),
+        })
+    }
+
+    /// Sets controls to the values that the text itself describes.
+    pub fn set_controls(&mut self, controls: &[UniformControl]) {
+        let set = controls.iter().map(|c| (c.name.clone(), c.value.clone()));
+        self.fixed.extend(set);
+    }
+
+    /// Sets a uniform for all moments, as [`Draw::set`] does; one that changes nothing is as well as
+    /// another.
+    ///
+    /// # Errors
+    /// Why it cannot be set.
+    pub fn set(&mut self, name: &str, scalars: &[f64]) -> Result<(), Unfit> {
+        let mut draw = Draw::new(&self.code, [1, 1]);
+        if !draw.set(name, scalars) {
+            self.unfit(name)?;
+        }
+        self.fixed.push((name.to_string(), scalars.to_vec()));
+        Ok(())
+    }
+
+    /// Why a uniform cannot be set; nothing where the shader declares it and does not need it.
+    fn unfit(&self, name: &str) -> Result<(), Unfit> {
+        let element = name.strip_suffix(']').and_then(|n| n.rsplit_once('['));
+        let by_name = |wanted: &str| self.code.uniforms.iter().find(|slot| slot.name == wanted);
+        let slot = by_name(name).map(|slot| slot.ty);
+        let slot = slot.or_else(|| by_name(element?.0).map(|slot| slot.ty.element()));
+        if let Some(ty) = slot {
+            let takes = scalars(ty);
+            return Err(Unfit::Count { ty, takes });
+        }
+        if self.code.samplers.iter().any(|slot| slot.name == name) {
+            return Err(Unfit::Sampler);
+        }
+        let root = name.split(['.', '[']).next().unwrap_or(name);
+        match self.declared.iter().any(|declared| declared == root) {
+            true => Ok(()),
+            false => Err(Unfit::Unknown),
+        }
+    }
+
+    /// The uniforms of the text, for who looks for one of them.
+    pub fn declared(&self) -> &[String] {
+        &self.declared
+    }
+
+    /// The uniforms that nothing sets, so that they are zero; without those that change nothing.
+    pub fn zeros(&self) -> Vec<&str> {
+        let is_fixed = |name: &str| {
+            let whole = |fixed: &str| fixed.split(['.', '[']).next() == Some(name);
+            self.fixed.iter().any(|(fixed, _)| whole(fixed))
+        };
+        let controls = self.bound.controls.iter().map(|c| c.name.as_str());
+        let zeros = self.bound.zeros.iter().map(String::as_str);
+        let all = controls.chain(zeros).filter(|name| !is_fixed(name));
+        let is_needed = |name: &&str| {
+            let root = |slot: &UniformSlot| slot.name.split(['.', '[']).next() == Some(*name);
+            self.code.uniforms.iter().any(root)
+        };
+        all.filter(is_needed).collect()
+    }
+
+    /// A draw of a moment, all but its textures set.
+    pub fn draw(&self, size: [u32; 2], moment: &Moment) -> Draw<'_> {
+        let mut draw = Draw::new(&self.code, size);
+        for given in &self.bound.uniforms {
+            let slot = self.code.uniforms.iter().find(|s| s.name == given.name);
+            let Some(ty) = slot.map(|s| s.ty) else {
+                continue;
+            };
+            let mut lanes = match given.source {
+                Feed::Identity => identity(ty),
+                source => moment.lanes(source, size),
+            };
+            if !lanes.is_empty() {
+                lanes.resize(scalars(ty) as usize, 0.0);
+                draw.set(&given.name, &lanes);
+            }
+        }
+        for (name, lanes) in &self.fixed {
+            draw.set(name, lanes);
+        }
+        if let Some(varyings) = &self.varyings {
+            varyings.set(&mut draw);
+        }
+        draw
+    }
+}
+
+/// How many numbers a uniform takes.
+fn scalars(ty: Type) -> u32 {
+    ty.element().components() * ty.array.max(1)
+}
+
+/// The numbers of matrices that change nothing, by columns.
+fn identity(ty: Type) -> Vec<f64> {
+    let Some((_, columns, rows)) = ty.element().numeric() else {
+        return Vec::new();
+    };
+    let cells = (0..columns).flat_map(|c| (0..rows).map(move |r| f64::from(u8::from(c == r))));
+    let one: Vec<f64> = cells.collect();
+    one.repeat(ty.array.max(1) as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn matrices_that_change_nothing() {
+        assert_eq!(identity(Type::matrix(2, 3)), [1.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+        assert_eq!(scalars(Type::matrix(2, 3).array_of(2)), 12);
+    }
+}
