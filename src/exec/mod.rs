@@ -20,4 +20,4 @@ pub use compile::{CompileOptions, Refusal, Watch, compile};
 pub use draw::{Draw, Drawn, Sampled, Stop, draw, sample};
 pub use image::{Filter, Image, Sampling, Shape, Texels, Texture, Wrap};
 pub use row::LANES;
-pub use seen::{BranchSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness};
+pub use seen::{BranchSeen, ComparedSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness};

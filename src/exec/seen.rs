@@ -17,6 +17,23 @@ pub struct Seen {
     pub numbers: Vec<NumberSeen>,
     /// The operations at which numbers are watched that any pixel came to.
     pub watched: Vec<WatchedSeen>,
+    /// The comparisons of two scalars by `<`, `<=`, `>`, `>=` that any pixel came to.
+    pub compared: Vec<ComparedSeen>,
+}
+
+/// What was seen of a comparison.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ComparedSeen {
+    /// The comparison.
+    pub op: OpId,
+    /// How often it held.
+    pub held: u64,
+    /// How often it did not.
+    pub failed: u64,
+    /// The least and the largest number on its left; a NaN is neither.
+    pub left: [f64; 2],
+    /// On its right.
+    pub right: [f64; 2],
 }
 
 /// An operation at which numbers are watched.
