@@ -36,10 +36,12 @@ pub(in crate::exec) fn round_even(x: f32x8) -> f32x8 {
     small.bitselect(whole, x)
 }
 
-/// `fract(x)`
+/// `fract(x)`, which is below 1 even where a tiny negative number is rounded.
 #[inline(always)]
 pub(in crate::exec) fn fract(x: f32x8) -> f32x8 {
-    x - floor(x)
+    let rest = x - floor(x);
+    let below = f32x8::splat(1.0_f32.next_down());
+    rest.simd_gt(below).bitselect(below, rest)
 }
 
 /// `mod(x, y)`

@@ -6,10 +6,12 @@ use super::sign_of;
 use std::f64::consts::{LN_2, LOG2_E};
 use wide::{f32x8, f64x8};
 
-/// `pow(x, y)`; no number below 0, where the base has no logarithm.
+/// `pow(x, y)`; no number below 0, where the base has no logarithm. It is 1 of 0 and 0.
 #[inline]
 pub(in crate::exec) fn pow(x: f32x8, y: f32x8) -> f32x8 {
-    narrow(power_of_2(widen(y) * log2_wide(x)))
+    let power = narrow(power_of_2(widen(y) * log2_wide(x)));
+    let nothing = (x.abs() | y.abs()).simd_eq(f32x8::ZERO);
+    nothing.bitselect(f32x8::splat(1.0), power)
 }
 
 /// `exp(x)`

@@ -12,13 +12,15 @@ pub(in crate::exec) fn int_of_float(x: f32x8) -> i32x8 {
     bytemuck::cast(within.bitselect(whole, lowest))
 }
 
-/// `uint(x)`; a negative number goes through `int`.
+/// `uint(x)`; what is negative or too large is 0.
 #[inline(always)]
 pub(in crate::exec) fn uint_of_float(x: f32x8) -> u32x8 {
-    let x = x
-        .to_array()
-        .map(|x| if x < 0.0 { x as i32 as u32 } else { x as u32 });
-    u32x8::from(x)
+    let half = f32x8::splat(2_147_483_648.0);
+    let large = x.simd_ge(half);
+    let top: u32x8 = bytemuck::cast(large & f32x8::splat(f32::from_bits(0x8000_0000)));
+    let rest: u32x8 = bytemuck::cast(int_of_float(x - (large & half)));
+    let negative: u32x8 = bytemuck::cast(x.simd_lt(f32x8::ZERO));
+    (rest ^ top) & !negative
 }
 
 /// `float(x)`
@@ -49,28 +51,45 @@ fn each_uint(x: u32x8, y: u32x8, f: impl Fn(u32, u32) -> u32) -> u32x8 {
     u32x8::from([(); 8].map(|()| both.next().map_or(0, |(x, y)| f(x, y))))
 }
 
-/// `x / y`; undefined by zero, where the browser divides by -1.
+/// `x / y`; undefined by zero, where the browser divides by -1, and where it overflows, which gives 1
+/// there.
 #[inline]
 pub(in crate::exec) fn divide_int(x: i32x8, y: i32x8) -> i32x8 {
-    each_int(x, y, |x, y| x.wrapping_div(if y == 0 { -1 } else { y }))
+    each_int(x, y, |x, y| match y {
+        0 => x.wrapping_neg(),
+        _ => x.checked_div(y).unwrap_or(1),
+    })
 }
 
-/// `x / y`; undefined by zero, where the browser gives all bits.
+/// `x / y`; undefined by zero, where the browser divides by the largest number.
 #[inline]
 pub(in crate::exec) fn divide_uint(x: u32x8, y: u32x8) -> u32x8 {
-    each_uint(x, y, |x, y| x.checked_div(y).unwrap_or(u32::MAX))
+    each_uint(x, y, |x, y| {
+        x.checked_div(y).unwrap_or(u32::from(x == u32::MAX))
+    })
 }
 
-/// `x % y`; undefined by zero.
+/// `x % y`; undefined of negative numbers, where the browser gives what has the sign of `y`, and by
+/// zero, where it gives 0.
 #[inline]
 pub(in crate::exec) fn remainder_int(x: i32x8, y: i32x8) -> i32x8 {
-    each_int(x, y, |x, y| x.wrapping_rem(if y == 0 { -1 } else { y }))
+    each_int(x, y, |x, y| {
+        let rest = x.checked_rem(y).unwrap_or(0);
+        if rest != 0 && (rest < 0) != (y < 0) {
+            rest + y
+        } else {
+            rest
+        }
+    })
 }
 
-/// `x % y`; undefined by zero, where the browser gives all bits.
+/// `x % y`; undefined by zero, where the browser divides by the largest number.
 #[inline]
 pub(in crate::exec) fn remainder_uint(x: u32x8, y: u32x8) -> u32x8 {
-    each_uint(x, y, |x, y| x.checked_rem(y).unwrap_or(u32::MAX))
+    each_uint(x, y, |x, y| {
+        x.checked_rem(y)
+            .unwrap_or(if x == u32::MAX { 0 } else { x })
+    })
 }
 
 /// `x << y`, by the lowest five bits.

@@ -9,7 +9,7 @@ use wide::{f32x8, i32x8, u32x8};
 #[inline]
 pub(in crate::exec) fn pack_snorm(x: f32x8, y: f32x8) -> u32x8 {
     join(x, y, |x| {
-        let within = max(min(x, f32x8::splat(1.0)), f32x8::splat(-1.0));
+        let within = min(max(x, f32x8::splat(-1.0)), f32x8::splat(1.0));
         int_of_float(round_even(within * f32x8::splat(32767.0)))
     })
 }
@@ -18,7 +18,7 @@ pub(in crate::exec) fn pack_snorm(x: f32x8, y: f32x8) -> u32x8 {
 #[inline]
 pub(in crate::exec) fn pack_unorm(x: f32x8, y: f32x8) -> u32x8 {
     join(x, y, |x| {
-        let within = max(min(x, f32x8::splat(1.0)), f32x8::ZERO);
+        let within = min(max(x, f32x8::ZERO), f32x8::splat(1.0));
         int_of_float(round_even(within * f32x8::splat(65535.0)))
     })
 }

@@ -169,18 +169,18 @@ pub(in crate::exec) fn atan(x: f32x8) -> f32x8 {
     narrow(atan_of(widen(x.abs()))) | sign_of(x)
 }
 
-/// `atan(y, x)`
+/// `atan(y, x)`; undefined where both are 0, where the browser gives 0.
 #[inline]
 pub(in crate::exec) fn atan2(y: f32x8, x: f32x8) -> f32x8 {
     let (height, width) = (widen(y.abs()), widen(x.abs()));
+    // Equal ones may both be infinite, and have no ratio then.
     let same = height.simd_eq(width);
-    // Equal ones may both be 0 or infinite, and have no ratio then.
-    let nothing = y.abs().simd_eq(f32x8::ZERO) & x.abs().simd_eq(f32x8::ZERO);
     let angle = atan_of(same.bitselect(f64x8::splat(1.0), height / width));
-    let angle = widen(nothing.bitselect(f32x8::ZERO, f32x8::splat(1.0))) * angle;
-    let left: f64x8 = widen_mask(x.is_sign_negative());
+    let left = widen_mask(x.is_sign_negative());
     let angle = left.bitselect(f64x8::splat(PI) - angle, angle);
-    narrow(angle) | sign_of(y)
+    let nothing = (x.abs() | y.abs()).simd_eq(f32x8::ZERO);
+    let angle = nothing.bitselect(f32x8::ZERO, narrow(angle));
+    angle | sign_of(y)
 }
 
 /// A mask of floats as one of doubles.
