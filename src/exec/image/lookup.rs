@@ -1,13 +1,15 @@
 //! Lookups of 32 pixels at a time.
 
-use super::Texture;
+use super::level::{levels, vector};
+use super::{Filter, Image, Sampling, Shape, Texels, Texture, Wrap, cube};
 use crate::exec::row::LANES;
+use wide::f32x4;
 
 /// What a lookup is given, the coordinates divided already where it projects.
 pub(in crate::exec) struct Lookup<'a> {
     /// As many as the sampler takes; of arrays the layer comes last.
     pub coordinates: &'a [[f32; LANES]],
-    /// What a shadow sampler compares the texels with.
+    /// What a shadow sampler compares the texels with: 1 where it is not more.
     pub reference: Option<&'a [f32; LANES]>,
     /// Which level is read.
     pub level: LevelOf<'a>,
@@ -35,26 +37,416 @@ pub(in crate::exec) enum LevelOf<'a> {
 
 /// What the sampler gives, as bits; the lanes whose bit is not set are not looked up.
 pub(in crate::exec) fn lookup(
-    _texture: &Texture,
-    _lookup: &Lookup<'_>,
-    _lanes: u32,
+    texture: &Texture,
+    lookup: &Lookup<'_>,
+    lanes: u32,
 ) -> [[u32; LANES]; 4] {
-    [[0; LANES]; 4]
+    let Some(first) = texture.image.level(0).filter(|_| texture.is_complete()) else {
+        return incomplete(&texture.image);
+    };
+    match first {
+        Texels::Unorm8(_) => floats::<[u8; 4]>(texture, lookup, lanes),
+        Texels::Float(_) => floats::<[f32; 4]>(texture, lookup, lanes),
+        Texels::Int(texels) => {
+            let nearest = nearest(texture, lookup, lanes, |number| texels.get(number).copied());
+            nearest.map(|row| row.map(|part| part as u32))
+        }
+        Texels::Uint(texels) => {
+            nearest(texture, lookup, lanes, |number| texels.get(number).copied())
+        }
+    }
 }
 
-/// One texel of a level, as bits; outside of the image all are 0.
+/// What is read of a texture that lacks something its filter needs.
+fn incomplete(image: &Image) -> [[u32; LANES]; 4] {
+    let whole = image.level(0).is_some_and(Texels::whole);
+    let one = if whole { 1 } else { 1.0_f32.to_bits() };
+    [[0; LANES], [0; LANES], [0; LANES], [one; LANES]]
+}
+
+/// Texels that are filtered as floats.
+trait Filtered: Sized + 'static {
+    /// Those of this kind.
+    fn of(texels: &Texels) -> &[Self];
+    /// What is filtered.
+    fn parts(&self) -> f32x4;
+    /// What one is, after filtering.
+    const ONE: f32;
+}
+
+impl Filtered for [u8; 4] {
+    fn of(texels: &Texels) -> &[Self] {
+        match texels {
+            Texels::Unorm8(texels) => texels,
+            Texels::Float(_) | Texels::Int(_) | Texels::Uint(_) => &[],
+        }
+    }
+
+    #[inline(always)]
+    fn parts(&self) -> f32x4 {
+        f32x4::from(self.map(f32::from))
+    }
+
+    const ONE: f32 = 255.0;
+}
+
+impl Filtered for [f32; 4] {
+    fn of(texels: &Texels) -> &[Self] {
+        match texels {
+            Texels::Float(texels) => texels,
+            Texels::Unorm8(_) | Texels::Int(_) | Texels::Uint(_) => &[],
+        }
+    }
+
+    #[inline(always)]
+    fn parts(&self) -> f32x4 {
+        f32x4::from(*self)
+    }
+
+    const ONE: f32 = 1.0;
+}
+
+/// Where a lane looks: coordinates within a layer or face, and which of these.
+#[derive(Clone, Copy)]
+struct Spot {
+    at: [f32; 3],
+    layer: u32,
+}
+
+/// How the levels of one lookup are read.
+struct Reading<'a> {
+    shape: Shape,
+    sampling: &'a Sampling,
+    offset: [i32; 3],
+}
+
+fn floats<T: Filtered>(texture: &Texture, lookup: &Lookup<'_>, lanes: u32) -> [[u32; LANES]; 4] {
+    let image = &*texture.image;
+    let reading = Reading {
+        shape: image.shape(),
+        sampling: &texture.sampling,
+        offset: lookup.offset,
+    };
+    let mipmaps = texture.sampling.filter == Filter::Mipmap && image.full_count() > 1;
+    let levels = mipmaps.then(|| levels(texture, lookup));
+    let one = f32x4::splat(T::ONE);
+    let mut found = [[0; LANES]; 4];
+    for lane in lanes_of(lanes) {
+        let spot = spot(image, vector(lookup.coordinates, lane));
+        let reference = lookup.reference.and_then(|row| row.get(lane)).copied();
+        let of_level = |level: usize| {
+            let texels = image.level(level).map_or(&[][..], T::of);
+            let size = image.size_at(level);
+            match reference {
+                None => reading.filtered(size, spot, |number| {
+                    texels.get(number).map_or(f32x4::ZERO, T::parts) / one
+                }),
+                Some(reference) => reading.filtered(size, spot, |number| {
+                    let texel = texels.get(number).map_or(f32x4::ZERO, T::parts) / one;
+                    let [depth, ..] = texel.to_array();
+                    f32x4::splat(if reference <= depth { 1.0 } else { 0.0 })
+                }),
+            }
+        };
+        let level = levels.as_ref().and_then(|row| row.get(lane)).copied();
+        let (sharp, part) = level.map_or((0, 0.0), |level| {
+            (level as usize, level - level as usize as f32)
+        });
+        let mut parts = of_level(sharp);
+        if part > 0.0 {
+            parts += (of_level(sharp + 1) - parts) * f32x4::splat(part);
+        }
+        put(&mut found, lane, parts.to_array().map(f32::to_bits));
+    }
+    found
+}
+
+fn nearest<T: Copy + Default>(
+    texture: &Texture,
+    lookup: &Lookup<'_>,
+    lanes: u32,
+    texel: impl Fn(usize) -> Option<[T; 4]>,
+) -> [[T; LANES]; 4] {
+    let image = &*texture.image;
+    let reading = Reading {
+        shape: image.shape(),
+        sampling: &texture.sampling,
+        offset: lookup.offset,
+    };
+    let mut found = [[T::default(); LANES]; 4];
+    for lane in lanes_of(lanes) {
+        let spot = spot(image, vector(lookup.coordinates, lane));
+        let texel = texel(reading.nearest(image.size(), spot)).unwrap_or_default();
+        put(&mut found, lane, texel);
+    }
+    found
+}
+
+/// Where coordinates lead.
+#[inline(always)]
+fn spot(image: &Image, at: [f32; 3]) -> Spot {
+    let [x, y, z] = at;
+    match image.shape() {
+        Shape::Flat | Shape::Volume => Spot { at, layer: 0 },
+        Shape::Layers => {
+            let [.., layers] = image.size();
+            let layer = floor(z + 0.5).clamp(0, layers as i32 - 1) as u32;
+            Spot {
+                at: [x, y, 0.0],
+                layer,
+            }
+        }
+        Shape::Cube => {
+            let (layer, [s, t]) = cube::face(at);
+            Spot {
+                at: [s, t, 0.0],
+                layer,
+            }
+        }
+    }
+}
+
+impl Reading<'_> {
+    /// The number of the nearest texel.
+    #[inline(always)]
+    fn nearest(&self, size: [u32; 3], spot: Spot) -> usize {
+        let [width, height, depth] = size;
+        let [x, y, z] = spot.at;
+        let [wrap_x, wrap_y, wrap_z] = self.wraps();
+        let [by_x, by_y, by_z] = self.offset;
+        let slice = if self.shape == Shape::Volume {
+            nearest_texel(z, depth, wrap_z, by_z)
+        } else {
+            spot.layer
+        };
+        let (x, y) = (
+            nearest_texel(x, width, wrap_x, by_x),
+            nearest_texel(y, height, wrap_y, by_y),
+        );
+        number(width, height, [x, y, slice])
+    }
+
+    fn wraps(&self) -> [Wrap; 3] {
+        if self.shape == Shape::Cube {
+            return [Wrap::Clamp; 3];
+        }
+        self.sampling.wrap
+    }
+
+    /// What one level gives.
+    #[inline(always)]
+    fn filtered(&self, size: [u32; 3], spot: Spot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
+        let [width, height, depth] = size;
+        match (self.sampling.filter, self.shape) {
+            (Filter::Nearest, _) => texel(self.nearest(size, spot)),
+            (Filter::Linear | Filter::Mipmap, Shape::Cube) => of_face(width, spot, texel),
+            (Filter::Linear | Filter::Mipmap, _) => {
+                let [at_x, at_y, at_z] = spot.at;
+                let [wrap_x, wrap_y, wrap_z] = self.sampling.wrap;
+                let [by_x, by_y, by_z] = self.offset;
+                let x = between(at_x, width, wrap_x, by_x);
+                let y = between(at_y, height, wrap_y, by_y);
+                let slice = |slice: u32| {
+                    let row = |row: u32| {
+                        mix(
+                            texel(number(width, height, [x.low, row, slice])),
+                            texel(number(width, height, [x.high, row, slice])),
+                            x.share,
+                        )
+                    };
+                    mix(row(y.low), row(y.high), y.share)
+                };
+                if self.shape == Shape::Volume {
+                    let z = between(at_z, depth, wrap_z, by_z);
+                    mix(slice(z.low), slice(z.high), z.share)
+                } else {
+                    slice(spot.layer)
+                }
+            }
+        }
+    }
+}
+
+/// Between four texels of a face and its neighbours; where three faces meet, the fourth is the mean of
+/// the others.
+fn of_face(side: u32, spot: Spot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
+    let [s, t, _] = spot.at;
+    let [s, t] = [s, t].map(|part| part * side as f32 - 0.5);
+    let (column, row) = (floor(s), floor(t));
+    let at =
+        |right: i32, up: i32| cube::texel(spot.layer, [column + right, row + up], side).map(&texel);
+    let corners = [at(0, 0), at(1, 0), at(0, 1), at(1, 1)];
+    let known = corners
+        .iter()
+        .flatten()
+        .fold(f32x4::ZERO, |sum, part| sum + *part);
+    let mean = known / f32x4::splat(3.0);
+    let [a, b, c, d] = corners.map(|corner| corner.unwrap_or(mean));
+    let (share_s, share_t) = (s - column as f32, t - row as f32);
+    mix(mix(a, b, share_s), mix(c, d, share_s), share_t)
+}
+
+#[inline(always)]
+fn nearest_texel(at: f32, side: u32, wrap: Wrap, offset: i32) -> u32 {
+    let texel = floor(scaled(at, side, wrap));
+    wrapped(texel.saturating_add(offset), side, wrap)
+}
+
+/// Two neighbouring texels along one coordinate, and how much the second one gives.
+#[derive(Clone, Copy)]
+struct Between {
+    low: u32,
+    high: u32,
+    share: f32,
+}
+
+#[inline(always)]
+fn between(at: f32, side: u32, wrap: Wrap, offset: i32) -> Between {
+    let along = scaled(at, side, wrap) - 0.5;
+    let low = floor(along);
+    let share = along - low as f32;
+    let low = low.saturating_add(offset);
+    Between {
+        low: wrapped(low, side, wrap),
+        high: wrapped(low.saturating_add(1), side, wrap),
+        share,
+    }
+}
+
+/// A coordinate in texels, where the image or its repetition begins: never far outside, and never a
+/// NaN.
+#[inline(always)]
+fn scaled(at: f32, side: u32, wrap: Wrap) -> f32 {
+    let side = side as f32;
+    let fraction = |at: f32| {
+        // Floats of this size have no fraction; the comparison turns a NaN away too.
+        if at.abs() < 8_388_608.0 {
+            at - floor(at) as f32
+        } else {
+            0.0
+        }
+    };
+    match wrap {
+        // Beyond half a texel outside nothing changes.
+        Wrap::Clamp => (at * side).max(-1.0).min(side + 1.0),
+        Wrap::Repeat => fraction(at) * side,
+        Wrap::Mirror => fraction(at * 0.5) * (2.0 * side),
+    }
+}
+
+/// The texel that stands at a number which may lie outside of the image.
+#[inline(always)]
+fn wrapped(number: i32, side: u32, wrap: Wrap) -> u32 {
+    let side = side as i32;
+    if (0..side).contains(&number) {
+        return number as u32;
+    }
+    let number = match wrap {
+        Wrap::Clamp => number.clamp(0, side - 1),
+        Wrap::Repeat => number.rem_euclid(side),
+        Wrap::Mirror => {
+            let number = number.rem_euclid(2 * side);
+            number.min(2 * side - 1 - number)
+        }
+    };
+    number as u32
+}
+
+#[inline(always)]
+fn floor(number: f32) -> i32 {
+    let truncated = number as i32;
+    truncated.saturating_sub(i32::from(truncated as f32 > number))
+}
+
+#[inline(always)]
+fn mix(first: f32x4, second: f32x4, share: f32) -> f32x4 {
+    first + (second - first) * f32x4::splat(share)
+}
+
+#[inline(always)]
+fn number(width: u32, height: u32, [x, y, slice]: [u32; 3]) -> usize {
+    (slice as usize * height as usize + y as usize) * width as usize + x as usize
+}
+
+/// One texel of a level, as bits; outside of the image all are 0, and instead of a level that there
+/// is not the nearest is read, as measured in a browser.
 pub(in crate::exec) fn fetch(
-    _texture: &Texture,
-    _texel: &[[i32; LANES]],
-    _level: &[i32; LANES],
-    _offset: [i32; 3],
-    _lanes: u32,
+    texture: &Texture,
+    texel: &[[i32; LANES]],
+    level: &[i32; LANES],
+    offset: [i32; 3],
+    lanes: u32,
 ) -> [[u32; LANES]; 4] {
-    [[0; LANES]; 4]
+    let image = &*texture.image;
+    let mut found = [[0; LANES]; 4];
+    if !texture.is_complete() {
+        return incomplete(image);
+    }
+    let last = image.levels.len() as i32 - 1;
+    for lane in lanes_of(lanes) {
+        let level = level.get(lane).copied().unwrap_or_default();
+        let level = level.clamp(0, last) as usize;
+        let Some(texels) = image.level(level) else {
+            continue;
+        };
+        let [width, height, depth] = image.size_at(level);
+        let mut at = vector(texel, lane);
+        for (part, by) in at.iter_mut().zip(offset) {
+            *part = part.wrapping_add(by);
+        }
+        let inside = |part: i32, side: u32| u32::try_from(part).ok().filter(|part| *part < side);
+        let [x, y, z] = at;
+        let (Some(x), Some(y), Some(z)) = (inside(x, width), inside(y, height), inside(z, depth))
+        else {
+            continue;
+        };
+        let number = number(width, height, [x, y, z]);
+        put(&mut found, lane, bits(texels, number));
+    }
+    found
+}
+
+/// The bits that one texel gives unfiltered.
+fn bits(texels: &Texels, number: usize) -> [u32; 4] {
+    let parts = match texels {
+        Texels::Unorm8(texels) => texels
+            .get(number)
+            .map(|texel| texel.map(|part| (f32::from(part) / 255.0).to_bits())),
+        Texels::Float(texels) => texels.get(number).map(|texel| texel.map(f32::to_bits)),
+        Texels::Int(texels) => texels
+            .get(number)
+            .map(|texel| texel.map(|part| part as u32)),
+        Texels::Uint(texels) => texels.get(number).copied(),
+    };
+    parts.unwrap_or_default()
 }
 
 /// The size of a level in texels; the layers of an array stay as many.
 pub(in crate::exec) fn size_of(texture: &Texture, level: &[i32; LANES]) -> [[i32; LANES]; 3] {
-    let _ = (texture, level);
-    [[0; LANES]; 3]
+    let mut sizes = [[0; LANES]; 3];
+    for (lane, level) in level.iter().enumerate() {
+        let Ok(level) = usize::try_from(*level) else {
+            continue;
+        };
+        put(
+            &mut sizes,
+            lane,
+            texture.image.size_at(level).map(|side| side as i32),
+        );
+    }
+    sizes
+}
+
+/// The numbers of the lanes whose bit is set.
+fn lanes_of(lanes: u32) -> impl Iterator<Item = usize> {
+    (0..LANES).filter(move |lane| lanes >> lane & 1 == 1)
+}
+
+#[inline(always)]
+fn put<T, const N: usize>(rows: &mut [[T; LANES]; N], lane: usize, parts: [T; N]) {
+    for (row, part) in rows.iter_mut().zip(parts) {
+        if let Some(slot) = row.get_mut(lane) {
+            *slot = part;
+        }
+    }
 }

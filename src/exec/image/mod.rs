@@ -1,11 +1,21 @@
 //! Textures: what they hold, and how they are looked up.
 
+mod cube;
+mod level;
 mod lookup;
+mod mipmap;
+#[cfg(test)]
+#[cfg(test)]
+mod tests;
 
+use crate::semantic::{Sampler, Scalar};
 use std::sync::Arc;
 
 #[allow(unused_imports)]
 pub(in crate::exec) use lookup::{LevelOf, Lookup, fetch, lookup, size_of};
+
+/// The longest side of an image.
+const MAX_SIDE: u32 = 8192;
 
 /// What the coordinates of an image mean.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -23,6 +33,8 @@ pub enum Shape {
 /// The texels of one level, layer by layer, each layer row by row, the row of coordinate 0 first.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Texels {
+    /// Of formats of 8 bits that give a `vec4` of 0 to 1.
+    Unorm8(Vec<[u8; 4]>),
     /// Of formats that give `vec4`.
     Float(Vec<[f32; 4]>),
     /// Of formats that give `ivec4`.
@@ -31,15 +43,146 @@ pub enum Texels {
     Uint(Vec<[u32; 4]>),
 }
 
-/// An image with its levels; level 0 is the sharpest.
+impl Texels {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        match self {
+            Texels::Unorm8(texels) => texels.len(),
+            Texels::Float(texels) => texels.len(),
+            Texels::Int(texels) => texels.len(),
+            Texels::Uint(texels) => texels.len(),
+        }
+    }
+
+    /// Whether lookups give integers.
+    fn whole(&self) -> bool {
+        matches!(self, Texels::Int(_) | Texels::Uint(_))
+    }
+}
+
+/// An image with its levels.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Image {
-    /// What its coordinates mean.
-    pub shape: Shape,
+    shape: Shape,
+    size: [u32; 3],
+    /// Never none, all of one kind; level 0 is the sharpest, each next one half as large.
+    levels: Vec<Texels>,
+}
+
+/// Why texels make no image.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum ImageProblem {
+    /// A side is zero or longer than any side may be, or does not fit the shape.
+    Size([u32; 3]),
+    /// There are more or fewer texels than the size says.
+    Count {
+        /// As many as the size says.
+        expected: usize,
+        /// As many as were given.
+        given: usize,
+    },
+}
+
+impl Image {
+    /// An image of one level. The size is the width, the height, and the depth or the number of
+    /// layers: 1 if the image is flat, 6 if it is a cube.
+    ///
+    /// # Errors
+    /// If the size does not fit the shape or the texels.
+    pub fn new(shape: Shape, size: [u32; 3], texels: Texels) -> Result<Image, ImageProblem> {
+        let [width, height, depth] = size;
+        let fits = match shape {
+            Shape::Flat => depth == 1,
+            Shape::Cube => depth == 6 && width == height,
+            Shape::Volume | Shape::Layers => true,
+        };
+        if !fits || size.iter().any(|side| !(1..=MAX_SIDE).contains(side)) {
+            return Err(ImageProblem::Size(size));
+        }
+        let expected = size.iter().fold(1usize, |product, side| {
+            product.saturating_mul(*side as usize)
+        });
+        let given = texels.count();
+        if expected != given {
+            return Err(ImageProblem::Count { expected, given });
+        }
+        Ok(Image {
+            shape,
+            size,
+            levels: vec![texels],
+        })
+    }
+
+    /// What a sampler without a texture reads: black that covers all.
+    pub fn unbound(sampler: Sampler) -> Image {
+        let (shape, scalar) = kind_of(sampler);
+        let layers = if shape == Shape::Cube { 6 } else { 1 };
+        let texels = match scalar {
+            Scalar::Int => Texels::Int(vec![[0, 0, 0, 1]; layers]),
+            Scalar::Uint => Texels::Uint(vec![[0, 0, 0, 1]; layers]),
+            Scalar::Float | Scalar::Bool => Texels::Unorm8(vec![[0, 0, 0, 255]; layers]),
+        };
+        Image {
+            shape,
+            size: [1, 1, layers as u32],
+            levels: vec![texels],
+        }
+    }
+
+    /// The image with all its levels, each made of the one before it, as `generateMipmap` does.
+    /// Integers have none.
+    #[must_use]
+    pub fn with_levels(mut self) -> Image {
+        self.levels.truncate(1);
+        if self.levels.first().is_some_and(Texels::whole) {
+            return self;
+        }
+        for level in 1..self.full_count() {
+            let (from, to) = (self.size_at(level - 1), self.size_at(level));
+            let Some(last) = self.levels.last() else {
+                break;
+            };
+            let next = mipmap::half(last, from, to);
+            self.levels.push(next);
+        }
+        self
+    }
+
+    /// What the coordinates mean.
+    pub const fn shape(&self) -> Shape {
+        self.shape
+    }
+
     /// Width, height, and depth or layers, of level 0.
-    pub size: [u32; 3],
-    /// The levels, each half as large as the one before it.
-    pub levels: Vec<Texels>,
+    pub const fn size(&self) -> [u32; 3] {
+        self.size
+    }
+
+    /// The texels of a level.
+    pub fn level(&self, level: usize) -> Option<&Texels> {
+        self.levels.get(level)
+    }
+
+    /// The size of a level, whether there is one or not.
+    fn size_at(&self, level: usize) -> [u32; 3] {
+        let half = |side: u32| side.checked_shr(level as u32).unwrap_or(0).max(1);
+        let [width, height, depth] = self.size;
+        let depth = match self.shape {
+            Shape::Volume => half(depth),
+            Shape::Flat | Shape::Cube | Shape::Layers => depth,
+        };
+        [half(width), half(height), depth]
+    }
+
+    /// How many levels there are down to a single texel.
+    fn full_count(&self) -> usize {
+        let [width, height, depth] = self.size;
+        let longest = match self.shape {
+            Shape::Volume => width.max(height).max(depth),
+            Shape::Flat | Shape::Cube | Shape::Layers => width.max(height),
+        };
+        longest.checked_ilog2().unwrap_or(0) as usize + 1
+    }
 }
 
 /// What lies between texels.
@@ -71,7 +214,7 @@ pub enum Wrap {
 pub struct Sampling {
     /// Between texels.
     pub filter: Filter,
-    /// Outside, along each coordinate.
+    /// Outside, along each coordinate. Faces of cubes meet whatever it says.
     pub wrap: [Wrap; 3],
 }
 
@@ -82,4 +225,74 @@ pub struct Texture {
     pub image: Arc<Image>,
     /// How it is looked up.
     pub sampling: Sampling,
+}
+
+impl Texture {
+    /// What a sampler without a texture reads.
+    pub fn unbound(sampler: Sampler) -> Texture {
+        Texture {
+            image: Arc::new(Image::unbound(sampler)),
+            sampling: Sampling {
+                filter: Filter::Nearest,
+                wrap: [Wrap::Clamp; 3],
+            },
+        }
+    }
+
+    /// Whether a sampler of this type can look it up.
+    pub fn fits(&self, sampler: Sampler) -> bool {
+        let scalar = match self.image.levels.first() {
+            Some(Texels::Int(_)) => Scalar::Int,
+            Some(Texels::Uint(_)) => Scalar::Uint,
+            Some(Texels::Unorm8(_) | Texels::Float(_)) | None => Scalar::Float,
+        };
+        (self.image.shape, scalar) == kind_of(sampler)
+    }
+
+    /// Whether there is all that its filter reads; else lookups give black.
+    fn is_complete(&self) -> bool {
+        let whole = self.image.levels.first().is_some_and(Texels::whole);
+        match self.sampling.filter {
+            Filter::Nearest => true,
+            Filter::Linear => !whole,
+            Filter::Mipmap => !whole && self.image.levels.len() == self.image.full_count(),
+        }
+    }
+}
+
+/// What a sampler looks up: the shape of the image, and what its texels are made of.
+fn kind_of(sampler: Sampler) -> (Shape, Scalar) {
+    let shape = match sampler {
+        Sampler::Sampler2D
+        | Sampler::Isampler2D
+        | Sampler::Usampler2D
+        | Sampler::Sampler2DShadow => Shape::Flat,
+        Sampler::Sampler3D | Sampler::Isampler3D | Sampler::Usampler3D => Shape::Volume,
+        Sampler::SamplerCube
+        | Sampler::IsamplerCube
+        | Sampler::UsamplerCube
+        | Sampler::SamplerCubeShadow => Shape::Cube,
+        Sampler::Sampler2DArray
+        | Sampler::Isampler2DArray
+        | Sampler::Usampler2DArray
+        | Sampler::Sampler2DArrayShadow => Shape::Layers,
+    };
+    let scalar = match sampler {
+        Sampler::Isampler2D
+        | Sampler::Isampler3D
+        | Sampler::IsamplerCube
+        | Sampler::Isampler2DArray => Scalar::Int,
+        Sampler::Usampler2D
+        | Sampler::Usampler3D
+        | Sampler::UsamplerCube
+        | Sampler::Usampler2DArray => Scalar::Uint,
+        Sampler::Sampler2D
+        | Sampler::Sampler3D
+        | Sampler::SamplerCube
+        | Sampler::Sampler2DArray
+        | Sampler::Sampler2DShadow
+        | Sampler::SamplerCubeShadow
+        | Sampler::Sampler2DArrayShadow => Scalar::Float,
+    };
+    (shape, scalar)
 }
