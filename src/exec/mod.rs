@@ -18,6 +18,6 @@ mod seen;
 pub use code::{Code, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
 pub use compile::{CompileOptions, Refusal, Watch, compile};
 pub use draw::{Draw, Drawn, Sampled, Stop, draw, sample};
-pub use image::{Filter, Image, ImageProblem, Sampling, Shape, Texels, Texture, Wrap};
+pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};
 pub use row::LANES;
 pub use seen::{BranchSeen, ComparedSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness};

@@ -1,6 +1,6 @@
 //! Which level of its image a lookup reads.
 
-use super::{LevelOf, Lookup, Shape, Texture};
+use super::{ImageShape, LevelOf, Lookup, Texture};
 use crate::exec::row::LANES;
 
 /// By lane: the level, with its fraction, within the levels that there are.
@@ -32,7 +32,7 @@ fn of_quads(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {
     for (quad, levels) in levels.as_chunks_mut::<4>().0.iter_mut().enumerate() {
         let corner = |number: usize| vector(lookup.coordinates, 4 * quad + number);
         let [first, right, above] = [corner(0), corner(1), corner(2)];
-        let level = if texture.image.shape() == Shape::Cube {
+        let level = if texture.image.shape() == ImageShape::Cube {
             let scaled = [first, right, above].map(|at| at.map(|c| c / (2.0 * major(at))));
             let [first, right, above] = scaled;
             of_directions(texture, difference(right, first), difference(above, first))
@@ -54,7 +54,7 @@ fn of_gradients(
     let mut levels = [0.0; LANES];
     for (lane, level) in levels.iter_mut().enumerate() {
         let (x, y) = (vector(x, lane), vector(y, lane));
-        *level = if texture.image.shape() == Shape::Cube {
+        *level = if texture.image.shape() == ImageShape::Cube {
             let scale = 2.0 * major(vector(lookup.coordinates, lane));
             of_directions(texture, x.map(|d| d / scale), y.map(|d| d / scale))
         } else {
@@ -68,7 +68,7 @@ fn of_gradients(
 /// longer side in texels.
 fn of_lengths(texture: &Texture, x: [f32; 3], y: [f32; 3]) -> f32 {
     let [width, height, depth] = texture.image.size();
-    let depth = if texture.image.shape() == Shape::Volume {
+    let depth = if texture.image.shape() == ImageShape::Volume {
         depth
     } else {
         0

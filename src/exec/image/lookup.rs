@@ -1,7 +1,7 @@
 //! Lookups of 32 pixels at a time.
 
 use super::level::{levels, vector};
-use super::{Filter, Image, Sampling, Shape, Texels, Texture, Wrap, cube};
+use super::{Filter, Image, ImageShape, Sampling, Texels, Texture, Wrap, cube};
 use crate::exec::row::LANES;
 use wide::f32x4;
 
@@ -115,7 +115,7 @@ struct Spot {
 
 /// How the levels of one lookup are read.
 struct Reading<'a> {
-    shape: Shape,
+    shape: ImageShape,
     sampling: &'a Sampling,
     offset: [i32; 3],
 }
@@ -187,8 +187,8 @@ fn nearest<T: Copy + Default>(
 fn spot(image: &Image, at: [f32; 3]) -> Spot {
     let [x, y, z] = at;
     match image.shape() {
-        Shape::Flat | Shape::Volume => Spot { at, layer: 0 },
-        Shape::Layers => {
+        ImageShape::Flat | ImageShape::Volume => Spot { at, layer: 0 },
+        ImageShape::Layers => {
             let [.., layers] = image.size();
             let layer = floor(z + 0.5).clamp(0, layers as i32 - 1) as u32;
             Spot {
@@ -196,7 +196,7 @@ fn spot(image: &Image, at: [f32; 3]) -> Spot {
                 layer,
             }
         }
-        Shape::Cube => {
+        ImageShape::Cube => {
             let (layer, [s, t]) = cube::face(at);
             Spot {
                 at: [s, t, 0.0],
@@ -214,7 +214,7 @@ impl Reading<'_> {
         let [x, y, z] = spot.at;
         let [wrap_x, wrap_y, wrap_z] = self.wraps();
         let [by_x, by_y, by_z] = self.offset;
-        let slice = if self.shape == Shape::Volume {
+        let slice = if self.shape == ImageShape::Volume {
             nearest_texel(z, depth, wrap_z, by_z)
         } else {
             spot.layer
@@ -227,7 +227,7 @@ impl Reading<'_> {
     }
 
     fn wraps(&self) -> [Wrap; 3] {
-        if self.shape == Shape::Cube {
+        if self.shape == ImageShape::Cube {
             return [Wrap::Clamp; 3];
         }
         self.sampling.wrap
@@ -239,7 +239,7 @@ impl Reading<'_> {
         let [width, height, depth] = size;
         match (self.sampling.filter, self.shape) {
             (Filter::Nearest, _) => texel(self.nearest(size, spot)),
-            (Filter::Linear | Filter::Mipmap, Shape::Cube) => of_face(width, spot, texel),
+            (Filter::Linear | Filter::Mipmap, ImageShape::Cube) => of_face(width, spot, texel),
             (Filter::Linear | Filter::Mipmap, _) => {
                 let [at_x, at_y, at_z] = spot.at;
                 let [wrap_x, wrap_y, wrap_z] = self.sampling.wrap;
@@ -256,7 +256,7 @@ impl Reading<'_> {
                     };
                     mix(row(y.low), row(y.high), y.share)
                 };
-                if self.shape == Shape::Volume {
+                if self.shape == ImageShape::Volume {
                     let z = between(at_z, depth, wrap_z, by_z);
                     mix(slice(z.low), slice(z.high), z.share)
                 } else {

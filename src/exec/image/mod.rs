@@ -19,7 +19,7 @@ const MAX_SIDE: u32 = 8192;
 
 /// What the coordinates of an image mean.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Shape {
+pub enum ImageShape {
     /// `sampler2D`
     Flat,
     /// `sampler3D`
@@ -63,7 +63,7 @@ impl Texels {
 /// An image with its levels.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Image {
-    shape: Shape,
+    shape: ImageShape,
     size: [u32; 3],
     /// Never none, all of one kind; level 0 is the sharpest, each next one half as large.
     levels: Vec<Texels>,
@@ -89,12 +89,12 @@ impl Image {
     ///
     /// # Errors
     /// If the size does not fit the shape or the texels.
-    pub fn new(shape: Shape, size: [u32; 3], texels: Texels) -> Result<Image, ImageProblem> {
+    pub fn new(shape: ImageShape, size: [u32; 3], texels: Texels) -> Result<Image, ImageProblem> {
         let [width, height, depth] = size;
         let fits = match shape {
-            Shape::Flat => depth == 1,
-            Shape::Cube => depth == 6 && width == height,
-            Shape::Volume | Shape::Layers => true,
+            ImageShape::Flat => depth == 1,
+            ImageShape::Cube => depth == 6 && width == height,
+            ImageShape::Volume | ImageShape::Layers => true,
         };
         if !fits || size.iter().any(|side| !(1..=MAX_SIDE).contains(side)) {
             return Err(ImageProblem::Size(size));
@@ -116,7 +116,7 @@ impl Image {
     /// What a sampler without a texture reads: black that covers all.
     pub fn unbound(sampler: Sampler) -> Image {
         let (shape, scalar) = kind_of(sampler);
-        let layers = if shape == Shape::Cube { 6 } else { 1 };
+        let layers = if shape == ImageShape::Cube { 6 } else { 1 };
         let texels = match scalar {
             Scalar::Int => Texels::Int(vec![[0, 0, 0, 1]; layers]),
             Scalar::Uint => Texels::Uint(vec![[0, 0, 0, 1]; layers]),
@@ -149,7 +149,7 @@ impl Image {
     }
 
     /// What the coordinates mean.
-    pub const fn shape(&self) -> Shape {
+    pub const fn shape(&self) -> ImageShape {
         self.shape
     }
 
@@ -168,8 +168,8 @@ impl Image {
         let half = |side: u32| side.checked_shr(level as u32).unwrap_or(0).max(1);
         let [width, height, depth] = self.size;
         let depth = match self.shape {
-            Shape::Volume => half(depth),
-            Shape::Flat | Shape::Cube | Shape::Layers => depth,
+            ImageShape::Volume => half(depth),
+            ImageShape::Flat | ImageShape::Cube | ImageShape::Layers => depth,
         };
         [half(width), half(height), depth]
     }
@@ -178,8 +178,8 @@ impl Image {
     fn full_count(&self) -> usize {
         let [width, height, depth] = self.size;
         let longest = match self.shape {
-            Shape::Volume => width.max(height).max(depth),
-            Shape::Flat | Shape::Cube | Shape::Layers => width.max(height),
+            ImageShape::Volume => width.max(height).max(depth),
+            ImageShape::Flat | ImageShape::Cube | ImageShape::Layers => width.max(height),
         };
         longest.checked_ilog2().unwrap_or(0) as usize + 1
     }
@@ -261,21 +261,21 @@ impl Texture {
 }
 
 /// What a sampler looks up: the shape of the image, and what its texels are made of.
-fn kind_of(sampler: Sampler) -> (Shape, Scalar) {
+fn kind_of(sampler: Sampler) -> (ImageShape, Scalar) {
     let shape = match sampler {
         Sampler::Sampler2D
         | Sampler::Isampler2D
         | Sampler::Usampler2D
-        | Sampler::Sampler2DShadow => Shape::Flat,
-        Sampler::Sampler3D | Sampler::Isampler3D | Sampler::Usampler3D => Shape::Volume,
+        | Sampler::Sampler2DShadow => ImageShape::Flat,
+        Sampler::Sampler3D | Sampler::Isampler3D | Sampler::Usampler3D => ImageShape::Volume,
         Sampler::SamplerCube
         | Sampler::IsamplerCube
         | Sampler::UsamplerCube
-        | Sampler::SamplerCubeShadow => Shape::Cube,
+        | Sampler::SamplerCubeShadow => ImageShape::Cube,
         Sampler::Sampler2DArray
         | Sampler::Isampler2DArray
         | Sampler::Usampler2DArray
-        | Sampler::Sampler2DArrayShadow => Shape::Layers,
+        | Sampler::Sampler2DArrayShadow => ImageShape::Layers,
     };
     let scalar = match sampler {
         Sampler::Isampler2D

@@ -1,8 +1,10 @@
+//! Tests of lookups; what they expect was compared with what Chromium draws.
+
 use super::*;
 use crate::exec::row::LANES;
 
 /// A gray image whose texels are these numbers of 255.
-fn gray(shape: Shape, size: [u32; 3], texels: &[u8]) -> Image {
+fn gray(shape: ImageShape, size: [u32; 3], texels: &[u8]) -> Image {
     let texels = texels.iter().map(|gray| [*gray, 0, 0, 255]).collect();
     Image::new(shape, size, Texels::Unorm8(texels)).unwrap()
 }
@@ -47,7 +49,7 @@ fn check(texture: &Texture, at: &[f32], expected: f32) {
 #[test]
 fn an_image_is_as_large_as_it_says() {
     let texels = |count| Texels::Unorm8(vec![[0; 4]; count]);
-    let refused = Image::new(Shape::Flat, [2, 2, 1], texels(3));
+    let refused = Image::new(ImageShape::Flat, [2, 2, 1], texels(3));
     assert_eq!(
         refused,
         Err(ImageProblem::Count {
@@ -56,11 +58,11 @@ fn an_image_is_as_large_as_it_says() {
         })
     );
     let sizes = [
-        (Shape::Flat, [0, 1, 1]),
-        (Shape::Flat, [2, 2, 2]),
-        (Shape::Cube, [2, 3, 6]),
-        (Shape::Cube, [2, 2, 1]),
-        (Shape::Layers, [9000, 1, 1]),
+        (ImageShape::Flat, [0, 1, 1]),
+        (ImageShape::Flat, [2, 2, 2]),
+        (ImageShape::Cube, [2, 3, 6]),
+        (ImageShape::Cube, [2, 2, 1]),
+        (ImageShape::Layers, [9000, 1, 1]),
     ];
     for (shape, size) in sizes {
         let refused = Image::new(shape, size, texels(1));
@@ -70,7 +72,7 @@ fn an_image_is_as_large_as_it_says() {
 
 #[test]
 fn texels_are_taken_or_weighted() {
-    let image = || gray(Shape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
+    let image = || gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
     let nearest = texture(image(), Filter::Nearest, Wrap::Clamp);
     check(&nearest, &[0.3, 0.5], 100.0);
     let linear = texture(image(), Filter::Linear, Wrap::Clamp);
@@ -82,7 +84,7 @@ fn texels_are_taken_or_weighted() {
 #[test]
 fn outside_lies_what_the_wrap_says() {
     let look = |wrap, at, expected| {
-        let image = gray(Shape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
+        let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
         check(&texture(image, Filter::Linear, wrap), &[at, 0.5], expected);
     };
     look(Wrap::Clamp, -3.0, 0.0);
@@ -99,10 +101,10 @@ fn outside_lies_what_the_wrap_says() {
 fn no_coordinate_reads_outside() {
     for wrap in [Wrap::Clamp, Wrap::Repeat, Wrap::Mirror] {
         for at in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, -1e-30] {
-            let image = gray(Shape::Flat, [3, 1, 1], &[50; 3]);
+            let image = gray(ImageShape::Flat, [3, 1, 1], &[50; 3]);
             check(&texture(image, Filter::Linear, wrap), &[at, at], 50.0);
         }
-        let cube = gray(Shape::Cube, [3, 3, 6], &[50; 54]);
+        let cube = gray(ImageShape::Cube, [3, 3, 6], &[50; 54]);
         for at in [f32::NAN, f32::INFINITY, 0.0] {
             let found = red(
                 &texture(cube.clone(), Filter::Nearest, wrap),
@@ -117,7 +119,7 @@ fn no_coordinate_reads_outside() {
 
 #[test]
 fn an_offset_counts_texels_of_the_level() {
-    let image = gray(Shape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
+    let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
     let texture = texture(image, Filter::Nearest, Wrap::Repeat);
     assert_eq!(red(&texture, &[0.1, 0.5], HERE, [-1, 0, 0]).round(), 40.0);
     assert_eq!(red(&texture, &[0.1, 0.5], HERE, [6, 0, 0]).round(), 200.0);
@@ -125,7 +127,7 @@ fn an_offset_counts_texels_of_the_level() {
 
 #[test]
 fn levels_are_means_and_halves_of_them_go_to_even() {
-    let image = gray(Shape::Flat, [4, 2, 1], &[0, 1, 10, 20, 0, 1, 30, 42]).with_levels();
+    let image = gray(ImageShape::Flat, [4, 2, 1], &[0, 1, 10, 20, 0, 1, 30, 42]).with_levels();
     let red = |level: usize| match image.level(level) {
         Some(Texels::Unorm8(texels)) => texels.iter().map(|texel| texel[0]).collect(),
         _ => Vec::new(),
@@ -134,7 +136,7 @@ fn levels_are_means_and_halves_of_them_go_to_even() {
     assert_eq!(red(1), [0, 26]);
     assert_eq!(red(2), [13]);
     assert_eq!(image.level(3), None);
-    let odd = gray(Shape::Flat, [5, 1, 1], &[0, 100, 200, 100, 0]).with_levels();
+    let odd = gray(ImageShape::Flat, [5, 1, 1], &[0, 100, 200, 100, 0]).with_levels();
     let Some(Texels::Unorm8(texels)) = odd.level(1) else {
         panic!("there is a level")
     };
@@ -144,7 +146,7 @@ fn levels_are_means_and_halves_of_them_go_to_even() {
 
 #[test]
 fn the_level_follows_the_quad() {
-    let image = gray(Shape::Flat, [4, 1, 1], &[0, 100, 200, 40]).with_levels();
+    let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]).with_levels();
     let texture = texture(image, Filter::Mipmap, Wrap::Repeat);
     let mut across = [0.125; LANES];
     for lane in (1..LANES).step_by(2) {
@@ -176,7 +178,7 @@ fn the_level_follows_the_quad() {
 
 #[test]
 fn the_level_is_given_or_follows_gradients() {
-    let image = gray(Shape::Flat, [4, 1, 1], &[0, 100, 200, 40]).with_levels();
+    let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]).with_levels();
     let texture = texture(image, Filter::Mipmap, Wrap::Clamp);
     let of = |level| red(&texture, &[0.125, 0.5], level, [0; 3]).round();
     assert_eq!(of(LevelOf::Explicit(&[0.0; LANES])), 0.0);
@@ -202,7 +204,7 @@ fn the_level_is_given_or_follows_gradients() {
 #[test]
 fn faces_of_a_cube_meet() {
     let texels: Vec<u8> = (0..6).flat_map(|face| [face * 40; 4]).collect();
-    let cube = || gray(Shape::Cube, [2, 2, 6], &texels);
+    let cube = || gray(ImageShape::Cube, [2, 2, 6], &texels);
     let linear = texture(cube(), Filter::Linear, Wrap::Repeat);
     let axes = [
         ([1.0, 0.0, 0.0], 0.0),
@@ -225,13 +227,13 @@ fn faces_of_a_cube_meet() {
 fn volumes_and_layers_have_a_third_coordinate() {
     let slices = [0, 60, 120];
     let volume = texture(
-        gray(Shape::Volume, [1, 1, 3], &slices),
+        gray(ImageShape::Volume, [1, 1, 3], &slices),
         Filter::Linear,
         Wrap::Clamp,
     );
     check(&volume, &[0.5, 0.5, 1.0 / 3.0], 30.0);
     let layers = texture(
-        gray(Shape::Layers, [1, 1, 3], &slices),
+        gray(ImageShape::Layers, [1, 1, 3], &slices),
         Filter::Linear,
         Wrap::Clamp,
     );
@@ -243,7 +245,7 @@ fn volumes_and_layers_have_a_third_coordinate() {
 #[test]
 fn a_shadow_is_compared_before_it_is_filtered() {
     let depths = vec![[0.2, 0.0, 0.0, 1.0], [0.6, 0.0, 0.0, 1.0]];
-    let image = Image::new(Shape::Flat, [2, 1, 1], Texels::Float(depths)).unwrap();
+    let image = Image::new(ImageShape::Flat, [2, 1, 1], Texels::Float(depths)).unwrap();
     let texture = texture(image, Filter::Linear, Wrap::Clamp);
     let given = |reference| {
         let found = lookup(
@@ -264,7 +266,7 @@ fn a_shadow_is_compared_before_it_is_filtered() {
 #[test]
 fn integers_are_never_weighted() {
     let image = Image::new(
-        Shape::Flat,
+        ImageShape::Flat,
         [2, 1, 1],
         Texels::Int(vec![[-7, 0, 0, 1], [9, 0, 0, 1]]),
     )
@@ -284,14 +286,14 @@ fn integers_are_never_weighted() {
 
 #[test]
 fn what_lacks_levels_reads_black() {
-    let image = gray(Shape::Flat, [2, 2, 1], &[9; 4]);
+    let image = gray(ImageShape::Flat, [2, 2, 1], &[9; 4]);
     let texture = texture(image, Filter::Mipmap, Wrap::Clamp);
     assert_eq!(red(&texture, &[0.5, 0.5], HERE, [0; 3]), 0.0);
 }
 
 #[test]
 fn one_texel_is_fetched() {
-    let image = gray(Shape::Flat, [4, 2, 1], &[1, 2, 3, 4, 5, 6, 7, 8]).with_levels();
+    let image = gray(ImageShape::Flat, [4, 2, 1], &[1, 2, 3, 4, 5, 6, 7, 8]).with_levels();
     let texture = texture(image, Filter::Mipmap, Wrap::Repeat);
     let texel = |at: [i32; 2], level, offset| {
         let found = fetch(
@@ -315,7 +317,7 @@ fn one_texel_is_fetched() {
 
 #[test]
 fn only_wanted_lanes_are_looked_up() {
-    let image = gray(Shape::Flat, [1, 1, 1], &[255]);
+    let image = gray(ImageShape::Flat, [1, 1, 1], &[255]);
     let texture = texture(image, Filter::Nearest, Wrap::Clamp);
     let given = Lookup {
         coordinates: &[[0.5; LANES]; 2],

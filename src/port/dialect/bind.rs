@@ -1,7 +1,7 @@
 //! What the uniforms, samplers and varyings of a whole shader are given.
 
 use super::DialectFacts;
-use super::feed::{Feed, FeedRow, Texture, TextureRow, USUAL_FEEDS, USUAL_TEXTURES, is_named};
+use super::feed::{Feed, FeedRow, TextureFeed, TextureRow, USUAL_FEEDS, USUAL_TEXTURES, is_named};
 use super::vertex::{VaryingValue, Vertex, vertex};
 use crate::port::{
     ControlKind, Input, InputKind, OutputId, SamplerSettings, SignalForm, UniformControl,
@@ -214,17 +214,17 @@ fn inputs_of(
 /// What a sampler reads of which a row tells it.
 fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
     let (kind, id) = match row.texture {
-        Texture::File => (InputKind::Texture, String::new()),
-        Texture::Music | Texture::MusicSum => (InputKind::Music, String::new()),
-        Texture::LastFrame => (
+        TextureFeed::File => (InputKind::Texture, String::new()),
+        TextureFeed::Music | TextureFeed::MusicSum => (InputKind::Music, String::new()),
+        TextureFeed::LastFrame => (
             InputKind::Buffer,
             output.map_or(String::new(), |o| o.0.clone()),
         ),
-        Texture::Buffer => (InputKind::Buffer, OutputId::of_dialect(name).0),
+        TextureFeed::Buffer => (InputKind::Buffer, OutputId::of_dialect(name).0),
     };
     let mut input = Input::empty(0, kind);
     input.id = id;
-    if row.texture == Texture::MusicSum {
+    if row.texture == TextureFeed::MusicSum {
         input.signal = SignalForm::Sum;
     }
     input.sampler = SamplerSettings {

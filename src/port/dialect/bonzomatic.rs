@@ -5,7 +5,7 @@
 //! lines of textures of two. `texFFTIntegrated` grows with what is heard, here and there at other rates.
 
 use super::complete::{completions_behind, has_images};
-use super::feed::{COMMON, Feed, OWN, Texture, USUAL, feed, texture};
+use super::feed::{COMMON, Feed, OWN, TextureFeed, USUAL, feed, texture};
 use super::{Clues, DialectFacts, Plan};
 
 pub(super) static FACTS: DialectFacts = DialectFacts {
@@ -18,26 +18,26 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
         feed("iFrameIndex", &["int", "float"], Feed::Frame, USUAL),
     ],
     textures: &[
-        texture("texFFT", Texture::Music, "linear", "clamp", OWN),
-        texture("texFFTSmoothed", Texture::Music, "linear", "clamp", OWN),
+        texture("texFFT", TextureFeed::Music, "linear", "clamp", OWN),
+        texture("texFFTSmoothed", TextureFeed::Music, "linear", "clamp", OWN),
         texture(
             "texFFTIntegrated",
-            Texture::MusicSum,
+            TextureFeed::MusicSum,
             "linear",
             "clamp",
             OWN,
         ),
         texture(
             "texPreviousFrame",
-            Texture::LastFrame,
+            TextureFeed::LastFrame,
             "linear",
             "clamp",
             OWN,
         ),
-        texture("texChecker", Texture::File, "mipmap", "repeat", USUAL),
-        texture("texNoise", Texture::File, "mipmap", "repeat", USUAL),
-        texture("texRevision", Texture::File, "mipmap", "repeat", USUAL),
-        texture("texTex#", Texture::File, "mipmap", "repeat", COMMON),
+        texture("texChecker", TextureFeed::File, "mipmap", "repeat", USUAL),
+        texture("texNoise", TextureFeed::File, "mipmap", "repeat", USUAL),
+        texture("texRevision", TextureFeed::File, "mipmap", "repeat", USUAL),
+        texture("texTex#", TextureFeed::File, "mipmap", "repeat", COMMON),
     ],
     varyings: &[],
     declares: false,

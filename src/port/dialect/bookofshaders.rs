@@ -5,7 +5,7 @@
 //! defined; what that draws is `u_buffer0`. The mouse is in pixels from below.
 
 use super::complete::{Completion, completions_of};
-use super::feed::{COMMON, Feed, OWN, Texture, USUAL, feed, texture, varying};
+use super::feed::{COMMON, Feed, OWN, TextureFeed, USUAL, feed, texture, varying};
 use super::{Clues, DialectFacts, Plan, PlannedPass, Sign};
 use crate::port::OutputId;
 use crate::semantic::Pass;
@@ -26,10 +26,16 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
         feed("u_trails", &["vec2[10]"], Feed::Nothing, USUAL),
     ],
     textures: &[
-        texture("u_tex#", Texture::File, "linear", "repeat", USUAL),
-        texture("u_texture_#", Texture::File, "linear", "repeat", USUAL),
-        texture("u_buffer#", Texture::Buffer, "linear", "clamp", USUAL),
-        texture("u_doubleBuffer#", Texture::Buffer, "linear", "clamp", OWN),
+        texture("u_tex#", TextureFeed::File, "linear", "repeat", USUAL),
+        texture("u_texture_#", TextureFeed::File, "linear", "repeat", USUAL),
+        texture("u_buffer#", TextureFeed::Buffer, "linear", "clamp", USUAL),
+        texture(
+            "u_doubleBuffer#",
+            TextureFeed::Buffer,
+            "linear",
+            "clamp",
+            OWN,
+        ),
     ],
     varyings: &[
         varying("v_texcoord", "vec2", "port_place", COMMON),

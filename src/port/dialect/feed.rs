@@ -104,7 +104,7 @@ pub(super) const fn feed(
 
 /// What a sampler reads.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Texture {
+pub enum TextureFeed {
     /// A file that the user has to give.
     File,
     /// The picture as it was a frame ago.
@@ -123,7 +123,7 @@ pub struct TextureRow {
     /// The name; a `#` in it stands for a number.
     pub name: &'static str,
     /// What it reads.
-    pub texture: Texture,
+    pub texture: TextureFeed,
     /// `nearest`, `linear` or `mipmap`.
     pub filter: &'static str,
     /// `clamp` or `repeat`.
@@ -134,7 +134,7 @@ pub struct TextureRow {
 
 pub(super) const fn texture(
     name: &'static str,
-    texture: Texture,
+    texture: TextureFeed,
     filter: &'static str,
     wrap: &'static str,
     weight: u8,
@@ -252,18 +252,30 @@ pub(super) const USUAL_FEEDS: &[FeedRow] = &[
 
 /// What samplers read whatever the dialect.
 pub(super) const USUAL_TEXTURES: &[TextureRow] = &[
-    texture("backbuffer", Texture::LastFrame, "linear", "clamp", COMMON),
     texture(
-        "u_backbuffer",
-        Texture::LastFrame,
+        "backbuffer",
+        TextureFeed::LastFrame,
         "linear",
         "clamp",
         COMMON,
     ),
-    texture("prevFrame", Texture::LastFrame, "linear", "clamp", COMMON),
+    texture(
+        "u_backbuffer",
+        TextureFeed::LastFrame,
+        "linear",
+        "clamp",
+        COMMON,
+    ),
+    texture(
+        "prevFrame",
+        TextureFeed::LastFrame,
+        "linear",
+        "clamp",
+        COMMON,
+    ),
     texture(
         "previousFrame",
-        Texture::LastFrame,
+        TextureFeed::LastFrame,
         "linear",
         "clamp",
         COMMON,

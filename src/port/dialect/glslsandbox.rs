@@ -6,7 +6,7 @@
 //! `backbuffer` is the last frame, of bytes, nearest and clamped.
 
 use super::complete::completions_of;
-use super::feed::{Feed, OWN, Texture, USUAL, feed, texture, varying};
+use super::feed::{Feed, OWN, TextureFeed, USUAL, feed, texture, varying};
 use super::{Clues, DialectFacts, Plan};
 
 pub(super) static FACTS: DialectFacts = DialectFacts {
@@ -19,8 +19,14 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
         feed("surfaceSize", &["vec2"], Feed::SurfaceSize, OWN),
     ],
     textures: &[
-        texture("backbuffer", Texture::LastFrame, "nearest", "clamp", USUAL),
-        texture("bb", Texture::LastFrame, "nearest", "clamp", USUAL),
+        texture(
+            "backbuffer",
+            TextureFeed::LastFrame,
+            "nearest",
+            "clamp",
+            USUAL,
+        ),
+        texture("bb", TextureFeed::LastFrame, "nearest", "clamp", USUAL),
     ],
     varyings: &[varying(
         "surfacePosition",

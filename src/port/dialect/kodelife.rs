@@ -5,7 +5,7 @@
 //! are; `prevFrame` is the last picture.
 
 use super::complete::completions_of;
-use super::feed::{COMMON, Feed, OWN, Texture, USUAL, feed, texture, varying};
+use super::feed::{COMMON, Feed, OWN, TextureFeed, USUAL, feed, texture, varying};
 use super::{Clues, DialectFacts, Plan, Sign};
 
 pub(super) static FACTS: DialectFacts = DialectFacts {
@@ -18,9 +18,9 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
         feed("spectrum", &["vec3"], Feed::Spectrum, OWN),
     ],
     textures: &[
-        texture("texture#", Texture::File, "linear", "repeat", USUAL),
-        texture("prevFrame", Texture::LastFrame, "linear", "clamp", OWN),
-        texture("prevPass", Texture::File, "linear", "clamp", USUAL),
+        texture("texture#", TextureFeed::File, "linear", "repeat", USUAL),
+        texture("prevFrame", TextureFeed::LastFrame, "linear", "clamp", OWN),
+        texture("prevPass", TextureFeed::File, "linear", "clamp", USUAL),
     ],
     varyings: &[
         varying("v_position", "vec4", "vec4(port_pos, 0.0, 1.0)", USUAL),

@@ -4,7 +4,7 @@
 //! `--from` tells them.
 
 use super::complete::completions_behind;
-use super::feed::{COMMON, Texture, texture};
+use super::feed::{COMMON, TextureFeed, texture};
 use super::{Clues, DialectFacts, Plan};
 use crate::host::preset;
 
@@ -13,8 +13,8 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
     title: "Kodi",
     feeds: &[],
     textures: &[
-        texture("iChannel0", Texture::Music, "linear", "clamp", COMMON),
-        texture("iChannel#", Texture::File, "mipmap", "repeat", COMMON),
+        texture("iChannel0", TextureFeed::Music, "linear", "clamp", COMMON),
+        texture("iChannel#", TextureFeed::File, "mipmap", "repeat", COMMON),
     ],
     varyings: &[],
     declares: true,

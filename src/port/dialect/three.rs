@@ -5,7 +5,7 @@
 //! a plane before the camera would give.
 
 use super::complete::{Completion, completions_of, defaults};
-use super::feed::{COMMON, Feed, OWN, Texture, USUAL, feed, texture, varying};
+use super::feed::{COMMON, Feed, OWN, TextureFeed, USUAL, feed, texture, varying};
 use super::{Clues, DialectFacts, Plan, Sign};
 use crate::host::preset;
 use crate::syntax::Version;
@@ -27,7 +27,13 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
         feed("uMouse", &["vec2"], Feed::PointerUnit, COMMON),
         feed("uResolution", &["vec2"], Feed::Resolution, COMMON),
     ],
-    textures: &[texture("tDiffuse", Texture::File, "linear", "clamp", USUAL)],
+    textures: &[texture(
+        "tDiffuse",
+        TextureFeed::File,
+        "linear",
+        "clamp",
+        USUAL,
+    )],
     varyings: &[
         varying("vUv", "vec2", "port_place", USUAL),
         varying("vNormal", "vec3", "vec3(0.0, 0.0, 1.0)", USUAL),

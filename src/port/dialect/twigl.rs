@@ -8,7 +8,7 @@
 //! in the corner at first.
 
 use super::complete::{Completion, completions_of, defaults};
-use super::feed::{COMMON, Feed, OWN, Texture, feed, texture};
+use super::feed::{COMMON, Feed, OWN, TextureFeed, feed, texture};
 use super::{Clues, DialectFacts, Plan, Sign};
 use crate::syntax::Version;
 
@@ -26,10 +26,22 @@ pub(super) static FACTS: DialectFacts = DialectFacts {
         feed("mouse", &["vec2"], Feed::PointerUnitZero, COMMON),
     ],
     textures: &[
-        texture("b", Texture::LastFrame, "linear", "clamp", COMMON),
-        texture("b#", Texture::LastFrame, "linear", "clamp", COMMON),
-        texture("backbuffer", Texture::LastFrame, "linear", "clamp", COMMON),
-        texture("backbuffer#", Texture::LastFrame, "linear", "clamp", COMMON),
+        texture("b", TextureFeed::LastFrame, "linear", "clamp", COMMON),
+        texture("b#", TextureFeed::LastFrame, "linear", "clamp", COMMON),
+        texture(
+            "backbuffer",
+            TextureFeed::LastFrame,
+            "linear",
+            "clamp",
+            COMMON,
+        ),
+        texture(
+            "backbuffer#",
+            TextureFeed::LastFrame,
+            "linear",
+            "clamp",
+            COMMON,
+        ),
     ],
     varyings: &[],
     declares: true,
