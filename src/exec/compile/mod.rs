@@ -1,14 +1,34 @@
 //! From the middle form to register code.
+//!
+//! Calls are inlined. A value is a list of registers, one for each scalar; what only gives parts
+//! another name (swizzles, constructors, reads of variables that nothing changes meanwhile) makes no
+//! code. What depends on constants and uniforms alone goes to the prologue, which runs once for all
+//! pixels.
+
+mod builtin;
+mod call;
+mod control;
+mod emit;
+mod interface;
+mod layout;
+mod lookup;
+mod op;
+mod place;
+mod plan;
+mod registers;
 
 use super::code::Code;
-use crate::ir::{Module, Provenance};
-use crate::semantic::Program;
+use crate::ir::{Module, OpKind, Provenance};
+use crate::semantic::{FunctionRef, Program};
+use emit::Compiler;
 
 /// How a shader is compiled.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct CompileOptions {
     /// What is watched while it runs.
     pub watch: Watch,
+    /// The function that runs; that of the shader, unless one is named.
+    pub entry: Option<FunctionRef>,
 }
 
 /// What is watched while a shader runs; each holds what stands before it.
@@ -17,7 +37,7 @@ pub enum Watch {
     /// The picture alone.
     #[default]
     Nothing,
-    /// Turns of loops, and which branches are taken.
+    /// Turns of loops, which branches are taken, and what pixels cost.
     Flow,
     /// Numbers that go wrong.
     Numbers,
@@ -37,12 +57,64 @@ pub struct Refusal {
 /// # Errors
 /// What cannot be run, by name.
 pub fn compile(
-    _program: &Program,
-    _module: &Module,
-    _options: &CompileOptions,
+    program: &Program,
+    module: &Module,
+    options: &CompileOptions,
 ) -> Result<Code, Refusal> {
-    Err(Refusal {
-        what: "the shader".to_string(),
+    let refused = |what: &str| Refusal {
+        what: what.to_string(),
         at: Provenance::Language,
-    })
+    };
+    let entry = options.entry.or_else(|| entry(program, module));
+    let entry = entry.ok_or_else(|| refused("a shader without `main`"))?;
+    let functions = callees_first(module, entry).ok_or_else(|| refused("recursion"))?;
+    let plan = plan::plan(module, &functions);
+    let mut compiler = Compiler::new(program, module, &plan, *options);
+    compiler.interface();
+    compiler.run(entry);
+    compiler.finish()
+}
+
+/// The `main` of the shader or of the host around it, else what the host calls.
+fn entry(program: &Program, module: &Module) -> Option<FunctionRef> {
+    let main = program.names.get("main")?;
+    let is_main = |f: &crate::semantic::Function| f.name == main && f.definition.is_some();
+    let at = program.functions.iter().position(is_main);
+    at.map(|n| FunctionRef(n as u32)).or(module.entry)
+}
+
+/// The functions that run, each behind all that it calls; `None` where one calls itself.
+fn callees_first(module: &Module, entry: FunctionRef) -> Option<Vec<FunctionRef>> {
+    #[derive(Clone, Copy, PartialEq)]
+    enum State {
+        New,
+        Open,
+        Done,
+    }
+    let mut states = vec![State::New; module.functions.len()];
+    let mut order = Vec::new();
+    let mut stack = vec![(entry, false)];
+    while let Some((function, is_done)) = stack.pop() {
+        let state = states.get_mut(function.0 as usize)?;
+        if is_done {
+            *state = State::Done;
+            order.push(function);
+            continue;
+        }
+        match *state {
+            State::Done => continue,
+            State::Open => return None,
+            State::New => *state = State::Open,
+        }
+        stack.push((function, true));
+        let known = module.function(function)?;
+        for op in known.ops.ops() {
+            if let OpKind::Call(callee, _) = module.op(op).kind
+                && states.get(callee.0 as usize) != Some(&State::Done)
+            {
+                stack.push((callee, false));
+            }
+        }
+    }
+    Some(order)
 }

@@ -1,0 +1,427 @@
+//! Operations, scalar by scalar.
+
+use super::Watch;
+use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
+use crate::exec::code::{CheckSite, F1, F2, F3, Instr, Reg};
+use crate::exec::seen::Kind;
+use crate::ir::{Binary, OpId, OpKind, Unary};
+use crate::semantic::{Base, Scalar, Type, Value as Constant};
+
+impl Compiler<'_> {
+    /// Code for an operation; gives its value, held once.
+    pub fn operation(&mut self, id: OpId) -> Made<Value> {
+        let op = *self.module.op(id);
+        let ty = op.ty;
+        match op.kind {
+            OpKind::Const(constant) => {
+                let values = self.module.pool.values(constant);
+                Some(self.constants_of(values))
+            }
+            OpKind::Undef => {
+                if ty.is_void() || ty.is_sampler() {
+                    return Some(Value::Nothing);
+                }
+                let count = self.scalars_of(ty)?;
+                let zero = self.constant(0);
+                Some(Value::Regs(self.listed((0..count).map(|_| zero))))
+            }
+            OpKind::Unknown if ty.is_void() => Some(Value::Nothing),
+            OpKind::Unknown => self.refuse("an expression with an error"),
+            OpKind::Load(place) => self.load(id, place),
+            OpKind::Store(place, value) => {
+                self.store(id, place, value)?;
+                Some(Value::Nothing)
+            }
+            OpKind::Unary(unary, a) => {
+                let f = unary_of(unary, self.module.scalar(a));
+                self.each_one(f, a)
+            }
+            OpKind::Binary(binary, a, b) => self.binary(id, binary, a, b),
+            OpKind::MatrixProduct(a, b) => self.matrix_product(a, b),
+            OpKind::Same {
+                negated,
+                left,
+                right,
+            } => self.same(negated, left, right),
+            OpKind::Select {
+                condition,
+                then,
+                otherwise,
+            } => {
+                let condition = self.operand(condition);
+                let condition = self.reg(condition, 0);
+                let (then, otherwise) = (self.operand(then), self.operand(otherwise));
+                let made: Vec<Reg> = (0..then.len)
+                    .map(|n| {
+                        let (a, b) = (self.reg(then, n), self.reg(otherwise, n));
+                        self.three(F3::Select, condition, a, b)
+                    })
+                    .collect();
+                Some(Value::Regs(self.listed(made)))
+            }
+            OpKind::Convert(a) => self.convert(a, ty),
+            OpKind::Splat(a) => {
+                let regs = self.operand(a);
+                let reg = self.reg(regs, 0);
+                let count = self.scalars_of(ty)?;
+                let regs = self.listed((0..count).map(|_| reg));
+                Some(self.retain(Value::Regs(regs)))
+            }
+            OpKind::Swizzle(a, lanes) => {
+                let regs = self.operand(a);
+                let picked: Vec<Reg> = lanes
+                    .numbers()
+                    .iter()
+                    .map(|n| self.reg(regs, *n as u32))
+                    .collect();
+                let regs = self.listed(picked);
+                Some(self.retain(Value::Regs(regs)))
+            }
+            OpKind::Compose(parts) => {
+                let mut all = Vec::new();
+                for part in self.module.operands(parts) {
+                    let regs = self.operand(*part);
+                    all.extend_from_slice(self.list(regs));
+                }
+                let regs = self.listed(all);
+                Some(self.retain(Value::Regs(regs)))
+            }
+            OpKind::Extract(a, number) => self.extract(a, number),
+            OpKind::ExtractComputed { base, index } => self.extract_computed(base, index),
+            OpKind::Builtin(function, operands) => {
+                self.builtin(id, function, self.module.operands(operands), ty)
+            }
+            OpKind::Call(function, operands) => self.call(id, function, operands),
+            OpKind::Returned(call, number) => match self.taken_back.remove(&(call, number)) {
+                Some(value) => Some(value),
+                None => self.refuse("what a call leaves behind"),
+            },
+        }
+    }
+
+    /// Constants: a few in registers, many in the memory.
+    pub fn constants_of(&mut self, values: &[Constant]) -> Value {
+        if values.len() <= MAX_KEPT {
+            let regs: Vec<Reg> = values.iter().map(|v| self.constant(bits_of(*v))).collect();
+            return Value::Regs(self.listed(regs));
+        }
+        let key = values.as_ptr() as usize;
+        let at = match self.tables.get(&key) {
+            Some(at) => *at,
+            None => {
+                let at = self.code.tables.len() as u32;
+                self.code.tables.extend(values.iter().map(|v| bits_of(*v)));
+                self.tables.insert(key, at);
+                at
+            }
+        };
+        Value::Memory {
+            at: self.code.uniform_words + at,
+            len: values.len() as u32,
+        }
+    }
+
+    /// An instruction for each scalar.
+    pub fn each_one(&mut self, f: F1, a: OpId) -> Made<Value> {
+        let a = self.operand(a);
+        let made: Vec<Reg> = (0..a.len)
+            .map(|n| {
+                let a = self.reg(a, n);
+                self.one(f, a)
+            })
+            .collect();
+        Some(Value::Regs(self.listed(made)))
+    }
+
+    /// An instruction for each pair of scalars; the one of a scalar beside a vector is used again.
+    pub fn each_two(&mut self, f: F2, a: Regs, b: Regs) -> Made<Value> {
+        let made: Vec<Reg> = (0..a.len.max(b.len))
+            .map(|n| {
+                let (a, b) = (self.spread(a, n), self.spread(b, n));
+                self.two(f, a, b)
+            })
+            .collect();
+        Some(Value::Regs(self.listed(made)))
+    }
+
+    /// A scalar of a vector, or the scalar that stands beside one.
+    pub fn spread(&self, regs: Regs, at: u32) -> Reg {
+        self.reg(regs, if regs.len == 1 { 0 } else { at })
+    }
+
+    fn binary(&mut self, id: OpId, binary: Binary, a: OpId, b: OpId) -> Made<Value> {
+        let scalar = self.module.scalar(a).unwrap_or(Scalar::Float);
+        let (mut left, mut right) = (self.operand(a), self.operand(b));
+        let (f, turned) = binary_of(binary, scalar);
+        if turned {
+            std::mem::swap(&mut left, &mut right);
+        }
+        let made = self.each_two(f, left, right)?;
+        if self.watches(Watch::Numbers)
+            && let Value::Regs(made) = made
+        {
+            for n in 0..made.len {
+                let operands = [self.spread(left, n), self.spread(right, n)];
+                let result = self.reg(made, n);
+                self.watch_number(id, f, result, operands);
+            }
+        }
+        Some(made)
+    }
+
+    /// Has the result of an instruction looked at.
+    pub fn watch_number(&mut self, id: OpId, f: F2, result: Reg, operands: [Reg; 2]) {
+        let kinds: &[Kind] = match f {
+            F2::Divide => &[Kind::DivisionByZero, Kind::Nan, Kind::Infinite],
+            F2::IntDivide | F2::IntRemainder | F2::UintDivide | F2::UintRemainder => {
+                &[Kind::DivisionByZero]
+            }
+            F2::Add | F2::Subtract | F2::Multiply | F2::Modulo | F2::Pow => {
+                &[Kind::Nan, Kind::Infinite]
+            }
+            _ => &[],
+        };
+        for &kind in kinds {
+            self.check(id, kind, result, operands);
+        }
+    }
+
+    /// Has a result looked at.
+    pub fn check(&mut self, op: OpId, kind: Kind, result: Reg, operands: [Reg; 2]) {
+        if !self.watches(Watch::Numbers) {
+            return;
+        }
+        let site = self.code.checks.len() as u32;
+        self.code.checks.push(CheckSite { op, kind });
+        self.push(Instr::Check {
+            site,
+            result,
+            operands,
+        });
+    }
+
+    /// The sum of products, in order.
+    pub fn sum_of_products(&mut self, pairs: &[(Reg, Reg)]) -> Reg {
+        let mut sum: Option<Reg> = None;
+        for (a, b) in pairs {
+            sum = Some(match sum {
+                None => self.two(F2::Multiply, *a, *b),
+                Some(sum) => {
+                    let made = self.three(F3::MultiplyAdd, *a, *b, sum);
+                    self.registers.release(sum);
+                    made
+                }
+            });
+        }
+        sum.unwrap_or(0)
+    }
+
+    fn matrix_product(&mut self, a: OpId, b: OpId) -> Made<Value> {
+        let size = |ty: Type| ty.numeric().map(|(_, columns, rows)| [columns, rows]);
+        let (left, right) = (size(self.module.ty(a)), size(self.module.ty(b)));
+        let (Some([a_columns, a_rows]), Some([b_columns, b_rows])) = (left, right) else {
+            return self.refuse("a product of what is no matrix");
+        };
+        let (x, y) = (self.operand(a), self.operand(b));
+        // A vector on the left is a row: as many columns as it has components.
+        let (inner, rows, columns) = match a_columns {
+            1 => (a_rows, 1, b_columns),
+            _ => (a_columns, a_rows, b_columns),
+        };
+        let mut made = Vec::new();
+        for c in 0..columns as u32 {
+            for r in 0..rows as u32 {
+                let pairs: Vec<(Reg, Reg)> = (0..inner as u32)
+                    .map(|k| {
+                        let left = match a_columns {
+                            1 => k,
+                            _ => k * a_rows as u32 + r,
+                        };
+                        (self.reg(x, left), self.reg(y, c * b_rows as u32 + k))
+                    })
+                    .collect();
+                made.push(self.sum_of_products(&pairs));
+            }
+        }
+        Some(Value::Regs(self.listed(made)))
+    }
+
+    /// Whether all scalars are equal, each as its type compares.
+    fn same(&mut self, negated: bool, left: OpId, right: OpId) -> Made<Value> {
+        let ty = self.module.ty(left);
+        let mut kinds = Vec::new();
+        self.kinds(ty, &mut kinds);
+        let (left, right) = (self.operand(left), self.operand(right));
+        let mut all: Option<Reg> = None;
+        for (n, kind) in (0..).zip(kinds) {
+            let f = match (kind, negated) {
+                (Scalar::Float, false) => F2::Equal,
+                (Scalar::Float, true) => F2::NotEqual,
+                (_, false) => F2::SameBits,
+                (_, true) => F2::OtherBits,
+            };
+            let (a, b) = (self.reg(left, n), self.reg(right, n));
+            let one = self.two(f, a, b);
+            all = Some(match all {
+                None => one,
+                Some(all) => {
+                    let f = if negated { F2::Or } else { F2::And };
+                    let made = self.then_two(f, all, one);
+                    self.registers.release(one);
+                    made
+                }
+            });
+        }
+        match all {
+            Some(all) => Some(Value::Regs(self.listed([all]))),
+            None => self.refuse("a comparison of values without scalars"),
+        }
+    }
+
+    /// The kinds of the scalars of a type, in order.
+    fn kinds(&self, ty: Type, kinds: &mut Vec<Scalar>) {
+        for _ in 0..ty.array.max(1) {
+            match ty.base {
+                Base::Numeric {
+                    scalar,
+                    columns,
+                    rows,
+                } => kinds.extend((0..columns * rows).map(|_| scalar)),
+                _ => {
+                    let made = self.program.struct_of(ty.element());
+                    for field in made.map_or(&[][..], |s| &s.fields) {
+                        self.kinds(field.ty, kinds);
+                    }
+                }
+            }
+        }
+    }
+
+    fn convert(&mut self, a: OpId, ty: Type) -> Made<Value> {
+        let from = self.module.scalar(a).unwrap_or(Scalar::Float);
+        let to = ty.scalar_kind().unwrap_or(Scalar::Float);
+        let regs = self.operand(a);
+        let made: Vec<Reg> = (0..regs.len)
+            .map(|n| {
+                let reg = self.reg(regs, n);
+                self.converted(reg, from, to)
+            })
+            .collect();
+        Some(Value::Regs(self.listed(made)))
+    }
+
+    fn converted(&mut self, reg: Reg, from: Scalar, to: Scalar) -> Reg {
+        use Scalar::*;
+        match (from, to) {
+            (Int | Uint, Int | Uint) | (Bool, Bool) | (Float, Float) => {
+                self.registers.retain(reg);
+                reg
+            }
+            (Bool, Float) => {
+                let one = self.float(1.0);
+                self.two(F2::And, reg, one)
+            }
+            (Bool, Int | Uint) => {
+                let one = self.constant(1);
+                self.two(F2::And, reg, one)
+            }
+            (Float, Bool) => {
+                let zero = self.constant(0);
+                self.two(F2::NotEqual, reg, zero)
+            }
+            (Int | Uint, Bool) => {
+                let zero = self.constant(0);
+                self.two(F2::OtherBits, reg, zero)
+            }
+            (Int, Float) => self.one(F1::FloatOfInt, reg),
+            (Uint, Float) => self.one(F1::FloatOfUint, reg),
+            (Float, Int) => self.one(F1::IntOfFloat, reg),
+            (Float, Uint) => self.one(F1::UintOfFloat, reg),
+        }
+    }
+
+    fn extract(&mut self, a: OpId, number: u32) -> Made<Value> {
+        let found = super::layout::part(self.program, self.module.ty(a), number);
+        let Some((at, inner, count)) = found else {
+            return self.refuse("a part of a value of more than 32,768 scalars");
+        };
+        if number >= count {
+            return self.refuse("an index outside of its array");
+        }
+        let len = self.scalars_of(inner)?;
+        if let Value::Memory { at: first, .. } = self.value(a) {
+            let part = Value::Memory {
+                at: first + at,
+                len,
+            };
+            return Some(Value::Regs(self.in_registers(part)));
+        }
+        let regs = Self::part(self.operand(a), at, len);
+        Some(self.retain(Value::Regs(regs)))
+    }
+}
+
+/// The bits of a scalar in a register.
+fn bits_of(value: Constant) -> u32 {
+    match value {
+        Constant::Bool(v) => {
+            if v {
+                u32::MAX
+            } else {
+                0
+            }
+        }
+        Constant::Int(v) => v as u32,
+        Constant::Uint(v) => v,
+        Constant::Float(v) => v.to_bits(),
+    }
+}
+
+fn unary_of(unary: Unary, scalar: Option<Scalar>) -> F1 {
+    match (unary, scalar) {
+        (Unary::Negate, Some(Scalar::Float)) => F1::Negate,
+        (Unary::Negate, _) => F1::IntNegate,
+        (Unary::Not | Unary::BitNot, _) => F1::Not,
+    }
+}
+
+/// The instruction of an operator, and whether its operands change places.
+fn binary_of(binary: Binary, scalar: Scalar) -> (F2, bool) {
+    use Scalar::{Float, Uint};
+    let (f, turned) = match (binary, scalar) {
+        (Binary::Add, Float) => (F2::Add, false),
+        (Binary::Add, _) => (F2::IntAdd, false),
+        (Binary::Subtract, Float) => (F2::Subtract, false),
+        (Binary::Subtract, _) => (F2::IntSubtract, false),
+        (Binary::Multiply, Float) => (F2::Multiply, false),
+        (Binary::Multiply, _) => (F2::IntMultiply, false),
+        (Binary::Divide, Float) => (F2::Divide, false),
+        (Binary::Divide, Uint) => (F2::UintDivide, false),
+        (Binary::Divide, _) => (F2::IntDivide, false),
+        (Binary::Remainder, Uint) => (F2::UintRemainder, false),
+        (Binary::Remainder, _) => (F2::IntRemainder, false),
+        (Binary::ShiftLeft, _) => (F2::ShiftLeft, false),
+        (Binary::ShiftRight, Uint) => (F2::ShiftRightUnsigned, false),
+        (Binary::ShiftRight, _) => (F2::ShiftRight, false),
+        (Binary::BitAnd | Binary::And, _) => (F2::And, false),
+        (Binary::BitOr | Binary::Or, _) => (F2::Or, false),
+        (Binary::BitXor | Binary::Xor, _) => (F2::Xor, false),
+        (Binary::Less, _) => (less(scalar, false), false),
+        (Binary::LessEqual, _) => (less(scalar, true), false),
+        (Binary::Greater, _) => (less(scalar, false), true),
+        (Binary::GreaterEqual, _) => (less(scalar, true), true),
+    };
+    (f, turned)
+}
+
+/// The comparison of a kind of scalar.
+pub(super) const fn less(scalar: Scalar, or_equal: bool) -> F2 {
+    match (scalar, or_equal) {
+        (Scalar::Float, false) => F2::Less,
+        (Scalar::Float, true) => F2::LessEqual,
+        (Scalar::Uint, false) => F2::UintLess,
+        (Scalar::Uint, true) => F2::UintLessEqual,
+        (_, false) => F2::IntLess,
+        (_, true) => F2::IntLessEqual,
+    }
+}

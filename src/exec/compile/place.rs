@@ -1,0 +1,414 @@
+//! Reads and writes of variables and of parts of values.
+
+use super::emit::{Compiler, Made, Regs, Value};
+use super::layout::{part, scalars};
+use crate::exec::code::{ArraySite, F2, Instr, Reg};
+use crate::ir::{Access, Lanes, OpId, PlaceId, Root};
+use crate::semantic::{Base, Scalar, Type, VariableId};
+
+/// Where a place lies in its variable, in scalars.
+struct Spot {
+    /// The first scalar, computed steps aside.
+    at: u32,
+    /// How many scalars the computed steps add.
+    index: Option<Reg>,
+    /// How many scalars it has, before components are picked.
+    len: u32,
+    /// The components that are picked.
+    lanes: Option<Lanes>,
+    /// The sampler of the variable, in order.
+    sampler: u32,
+}
+
+impl Compiler<'_> {
+    /// The value of a variable or a part of one.
+    pub fn load(&mut self, id: OpId, place: PlaceId) -> Made<Value> {
+        let place = *self.module.place(place);
+        let variable = place.variable;
+        let spot = self.spot(variable, self.module.path(&place))?;
+        if place.ty.is_sampler() {
+            let first = self.first_sampler(variable)?;
+            return match spot.index {
+                None => Some(Value::Samplers(first + spot.sampler)),
+                Some(_) => self.refuse("a sampler chosen by a computed number"),
+            };
+        }
+        let value = self.held(variable)?;
+        let is_alias = self.plan.is_name(self.module, variable)
+            || self.is_given(variable)
+            || self.plan.stays(id, variable);
+        let loaded = match (value, spot.index) {
+            (Value::Memory { at, .. }, None) => self.from_memory(at + spot.at, &spot),
+            (Value::Memory { at, len }, Some(index)) => {
+                let base = at + spot.at;
+                let end = at + len;
+                Value::Regs(self.table(base, end, index, &spot))
+            }
+            (Value::Regs(regs), None) => {
+                let picked = self.picked(regs, &spot);
+                match is_alias {
+                    true => self.retain(Value::Regs(picked)),
+                    false => Value::Regs(self.copied(picked)),
+                }
+            }
+            (Value::Regs(regs), Some(index)) => {
+                let regs = self.neighbours(regs);
+                let made = Value::Regs(self.gathered(regs, index, &spot));
+                made
+            }
+            (Value::Nothing | Value::Samplers(_), _) => return self.refuse("a value without type"),
+        };
+        if let Some(index) = spot.index {
+            self.registers.release(index);
+        }
+        Some(loaded)
+    }
+
+    /// Writes to a variable or a part of one.
+    pub fn store(&mut self, id: OpId, place: PlaceId, value: OpId) -> Made<()> {
+        let place = *self.module.place(place);
+        let variable = place.variable;
+        if self.plan.value_of(variable) == Some(value) && self.plan.is_name(self.module, variable)
+        {
+            let value = self.value(value);
+            self.retain(value);
+            self.set_variable(variable, value);
+            return Some(());
+        }
+        if place.ty.is_sampler() {
+            return self.refuse("a write to a sampler");
+        }
+        let spot = self.spot(variable, self.module.path(&place))?;
+        let Value::Regs(to) = self.held(variable)? else {
+            return self.refuse("a write to what is only read");
+        };
+        let from = self.operand(value);
+        match spot.index {
+            None => {
+                let to = self.picked(to, &spot);
+                self.write(id, value, to, from);
+            }
+            Some(index) => {
+                for at in 0..from.len {
+                    let lane = lane_of(&spot, at);
+                    let base = self.reg(to, spot.at + lane);
+                    let site = self.site(base as u32, (to.len - spot.at - lane).max(1));
+                    let from = self.reg(from, at);
+                    self.push(Instr::Scatter { from, index, site });
+                }
+                self.registers.release(index);
+            }
+        }
+        Some(())
+    }
+
+    /// Moves a value to registers of a variable: by having the value's last instructions write
+    /// there, if nothing else needs it.
+    fn write(&mut self, id: OpId, value: OpId, to: Regs, from: Regs) {
+        let writes_all = self.plan.writes_all(id);
+        if writes_all && self.forwarded(value, to, from) {
+            return;
+        }
+        // Overlapping parts of one variable, such as `v.xy = v.yx`, are read before they are written.
+        let overlaps = (0..from.len).any(|n| {
+            let reg = self.reg(from, n);
+            (0..n).any(|m| self.reg(to, m) == reg)
+        });
+        let from = match overlaps {
+            true => self.copied(from),
+            false => from,
+        };
+        for at in 0..to.len.min(from.len) {
+            let (to, from) = (self.reg(to, at), self.reg(from, at));
+            if to != from {
+                self.push(match writes_all {
+                    true => Instr::Move(to, from),
+                    false => Instr::MoveActive(to, from),
+                });
+            }
+        }
+        if overlaps {
+            self.release(Value::Regs(from));
+        }
+    }
+
+    fn forwarded(&mut self, value: OpId, to: Regs, from: Regs) -> bool {
+        let count = from.len as usize;
+        let Some(start) = self.code.body.len().checked_sub(count) else {
+            return false;
+        };
+        if count == 0 || to.len != from.len || !self.plan.is_last_use(value, self.clock()) {
+            return false;
+        }
+        let Some(tail) = self.code.body.get(start..) else {
+            return false;
+        };
+        let (to, from) = (self.list(to), self.list(from));
+        let mut pairs = tail.iter().zip(from).enumerate();
+        let fits = pairs.all(|(n, (instr, reg))| {
+            instr.target() == Some(*reg)
+                && self.registers.is_held_once(*reg)
+                && self.registers.owner(*reg).is_none()
+                && !to.get(..n).unwrap_or(&[]).iter().any(|t| instr.reads(*t))
+        });
+        // An instruction must not read what one before it was to give.
+        let chained = tail.iter().any(|i| from.iter().any(|f| i.reads(*f)));
+        if !fits || chained {
+            return false;
+        }
+        let to: Vec<Reg> = to.to_vec();
+        for (instr, to) in self.code.body.iter_mut().skip(start).zip(to) {
+            *instr = instr.to(to);
+        }
+        true
+    }
+
+    fn clock(&self) -> u32 {
+        self.frames.last().map_or(0, |f| f.clock)
+    }
+
+    /// Where a variable is, which gets its registers now if it has none.
+    fn held(&mut self, variable: VariableId) -> Made<Value> {
+        let value = self.variable_value(variable);
+        if value != Value::Nothing {
+            return Some(value);
+        }
+        let declared = self.program.variable(variable);
+        if let Some(declared) = declared
+            && declared.is_const
+            && declared.constant.is_known()
+        {
+            let values = self.program.pool.values(declared.constant);
+            let value = self.constants_of(values);
+            self.set_variable(variable, value);
+            return Some(value);
+        }
+        self.open(variable)
+    }
+
+    /// Whether a variable is set from outside and never written.
+    fn is_given(&self, variable: VariableId) -> bool {
+        let root = self.module.variable(variable).map(|v| v.root);
+        matches!(root, Some(Root::Uniform | Root::Input)) || self.plan.is_never_written(variable)
+    }
+
+    fn first_sampler(&mut self, variable: VariableId) -> Made<u32> {
+        if let Value::Samplers(first) = self.variable_value(variable) {
+            return Some(first);
+        }
+        match self.samplers_of.get(&variable) {
+            Some(first) => Some(*first),
+            None => self.refuse("a sampler inside of a struct that is a parameter"),
+        }
+    }
+
+    /// Where a place lies.
+    fn spot(&mut self, variable: VariableId, path: &[Access]) -> Made<Spot> {
+        let mut ty = self.module.variable(variable)?.ty;
+        let mut spot = Spot {
+            at: 0,
+            index: None,
+            len: 0,
+            lanes: None,
+            sampler: 0,
+        };
+        for access in path {
+            match *access {
+                Access::Member(number) => {
+                    let members = self.program.struct_of(ty).map_or(&[][..], |s| &s.fields);
+                    let before = members.get(..number as usize).unwrap_or(&[]);
+                    spot.sampler += before.iter().map(|f| self.samplers_in(f.ty)).sum::<u32>();
+                    let (at, inner, _) = self.part_of(ty, number)?;
+                    (spot.at, ty) = (spot.at + at, inner);
+                }
+                Access::Element(number) => {
+                    let (at, inner, count) = self.part_of(ty, number)?;
+                    if number >= count {
+                        return self.refuse("an index outside of its array");
+                    }
+                    spot.sampler += number * self.samplers_in(inner);
+                    (spot.at, ty) = (spot.at + at, inner);
+                }
+                Access::Computed(index) => {
+                    let (stride, inner, count) = self.part_of(ty, 1)?;
+                    let step = self.steps(index, count, stride);
+                    spot.index = Some(match spot.index {
+                        None => step,
+                        Some(index) => {
+                            let sum = self.then_two(F2::IntAdd, index, step);
+                            self.registers.release(step);
+                            sum
+                        }
+                    });
+                    ty = inner;
+                }
+                Access::Lanes(lanes) => spot.lanes = Some(lanes),
+            }
+        }
+        spot.len = match ty.is_sampler() {
+            true => 0,
+            false => self.scalars_of(ty)?,
+        };
+        Some(spot)
+    }
+
+    fn part_of(&mut self, ty: Type, number: u32) -> Made<(u32, Type, u32)> {
+        match part(self.program, ty, number) {
+            Some(found) => Some(found),
+            None => self.refuse("a value of more than 32,768 scalars"),
+        }
+    }
+
+    /// How many scalars a type has.
+    pub fn scalars_of(&mut self, ty: Type) -> Made<u32> {
+        match scalars(self.program, ty) {
+            Some(count) => Some(count),
+            None => self.refuse("a value of more than 32,768 scalars"),
+        }
+    }
+
+    /// How many scalars a computed number skips, within the elements that there are.
+    fn steps(&mut self, index: OpId, count: u32, stride: u32) -> Reg {
+        let is_int = self.module.scalar(index) == Some(Scalar::Int);
+        let index = self.operand(index);
+        let index = self.reg(index, 0);
+        let last = self.constant(count.saturating_sub(1));
+        let inside = match is_int {
+            true => {
+                let zero = self.constant(0);
+                let low = self.two(F2::IntMax, index, zero);
+                self.then_two(F2::IntMin, low, last)
+            }
+            false => self.two(F2::UintMin, index, last),
+        };
+        match stride {
+            1 => inside,
+            _ => {
+                let stride = self.constant(stride);
+                self.then_two(F2::IntMultiply, inside, stride)
+            }
+        }
+    }
+
+    /// The registers that a place without computed steps means.
+    fn picked(&mut self, regs: Regs, spot: &Spot) -> Regs {
+        match spot.lanes {
+            None => Self::part(regs, spot.at, spot.len),
+            Some(lanes) => {
+                let picked: Vec<Reg> = lanes
+                    .numbers()
+                    .iter()
+                    .map(|n| self.reg(regs, spot.at + *n as u32))
+                    .collect();
+                self.listed(picked)
+            }
+        }
+    }
+
+    /// Fresh registers with the same bits.
+    pub fn copied(&mut self, regs: Regs) -> Regs {
+        let copies: Vec<Reg> = (0..regs.len)
+            .map(|n| {
+                let reg = self.reg(regs, n);
+                self.fresh(Instr::Move(0, reg))
+            })
+            .collect();
+        self.listed(copies)
+    }
+
+    fn from_memory(&mut self, at: u32, spot: &Spot) -> Value {
+        match spot.lanes {
+            None if spot.len > super::emit::MAX_KEPT as u32 => Value::Memory { at, len: spot.len },
+            None => {
+                let value = Value::Memory { at, len: spot.len };
+                Value::Regs(self.in_registers(value))
+            }
+            Some(lanes) => {
+                let words = lanes.numbers().iter().map(|n| at + *n as u32);
+                let words: Vec<Reg> = words.map(|at| self.word(at)).collect();
+                Value::Regs(self.listed(words))
+            }
+        }
+    }
+
+    fn site(&mut self, base: u32, len: u32) -> u32 {
+        self.code.arrays.push(ArraySite { base, len });
+        self.code.arrays.len() as u32 - 1
+    }
+
+    /// Scalars out of the memory.
+    fn table(&mut self, base: u32, end: u32, index: Reg, spot: &Spot) -> Regs {
+        let count = spot.lanes.map_or(spot.len, |l| l.count() as u32);
+        let mut made = Vec::with_capacity(count as usize);
+        for n in 0..count {
+            let base = base + lane_of(spot, n);
+            let site = self.site(base, end.saturating_sub(base).max(1));
+            let instr = Instr::Table { to: 0, index, site };
+            made.push(self.pure(instr, &[index]));
+        }
+        self.listed(made)
+    }
+
+    /// Scalars out of registers that lie side by side.
+    fn gathered(&mut self, regs: Regs, index: Reg, spot: &Spot) -> Regs {
+        let count = spot.lanes.map_or(spot.len, |l| l.count() as u32);
+        let mut made = Vec::with_capacity(count as usize);
+        for n in 0..count {
+            let lane = lane_of(spot, n);
+            let base = self.reg(regs, spot.at + lane);
+            let site = self.site(base as u32, (regs.len - spot.at - lane).max(1));
+            made.push(self.fresh(Instr::Gather { to: 0, index, site }));
+        }
+        self.listed(made)
+    }
+
+    /// The same registers if they lie side by side, else copies that do, which are kept for good.
+    fn neighbours(&mut self, regs: Regs) -> Regs {
+        let list = self.list(regs);
+        let lie_so = list.windows(2).all(|w| matches!(w, [a, b] if *b == a.saturating_add(1)));
+        if lie_so {
+            return regs;
+        }
+        let first = self.registers.row(regs.len, VariableId(u32::MAX), true);
+        let row = self.listed((0..regs.len).map(|n| first.saturating_add(n as u16)));
+        for n in 0..regs.len {
+            let (to, from) = (self.reg(row, n), self.reg(regs, n));
+            self.push(Instr::Move(to, from));
+        }
+        row
+    }
+
+    /// The element, column or component of a value whose number is computed.
+    pub fn extract_computed(&mut self, base: OpId, index: OpId) -> Made<Value> {
+        let ty = self.module.ty(base);
+        if matches!(ty.base, Base::Sampler(_)) {
+            return self.refuse("a sampler chosen by a computed number");
+        }
+        let (stride, inner, count) = self.part_of(ty, 1)?;
+        let len = self.scalars_of(inner)?;
+        let index = self.steps(index, count, stride);
+        let spot = Spot {
+            at: 0,
+            index: Some(index),
+            len,
+            lanes: None,
+            sampler: 0,
+        };
+        let made = match self.value(base) {
+            Value::Memory { at, len } => self.table(at, at + len, index, &spot),
+            value => {
+                let regs = self.in_registers(value);
+                let regs = self.neighbours(regs);
+                self.gathered(regs, index, &spot)
+            }
+        };
+        self.registers.release(index);
+        Some(Value::Regs(made))
+    }
+}
+
+/// The scalar, from the beginning of a place, that its value's scalar with a number is.
+fn lane_of(spot: &Spot, number: u32) -> u32 {
+    let lane = spot.lanes.and_then(|l| l.numbers().get(number as usize).copied());
+    lane.map_or(number, u32::from)
+}

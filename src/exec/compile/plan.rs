@@ -1,0 +1,542 @@
+//! What is found out of a function before code is made for it: how long values are needed, which
+//! variables are names of values, and which writes touch no lane that is away.
+//!
+//! A clock ticks at every operation and step. Making code ticks the same way, so that what is planned
+//! for a tick happens at it.
+
+use crate::ir::{
+    Function, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step,
+};
+use crate::semantic::{FunctionRef, VariableId};
+use rustc_hash::FxHashMap;
+
+/// Stands for the initial values of globals where a function is asked for.
+pub(super) const GLOBALS: FunctionRef = FunctionRef(u32::MAX);
+
+/// What may be given back at a tick.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Held {
+    /// The value of an operation.
+    Value(OpId),
+    /// The registers of a variable.
+    Variable(VariableId),
+}
+
+/// What is known of the functions that run.
+#[derive(Default, Debug)]
+pub(super) struct Plan {
+    /// By operation: the tick until which its value has to stay as it is.
+    stays: Vec<u32>,
+    /// By operation: the tick of its last use.
+    last: Vec<u32>,
+    /// By operation: its own tick.
+    made: Vec<u32>,
+    /// By operation that stores: whether it may write to all lanes.
+    writes_all: Vec<bool>,
+    /// By variable.
+    variables: Vec<About>,
+    /// By function: what may be given back, by tick.
+    ends: FxHashMap<FunctionRef, Vec<(u32, Held)>>,
+    /// By function, of those that run: whether lanes can leave before its end.
+    leaves_early: Vec<bool>,
+    /// By function: the tick before its first.
+    starts: FxHashMap<FunctionRef, u32>,
+    /// By variable: the ticks of its writes.
+    writes: FxHashMap<VariableId, Vec<u32>>,
+}
+
+/// What is known of a variable.
+#[derive(Clone, Copy, Default, Debug)]
+struct About {
+    stores: u32,
+    /// The only store, if it is a declaration's and of the whole.
+    value: Option<OpId>,
+    /// Whether a store is none of a declaration, or not of the whole.
+    is_changed: bool,
+    /// The region that declares it, and the tick of that.
+    home: Option<(u32, u32)>,
+    last: u32,
+}
+
+/// A loop or `switch` that is being walked through.
+struct Around {
+    start: u32,
+    pending: Vec<Held>,
+}
+
+struct Planner<'m> {
+    module: &'m Module,
+    plan: Plan,
+    clock: u32,
+    around: Vec<Around>,
+    /// The operations of the function that is being walked through, and its variables.
+    ops: Vec<OpId>,
+    met: Vec<VariableId>,
+    /// The regions that are being walked through, the innermost last, and the loop part that each
+    /// is where it may write all lanes of what lies around the loop.
+    regions: Vec<(u32, Option<LoopId>)>,
+    next_region: u32,
+    /// Stores that write to all lanes if nothing reads the variable behind the loop.
+    loose: Vec<(OpId, VariableId, LoopId)>,
+    /// By loop: its last tick.
+    loop_ends: FxHashMap<LoopId, u32>,
+    /// By function: the globals and outputs that it writes, those that it calls included.
+    effects: FxHashMap<FunctionRef, Vec<VariableId>>,
+}
+
+/// Plans the functions that run, callees first.
+pub(super) fn plan(module: &Module, functions: &[FunctionRef]) -> Plan {
+    let ops = module.ops.len();
+    let mut planner = Planner {
+        module,
+        plan: Plan {
+            stays: vec![0; ops],
+            last: vec![0; ops],
+            made: vec![0; ops],
+            writes_all: vec![false; ops],
+            variables: vec![About::default(); module.variables.len()],
+            leaves_early: vec![false; module.functions.len()],
+            ..Plan::default()
+        },
+        clock: 0,
+        around: Vec::new(),
+        ops: Vec::new(),
+        met: Vec::new(),
+        regions: Vec::new(),
+        next_region: 0,
+        loose: Vec::new(),
+        loop_ends: FxHashMap::default(),
+        effects: FxHashMap::default(),
+    };
+    planner.stores(functions);
+    planner.globals();
+    for &function in functions {
+        planner.function(function);
+    }
+    planner.plan
+}
+
+impl Plan {
+    /// The value that a variable is a name of.
+    pub fn value_of(&self, variable: VariableId) -> Option<OpId> {
+        let about = self.variables.get(variable.0 as usize)?;
+        about.value.filter(|_| about.stores == 1 && !about.is_changed)
+    }
+
+    /// Whether a variable only names a value: its declaration's, or a parameter's argument.
+    pub fn is_name(&self, module: &Module, variable: VariableId) -> bool {
+        let root = module.variable(variable).map(|v| v.root);
+        match root {
+            Some(Root::Local | Root::Global) => self.value_of(variable).is_some(),
+            Some(Root::Parameter | Root::ParameterInout) => self.is_never_written(variable),
+            _ => false,
+        }
+    }
+
+    /// Whether nothing needs a value behind a tick.
+    pub fn is_last_use(&self, value: OpId, tick: u32) -> bool {
+        at(&self.last, value) <= tick
+    }
+
+    /// Whether nothing writes to a variable.
+    pub fn is_never_written(&self, variable: VariableId) -> bool {
+        let about = self.variables.get(variable.0 as usize);
+        about.is_some_and(|v| v.stores == 0)
+    }
+
+    /// What may be given back, by tick of a function.
+    pub fn ends(&self, function: FunctionRef) -> &[(u32, Held)] {
+        self.ends.get(&function).map_or(&[], |e| e)
+    }
+
+    /// Whether lanes can leave a function before its end.
+    pub fn leaves_early(&self, function: FunctionRef) -> bool {
+        self.leaves_early.get(function.0 as usize) == Some(&true)
+    }
+
+    /// The tick before the first of a function.
+    pub fn start(&self, function: FunctionRef) -> u32 {
+        self.starts.get(&function).copied().unwrap_or(0)
+    }
+
+    /// Whether a store may write to all lanes.
+    pub fn writes_all(&self, op: OpId) -> bool {
+        self.writes_all.get(op.0 as usize) == Some(&true)
+    }
+
+    /// Whether what a variable holds at a load is the same as long as the value of that is needed.
+    pub fn stays(&self, load: OpId, variable: VariableId) -> bool {
+        let at = |all: &[u32]| all.get(load.0 as usize).copied().unwrap_or(u32::MAX);
+        let (from, to) = (at(&self.made), at(&self.stays).max(at(&self.last)));
+        let Some(writes) = self.writes.get(&variable) else {
+            return true;
+        };
+        let next = writes.partition_point(|w| *w <= from);
+        writes.get(next).is_none_or(|w| *w > to)
+    }
+}
+
+/// What only gives its operands' registers another name.
+fn is_alias(kind: OpKind) -> bool {
+    matches!(
+        kind,
+        OpKind::Swizzle(..)
+            | OpKind::Splat(_)
+            | OpKind::Compose(_)
+            | OpKind::Extract(..)
+            | OpKind::Convert(_)
+    )
+}
+
+impl Planner<'_> {
+    /// Counts the stores of the functions that run.
+    fn stores(&mut self, functions: &[FunctionRef]) {
+        let module = self.module;
+        let mut runs = Vec::new();
+        let globals = module.steps(module.globals);
+        runs.extend(globals.iter().filter_map(|s| match s {
+            Step::Run(run) => Some(*run),
+            _ => None,
+        }));
+        let bodies = functions.iter().filter_map(|f| module.function(*f));
+        runs.extend(bodies.map(|f| f.ops));
+        for id in runs.into_iter().flat_map(|r| r.ops()) {
+            if let OpKind::Store(place, value) = module.op(id).kind {
+                self.count_store(id, place, value);
+            }
+        }
+    }
+
+    fn count_store(&mut self, id: OpId, place: PlaceId, value: OpId) {
+        let module = self.module;
+        let place = module.place(place);
+        let is_whole = module.path(place).is_empty();
+        let declares = matches!(module.provenance(id), Provenance::Declaration(_));
+        let root = module.variable(place.variable).map(|v| v.root);
+        let is_name = matches!(root, Some(Root::Local | Root::Global));
+        if let Some(about) = self.plan.variables.get_mut(place.variable.0 as usize) {
+            about.stores += 1;
+            about.is_changed |= !is_whole || !declares || !is_name;
+            about.value = about.value.or(Some(value));
+        }
+    }
+
+    fn globals(&mut self) {
+        let body = self.module.globals;
+        self.walk(GLOBALS, body);
+        // They hold for as long as the shader runs.
+        for step in self.module.steps(body) {
+            let Step::Run(run) = step else { continue };
+            for op in run.ops() {
+                set(&mut self.plan.stays, op, u32::MAX);
+            }
+        }
+    }
+
+    fn function(&mut self, id: FunctionRef) {
+        let Some(function) = self.module.function(id).copied() else {
+            return;
+        };
+        let Some(body) = function.body else {
+            return;
+        };
+        self.effects_of(id, &function);
+        let home = (self.next_region, self.clock);
+        for variable in self.module.parameters(&function) {
+            if let Some(about) = self.plan.variables.get_mut(variable.0 as usize) {
+                about.home = Some(home);
+                about.last = self.clock;
+                self.met.push(*variable);
+            }
+        }
+        self.walk(id, body);
+        let leaves = self.leaves(self.module.steps(body), true);
+        if let Some(slot) = self.plan.leaves_early.get_mut(id.0 as usize) {
+            *slot = leaves;
+        }
+    }
+
+    /// Whether there is a `return` that is not the last thing of all.
+    fn leaves(&self, steps: &[Step], is_last: bool) -> bool {
+        let module = self.module;
+        let inner = |region| self.leaves(module.steps(region), false);
+        steps.iter().enumerate().any(|(i, step)| match *step {
+            Step::Return(..) => !is_last || i + 1 < steps.len(),
+            Step::If {
+                then, otherwise, ..
+            } => inner(then) || inner(otherwise),
+            Step::Loop(id) => module.looped(id).is_some_and(|l| inner(l.body)),
+            Step::Switch(id) => module
+                .switch(id)
+                .is_some_and(|s| module.cases(s).iter().any(|c| inner(c.body))),
+            _ => false,
+        })
+    }
+
+    fn effects_of(&mut self, id: FunctionRef, function: &Function) {
+        let module = self.module;
+        let mut written = Vec::new();
+        for op in function.ops.ops() {
+            match module.op(op).kind {
+                OpKind::Store(place, _) => {
+                    let variable = module.place(place).variable;
+                    if module.variable(variable).is_some_and(|v| v.function.is_none()) {
+                        written.push(variable);
+                    }
+                }
+                OpKind::Call(callee, _) => {
+                    written.extend(self.effects.get(&callee).into_iter().flatten());
+                }
+                _ => {}
+            }
+        }
+        written.sort_unstable();
+        written.dedup();
+        self.effects.insert(id, written);
+    }
+
+    /// Walks through a body, and then settles what only its end tells.
+    fn walk(&mut self, function: FunctionRef, body: Region) {
+        self.plan.starts.insert(function, self.clock);
+        self.region(body, None);
+        self.clock += 1;
+        let known = self.module.function(function);
+        for variable in known.map_or(&[][..], |f| self.module.parameters(f)) {
+            let root = self.module.variable(*variable).map(|v| v.root);
+            if matches!(root, Some(Root::ParameterOut | Root::ParameterInout)) {
+                self.touched(*variable);
+            }
+        }
+        let plan = &mut self.plan;
+        for (store, variable, id) in self.loose.drain(..) {
+            let last = plan.variables.get(variable.0 as usize).map(|v| v.last);
+            if last <= self.loop_ends.get(&id).copied() {
+                set_flag(&mut plan.writes_all, store);
+            }
+        }
+        let mut ends = Vec::with_capacity(self.ops.len() + self.met.len());
+        for op in self.ops.drain(..).rev() {
+            let last = at(&plan.last, op).max(at(&plan.made, op));
+            ends.push((last, Held::Value(op)));
+            plan.lengthen(self.module, op, last);
+        }
+        for variable in self.met.drain(..) {
+            let last = plan.variables.get(variable.0 as usize).map_or(0, |v| v.last);
+            ends.push((last, Held::Variable(variable)));
+        }
+        ends.sort_unstable();
+        ends.dedup();
+        plan.ends.insert(function, ends);
+    }
+
+    fn region(&mut self, region: Region, part: Option<LoopId>) {
+        self.regions.push((self.next_region, part));
+        self.next_region += 1;
+        for step in self.module.steps(region) {
+            self.step(step);
+        }
+        self.regions.pop();
+    }
+
+    fn step(&mut self, step: &Step) {
+        match *step {
+            Step::Run(run) => run.ops().for_each(|op| self.op(op)),
+            Step::If {
+                condition,
+                then,
+                otherwise,
+                ..
+            } => {
+                self.clock += 1;
+                self.used(condition);
+                self.region(then, None);
+                self.region(otherwise, None);
+            }
+            Step::Loop(id) => self.looped(id),
+            Step::Switch(id) => {
+                self.clock += 1;
+                let Some(switch) = self.module.switch(id) else {
+                    return;
+                };
+                self.used(switch.selector);
+                for case in self.module.cases(switch) {
+                    self.region(case.body, None);
+                }
+            }
+            Step::Return(value, _) => {
+                self.clock += 1;
+                value.into_iter().for_each(|v| self.used(v));
+            }
+            Step::Break(_) | Step::Continue(_) | Step::Discard(_) => self.clock += 1,
+        }
+    }
+
+    fn looped(&mut self, id: LoopId) {
+        self.clock += 1;
+        let Some(l) = self.module.looped(id).copied() else {
+            return;
+        };
+        self.around.push(Around {
+            start: self.clock,
+            pending: Vec::new(),
+        });
+        let module = self.module;
+        let body = (!continues(module, module.steps(l.body))).then_some(id);
+        if l.tests_first {
+            self.test(id, l.test, l.condition);
+            self.region(l.body, body);
+            self.region(l.step, Some(id));
+        } else {
+            self.region(l.body, body);
+            self.test(id, l.test, l.condition);
+        }
+        self.clock += 1;
+        self.loop_ends.insert(id, self.clock);
+        for held in self.around.pop().map_or(Vec::new(), |a| a.pending) {
+            match held {
+                Held::Value(op) => raise(&mut self.plan.last, op, self.clock),
+                Held::Variable(variable) => {
+                    if let Some(about) = self.plan.variables.get_mut(variable.0 as usize) {
+                        about.last = about.last.max(self.clock);
+                    }
+                }
+            }
+        }
+    }
+
+    fn test(&mut self, id: LoopId, test: Region, condition: Option<OpId>) {
+        self.region(test, Some(id));
+        self.clock += 1;
+        condition.into_iter().for_each(|c| self.used(c));
+    }
+
+    fn op(&mut self, id: OpId) {
+        self.clock += 1;
+        set(&mut self.plan.made, id, self.clock);
+        self.ops.push(id);
+        let module = self.module;
+        module.each_operand(id, |operand| self.used(operand));
+        match module.op(id).kind {
+            OpKind::Load(place) => self.touched(module.place(place).variable),
+            OpKind::Store(place, _) => self.stored(id, place),
+            OpKind::Call(callee, _) => {
+                for variable in self.effects.get(&callee).into_iter().flatten() {
+                    let writes = self.plan.writes.entry(*variable).or_default();
+                    writes.push(self.clock);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// A value is used at this tick: in a loop that began after it was made, until the end of that.
+    fn used(&mut self, op: OpId) {
+        raise(&mut self.plan.last, op, self.clock);
+        let made = at(&self.plan.made, op);
+        if let Some(around) = self.around.iter_mut().find(|a| made < a.start) {
+            around.pending.push(Held::Value(op));
+        }
+    }
+
+    /// A variable is read or written at this tick.
+    fn touched(&mut self, variable: VariableId) {
+        let Some(about) = self.plan.variables.get_mut(variable.0 as usize) else {
+            return;
+        };
+        about.last = about.last.max(self.clock);
+        let Some((_, made)) = about.home else {
+            return;
+        };
+        if let Some(around) = self.around.iter_mut().find(|a| made < a.start) {
+            around.pending.push(Held::Variable(variable));
+        }
+    }
+
+    fn stored(&mut self, id: OpId, place: PlaceId) {
+        let module = self.module;
+        let place = module.place(place);
+        let variable = place.variable;
+        let root = module.variable(variable).map(|v| v.root);
+        self.plan.writes.entry(variable).or_default().push(self.clock);
+        let Some(&(region, part)) = self.regions.last() else {
+            return;
+        };
+        let outer = self.regions.iter().rev().nth(1).map(|r| r.0);
+        let declares = matches!(module.provenance(id), Provenance::Declaration(_));
+        let Some(about) = self.plan.variables.get_mut(variable.0 as usize) else {
+            return;
+        };
+        match (root, about.home) {
+            (Some(Root::Local), _) if declares => about.home = Some((region, self.clock)),
+            (Some(Root::Temporary), None) => about.home = Some((region, self.clock)),
+            _ => {}
+        }
+        match (about.home, part) {
+            (Some((home, _)), _) if home == region => set_flag(&mut self.plan.writes_all, id),
+            (Some((home, _)), Some(around)) if Some(home) == outer => {
+                self.loose.push((id, variable, around));
+            }
+            _ => {}
+        }
+        if matches!(root, Some(Root::Local | Root::Temporary)) {
+            self.met.push(variable);
+        }
+        self.touched(variable);
+    }
+}
+
+impl Plan {
+    /// What an operation only names stays as long as the name is needed.
+    fn lengthen(&mut self, module: &Module, op: OpId, last: u32) {
+        let until = at(&self.stays, op).max(last);
+        let kind = module.op(op).kind;
+        match kind {
+            OpKind::Load(place) => {
+                let variable = module.place(place).variable;
+                let last = self.variables.get(variable.0 as usize).map_or(0, |v| v.last);
+                if let Some(value) = self.value_of(variable) {
+                    raise(&mut self.stays, value, until.max(last));
+                }
+            }
+            _ if is_alias(kind) => {
+                module.each_operand(op, |operand| raise(&mut self.stays, operand, until));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Whether a `continue` of the loop around stands in steps.
+fn continues(module: &Module, steps: &[Step]) -> bool {
+    let inner = |region| continues(module, module.steps(region));
+    steps.iter().any(|step| match *step {
+        Step::Continue(_) => true,
+        Step::If {
+            then, otherwise, ..
+        } => inner(then) || inner(otherwise),
+        Step::Switch(id) => module
+            .switch(id)
+            .is_some_and(|s| module.cases(s).iter().any(|c| inner(c.body))),
+        _ => false,
+    })
+}
+
+fn at(ticks: &[u32], op: OpId) -> u32 {
+    ticks.get(op.0 as usize).copied().unwrap_or(0)
+}
+
+fn set(ticks: &mut [u32], op: OpId, tick: u32) {
+    if let Some(slot) = ticks.get_mut(op.0 as usize) {
+        *slot = tick;
+    }
+}
+
+fn raise(ticks: &mut [u32], op: OpId, tick: u32) {
+    set(ticks, op, at(ticks, op).max(tick));
+}
+
+fn set_flag(flags: &mut [bool], op: OpId) {
+    if let Some(slot) = flags.get_mut(op.0 as usize) {
+        *slot = true;
+    }
+}
