@@ -49,8 +49,10 @@ pub struct Code {
     pub(super) loops: Vec<LoopId>,
     /// By number that [`Instr::Branch`] names: the condition's construct.
     pub(super) branches: Vec<Provenance>,
-    /// By number that [`Instr::Check`] names: what is checked.
+    /// By number that [`Look`] names: what is checked.
     pub(super) checks: Vec<CheckSite>,
+    /// By number that [`Instr::Check`] names: where it is looked at.
+    pub(super) looks: Vec<Look>,
 }
 
 /// A uniform without members.
@@ -83,6 +85,13 @@ pub struct InputSlot {
     pub ty: Type,
     /// Its registers.
     pub(super) regs: Vec<Reg>,
+}
+
+impl InputSlot {
+    /// Whether it is a truth value.
+    pub(super) fn is_bool(&self) -> bool {
+        self.ty.scalar_kind() == Some(crate::semantic::Scalar::Bool)
+    }
 }
 
 /// An output of the stage, or an `out` parameter of an entry that a host calls, or what it returns.
@@ -139,8 +148,19 @@ pub(super) enum LookupQuery {
     Size,
 }
 
-/// What an instruction checks.
-#[derive(Clone, Copy, PartialEq, Debug)]
+/// A result that is looked at.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Look {
+    /// Number of the site, one for all calls of its function.
+    pub site: u32,
+    /// What the operation gave.
+    pub result: Reg,
+    /// What it worked on.
+    pub operands: Vec<Reg>,
+}
+
+/// What is checked.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) struct CheckSite {
     /// The operation.
     pub op: OpId,
@@ -161,21 +181,42 @@ pub(super) enum Instr {
     /// One word of the memory, in all lanes.
     Word(Reg, u32),
     /// The register of a site whose number is computed.
-    Gather { to: Reg, index: Reg, site: u32 },
+    Gather {
+        to: Reg,
+        index: Reg,
+        site: u32,
+    },
     /// Into the register of a site whose number is computed, in lanes that take part.
-    Scatter { from: Reg, index: Reg, site: u32 },
+    Scatter {
+        from: Reg,
+        index: Reg,
+        site: u32,
+    },
     /// The word of a site whose number is computed.
-    Table { to: Reg, index: Reg, site: u32 },
+    Table {
+        to: Reg,
+        index: Reg,
+        site: u32,
+    },
     /// Asks a texture.
     Lookup(u32),
 
     /// Lanes that take part and where this holds; the others are kept aside. Jumps where none are
     /// left.
-    If { condition: Reg, others: Slot, to: Target },
+    If {
+        condition: Reg,
+        others: Slot,
+        to: Target,
+    },
     /// Changes place with those kept aside. Jumps where none are left.
-    Else { others: Slot, to: Target },
+    Else {
+        others: Slot,
+        to: Target,
+    },
     /// Those kept aside take part again.
-    EndIf { others: Slot },
+    EndIf {
+        others: Slot,
+    },
     /// Keeps aside who comes here.
     Keep(Slot),
     /// Nobody is kept here.
@@ -183,15 +224,26 @@ pub(super) enum Instr {
     /// Lanes where this holds, whether they take part or not, are kept here.
     Mark(Slot, Reg),
     /// Those who came take part again, unless they left otherwise, or are gone.
-    Restore { came: Slot, left: Slot, others: Slot },
+    Restore {
+        came: Slot,
+        left: Slot,
+        others: Slot,
+    },
     /// Only lanes where this holds go on. Jumps where none are left.
-    While { condition: Reg, to: Target },
+    While {
+        condition: Reg,
+        to: Target,
+    },
     /// Those who wait here take part again.
     Resume(Slot),
     /// All who take part wait here, and nobody goes on.
     Wait(Slot),
     /// Of those who wait, the ones that are marked take part, too. Jumps where none take part.
-    Case { waiting: Slot, marked: Slot, to: Target },
+    Case {
+        waiting: Slot,
+        marked: Slot,
+        to: Target,
+    },
     /// Nobody goes on.
     Halt,
     /// Who takes part is gone.
@@ -218,7 +270,7 @@ pub(super) enum Instr {
     /// What lanes that take part have to pay.
     Spend(u32),
     /// Looks at a result.
-    Check { site: u32, result: Reg, operands: [Reg; 2] },
+    Check(u32),
 }
 
 /// Instructions with one operand.
@@ -262,3 +314,24 @@ pub(super) enum F3 {
 }
 
 const _: () = assert!(size_of::<Instr>() <= 12);
+
+impl Code {
+    /// How large it is, in words.
+    pub fn summary(&self) -> String {
+        format!(
+            "{} instructions once, {} for each group, {} masks, {} words",
+            self.prologue.len(),
+            self.body.len(),
+            self.slots,
+            self.uniform_words as usize + self.tables.len()
+        )
+    }
+
+    /// All instructions, one in a line.
+    pub fn dump(&self) -> String {
+        let line = |(n, i): (usize, &Instr)| format!("{n:5} {i:?}\n");
+        let once: String = self.prologue.iter().enumerate().map(line).collect();
+        let body: String = self.body.iter().enumerate().map(line).collect();
+        format!("once:\n{once}body:\n{body}")
+    }
+}

@@ -1,8 +1,12 @@
 //! A draw: register code with its uniforms, textures and inputs, over a rectangle of pixels.
 
-use super::code::Code;
+use super::code::{Code, InputSlot};
 use super::image::Texture;
+use super::machine::{Machine, Tile};
+use super::row::LANES;
 use super::seen::Seen;
+use crate::semantic::Scalar;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Operations of one pixel after which a run stops, unless it is told otherwise.
 const FUEL: u64 = 50_000_000;
@@ -13,9 +17,18 @@ pub struct Draw<'c> {
     pub code: &'c Code,
     /// The size of the picture in pixels.
     pub size: [u32; 2],
-    /// How many operations each group of pixels may take.
+    /// How many instructions each group of pixels may run more than once.
     pub fuel: u64,
+    /// Uniforms, then large constants.
+    pub(super) memory: Vec<u32>,
+    /// By sampler.
+    pub(super) textures: Vec<Option<Texture>>,
+    /// By input, by scalar.
+    pub(super) inputs: Vec<Vec<Plane>>,
 }
+
+/// What an input is at each pixel: a number, and how it grows to the right and up.
+type Plane = [f32; 3];
 
 /// What a draw gave. Rows of pixels begin at the bottom, as `gl_FragCoord` counts.
 #[derive(Clone, Debug)]
@@ -60,28 +73,160 @@ pub enum Stop {
 impl<'c> Draw<'c> {
     /// A draw with all uniforms zero and no textures.
     pub fn new(code: &'c Code, size: [u32; 2]) -> Draw<'c> {
+        let mut memory = vec![0; code.uniform_words as usize];
+        memory.extend_from_slice(&code.tables);
+        let planes = |slot: &InputSlot| match slot.name.as_str() {
+            "gl_FragCoord" => vec![
+                [0.0, 1.0, 0.0],
+                [0.0, 0.0, 1.0],
+                [0.5, 0.0, 0.0],
+                [1.0, 0.0, 0.0],
+            ],
+            "gl_FrontFacing" => vec![[1.0, 0.0, 0.0]],
+            _ => vec![[0.0; 3]; slot.regs.len()],
+        };
         Draw {
             code,
             size,
             fuel: FUEL,
+            memory,
+            textures: vec![None; code.samplers.len()],
+            inputs: code.inputs.iter().map(planes).collect(),
         }
     }
 
     /// Sets a uniform: its scalars, those of a matrix column by column, those of an array element by
-    /// element; `name[i]` sets one element. Whether there is such a uniform with that many scalars.
-    pub fn set(&mut self, _name: &str, _scalars: &[f64]) -> bool {
-        false
+    /// element; `name[i]` sets the elements from that one on. Whether there is such a uniform with
+    /// that many scalars.
+    pub fn set(&mut self, name: &str, scalars: &[f64]) -> bool {
+        let (base, first) = match name.strip_suffix(']').and_then(|n| n.rsplit_once('[')) {
+            Some((base, number)) => (base, number.parse::<usize>().ok()),
+            None => (name, Some(0)),
+        };
+        let slot = self.code.uniforms.iter().find(|u| u.name == name);
+        let slot = slot.or_else(|| self.code.uniforms.iter().find(|u| u.name == base));
+        let (Some(slot), Some(first)) = (slot, first) else {
+            return false;
+        };
+        let first = if slot.name == name { 0 } else { first };
+        let element = slot.ty.element().components() as usize;
+        let count = element * slot.ty.array.max(1) as usize;
+        let from = first.saturating_mul(element);
+        let is_whole = scalars.len() % element.max(1) == 0 && !scalars.is_empty();
+        if !is_whole || from.saturating_add(scalars.len()) > count {
+            return false;
+        }
+        let kind = slot.ty.element().scalar_kind();
+        let at = slot.at as usize + from;
+        let words = self.memory.get_mut(at..at + scalars.len());
+        for (word, scalar) in words.into_iter().flatten().zip(scalars) {
+            *word = match kind {
+                Some(Scalar::Bool) => {
+                    if *scalar != 0.0 {
+                        u32::MAX
+                    } else {
+                        0
+                    }
+                }
+                Some(Scalar::Int) => *scalar as i32 as u32,
+                Some(Scalar::Uint) => *scalar as i64 as u32,
+                Some(Scalar::Float) | None => (*scalar as f32).to_bits(),
+            };
+        }
+        true
     }
 
     /// Sets what a sampler looks up. Whether there is such a sampler.
-    pub fn bind(&mut self, _name: &str, _texture: Texture) -> bool {
-        false
+    pub fn bind(&mut self, name: &str, texture: Texture) -> bool {
+        let mut found = false;
+        for (slot, place) in self.code.samplers.iter().zip(&mut self.textures) {
+            if slot.name == name {
+                *place = Some(texture.clone());
+                found = true;
+            }
+        }
+        found
     }
 
     /// Sets what an input is at each pixel: by scalar a number, and how it grows with each pixel to
     /// the right and up, from `gl_FragCoord` 0. Whether there is such an input.
-    pub fn input(&mut self, _name: &str, _planes: &[[f32; 3]]) -> bool {
-        false
+    pub fn input(&mut self, name: &str, planes: &[Plane]) -> bool {
+        let mut slots = self.code.inputs.iter().zip(&mut self.inputs);
+        match slots.find(|(slot, _)| slot.name == name) {
+            Some((slot, place)) if planes.len() == slot.regs.len() => {
+                *place = planes.to_vec();
+                true
+            }
+            _ => false,
+        }
+    }
+}
+
+/// The pixels of some quads, given by their lower left ones.
+fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
+    let mut tile = Tile {
+        pixels: [[0; 2]; LANES],
+        wanted: 0,
+    };
+    for (lane, pixel) in tile.pixels.iter_mut().enumerate() {
+        let (right, up) = (lane as u32 & 1, lane as u32 >> 1 & 1);
+        // What is left over helps as the last quad does.
+        let quad = quads.get(lane / 4);
+        let [x, y] = quad.or(quads.last()).copied().unwrap_or_default();
+        *pixel = [x + right, y + up];
+        let is_inside = pixel[0] < size[0] && pixel[1] < size[1];
+        if quad.is_some() && is_inside {
+            tile.wanted |= 1 << lane;
+        }
+    }
+    tile
+}
+
+/// The quads of a group of 8x4 pixels.
+fn quads_of(size: [u32; 2], number: u32) -> Vec<[u32; 2]> {
+    let across = size[0].div_ceil(8).max(1);
+    let (x, y) = (number % across * 8, number / across * 4);
+    let quads = (0..8).map(|q| [x + q % 4 * 2, y + q / 4 * 2]);
+    quads
+        .filter(|[x, y]| *x < size[0] && *y < size[1])
+        .collect()
+}
+
+/// What a machine gave for pixels, in the order in which they were asked for.
+#[derive(Default)]
+struct Given {
+    pixels: Vec<[u32; 2]>,
+    outputs: Vec<Vec<[u32; 4]>>,
+    covered: Vec<bool>,
+    cost: Vec<u32>,
+}
+
+impl Given {
+    fn of(code: &Code) -> Given {
+        Given {
+            outputs: vec![Vec::new(); code.outputs.len()],
+            ..Given::default()
+        }
+    }
+
+    /// Takes over the wanted pixels of a tile.
+    fn take(&mut self, machine: &Machine<'_>, code: &Code, tile: &Tile, covered: u32) {
+        let wanted = (0..LANES).filter(|lane| tile.wanted >> lane & 1 == 1);
+        let cost = machine.watched.cost();
+        for lane in wanted.clone() {
+            self.pixels.extend(tile.pixels.get(lane));
+            self.covered.push(covered >> lane & 1 == 1);
+            self.cost.extend(cost.get(lane));
+        }
+        for (slot, given) in code.outputs.iter().zip(&mut self.outputs) {
+            let mut rows = [[0; LANES]; 4];
+            for (row, reg) in rows.iter_mut().zip(&slot.regs) {
+                *row = machine.row(*reg).bits();
+            }
+            for lane in wanted.clone() {
+                given.push(rows.map(|row| row.get(lane).copied().unwrap_or(0)));
+            }
+        }
     }
 }
 
@@ -89,28 +234,83 @@ impl<'c> Draw<'c> {
 ///
 /// # Errors
 /// Why the run ended before its end.
-pub fn draw(draw: &Draw<'_>, _threads: usize) -> Result<Drawn, Stop> {
-    let count = draw.size.iter().map(|n| *n as usize).product();
-    Ok(Drawn {
-        size: draw.size,
-        outputs: Vec::new(),
+pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
+    let size = draw.size;
+    let count = size.iter().map(|n| *n as usize).product();
+    let tiles = size[0].div_ceil(8) * size[1].div_ceil(4);
+    let next = AtomicU32::new(0);
+    let work = || -> Result<(Given, Seen), Stop> {
+        let mut machine = Machine::new(draw);
+        let mut given = Given::of(draw.code);
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= tiles {
+                return Ok((given, machine.watched.finish()));
+            }
+            let tile = tile_of(size, &quads_of(size, number));
+            let covered = machine.run(&tile)?;
+            given.take(&machine, draw.code, &tile, covered);
+        }
+    };
+    let parts = match threads.clamp(1, tiles.max(1) as usize) {
+        1 => vec![work()],
+        threads => std::thread::scope(|scope| {
+            let handles: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+            handles.into_iter().filter_map(|h| h.join().ok()).collect()
+        }),
+    };
+    let mut drawn = Drawn {
+        size,
+        outputs: vec![vec![[0; 4]; count]; draw.code.outputs.len()],
         covered: vec![false; count],
         cost: vec![0; count],
         seen: Seen::default(),
-    })
+    };
+    for part in parts {
+        let (given, seen) = part?;
+        drawn.seen.add(seen);
+        drawn.place(&given);
+    }
+    Ok(drawn)
+}
+
+impl Drawn {
+    /// Puts pixels where they belong.
+    fn place(&mut self, given: &Given) {
+        for (n, [x, y]) in given.pixels.iter().enumerate() {
+            let at = *y as usize * self.size[0] as usize + *x as usize;
+            put(&mut self.covered, at, given.covered.get(n));
+            put(&mut self.cost, at, given.cost.get(n));
+            for (all, own) in self.outputs.iter_mut().zip(&given.outputs) {
+                put(all, at, own.get(n));
+            }
+        }
+    }
+}
+
+fn put<T: Copy>(all: &mut [T], at: usize, value: Option<&T>) {
+    if let (Some(slot), Some(value)) = (all.get_mut(at), value) {
+        *slot = *value;
+    }
 }
 
 /// Runs the quads whose lower left pixels, of even coordinates, are given.
 ///
 /// # Errors
 /// Why the run ended before its end.
-pub fn sample(_draw: &Draw<'_>, quads: &[[u32; 2]]) -> Result<Sampled, Stop> {
-    let count = quads.len() * 4;
+pub fn sample(draw: &Draw<'_>, quads: &[[u32; 2]]) -> Result<Sampled, Stop> {
+    let mut machine = Machine::new(draw);
+    let mut given = Given::of(draw.code);
+    for quads in quads.chunks(LANES / 4) {
+        let tile = tile_of(draw.size, quads);
+        let covered = machine.run(&tile)?;
+        given.take(&machine, draw.code, &tile, covered);
+    }
     Ok(Sampled {
-        pixels: Vec::new(),
-        outputs: Vec::new(),
-        covered: vec![false; count],
-        cost: vec![0; count],
-        seen: Seen::default(),
+        pixels: given.pixels,
+        outputs: given.outputs,
+        covered: given.covered,
+        cost: given.cost,
+        seen: machine.watched.finish(),
     })
 }

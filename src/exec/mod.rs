@@ -4,7 +4,6 @@
 //! A result is the same on every machine: arithmetic is that of IEEE 754, functions are computed the
 //! same way everywhere, and what bounds a run is counted in operations, never in time. What cannot be
 //! run is refused by name.
-#![allow(dead_code)]
 
 mod code;
 mod compile;

@@ -3,9 +3,11 @@
 //! What they are made of follows SwiftShader, which draws without a GPU in the browser: `normalize`
 //! multiplies by the reciprocal of the root, `mix(a, b, t)` is `(b - a) * t + a`.
 
+use super::Watch;
 use super::emit::{Compiler, Made, Regs, Value};
 use super::op::less;
 use crate::exec::code::{F1, F2, F3, Reg};
+use crate::exec::seen::Kind;
 use crate::ir::OpId;
 use crate::semantic::builtins::{Axis, BuiltinId, BuiltinKind};
 use crate::semantic::{Scalar, Type};
@@ -42,7 +44,29 @@ impl Compiler<'_> {
             Some(made) => made,
             None => self.whole(id, function, operands, &arguments)?,
         };
+        if self.watches(Watch::Numbers) && ty.scalar_kind() == Some(Scalar::Float) {
+            self.watch_results(id, &made, &arguments);
+        }
         self.given(made)
+    }
+
+    /// Has what a function gives looked at.
+    fn watch_results(&mut self, id: OpId, made: &[Reg], arguments: &[Regs]) {
+        let is_each = arguments
+            .iter()
+            .all(|a| a.len == made.len() as u32 || a.len == 1);
+        for (n, result) in (0..).zip(made) {
+            let operands: Vec<Reg> = match is_each {
+                true => arguments.iter().map(|a| self.spread(*a, n)).collect(),
+                false => arguments
+                    .iter()
+                    .flat_map(|a| self.list(*a))
+                    .copied()
+                    .collect(),
+            };
+            self.check(id, Kind::Nan, *result, &operands);
+            self.check(id, Kind::Infinite, *result, &operands);
+        }
     }
 
     /// The registers of a result, held once; what was made on the way is given back.
@@ -189,7 +213,9 @@ impl Compiler<'_> {
             [a] => (a, none),
             [a, b, ..] => (a, b),
         };
-        let size = operands.first().and_then(|op| self.module.ty(*op).numeric());
+        let size = operands
+            .first()
+            .and_then(|op| self.module.ty(*op).numeric());
         let (_, columns, rows) = size.unwrap_or((Scalar::Float, 1, 1));
         Some(match function {
             B::Length => vec![self.length(a)],
@@ -281,7 +307,9 @@ impl Compiler<'_> {
     }
 
     fn dot(&mut self, a: Regs, b: Regs) -> Reg {
-        let pairs: Vec<(Reg, Reg)> = (0..a.len).map(|n| (self.reg(a, n), self.reg(b, n))).collect();
+        let pairs: Vec<(Reg, Reg)> = (0..a.len)
+            .map(|n| (self.reg(a, n), self.reg(b, n)))
+            .collect();
         self.products(&pairs)
     }
 

@@ -1,12 +1,12 @@
 //! Control flow: masks of the lanes that take part.
 
-use super::emit::{Compiler, Value};
 use super::Watch;
+use super::emit::Frame;
+use super::emit::{Compiler, Value};
+use super::plan::GLOBALS;
 use crate::exec::code::{EMPTY, F1, F2, Instr, Reg, Slot, Target};
 use crate::ir::{CaseLabel, LoopId, Module, OpId, Region, Step, SwitchId};
 use crate::semantic::FunctionRef;
-use super::plan::GLOBALS;
-use super::emit::Frame;
 
 impl Compiler<'_> {
     /// Makes the code: initial values of globals, then the entry.
@@ -87,8 +87,11 @@ impl Compiler<'_> {
                 self.tick();
                 let condition = self.condition(condition);
                 if self.watches(Watch::Flow) {
-                    let site = self.code.branches.len() as u32;
-                    self.code.branches.push(origin);
+                    let known = self.code.branches.len() as u32;
+                    let site = *self.branch_sites.entry(origin).or_insert(known);
+                    if site == known {
+                        self.code.branches.push(origin);
+                    }
                     self.push(Instr::Branch(site, condition));
                 }
                 self.parted(condition, then, otherwise);
@@ -282,7 +285,11 @@ impl Compiler<'_> {
         if let Some(slot) = default {
             // Labels beside `default` lead to the same place.
             let mut rest = all.unwrap_or_else(|| self.constant(0));
-            let shared = module.cases(switch).iter().zip(&marks).find(|(_, s)| **s == slot);
+            let shared = module
+                .cases(switch)
+                .iter()
+                .zip(&marks)
+                .find(|(_, s)| **s == slot);
             for label in shared.map_or(&[][..], |(case, _)| module.labels(case)) {
                 if let CaseLabel::Value(bits) = *label {
                     let bits = self.constant(bits);

@@ -3,7 +3,7 @@
 use super::plan::{Held, Plan};
 use super::registers::Registers;
 use super::{CompileOptions, Refusal, Watch};
-use crate::exec::code::{Code, F1, F2, F3, Instr, Reg, Slot, Target};
+use crate::exec::code::{CheckSite, Code, F1, F2, F3, Instr, Reg, Slot, Target};
 use crate::ir::{Module, OpId, Provenance};
 use crate::semantic::{FunctionRef, Program, VariableId};
 use rustc_hash::FxHashMap;
@@ -83,6 +83,10 @@ pub(super) struct Compiler<'p> {
     pub samplers_of: FxHashMap<VariableId, u32>,
     /// By place in the pool: where large constants lie.
     pub tables: FxHashMap<usize, u32>,
+    /// By what is checked: its number.
+    pub check_sites: FxHashMap<CheckSite, u32>,
+    /// By construct: the number of its branch.
+    pub branch_sites: FxHashMap<Provenance, u32>,
     next_slot: Slot,
     /// Intermediate results of a built-in function.
     pub scratch: Vec<Reg>,
@@ -114,6 +118,8 @@ impl<'p> Compiler<'p> {
             constants: FxHashMap::default(),
             samplers_of: FxHashMap::default(),
             tables: FxHashMap::default(),
+            check_sites: FxHashMap::default(),
+            branch_sites: FxHashMap::default(),
             // The first is always empty.
             next_slot: 1,
             scratch: Vec::new(),
@@ -125,7 +131,7 @@ impl<'p> Compiler<'p> {
     /// The code, or why there is none.
     pub fn finish(mut self) -> Result<Code, Refusal> {
         if self.registers.is_full {
-            self.refuse("a shader that needs more than 65,536 registers");
+            let _: Made<()> = self.refuse("a shader that needs more than 65,536 registers");
         }
         match self.failure {
             Some(failure) => Err(failure),

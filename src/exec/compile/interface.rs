@@ -2,7 +2,7 @@
 
 use super::emit::{Compiler, Made, Regs, Value};
 use super::layout::scalars;
-use crate::exec::code::{Instr, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
+use crate::exec::code::{InputSlot, Instr, OutputSlot, SamplerSlot, UniformSlot};
 use crate::ir::Root;
 use crate::semantic::{Base, FunctionRef, Type, VariableId};
 

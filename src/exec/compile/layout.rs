@@ -30,7 +30,11 @@ pub(super) fn scalars(program: &Program, ty: Type) -> Option<u32> {
 pub(super) fn part(program: &Program, ty: Type, number: u32) -> Option<(u32, Type, u32)> {
     if ty.is_array() {
         let element = ty.element();
-        return Some((number.checked_mul(scalars(program, element)?)?, element, ty.array));
+        return Some((
+            number.checked_mul(scalars(program, element)?)?,
+            element,
+            ty.array,
+        ));
     }
     match ty.base {
         Base::Numeric {
@@ -41,14 +45,15 @@ pub(super) fn part(program: &Program, ty: Type, number: u32) -> Option<(u32, Typ
             let column = Type::vector(scalar, rows);
             Some((number.checked_mul(rows as u32)?, column, columns as u32))
         }
-        Base::Numeric { scalar, rows, .. } => {
-            Some((number, Type::scalar(scalar), rows as u32))
-        }
+        Base::Numeric { scalar, rows, .. } => Some((number, Type::scalar(scalar), rows as u32)),
         Base::Struct(_) | Base::Block(_) => {
             let fields = &program.struct_of(ty)?.fields;
             let field = fields.get(number as usize)?;
             let before = fields.get(..number as usize)?;
-            let at = before.iter().map(|f| scalars(program, f.ty)).sum::<Option<u32>>()?;
+            let at = before
+                .iter()
+                .map(|f| scalars(program, f.ty))
+                .sum::<Option<u32>>()?;
             Some((at, field.ty, fields.len() as u32))
         }
         _ => None,

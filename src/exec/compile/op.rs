@@ -2,7 +2,7 @@
 
 use super::Watch;
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
-use crate::exec::code::{CheckSite, F1, F2, F3, Instr, Reg};
+use crate::exec::code::{CheckSite, F1, F2, F3, Instr, Look, Reg};
 use crate::exec::seen::Kind;
 use crate::ir::{Binary, OpId, OpKind, Unary};
 use crate::semantic::{Base, Scalar, Type, Value as Constant};
@@ -182,22 +182,28 @@ impl Compiler<'_> {
             _ => &[],
         };
         for &kind in kinds {
-            self.check(id, kind, result, operands);
+            self.check(id, kind, result, &operands);
         }
     }
 
     /// Has a result looked at.
-    pub fn check(&mut self, op: OpId, kind: Kind, result: Reg, operands: [Reg; 2]) {
+    pub fn check(&mut self, op: OpId, kind: Kind, result: Reg, operands: &[Reg]) {
         if !self.watches(Watch::Numbers) {
             return;
         }
-        let site = self.code.checks.len() as u32;
-        self.code.checks.push(CheckSite { op, kind });
-        self.push(Instr::Check {
+        let known = self.code.checks.len() as u32;
+        let what = CheckSite { op, kind };
+        let site = *self.check_sites.entry(what).or_insert(known);
+        if site == known {
+            self.code.checks.push(what);
+        }
+        let number = self.code.looks.len() as u32;
+        self.code.looks.push(Look {
             site,
             result,
-            operands,
+            operands: operands.to_vec(),
         });
+        self.push(Instr::Check(number));
     }
 
     /// The sum of products, in order.

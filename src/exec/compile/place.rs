@@ -68,8 +68,7 @@ impl Compiler<'_> {
     pub fn store(&mut self, id: OpId, place: PlaceId, value: OpId) -> Made<()> {
         let place = *self.module.place(place);
         let variable = place.variable;
-        if self.plan.value_of(variable) == Some(value) && self.plan.is_name(self.module, variable)
-        {
+        if self.plan.value_of(variable) == Some(value) && self.plan.is_name(self.module, variable) {
             let value = self.value(value);
             self.retain(value);
             self.set_variable(variable, value);
@@ -365,7 +364,9 @@ impl Compiler<'_> {
     /// The same registers if they lie side by side, else copies that do, which are kept for good.
     fn neighbours(&mut self, regs: Regs) -> Regs {
         let list = self.list(regs);
-        let lie_so = list.windows(2).all(|w| matches!(w, [a, b] if *b == a.saturating_add(1)));
+        let lie_so = list
+            .windows(2)
+            .all(|w| matches!(w, [a, b] if *b == a.saturating_add(1)));
         if lie_so {
             return regs;
         }
@@ -409,6 +410,8 @@ impl Compiler<'_> {
 
 /// The scalar, from the beginning of a place, that its value's scalar with a number is.
 fn lane_of(spot: &Spot, number: u32) -> u32 {
-    let lane = spot.lanes.and_then(|l| l.numbers().get(number as usize).copied());
+    let lane = spot
+        .lanes
+        .and_then(|l| l.numbers().get(number as usize).copied());
     lane.map_or(number, u32::from)
 }

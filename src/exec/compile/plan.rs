@@ -4,9 +4,7 @@
 //! A clock ticks at every operation and step. Making code ticks the same way, so that what is planned
 //! for a tick happens at it.
 
-use crate::ir::{
-    Function, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step,
-};
+use crate::ir::{Function, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step};
 use crate::semantic::{FunctionRef, VariableId};
 use rustc_hash::FxHashMap;
 
@@ -120,7 +118,9 @@ impl Plan {
     /// The value that a variable is a name of.
     pub fn value_of(&self, variable: VariableId) -> Option<OpId> {
         let about = self.variables.get(variable.0 as usize)?;
-        about.value.filter(|_| about.stores == 1 && !about.is_changed)
+        about
+            .value
+            .filter(|_| about.stores == 1 && !about.is_changed)
     }
 
     /// Whether a variable only names a value: its declaration's, or a parameter's argument.
@@ -280,7 +280,10 @@ impl Planner<'_> {
             match module.op(op).kind {
                 OpKind::Store(place, _) => {
                     let variable = module.place(place).variable;
-                    if module.variable(variable).is_some_and(|v| v.function.is_none()) {
+                    if module
+                        .variable(variable)
+                        .is_some_and(|v| v.function.is_none())
+                    {
                         written.push(variable);
                     }
                 }
@@ -321,7 +324,10 @@ impl Planner<'_> {
             plan.lengthen(self.module, op, last);
         }
         for variable in self.met.drain(..) {
-            let last = plan.variables.get(variable.0 as usize).map_or(0, |v| v.last);
+            let last = plan
+                .variables
+                .get(variable.0 as usize)
+                .map_or(0, |v| v.last);
             ends.push((last, Held::Variable(variable)));
         }
         ends.sort_unstable();
@@ -457,7 +463,11 @@ impl Planner<'_> {
         let place = module.place(place);
         let variable = place.variable;
         let root = module.variable(variable).map(|v| v.root);
-        self.plan.writes.entry(variable).or_default().push(self.clock);
+        self.plan
+            .writes
+            .entry(variable)
+            .or_default()
+            .push(self.clock);
         let Some(&(region, part)) = self.regions.last() else {
             return;
         };
@@ -493,7 +503,10 @@ impl Plan {
         match kind {
             OpKind::Load(place) => {
                 let variable = module.place(place).variable;
-                let last = self.variables.get(variable.0 as usize).map_or(0, |v| v.last);
+                let last = self
+                    .variables
+                    .get(variable.0 as usize)
+                    .map_or(0, |v| v.last);
                 if let Some(value) = self.value_of(variable) {
                     raise(&mut self.stays, value, until.max(last));
                 }

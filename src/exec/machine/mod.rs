@@ -1,1 +1,268 @@
-//! Runs register code.
+//! Runs register code for 32 pixels at a time.
+//!
+//! Which lanes take part is a word with a bit for each. Registers of lanes that do not take part may
+//! hold anything; what lives on behind a construct is written in lanes that take part alone.
+
+mod arithmetic;
+mod array;
+mod texture;
+mod watch;
+
+use super::code::{Code, EMPTY, Instr, MAX_REGISTERS, Reg, Target};
+use super::draw::{Draw, Stop};
+use super::row::{LANES, PARTS, Row};
+use watch::Watched;
+use wide::i32x8;
+
+/// All registers. The number of a register is never outside.
+type Bank = [[i32x8; PARTS]; MAX_REGISTERS];
+
+/// The pixels of 32 lanes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tile {
+    /// By lane.
+    pub pixels: [[u32; 2]; LANES],
+    /// The lanes that are asked for; the others are neighbours of these that only help.
+    pub wanted: u32,
+}
+
+/// A machine with a shader in it.
+pub(super) struct Machine<'d> {
+    draw: &'d Draw<'d>,
+    code: &'d Code,
+    bank: Box<Bank>,
+    masks: Vec<u32>,
+    /// The lanes that take part.
+    active: u32,
+    /// The lanes that were not discarded.
+    live: u32,
+    /// The lanes that are counted.
+    wanted: u32,
+    /// A mask, and the register that has all bits set in its lanes.
+    spread: (u32, [i32x8; PARTS]),
+    returns: Vec<Target>,
+    fuel: u64,
+    tile: Tile,
+    pub watched: Watched,
+}
+
+/// The lanes of a mask, all bits set.
+fn spread(mask: u32) -> [i32x8; PARTS] {
+    const BITS: [i32; 8] = [1, 2, 4, 8, 16, 32, 64, 128];
+    let bits = i32x8::new(BITS);
+    std::array::from_fn(|part| {
+        let own = i32x8::splat((mask >> (8 * part)) as i32 & 0xff);
+        (own & bits).simd_eq(bits)
+    })
+}
+
+/// One bit for each lane whose highest bit is set.
+fn mask_of(row: &[i32x8; PARTS]) -> u32 {
+    Row(*row).mask()
+}
+
+impl<'d> Machine<'d> {
+    /// A machine that has run what is the same for all pixels.
+    pub fn new(draw: &'d Draw<'d>) -> Machine<'d> {
+        let code = draw.code;
+        let mut machine = Machine {
+            draw,
+            code,
+            bank: bytemuck::zeroed_box(),
+            masks: vec![0; code.slots.max(1) as usize],
+            active: u32::MAX,
+            live: u32::MAX,
+            wanted: 0,
+            spread: (u32::MAX, spread(u32::MAX)),
+            returns: Vec::new(),
+            fuel: 0,
+            tile: Tile {
+                pixels: [[0; 2]; LANES],
+                wanted: 0,
+            },
+            watched: Watched::new(code),
+        };
+        for (reg, bits) in &code.constants {
+            machine.set(*reg, Row::splat(*bits));
+        }
+        for instr in &code.prologue {
+            machine.straight(instr);
+        }
+        machine
+    }
+
+    /// Runs a tile. Gives the lanes that were not discarded.
+    ///
+    /// # Errors
+    /// When it takes too many operations.
+    pub fn run(&mut self, tile: &Tile) -> Result<u32, Stop> {
+        self.open(tile);
+        (self.active, self.live) = (u32::MAX, u32::MAX);
+        self.returns.clear();
+        self.fuel = self.draw.fuel;
+        self.inputs();
+        let out_of_fuel = |m: &Machine<'_>| Stop::OutOfFuel {
+            pixel: m.tile.pixels.first().copied().unwrap_or_default(),
+        };
+        let code = self.code;
+        let mut at: Target = 0;
+        while let Some(instr) = code.body.get(at as usize) {
+            at += 1;
+            match self.jump(instr, at) {
+                Some(Step::To(target)) => at = target,
+                Some(Step::Back(target)) => {
+                    let cost = (at - target) as u64;
+                    let Some(rest) = self.fuel.checked_sub(cost) else {
+                        return Err(out_of_fuel(self));
+                    };
+                    self.fuel = rest;
+                    at = target;
+                }
+                None => {}
+            }
+        }
+        self.watched.close(self.wanted);
+        Ok(self.live & self.wanted)
+    }
+
+    /// What a register holds.
+    pub fn row(&self, reg: Reg) -> Row {
+        Row(self.get(reg))
+    }
+
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "there is a register for every number"
+    )]
+    #[inline(always)]
+    fn get(&self, reg: Reg) -> [i32x8; PARTS] {
+        self.bank[reg as usize]
+    }
+
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "there is a register for every number"
+    )]
+    #[inline(always)]
+    fn set(&mut self, reg: Reg, row: Row) {
+        self.bank[reg as usize] = row.0;
+    }
+
+    /// Sets the inputs of the tile's pixels.
+    fn inputs(&mut self) {
+        let draw = self.draw;
+        for (slot, planes) in self.code.inputs.iter().zip(&draw.inputs) {
+            for (reg, [base, across, up]) in slot.regs.iter().zip(planes) {
+                let values = self
+                    .tile
+                    .pixels
+                    .map(|[x, y]| base + across * (x as f32 + 0.5) + up * (y as f32 + 0.5));
+                let row = match slot.is_bool() {
+                    true => Row::of_bits(values.map(|v| if v == 0.0 { 0 } else { u32::MAX })),
+                    false => Row::of_floats(values),
+                };
+                self.set(*reg, row);
+            }
+        }
+    }
+
+    /// The lanes that take part, all bits set.
+    fn spread(&mut self) -> [i32x8; PARTS] {
+        if self.spread.0 != self.active {
+            self.spread = (self.active, spread(self.active));
+        }
+        self.spread.1
+    }
+
+    fn kept(&self, slot: u16) -> u32 {
+        self.masks.get(slot as usize).copied().unwrap_or(0)
+    }
+
+    fn keep(&mut self, slot: u16, mask: u32) {
+        if slot != EMPTY
+            && let Some(kept) = self.masks.get_mut(slot as usize)
+        {
+            *kept = mask;
+        }
+    }
+
+    /// Where nobody takes part, on from there.
+    fn unless_any(&self, to: Target) -> Option<Step> {
+        (self.active == 0).then_some(Step::To(to))
+    }
+
+    /// Runs an instruction; gives where it jumps to.
+    #[inline(always)]
+    fn jump(&mut self, instr: &Instr, at: Target) -> Option<Step> {
+        match *instr {
+            Instr::If {
+                condition,
+                others,
+                to,
+            } => {
+                let holds = mask_of(&self.get(condition));
+                self.keep(others, self.active & !holds);
+                self.active &= holds;
+                return self.unless_any(to);
+            }
+            Instr::Else { others, to } => {
+                let kept = self.kept(others);
+                self.keep(others, self.active);
+                self.active = kept;
+                return self.unless_any(to);
+            }
+            Instr::EndIf { others } => self.active |= self.kept(others),
+            Instr::Keep(slot) => self.keep(slot, self.active),
+            Instr::Clear(slot) => self.keep(slot, 0),
+            Instr::Mark(slot, reg) => self.keep(slot, mask_of(&self.get(reg))),
+            Instr::Restore { came, left, others } => {
+                let gone = self.kept(left) | self.kept(others);
+                self.active = self.kept(came) & !gone & self.live;
+            }
+            Instr::While { condition, to } => {
+                self.active &= mask_of(&self.get(condition));
+                return self.unless_any(to);
+            }
+            Instr::Resume(slot) => {
+                self.active |= self.kept(slot);
+                self.keep(slot, 0);
+            }
+            Instr::Wait(slot) => {
+                self.keep(slot, self.kept(slot) | self.active);
+                self.active = 0;
+            }
+            Instr::Case {
+                waiting,
+                marked,
+                to,
+            } => {
+                let hit = self.kept(waiting) & self.kept(marked);
+                self.keep(waiting, self.kept(waiting) & !hit);
+                self.active |= hit;
+                return self.unless_any(to);
+            }
+            Instr::Halt => self.active = 0,
+            Instr::Discard => {
+                self.live &= !self.active;
+                self.active = 0;
+            }
+            Instr::SkipIfNone(to) => return self.unless_any(to),
+            Instr::Back(to) => return Some(Step::Back(to)),
+            Instr::Call(to) => {
+                self.returns.push(at);
+                return Some(Step::To(to));
+            }
+            Instr::Return => return self.returns.pop().map(Step::To),
+            _ => self.straight(instr),
+        }
+        None
+    }
+}
+
+/// Where a jump leads.
+enum Step {
+    /// There.
+    To(Target),
+    /// There, which was run before.
+    Back(Target),
+}

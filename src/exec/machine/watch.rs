@@ -1,0 +1,337 @@
+//! What is watched while a shader runs.
+
+use super::{Machine, Tile, mask_of};
+use crate::exec::code::{CheckSite, Code, Look, Reg};
+use crate::exec::row::{LANES, PARTS, Row};
+use crate::exec::seen::{BranchSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness};
+use wide::i32x8;
+
+/// Turns from which on loops are counted alike.
+const MOST_TURNS: usize = 1024;
+
+/// What was seen so far.
+pub(in crate::exec) struct Watched {
+    /// By lane: what it paid in the tile.
+    cost: [i32x8; PARTS],
+    loops: Vec<LoopCount>,
+    seen: Seen,
+}
+
+/// A loop, in a tile.
+struct LoopCount {
+    /// The lanes that are in it.
+    entered: u32,
+    /// By lane: the turns of this entry.
+    turns: [i32x8; PARTS],
+    /// By lane: the most turns of an entry, in this tile.
+    most: [u32; LANES],
+    /// The lanes that came here in this tile, and those that exhausted it.
+    came: u32,
+    exhausted: u32,
+}
+
+impl Watched {
+    pub fn new(code: &Code) -> Watched {
+        let loops = code.loops.iter().map(|_| LoopCount {
+            entered: 0,
+            turns: Row::ZERO.0,
+            most: [0; LANES],
+            came: 0,
+            exhausted: 0,
+        });
+        Watched {
+            cost: Row::ZERO.0,
+            loops: loops.collect(),
+            seen: Seen {
+                loops: code.loops.iter().map(|id| LoopSeen::new(*id)).collect(),
+                branches: code
+                    .branches
+                    .iter()
+                    .map(|at| BranchSeen::new(*at))
+                    .collect(),
+                watched: code
+                    .checks
+                    .iter()
+                    .map(|c| WatchedSeen::new(c.op, c.kind))
+                    .collect(),
+                ..Seen::default()
+            },
+        }
+    }
+
+    /// All that was seen.
+    pub fn finish(self) -> Seen {
+        self.seen
+    }
+
+    /// By lane: what it paid in the tile.
+    pub fn cost(&self) -> [u32; LANES] {
+        Row(self.cost).bits()
+    }
+
+    pub fn enter(&mut self, number: u32, active: u32) {
+        if let Some(count) = self.loops.get_mut(number as usize) {
+            count.entered = active;
+            count.turns = Row::ZERO.0;
+        }
+    }
+
+    pub fn turn(&mut self, number: u32, lanes: &[i32x8; PARTS]) {
+        if let Some(count) = self.loops.get_mut(number as usize) {
+            for (turns, lanes) in count.turns.iter_mut().zip(lanes) {
+                *turns -= *lanes;
+            }
+        }
+    }
+
+    /// Some lanes leave a loop since its condition is false.
+    pub fn exhaust(&mut self, number: u32, lanes: u32) {
+        let count = self.loops.get_mut(number as usize);
+        let seen = self.seen.loops.get_mut(number as usize);
+        if let (Some(count), Some(seen)) = (count, seen) {
+            count.exhausted |= lanes;
+            seen.exhausted += lanes.count_ones() as u64;
+        }
+    }
+
+    pub fn leave(&mut self, number: u32, wanted: u32) {
+        let count = self.loops.get_mut(number as usize);
+        let seen = self.seen.loops.get_mut(number as usize);
+        let (Some(count), Some(seen)) = (count, seen) else {
+            return;
+        };
+        let lanes = count.entered & wanted;
+        count.came |= lanes;
+        seen.entries += lanes.count_ones() as u64;
+        let turns = Row(count.turns).bits();
+        for ((lane, most), turns) in count.most.iter_mut().enumerate().zip(turns) {
+            if lanes >> lane & 1 == 1 {
+                *most = turns.max(*most);
+                seen.turns += turns as u64;
+            }
+        }
+    }
+
+    pub fn branch(&mut self, number: u32, held: u32, failed: u32) {
+        if let Some(seen) = self.seen.branches.get_mut(number as usize) {
+            seen.taken += held.count_ones() as u64;
+            seen.skipped += failed.count_ones() as u64;
+        }
+    }
+
+    pub fn spend(&mut self, cost: u32, lanes: &[i32x8; PARTS]) {
+        let cost = i32x8::splat(cost as i32);
+        for (paid, lanes) in self.cost.iter_mut().zip(lanes) {
+            *paid += *lanes & cost;
+        }
+    }
+
+    /// A tile begins.
+    pub fn open(&mut self) {
+        self.cost = Row::ZERO.0;
+        for count in &mut self.loops {
+            (count.came, count.exhausted) = (0, 0);
+            count.most = [0; LANES];
+        }
+    }
+
+    /// A tile ends.
+    pub fn close(&mut self, wanted: u32) {
+        self.seen.pixels += wanted.count_ones() as u64;
+        for (lane, cost) in self.cost().into_iter().enumerate() {
+            if wanted >> lane & 1 == 1 {
+                self.seen.operations += cost as u64;
+            }
+        }
+        for (count, seen) in self.loops.iter().zip(&mut self.seen.loops) {
+            seen.pixels += count.came.count_ones() as u64;
+            seen.exhausted_pixels += (count.exhausted & count.came).count_ones() as u64;
+            for (lane, most) in count.most.into_iter().enumerate() {
+                if count.came >> lane & 1 == 1 {
+                    seen.count(most);
+                }
+            }
+        }
+    }
+
+    fn number(&mut self, what: CheckSite, times: u64, witness: impl FnOnce() -> Witness) {
+        let same = |n: &&mut NumberSeen| n.op == what.op && n.kind == what.kind;
+        if let Some(known) = self.seen.numbers.iter_mut().find(same) {
+            known.times += times;
+            return;
+        }
+        self.seen.numbers.push(NumberSeen {
+            kind: what.kind,
+            op: what.op,
+            times,
+            witness: witness(),
+        });
+    }
+}
+
+impl LoopSeen {
+    fn new(id: crate::ir::LoopId) -> LoopSeen {
+        LoopSeen {
+            id,
+            pixels: 0,
+            entries: 0,
+            turns: 0,
+            most: 0,
+            exhausted: 0,
+            exhausted_pixels: 0,
+            histogram: Vec::new(),
+        }
+    }
+
+    /// A pixel took this many turns at most.
+    fn count(&mut self, most: u32) {
+        self.most = self.most.max(most);
+        let at = (most as usize).min(MOST_TURNS);
+        if self.histogram.len() <= at {
+            self.histogram.resize(at + 1, 0);
+        }
+        if let Some(slot) = self.histogram.get_mut(at) {
+            *slot += 1;
+        }
+    }
+}
+
+impl BranchSeen {
+    const fn new(at: crate::ir::Provenance) -> BranchSeen {
+        BranchSeen {
+            at,
+            taken: 0,
+            skipped: 0,
+        }
+    }
+}
+
+impl WatchedSeen {
+    const fn new(op: crate::ir::OpId, kind: Kind) -> WatchedSeen {
+        WatchedSeen {
+            op,
+            kind,
+            visits: 0,
+        }
+    }
+}
+
+/// The lanes whose float is one of some.
+fn lanes_where(row: Row, is: impl Fn(f32) -> bool) -> u32 {
+    let lanes = row.floats().into_iter().enumerate();
+    lanes.fold(0, |mask, (lane, v)| mask | (is(v) as u32) << lane)
+}
+
+impl Machine<'_> {
+    /// Looks at a result.
+    pub(super) fn look(&mut self, look: u32) {
+        let code = self.code;
+        let Some(look) = code.looks.get(look as usize) else {
+            return;
+        };
+        let Some(&what) = code.checks.get(look.site as usize) else {
+            return;
+        };
+        let came = self.active & self.wanted;
+        if let Some(watched) = self.watched.seen.watched.get_mut(look.site as usize) {
+            watched.visits += came.count_ones() as u64;
+        }
+        let wrong = self.wrong(what, look) & came;
+        if wrong == 0 {
+            return;
+        }
+        let lane = wrong.trailing_zeros() as usize;
+        let pixel = self.tile.pixels.get(lane).copied().unwrap_or_default();
+        let bits = |reg: &Reg| self.row(*reg).bits().get(lane).copied().unwrap_or(0);
+        let operands = look.operands.iter().map(bits).collect::<Vec<u32>>();
+        let operands = operands.into_iter().map(|b| f32::from_bits(b) as f64);
+        let witness = Witness {
+            pixel,
+            operands: operands.collect(),
+        };
+        self.watched
+            .number(what, wrong.count_ones() as u64, || witness);
+    }
+
+    fn wrong(&self, what: CheckSite, look: &Look) -> u32 {
+        let result = self.row(look.result);
+        let operands = || look.operands.iter().map(|reg| self.row(*reg));
+        match what.kind {
+            Kind::Nan => {
+                let made = lanes_where(result, f32::is_nan);
+                match made {
+                    0 => 0,
+                    _ => operands().fold(made, |m, row| m & !lanes_where(row, f32::is_nan)),
+                }
+            }
+            Kind::Infinite => {
+                let made = lanes_where(result, f32::is_infinite);
+                match made {
+                    0 => 0,
+                    _ => operands().fold(made, |m, row| m & lanes_where(row, f32::is_finite)),
+                }
+            }
+            Kind::DivisionByZero => {
+                let divisor = look.operands.last().map_or(Row::ZERO, |r| self.row(*r));
+                // Zero of either sign, and no other bits: a float or an integer.
+                let zeros = Row(divisor.0.map(|p| (p << 1_i32).simd_eq(i32x8::ZERO)));
+                mask_of(&zeros.0)
+            }
+            Kind::OutOfRange | Kind::Uninitialized => 0,
+        }
+    }
+
+    /// A tile begins.
+    pub(super) fn open(&mut self, tile: &Tile) {
+        self.tile = *tile;
+        self.wanted = tile.wanted;
+        self.watched.open();
+    }
+}
+
+impl Seen {
+    /// Adds what was seen elsewhere in the same draw.
+    pub(in crate::exec) fn add(&mut self, other: Seen) {
+        if self.pixels == 0 {
+            *self = other;
+            return;
+        }
+        self.pixels += other.pixels;
+        self.operations += other.operations;
+        for (own, other) in self.loops.iter_mut().zip(other.loops) {
+            own.pixels += other.pixels;
+            own.entries += other.entries;
+            own.turns += other.turns;
+            own.most = own.most.max(other.most);
+            own.exhausted += other.exhausted;
+            own.exhausted_pixels += other.exhausted_pixels;
+            if own.histogram.len() < other.histogram.len() {
+                own.histogram.resize(other.histogram.len(), 0);
+            }
+            for (own, other) in own.histogram.iter_mut().zip(other.histogram) {
+                *own += other;
+            }
+        }
+        for (own, other) in self.branches.iter_mut().zip(other.branches) {
+            own.taken += other.taken;
+            own.skipped += other.skipped;
+        }
+        for (own, other) in self.watched.iter_mut().zip(other.watched) {
+            own.visits += other.visits;
+        }
+        for number in other.numbers {
+            let same = |n: &&mut NumberSeen| n.op == number.op && n.kind == number.kind;
+            match self.numbers.iter_mut().find(same) {
+                Some(known) => {
+                    known.times += number.times;
+                    let place = |w: &Witness| (w.pixel[1], w.pixel[0]);
+                    if place(&number.witness) < place(&known.witness) {
+                        known.witness = number.witness;
+                    }
+                }
+                None => self.numbers.push(number),
+            }
+        }
+        self.numbers.sort_by_key(|n| (n.op, n.kind));
+    }
+}
