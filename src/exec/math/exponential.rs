@@ -1,15 +1,29 @@
 //! Powers, logarithms and roots (GLSL ES 3.00 section 8.2), and the hyperbolic functions, which are
 //! made of them.
 
-use super::double::{exp2 as power_of_2, log2 as logarithm, narrow, polynomial, widen};
+use super::common::{max, min};
+use super::double::{self, exp2 as power_of_2, log2 as logarithm, narrow, widen};
 use super::sign_of;
+use super::single::{polynomial, round, scale, split};
 use std::f64::consts::{LN_2, LOG2_E};
 use wide::{f32x8, f64x8};
 
 /// `pow(x, y)`; no number below 0, where the base has no logarithm. It is 1 of 0 and 0.
 #[inline]
 pub(in crate::exec) fn pow(x: f32x8, y: f32x8) -> f32x8 {
-    let power = narrow(power_of_2(widen(y) * log2_wide(x)));
+    let power = narrow(power_of_2(widen(y) * logarithm(widen(x))));
+    let usual = x.simd_gt(f32x8::ZERO) & x.simd_lt(f32x8::splat(f32::INFINITY));
+    if usual.all() {
+        power
+    } else {
+        usual.bitselect(power, special_power(x, y))
+    }
+}
+
+/// The power of what is 0, infinite, below 0, or no number.
+#[cold]
+fn special_power(x: f32x8, y: f32x8) -> f32x8 {
+    let power = exp2(y * special_logarithm(x));
     let nothing = (x.abs() | y.abs()).simd_eq(f32x8::ZERO);
     nothing.bitselect(f32x8::splat(1.0), power)
 }
@@ -17,39 +31,100 @@ pub(in crate::exec) fn pow(x: f32x8, y: f32x8) -> f32x8 {
 /// `exp(x)`
 #[inline]
 pub(in crate::exec) fn exp(x: f32x8) -> f32x8 {
-    narrow(power_of_2(widen(x) * f64x8::splat(LOG2_E)))
+    // Beyond, the result is infinite or 0.
+    let x = min(f32x8::splat(128.0), max(f32x8::splat(-128.0), x));
+    let (whole, bits) = round(x * f32x8::splat(std::f32::consts::LOG2_E));
+    // The first part of the logarithm of 2 has 14 digits, so that its product is exact.
+    let r = x - whole * f32x8::splat(LN_2_HIGH) - whole * f32x8::splat(LN_2_LOW);
+    let series = [
+        0.5,
+        1.666_657_6e-1,
+        4.166_655_2e-2,
+        8.363_233e-3,
+        1.392_625e-3,
+    ];
+    let power = r + r * r * polynomial(r, series) + f32x8::splat(1.0);
+    scale(power, bits)
 }
 
 /// `exp2(x)`
 #[inline]
 pub(in crate::exec) fn exp2(x: f32x8) -> f32x8 {
-    narrow(power_of_2(widen(x)))
+    // Beyond, the result is infinite or 0.
+    let x = min(f32x8::splat(180.0), max(f32x8::splat(-180.0), x));
+    let (whole, bits) = round(x);
+    let r = x - whole;
+    let series = [
+        6.931_472e-1,
+        2.402_265e-1,
+        5.550_357e-2,
+        9.618_082e-3,
+        1.339_097_9e-3,
+        1.545_326_2e-4,
+    ];
+    scale(r * polynomial(r, series) + f32x8::splat(1.0), bits)
 }
+
+/// The first 14 digits of the logarithm of 2.
+const LN_2_HIGH: f32 = 0.693_115_23;
+/// The others.
+const LN_2_LOW: f32 = 3.194_618_3e-5;
 
 /// `log(x)`
 #[inline]
 pub(in crate::exec) fn log(x: f32x8) -> f32x8 {
-    narrow(log2_wide(x) * f64x8::splat(LN_2))
+    let (exponent, r) = split(x);
+    let small = exponent * f32x8::splat(LN_2_LOW) + behind_the_first(r);
+    usual_or_special(x, exponent * f32x8::splat(LN_2_HIGH) + (r + small))
 }
 
 /// `log2(x)`
 #[inline]
 pub(in crate::exec) fn log2(x: f32x8) -> f32x8 {
-    narrow(log2_wide(x))
+    let (exponent, r) = split(x);
+    let small = behind_the_first(r);
+    // `log2(e) - 1`, so that `r` itself is added without a rounding.
+    let more = f32x8::splat(0.442_695_05);
+    usual_or_special(x, exponent + (r + (small + (r * more + small * more))))
 }
 
-/// The logarithm to base 2 of any number: of 0 negative infinity, below it no number.
+/// `log(1 + r) - r`, for `1 + r` between the roots of 1/2 and 2.
 #[inline(always)]
-fn log2_wide(x: f32x8) -> f64x8 {
-    let x = widen(x);
-    let infinite = f64x8::splat(f64::INFINITY);
-    let special = x.simd_eq(f64x8::ZERO).bitselect(
-        -infinite,
-        // Infinity and NaN stay, a negative number becomes NaN.
-        x.simd_lt(f64x8::ZERO).bitselect(f64x8::splat(f64::NAN), x),
-    );
-    let usual = x.simd_gt(f64x8::ZERO) & x.simd_lt(infinite);
-    usual.bitselect(logarithm(x), special)
+fn behind_the_first(r: f32x8) -> f32x8 {
+    let series = [
+        3.333_333e-1,
+        -2.499_999_7e-1,
+        2.000_072e-1,
+        -1.666_781e-1,
+        1.424_887_6e-1,
+        -1.242_536e-1,
+        1.168_702_5e-1,
+        -1.148_308_2e-1,
+        6.971_346_6e-2,
+    ];
+    let square = r * r;
+    square * r * polynomial(r, series) - square * f32x8::splat(0.5)
+}
+
+/// The logarithm that was found, where a number has one.
+#[inline(always)]
+fn usual_or_special(x: f32x8, found: f32x8) -> f32x8 {
+    let usual = x.simd_gt(f32x8::ZERO) & x.simd_lt(f32x8::splat(f32::INFINITY));
+    if usual.all() {
+        found
+    } else {
+        usual.bitselect(found, special_logarithm(x))
+    }
+}
+
+/// The logarithm of 0 is negative infinity, that of infinity and NaN the number itself, and below 0
+/// there is none.
+#[cold]
+fn special_logarithm(x: f32x8) -> f32x8 {
+    let below = x.simd_lt(f32x8::ZERO);
+    let other = below.bitselect(f32x8::splat(f32::NAN), x);
+    x.simd_eq(f32x8::ZERO)
+        .bitselect(f32x8::splat(f32::NEG_INFINITY), other)
 }
 
 /// `sqrt(x)`
@@ -87,7 +162,7 @@ fn small_sinh(x: f64x8) -> f64x8 {
         1.0 / 362_880.0,
         1.0 / 39_916_800.0,
     ];
-    x + x * square * polynomial(square, series)
+    x + x * square * double::polynomial(square, series)
 }
 
 /// The hyperbolic sine of what is at least 0.

@@ -8,7 +8,9 @@ mod common;
 mod double;
 mod exponential;
 mod integer;
+mod large;
 mod packing;
+mod single;
 mod trigonometric;
 
 pub(super) use common::{

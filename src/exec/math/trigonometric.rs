@@ -1,190 +1,185 @@
 //! Angles (GLSL ES 3.00 section 8.1).
+//!
+//! What is usual is computed in single precision; large angles, and what has no ratio, in double.
 
-use super::double::{atan as atan_of, bits, narrow, polynomial, round, widen};
-use super::sign_of;
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
-use wide::{f32x8, f64x8, u64x8};
+use super::single::{polynomial, round};
+use super::{large, sign_of};
+use std::f32::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
+use wide::{f32x8, u32x8};
 
-/// Above, a quarter turn in two parts has too few digits.
-const HUGE: f32 = 268_435_456.0;
+/// From here on a quarter turn in four parts has too few digits.
+const LARGE: f32 = 8192.0;
 
-/// The first 256 binary digits of `2 / PI` after the point.
-const TWO_OVER_PI: [u128; 2] = [
-    0xa2f9_836e_4e44_1529_fc27_57d1_f534_ddc0,
-    0xdb62_9599_3c43_9041_fe51_63ab_debb_c561,
-];
+/// A quarter turn: three parts of so few digits that their products with whole numbers below 2^13 are
+/// exact, and the rest.
+const QUARTER: [f32; 4] = [1.570_312_5, 4.837_513e-4, 7.549_533_6e-8, 2.563_344e-12];
 
-/// An angle as so many quarter turns and the rest, which is at most an eighth of a turn.
+/// An angle below [`LARGE`] as the rest after whole quarter turns, which is at most an eighth of a
+/// turn, and a number whose lowest bits count these.
 #[inline(always)]
-fn reduce(x: f32x8) -> (u64x8, f64x8) {
-    let wide = widen(x);
-    let (whole, quarters) = round(wide * f64x8::splat(FRAC_2_PI));
-    // The first part of PI / 2 has 25 digits, so that its product is exact.
-    let rest = wide
-        - whole * f64x8::splat(f64::from_bits(0x3ff9_21fb_5000_0000))
-        - whole * f64x8::splat(f64::from_bits(0x3e51_10b4_611a_6263));
-    let huge = x.abs().simd_ge(f32x8::splat(HUGE));
-    if huge.any() {
-        reduce_huge(x, quarters, rest)
-    } else {
-        (quarters, rest)
+fn reduce(x: f32x8) -> (f32x8, u32x8) {
+    let (whole, quarters) = round(x * f32x8::splat(FRAC_2_PI));
+    let mut rest = x;
+    for part in QUARTER {
+        rest -= whole * f32x8::splat(part);
     }
-}
-
-/// The same where an angle may be of any size.
-#[cold]
-fn reduce_huge(x: f32x8, quarters: u64x8, rest: f64x8) -> (u64x8, f64x8) {
-    let mut quarters = quarters.to_array();
-    let mut rest = rest.to_array();
-    for ((x, quarters), rest) in x.to_array().into_iter().zip(&mut quarters).zip(&mut rest) {
-        if x.is_finite() && x.abs() >= HUGE {
-            (*quarters, *rest) = reduce_one(x);
-        }
-    }
-    (u64x8::from(quarters), f64x8::from(rest))
-}
-
-/// Of a finite number of at least [`HUGE`]: it is multiplied with those digits of `2 / PI` that can
-/// change the last two of the whole quarter turns, and all behind them.
-fn reduce_one(x: f32) -> (u64, f64) {
-    let bits = x.abs().to_bits();
-    let digits = u128::from(bits & 0x7f_ffff | 0x80_0000);
-    // The number is its digits times two to this.
-    let exponent = (bits >> 23).saturating_sub(150);
-    let skipped = exponent.saturating_sub(2);
-    let [high, low] = TWO_OVER_PI;
-    let window = if skipped == 0 {
-        high
-    } else {
-        high << skipped | low >> (128 - skipped)
-    };
-    let product = digits.wrapping_mul(window);
-    let quarters = (product.wrapping_add(1 << 125) >> 126) as u64;
-    let rest = product.wrapping_sub(u128::from(quarters) << 126) as i128;
-    let rest = rest as f64 / (1_u128 << 126) as f64 * FRAC_PI_2;
-    if x < 0.0 {
-        (quarters.wrapping_neg(), -rest)
-    } else {
-        (quarters, rest)
-    }
+    (rest, quarters)
 }
 
 /// The sine and the cosine of at most an eighth of a turn.
 #[inline(always)]
-fn sine_cosine(x: f64x8) -> (f64x8, f64x8) {
+fn sine_cosine(x: f32x8) -> (f32x8, f32x8) {
     let square = x * x;
-    let sine = x + x
-        * square
-        * polynomial(
-            square,
-            [
-                -0.16666666663844049,
-                0.008333331870341349,
-                -0.00019840084376422697,
-                2.724962008007483e-06,
-            ],
-        );
-    let cosine = f64x8::splat(1.0) - square * f64x8::splat(0.5)
-        + square
-            * square
-            * polynomial(
-                square,
-                [
-                    0.04166666666431182,
-                    -0.0013888887668370524,
-                    2.480059840830534e-05,
-                    -2.730070403394305e-07,
-                ],
-            );
-    (sine, cosine)
+    let series = [-1.666_666_4e-1, 8.332_747e-3, -1.958_763_9e-4];
+    let sine = x + x * square * polynomial(square, series);
+    let series = [4.166_666_4e-2, -1.388_830_1e-3, 2.454_769e-5];
+    let half = f32x8::splat(1.0) - square * f32x8::splat(0.5);
+    (sine, half + square * square * polynomial(square, series))
 }
 
-/// The sine of an angle that is so many quarter turns larger.
+/// All bits set where a number is odd, none where it is even.
 #[inline(always)]
-fn sine_after(quarters: u64x8, rest: f64x8) -> f64x8 {
+fn is_odd(quarters: u32x8) -> f32x8 {
+    let bit = quarters & u32x8::splat(1);
+    bytemuck::cast(u32x8::ZERO - bit)
+}
+
+/// The sine of an angle and so many quarter turns more.
+#[inline(always)]
+fn sine_and(x: f32x8, more: u32) -> f32x8 {
+    let (rest, quarters) = reduce(x);
+    let quarters = quarters + u32x8::splat(more);
     let (sine, cosine) = sine_cosine(rest);
-    let odd = f64x8_mask(quarters & u64x8::splat(1));
-    let negative = (quarters & u64x8::splat(2)) << 62_u32;
-    let chosen = odd.bitselect(cosine, sine);
-    super::double::of_bits(bits(chosen) ^ negative)
-}
-
-/// All bits set where a number is 1, none where it is 0.
-#[inline(always)]
-fn f64x8_mask(bit: u64x8) -> f64x8 {
-    super::double::of_bits(u64x8::ZERO - bit)
+    let negative: f32x8 = bytemuck::cast((quarters & u32x8::splat(2)) << 30_u32);
+    let found = is_odd(quarters).bitselect(cosine, sine) ^ negative;
+    let small = x.abs().simd_lt(f32x8::splat(LARGE));
+    if small.all() {
+        found
+    } else {
+        small.bitselect(found, large::sine_and(x, more))
+    }
 }
 
 /// `sin(x)`
 #[inline]
 pub(in crate::exec) fn sin(x: f32x8) -> f32x8 {
-    let (quarters, rest) = reduce(x);
-    // The sum that finds the rest has no negative zero.
-    let zero = x.simd_eq(f32x8::ZERO);
-    zero.bitselect(x, narrow(sine_after(quarters, rest)))
+    sine_and(x, 0)
 }
 
 /// `cos(x)`
 #[inline]
 pub(in crate::exec) fn cos(x: f32x8) -> f32x8 {
-    let (quarters, rest) = reduce(x);
-    narrow(sine_after(quarters + u64x8::splat(1), rest))
+    sine_and(x, 1)
 }
 
 /// `tan(x)`
 #[inline]
 pub(in crate::exec) fn tan(x: f32x8) -> f32x8 {
-    let (quarters, rest) = reduce(x);
+    let (rest, quarters) = reduce(x);
     let (sine, cosine) = sine_cosine(rest);
-    let odd = f64x8_mask(quarters & u64x8::splat(1));
-    let tangent = odd.bitselect(-cosine, sine) / odd.bitselect(sine, cosine);
-    x.simd_eq(f32x8::ZERO).bitselect(x, narrow(tangent))
+    let odd = is_odd(quarters);
+    let found = odd.bitselect(-cosine, sine) / odd.bitselect(sine, cosine);
+    let small = x.abs().simd_lt(f32x8::splat(LARGE));
+    if small.all() {
+        found
+    } else {
+        small.bitselect(found, large::tan(x))
+    }
+}
+
+/// The arc sine of at most 1/2, or of the root of its square.
+#[inline(always)]
+fn small_asin(x: f32x8, square: f32x8) -> f32x8 {
+    let series = [
+        1.666_667_3e-1,
+        7.498_853e-2,
+        4.500_189_4e-2,
+        2.655_066_2e-2,
+        3.809_396e-2,
+    ];
+    x + x * square * polynomial(square, series)
+}
+
+/// The arc sine of a number without its sign, or half the arc cosine of it above 1/2, and which of the
+/// two.
+#[inline(always)]
+fn arc(size: f32x8) -> (f32x8, f32x8) {
+    let (half, one) = (f32x8::splat(0.5), f32x8::splat(1.0));
+    let above = size.simd_gt(half);
+    let square = above.bitselect((one - size) * half, size * size);
+    let x = above.bitselect(square.sqrt(), size);
+    (small_asin(x, square), above)
 }
 
 /// `asin(x)`; no number outside of -1 to 1.
 #[inline]
 pub(in crate::exec) fn asin(x: f32x8) -> f32x8 {
-    let one = f64x8::splat(1.0);
-    let size = widen(x.abs());
-    let other = ((one - size) * (one + size)).sqrt();
-    narrow(atan_of(size / other)) | sign_of(x)
+    let (angle, above) = arc(x.abs());
+    let angle = above.bitselect(f32x8::splat(FRAC_PI_2) - (angle + angle), angle);
+    angle | sign_of(x)
 }
 
 /// `acos(x)`; no number outside of -1 to 1.
 #[inline]
 pub(in crate::exec) fn acos(x: f32x8) -> f32x8 {
-    let one = f64x8::splat(1.0);
-    let x = widen(x);
-    let other = ((one - x) * (one + x)).sqrt();
-    let angle = atan_of(other / x.abs());
-    narrow(
-        x.simd_lt(f64x8::ZERO)
-            .bitselect(f64x8::splat(PI) - angle, angle),
-    )
+    let (angle, above) = arc(x.abs());
+    let near = above.bitselect(angle + angle, f32x8::splat(FRAC_PI_2) - angle);
+    let far = above.bitselect(
+        f32x8::splat(PI) - (angle + angle),
+        f32x8::splat(FRAC_PI_2) + angle,
+    );
+    x.simd_lt(f32x8::ZERO).bitselect(far, near)
+}
+
+/// The tangent of an eighth and of three eighths of half a turn.
+const TURNS: [f32; 2] = [0.414_213_57, 2.414_213_7];
+
+/// The arc tangent of at most `TURNS[0]`.
+#[inline(always)]
+fn small_atan(x: f32x8) -> f32x8 {
+    let square = x * x;
+    let series = [
+        -3.333_333e-1,
+        1.999_953_8e-1,
+        -1.426_389_7e-1,
+        1.074_31e-1,
+        -6.449_835e-2,
+    ];
+    x + x * square * polynomial(square, series)
 }
 
 /// `atan(y_over_x)`
 #[inline]
 pub(in crate::exec) fn atan(x: f32x8) -> f32x8 {
-    narrow(atan_of(widen(x.abs()))) | sign_of(x)
+    let (one, size) = (f32x8::splat(1.0), x.abs());
+    let [middle, large] = TURNS.map(|turn| size.simd_gt(f32x8::splat(turn)));
+    let above = large.bitselect(-one, middle.bitselect(size - one, size));
+    let below = large.bitselect(size, middle.bitselect(size + one, one));
+    let from = large.bitselect(f32x8::splat(FRAC_PI_2), middle & f32x8::splat(FRAC_PI_4));
+    (from + small_atan(above / below)) | sign_of(x)
 }
 
 /// `atan(y, x)`; undefined where both are 0, where the browser gives 0.
 #[inline]
 pub(in crate::exec) fn atan2(y: f32x8, x: f32x8) -> f32x8 {
-    let (height, width) = (widen(y.abs()), widen(x.abs()));
-    // Equal ones may both be infinite, and have no ratio then.
-    let same = height.simd_eq(width);
-    let angle = atan_of(same.bitselect(f64x8::splat(1.0), height / width));
-    let left = widen_mask(x.is_sign_negative());
-    let angle = left.bitselect(f64x8::splat(PI) - angle, angle);
-    let nothing = (x.abs() | y.abs()).simd_eq(f32x8::ZERO);
-    let angle = nothing.bitselect(f32x8::ZERO, narrow(angle));
-    angle | sign_of(y)
-}
-
-/// A mask of floats as one of doubles.
-#[inline(always)]
-fn widen_mask(mask: f32x8) -> f64x8 {
-    widen(mask.bitselect(f32x8::splat(1.0), f32x8::ZERO)).simd_gt(f64x8::ZERO)
+    let (height, width) = (y.abs(), x.abs());
+    let steep = height.simd_gt(width);
+    let (short, long) = (
+        steep.bitselect(width, height),
+        steep.bitselect(height, width),
+    );
+    let middle = short.simd_gt(long * f32x8::splat(TURNS[0]));
+    let above = middle.bitselect(short - long, short);
+    let below = middle.bitselect(short + long, long);
+    let angle = (middle & f32x8::splat(FRAC_PI_4)) + small_atan(above / below);
+    let angle = steep.bitselect(f32x8::splat(FRAC_PI_2) - angle, angle);
+    let left = x.is_sign_negative();
+    let angle = left.bitselect(f32x8::splat(PI) - angle, angle) | sign_of(y);
+    // Others have no ratio, or none that a float holds.
+    let usual = long.simd_gt(f32x8::splat(1e-30)) & long.simd_lt(f32x8::splat(1e30));
+    if usual.all() {
+        angle
+    } else {
+        usual.bitselect(angle, large::atan2(y, x))
+    }
 }
