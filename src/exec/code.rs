@@ -1,7 +1,7 @@
 //! Register code: what the machine runs.
 
 use crate::ir::{LoopId, OpId, Provenance};
-use crate::semantic::{Sampler, Type};
+use crate::semantic::{Sampler, Scalar, Type};
 
 /// Number of a register.
 pub(super) type Reg = u16;
@@ -51,6 +51,10 @@ pub struct Code {
     pub(super) branches: Vec<Provenance>,
     /// By number that [`Look`] names: what is checked.
     pub(super) checks: Vec<CheckSite>,
+    /// By number that [`Comparison`] names: the operation.
+    pub(super) compared: Vec<OpId>,
+    /// By number that [`Instr::Compare`] names: what is compared.
+    pub(super) comparisons: Vec<Comparison>,
     /// By number that [`Instr::Check`] names: where it is looked at.
     pub(super) looks: Vec<Look>,
 }
@@ -90,7 +94,7 @@ pub struct InputSlot {
 impl InputSlot {
     /// Whether it is a truth value.
     pub(super) fn is_bool(&self) -> bool {
-        self.ty.scalar_kind() == Some(crate::semantic::Scalar::Bool)
+        self.ty.scalar_kind() == Some(Scalar::Bool)
     }
 }
 
@@ -157,6 +161,21 @@ pub(super) struct Look {
     pub result: Reg,
     /// What it worked on.
     pub operands: Vec<Reg>,
+}
+
+/// A comparison that is looked at.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Comparison {
+    /// Number of the operation, one for all calls of its function.
+    pub site: u32,
+    /// What it gave.
+    pub result: Reg,
+    /// What it compared.
+    pub left: Reg,
+    /// With what.
+    pub right: Reg,
+    /// As which kind of number.
+    pub scalar: Scalar,
 }
 
 /// What is checked.
@@ -271,6 +290,8 @@ pub(super) enum Instr {
     Spend(u32),
     /// Looks at a result.
     Check(u32),
+    /// Looks at a comparison.
+    Compare(u32),
 }
 
 /// Instructions with one operand.

@@ -15,7 +15,7 @@ mod row;
 mod seen;
 
 pub use code::{Code, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
-pub use compile::{CompileOptions, Refusal, Watch, compile};
+pub use compile::{CompileOptions, Probe, Refusal, Watch, compile};
 pub use draw::{Draw, Drawn, Sampled, Stop, draw, sample};
 pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};
 pub use row::LANES;

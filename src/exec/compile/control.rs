@@ -12,6 +12,7 @@ impl Compiler<'_> {
     /// Makes the code: initial values of globals, then the entry.
     pub fn run(&mut self, entry: FunctionRef) {
         self.clear_outer();
+        self.open_probe();
         self.frames.push(self.frame(GLOBALS));
         self.region(self.module.globals, true);
         self.frames.pop();
@@ -36,6 +37,7 @@ impl Compiler<'_> {
                 regs,
             });
         }
+        self.close_probe();
     }
 
     /// Code for a region; of one whose lanes all come back, the rest is passed over when none are
@@ -72,6 +74,7 @@ impl Compiler<'_> {
                     if let Some(slot) = self.values.get_mut(op.0 as usize) {
                         *slot = value;
                     }
+                    self.probe(op);
                     self.tidy();
                     if self.failure.is_some() {
                         return;

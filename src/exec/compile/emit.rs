@@ -85,8 +85,12 @@ pub(super) struct Compiler<'p> {
     pub tables: FxHashMap<usize, u32>,
     /// By what is checked: its number.
     pub check_sites: FxHashMap<CheckSite, u32>,
+    /// By comparison: its number.
+    pub compared_sites: FxHashMap<OpId, u32>,
     /// By construct: the number of its branch.
     pub branch_sites: FxHashMap<Provenance, u32>,
+    /// Where the variable goes that is looked at.
+    pub probed: Option<Regs>,
     next_slot: Slot,
     /// Intermediate results of a built-in function.
     pub scratch: Vec<Reg>,
@@ -119,7 +123,9 @@ impl<'p> Compiler<'p> {
             samplers_of: FxHashMap::default(),
             tables: FxHashMap::default(),
             check_sites: FxHashMap::default(),
+            compared_sites: FxHashMap::default(),
             branch_sites: FxHashMap::default(),
+            probed: None,
             // The first is always empty.
             next_slot: 1,
             scratch: Vec::new(),

@@ -15,11 +15,13 @@ mod lookup;
 mod op;
 mod place;
 mod plan;
+mod probe;
 mod registers;
 
 use super::code::Code;
 use crate::ir::{Module, OpKind, Provenance};
-use crate::semantic::{FunctionRef, Program};
+use crate::semantic::{FunctionRef, Program, VariableId};
+use crate::text::Span;
 use emit::Compiler;
 
 /// How a shader is compiled.
@@ -29,6 +31,20 @@ pub struct CompileOptions {
     pub watch: Watch,
     /// The function that runs; that of the shader, unless one is named.
     pub entry: Option<FunctionRef>,
+    /// A variable that is given out beside what the shader gives.
+    pub probe: Option<Probe>,
+    /// The bits of what was never written: zero in the browser.
+    pub undefined: u32,
+}
+
+/// A variable that is looked at where it is read or written: the last such moment of a pixel counts.
+/// It becomes the last of [`Code::outputs`], with the first four scalars of it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Probe {
+    /// The variable.
+    pub variable: VariableId,
+    /// The text in which it is looked at, such as a line.
+    pub within: Span,
 }
 
 /// What is watched while a shader runs; each holds what stands before it.

@@ -2,7 +2,7 @@
 
 use super::Watch;
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
-use crate::exec::code::{CheckSite, F1, F2, F3, Instr, Look, Reg};
+use crate::exec::code::{CheckSite, Comparison, F1, F2, F3, Instr, Look, Reg};
 use crate::exec::seen::Kind;
 use crate::ir::{Binary, OpId, OpKind, Unary};
 use crate::semantic::{Base, Scalar, Type, Value as Constant};
@@ -22,8 +22,8 @@ impl Compiler<'_> {
                     return Some(Value::Nothing);
                 }
                 let count = self.scalars_of(ty)?;
-                let zero = self.constant(0);
-                Some(Value::Regs(self.listed((0..count).map(|_| zero))))
+                let undefined = self.constant(self.options.undefined);
+                Some(Value::Regs(self.listed((0..count).map(|_| undefined))))
             }
             OpKind::Unknown if ty.is_void() => Some(Value::Nothing),
             OpKind::Unknown => self.refuse("an expression with an error"),
@@ -160,6 +160,11 @@ impl Compiler<'_> {
         if self.watches(Watch::Numbers)
             && let Value::Regs(made) = made
         {
+            if binary.compares() && made.len == 1 {
+                let sides = if turned { [right, left] } else { [left, right] };
+                let [left, right] = sides.map(|side| self.reg(side, 0));
+                self.watch_comparison(id, self.reg(made, 0), [left, right], scalar);
+            }
             for n in 0..made.len {
                 let operands = [self.spread(left, n), self.spread(right, n)];
                 let result = self.reg(made, n);
@@ -184,6 +189,25 @@ impl Compiler<'_> {
         for &kind in kinds {
             self.check(id, kind, result, &operands);
         }
+    }
+
+    /// Has a comparison looked at.
+    fn watch_comparison(&mut self, op: OpId, result: Reg, sides: [Reg; 2], scalar: Scalar) {
+        let known = self.code.compared.len() as u32;
+        let site = *self.compared_sites.entry(op).or_insert(known);
+        if site == known {
+            self.code.compared.push(op);
+        }
+        let number = self.code.comparisons.len() as u32;
+        let [left, right] = sides;
+        self.code.comparisons.push(Comparison {
+            site,
+            result,
+            left,
+            right,
+            scalar,
+        });
+        self.push(Instr::Compare(number));
     }
 
     /// Has a result looked at.

@@ -118,6 +118,7 @@ impl Machine<'_> {
                 self.watched.spend(cost, &lanes);
             }
             Instr::Check(look) => self.look(look),
+            Instr::Compare(number) => self.compare(number),
             _ => {}
         }
     }

@@ -3,7 +3,11 @@
 use super::{Machine, Tile, mask_of};
 use crate::exec::code::{CheckSite, Code, Look, Reg};
 use crate::exec::row::{LANES, PARTS, Row};
-use crate::exec::seen::{BranchSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness};
+use crate::exec::seen::{
+    BranchSeen, ComparedSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness,
+};
+use crate::ir::{LoopId, OpId, Provenance};
+use crate::semantic::Scalar;
 use wide::i32x8;
 
 /// Turns from which on loops are counted alike.
@@ -48,6 +52,11 @@ impl Watched {
                     .branches
                     .iter()
                     .map(|at| BranchSeen::new(*at))
+                    .collect(),
+                compared: code
+                    .compared
+                    .iter()
+                    .map(|op| ComparedSeen::new(*op))
                     .collect(),
                 watched: code
                     .checks
@@ -170,7 +179,7 @@ impl Watched {
 }
 
 impl LoopSeen {
-    fn new(id: crate::ir::LoopId) -> LoopSeen {
+    fn new(id: LoopId) -> LoopSeen {
         LoopSeen {
             id,
             pixels: 0,
@@ -197,7 +206,7 @@ impl LoopSeen {
 }
 
 impl BranchSeen {
-    const fn new(at: crate::ir::Provenance) -> BranchSeen {
+    const fn new(at: Provenance) -> BranchSeen {
         BranchSeen {
             at,
             taken: 0,
@@ -207,12 +216,38 @@ impl BranchSeen {
 }
 
 impl WatchedSeen {
-    const fn new(op: crate::ir::OpId, kind: Kind) -> WatchedSeen {
+    const fn new(op: OpId, kind: Kind) -> WatchedSeen {
         WatchedSeen {
             op,
             kind,
             visits: 0,
         }
+    }
+}
+
+impl ComparedSeen {
+    const fn new(op: OpId) -> ComparedSeen {
+        ComparedSeen {
+            op,
+            held: 0,
+            failed: 0,
+            left: [f64::INFINITY, f64::NEG_INFINITY],
+            right: [f64::INFINITY, f64::NEG_INFINITY],
+        }
+    }
+
+    /// Adds what was seen elsewhere.
+    fn add(&mut self, other: &ComparedSeen) {
+        self.held += other.held;
+        self.failed += other.failed;
+        self.left = [
+            self.left[0].min(other.left[0]),
+            self.left[1].max(other.left[1]),
+        ];
+        self.right = [
+            self.right[0].min(other.right[0]),
+            self.right[1].max(other.right[1]),
+        ];
     }
 }
 
@@ -244,13 +279,49 @@ impl Machine<'_> {
         let pixel = self.tile.pixels.get(lane).copied().unwrap_or_default();
         let bits = |reg: &Reg| self.row(*reg).bits().get(lane).copied().unwrap_or(0);
         let operands = look.operands.iter().map(bits).collect::<Vec<u32>>();
-        let operands = operands.into_iter().map(|b| f32::from_bits(b) as f64);
+        let operands = operands.into_iter().map(|bits| match what.kind {
+            Kind::OutOfRange => bits as i32 as f64,
+            _ => f32::from_bits(bits) as f64,
+        });
         let witness = Witness {
             pixel,
             operands: operands.collect(),
         };
         self.watched
             .number(what, wrong.count_ones() as u64, || witness);
+    }
+
+    /// Looks at a comparison.
+    pub(super) fn compare(&mut self, number: u32) {
+        let code = self.code;
+        let Some(&comparison) = code.comparisons.get(number as usize) else {
+            return;
+        };
+        let came = self.active & self.wanted;
+        let holds = self.row(comparison.result).mask();
+        let number = |bits: u32| match comparison.scalar {
+            Scalar::Int => bits as i32 as f64,
+            Scalar::Uint => bits as f64,
+            _ => f32::from_bits(bits) as f64,
+        };
+        let ends = |row: Row| {
+            let lanes = row.bits().into_iter().enumerate();
+            let lanes = lanes.filter(|(lane, _)| came >> lane & 1 == 1);
+            lanes.fold(
+                [f64::INFINITY, f64::NEG_INFINITY],
+                |[low, high], (_, bits)| [low.min(number(bits)), high.max(number(bits))],
+            )
+        };
+        let own = ComparedSeen {
+            op: OpId(u32::MAX),
+            held: (came & holds).count_ones() as u64,
+            failed: (came & !holds).count_ones() as u64,
+            left: ends(self.row(comparison.left)),
+            right: ends(self.row(comparison.right)),
+        };
+        if let Some(seen) = self.watched.seen.compared.get_mut(comparison.site as usize) {
+            seen.add(&own);
+        }
     }
 
     fn wrong(&self, what: CheckSite, look: &Look) -> u32 {
@@ -277,7 +348,14 @@ impl Machine<'_> {
                 let zeros = Row(divisor.0.map(|p| (p << 1_i32).simd_eq(i32x8::ZERO)));
                 mask_of(&zeros.0)
             }
-            Kind::OutOfRange | Kind::Uninitialized => 0,
+            Kind::OutOfRange => {
+                let limit = look.operands.last().map_or(Row::ZERO, |r| self.row(*r));
+                let lanes = result.bits().into_iter().zip(limit.bits()).enumerate();
+                lanes.fold(0, |m, (lane, (at, limit))| {
+                    m | ((at >= limit) as u32) << lane
+                })
+            }
+            Kind::Uninitialized => 0,
         }
     }
 
@@ -318,6 +396,9 @@ impl Seen {
         }
         for (own, other) in self.watched.iter_mut().zip(other.watched) {
             own.visits += other.visits;
+        }
+        for (own, other) in self.compared.iter_mut().zip(&other.compared) {
+            own.add(other);
         }
         for number in other.numbers {
             let same = |n: &&mut NumberSeen| n.op == number.op && n.kind == number.kind;
