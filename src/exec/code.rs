@@ -178,13 +178,26 @@ pub(super) struct Comparison {
     pub scalar: Scalar,
 }
 
-/// What is checked.
+/// What is checked, for all calls of a function.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) struct CheckSite {
     /// The operation.
     pub op: OpId,
     /// What is looked for.
-    pub kind: super::seen::Kind,
+    pub checked: Checked,
+}
+
+/// What is looked for in the result of an operation.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(super) enum Checked {
+    /// A NaN or an infinity that no operand is.
+    Float,
+    /// The same, and a divisor that is zero.
+    Quotient,
+    /// A divisor that is zero.
+    WholeQuotient,
+    /// A number that is not below the second operand.
+    Index,
 }
 
 /// An instruction. The first register is the one that is written; operands follow.

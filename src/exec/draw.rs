@@ -245,7 +245,7 @@ pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
         loop {
             let number = next.fetch_add(1, Ordering::Relaxed);
             if number >= tiles {
-                return Ok((given, machine.watched.finish()));
+                return Ok((given, machine.finish()));
             }
             let tile = tile_of(size, &quads_of(size, number));
             let covered = machine.run(&tile)?;
@@ -311,6 +311,6 @@ pub fn sample(draw: &Draw<'_>, quads: &[[u32; 2]]) -> Result<Sampled, Stop> {
         outputs: given.outputs,
         covered: given.covered,
         cost: given.cost,
-        seen: machine.watched.finish(),
+        seen: machine.finish(),
     })
 }

@@ -6,8 +6,7 @@
 use super::Watch;
 use super::emit::{Compiler, Made, Regs, Value};
 use super::op::less;
-use crate::exec::code::{F1, F2, F3, Reg};
-use crate::exec::seen::Kind;
+use crate::exec::code::{Checked, F1, F2, F3, Reg};
 use crate::ir::OpId;
 use crate::semantic::builtins::{Axis, BuiltinId, BuiltinKind};
 use crate::semantic::{Scalar, Type};
@@ -64,8 +63,7 @@ impl Compiler<'_> {
                     .copied()
                     .collect(),
             };
-            self.check(id, Kind::Nan, *result, &operands);
-            self.check(id, Kind::Infinite, *result, &operands);
+            self.check(id, Checked::Float, *result, &operands);
         }
     }
 

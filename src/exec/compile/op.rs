@@ -2,8 +2,7 @@
 
 use super::Watch;
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
-use crate::exec::code::{CheckSite, Comparison, F1, F2, F3, Instr, Look, Reg};
-use crate::exec::seen::Kind;
+use crate::exec::code::{CheckSite, Checked, Comparison, F1, F2, F3, Instr, Look, Reg};
 use crate::ir::{Binary, OpId, OpKind, Unary};
 use crate::semantic::{Base, Scalar, Type, Value as Constant};
 
@@ -175,20 +174,16 @@ impl Compiler<'_> {
     }
 
     /// Has the result of an instruction looked at.
-    pub fn watch_number(&mut self, id: OpId, f: F2, result: Reg, operands: [Reg; 2]) {
-        let kinds: &[Kind] = match f {
-            F2::Divide => &[Kind::DivisionByZero, Kind::Nan, Kind::Infinite],
+    fn watch_number(&mut self, id: OpId, f: F2, result: Reg, operands: [Reg; 2]) {
+        let what = match f {
+            F2::Divide => Checked::Quotient,
             F2::IntDivide | F2::IntRemainder | F2::UintDivide | F2::UintRemainder => {
-                &[Kind::DivisionByZero]
+                Checked::WholeQuotient
             }
-            F2::Add | F2::Subtract | F2::Multiply | F2::Modulo | F2::Pow => {
-                &[Kind::Nan, Kind::Infinite]
-            }
-            _ => &[],
+            F2::Add | F2::Subtract | F2::Multiply => Checked::Float,
+            _ => return,
         };
-        for &kind in kinds {
-            self.check(id, kind, result, &operands);
-        }
+        self.check(id, what, result, &operands);
     }
 
     /// Has a comparison looked at.
@@ -211,12 +206,12 @@ impl Compiler<'_> {
     }
 
     /// Has a result looked at.
-    pub fn check(&mut self, op: OpId, kind: Kind, result: Reg, operands: &[Reg]) {
+    pub fn check(&mut self, op: OpId, checked: Checked, result: Reg, operands: &[Reg]) {
         if !self.watches(Watch::Numbers) {
             return;
         }
         let known = self.code.checks.len() as u32;
-        let what = CheckSite { op, kind };
+        let what = CheckSite { op, checked };
         let site = *self.check_sites.entry(what).or_insert(known);
         if site == known {
             self.code.checks.push(what);

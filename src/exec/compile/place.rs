@@ -2,8 +2,7 @@
 
 use super::emit::{Compiler, Made, Regs, Value};
 use super::layout::{part, scalars};
-use crate::exec::code::{ArraySite, F2, Instr, Reg};
-use crate::exec::seen::Kind;
+use crate::exec::code::{ArraySite, Checked, F2, Instr, Reg};
 use crate::ir::{Access, Lanes, OpId, PlaceId, Root};
 use crate::semantic::{Base, Scalar, Type, VariableId};
 
@@ -273,7 +272,7 @@ impl Compiler<'_> {
         let index = self.operand(index);
         let index = self.reg(index, 0);
         let (id, limit) = (self.op, self.constant(count));
-        self.check(id, Kind::OutOfRange, index, &[index, limit]);
+        self.check(id, Checked::Index, index, &[index, limit]);
         let last = self.constant(count.saturating_sub(1));
         let inside = match is_int {
             true => {

@@ -125,6 +125,11 @@ impl<'d> Machine<'d> {
         Ok(self.live & self.wanted)
     }
 
+    /// What was seen in all tiles.
+    pub fn finish(self) -> super::seen::Seen {
+        self.watched.finish(self.code)
+    }
+
     /// What a register holds.
     pub fn row(&self, reg: Reg) -> Row {
         Row(self.get(reg))

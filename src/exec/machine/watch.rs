@@ -1,14 +1,15 @@
 //! What is watched while a shader runs.
 
 use super::{Machine, Tile, mask_of};
-use crate::exec::code::{CheckSite, Code, Look, Reg};
-use crate::exec::row::{LANES, PARTS, Row};
+use crate::exec::code::{Checked, Code, Look, Reg};
+use crate::exec::math;
+use crate::exec::row::{LANES, PARTS, Row, floats, unsigned};
 use crate::exec::seen::{
     BranchSeen, ComparedSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness,
 };
 use crate::ir::{LoopId, OpId, Provenance};
 use crate::semantic::Scalar;
-use wide::i32x8;
+use wide::{f32x8, i32x8};
 
 /// Turns from which on loops are counted alike.
 const MOST_TURNS: usize = 1024;
@@ -18,7 +19,18 @@ pub(in crate::exec) struct Watched {
     /// By lane: what it paid in the tile.
     cost: [i32x8; PARTS],
     loops: Vec<LoopCount>,
+    /// By check: how often pixels came to it.
+    visits: Vec<u64>,
+    compared: Vec<Ends>,
     seen: Seen,
+}
+
+/// What a comparison met, by lane: the least and the largest number on either side.
+struct Ends {
+    held: u64,
+    failed: u64,
+    low: [[f32x8; PARTS]; 2],
+    high: [[f32x8; PARTS]; 2],
 }
 
 /// A loop, in a tile.
@@ -46,6 +58,8 @@ impl Watched {
         Watched {
             cost: Row::ZERO.0,
             loops: loops.collect(),
+            visits: vec![0; code.checks.len()],
+            compared: code.compared.iter().map(|_| Ends::default()).collect(),
             seen: Seen {
                 loops: code.loops.iter().map(|id| LoopSeen::new(*id)).collect(),
                 branches: code
@@ -53,23 +67,22 @@ impl Watched {
                     .iter()
                     .map(|at| BranchSeen::new(*at))
                     .collect(),
-                compared: code
-                    .compared
-                    .iter()
-                    .map(|op| ComparedSeen::new(*op))
-                    .collect(),
-                watched: code
-                    .checks
-                    .iter()
-                    .map(|c| WatchedSeen::new(c.op, c.kind))
-                    .collect(),
                 ..Seen::default()
             },
         }
     }
 
     /// All that was seen.
-    pub fn finish(self) -> Seen {
+    pub fn finish(mut self, code: &Code) -> Seen {
+        let seen = &mut self.seen;
+        for (site, visits) in code.checks.iter().zip(self.visits) {
+            let op = site.op;
+            let kinds = site.checked.kinds().iter();
+            seen.watched
+                .extend(kinds.map(|&kind| WatchedSeen { op, kind, visits }));
+        }
+        let compared = code.compared.iter().zip(&self.compared);
+        seen.compared = compared.map(|(op, ends)| ends.seen(*op)).collect();
         self.seen
     }
 
@@ -163,15 +176,15 @@ impl Watched {
         }
     }
 
-    fn number(&mut self, what: CheckSite, times: u64, witness: impl FnOnce() -> Witness) {
-        let same = |n: &&mut NumberSeen| n.op == what.op && n.kind == what.kind;
+    fn number(&mut self, op: OpId, kind: Kind, times: u64, witness: impl FnOnce() -> Witness) {
+        let same = |n: &&mut NumberSeen| n.op == op && n.kind == kind;
         if let Some(known) = self.seen.numbers.iter_mut().find(same) {
             known.times += times;
             return;
         }
         self.seen.numbers.push(NumberSeen {
-            kind: what.kind,
-            op: what.op,
+            kind,
+            op,
             times,
             witness: witness(),
         });
@@ -215,27 +228,52 @@ impl BranchSeen {
     }
 }
 
-impl WatchedSeen {
-    const fn new(op: OpId, kind: Kind) -> WatchedSeen {
-        WatchedSeen {
+impl Default for Ends {
+    fn default() -> Ends {
+        Ends {
+            held: 0,
+            failed: 0,
+            low: [[f32x8::splat(f32::INFINITY); PARTS]; 2],
+            high: [[f32x8::splat(f32::NEG_INFINITY); PARTS]; 2],
+        }
+    }
+}
+
+impl Ends {
+    fn seen(&self, op: OpId) -> ComparedSeen {
+        let ends = |side: usize| {
+            let lanes = |rows: &[[f32x8; PARTS]; 2]| {
+                let row = rows.get(side).copied().unwrap_or_default();
+                row.into_iter().flat_map(f32x8::to_array).map(f64::from)
+            };
+            [
+                lanes(&self.low).fold(f64::INFINITY, f64::min),
+                lanes(&self.high).fold(f64::NEG_INFINITY, f64::max),
+            ]
+        };
+        ComparedSeen {
             op,
-            kind,
-            visits: 0,
+            held: self.held,
+            failed: self.failed,
+            left: ends(0),
+            right: ends(1),
+        }
+    }
+}
+
+impl Checked {
+    /// What can go wrong.
+    const fn kinds(self) -> &'static [Kind] {
+        match self {
+            Checked::Float => &[Kind::Nan, Kind::Infinite],
+            Checked::Quotient => &[Kind::DivisionByZero, Kind::Nan, Kind::Infinite],
+            Checked::WholeQuotient => &[Kind::DivisionByZero],
+            Checked::Index => &[Kind::OutOfRange],
         }
     }
 }
 
 impl ComparedSeen {
-    const fn new(op: OpId) -> ComparedSeen {
-        ComparedSeen {
-            op,
-            held: 0,
-            failed: 0,
-            left: [f64::INFINITY, f64::NEG_INFINITY],
-            right: [f64::INFINITY, f64::NEG_INFINITY],
-        }
-    }
-
     /// Adds what was seen elsewhere.
     fn add(&mut self, other: &ComparedSeen) {
         self.held += other.held;
@@ -249,6 +287,12 @@ impl ComparedSeen {
             self.right[1].max(other.right[1]),
         ];
     }
+}
+
+/// The lanes whose float is infinite or a NaN: all bits of its exponent are set.
+fn unusual(row: Row) -> u32 {
+    let exponent = i32x8::splat(0x7f80_0000);
+    mask_of(&row.0.map(|part| (part & exponent).simd_eq(exponent)))
 }
 
 /// The lanes whose float is one of some.
@@ -268,27 +312,34 @@ impl Machine<'_> {
             return;
         };
         let came = self.active & self.wanted;
-        if let Some(watched) = self.watched.seen.watched.get_mut(look.site as usize) {
-            watched.visits += came.count_ones() as u64;
+        if let Some(visits) = self.watched.visits.get_mut(look.site as usize) {
+            *visits += came.count_ones() as u64;
         }
-        let wrong = self.wrong(what, look) & came;
-        if wrong == 0 {
+        let is_float = matches!(what.checked, Checked::Float | Checked::Quotient);
+        if is_float && came & unusual(self.row(look.result)) == 0 {
             return;
         }
-        let lane = wrong.trailing_zeros() as usize;
-        let pixel = self.tile.pixels.get(lane).copied().unwrap_or_default();
+        for &kind in what.checked.kinds() {
+            let wrong = self.wrong(kind, look) & came;
+            if wrong != 0 {
+                let witness = self.witness(kind, look, wrong.trailing_zeros() as usize);
+                let times = wrong.count_ones() as u64;
+                self.watched.number(what.op, kind, times, || witness);
+            }
+        }
+    }
+
+    /// The pixel of a lane, and what the operation worked on there.
+    fn witness(&self, kind: Kind, look: &Look, lane: usize) -> Witness {
         let bits = |reg: &Reg| self.row(*reg).bits().get(lane).copied().unwrap_or(0);
-        let operands = look.operands.iter().map(bits).collect::<Vec<u32>>();
-        let operands = operands.into_iter().map(|bits| match what.kind {
+        let number = |bits: u32| match kind {
             Kind::OutOfRange => bits as i32 as f64,
             _ => f32::from_bits(bits) as f64,
-        });
-        let witness = Witness {
-            pixel,
-            operands: operands.collect(),
         };
-        self.watched
-            .number(what, wrong.count_ones() as u64, || witness);
+        Witness {
+            pixel: self.tile.pixels.get(lane).copied().unwrap_or_default(),
+            operands: look.operands.iter().map(|reg| number(bits(reg))).collect(),
+        }
     }
 
     /// Looks at a comparison.
@@ -298,36 +349,35 @@ impl Machine<'_> {
             return;
         };
         let came = self.active & self.wanted;
+        let lanes = super::spread(came);
         let holds = self.row(comparison.result).mask();
-        let number = |bits: u32| match comparison.scalar {
-            Scalar::Int => bits as i32 as f64,
-            Scalar::Uint => bits as f64,
-            _ => f32::from_bits(bits) as f64,
+        let sides = [comparison.left, comparison.right].map(|reg| self.row(reg).0);
+        let Some(ends) = self.watched.compared.get_mut(comparison.site as usize) else {
+            return;
         };
-        let ends = |row: Row| {
-            let lanes = row.bits().into_iter().enumerate();
-            let lanes = lanes.filter(|(lane, _)| came >> lane & 1 == 1);
-            lanes.fold(
-                [f64::INFINITY, f64::NEG_INFINITY],
-                |[low, high], (_, bits)| [low.min(number(bits)), high.max(number(bits))],
-            )
-        };
-        let own = ComparedSeen {
-            op: OpId(u32::MAX),
-            held: (came & holds).count_ones() as u64,
-            failed: (came & !holds).count_ones() as u64,
-            left: ends(self.row(comparison.left)),
-            right: ends(self.row(comparison.right)),
-        };
-        if let Some(seen) = self.watched.seen.compared.get_mut(comparison.site as usize) {
-            seen.add(&own);
+        ends.held += (came & holds).count_ones() as u64;
+        ends.failed += (came & !holds).count_ones() as u64;
+        let rows = ends.low.iter_mut().zip(&mut ends.high).zip(sides);
+        for ((lows, highs), side) in rows {
+            let parts = lows.iter_mut().zip(highs).zip(side).zip(lanes);
+            for (((low, high), part), lanes) in parts {
+                let values = match comparison.scalar {
+                    Scalar::Int => math::float_of_int(part),
+                    Scalar::Uint => math::float_of_uint(unsigned(part)),
+                    _ => floats(part),
+                };
+                // A comparison with a NaN is false, so that it changes neither end.
+                let counts = floats(lanes);
+                *low = (values.simd_lt(*low) & counts).bitselect(values, *low);
+                *high = (values.simd_gt(*high) & counts).bitselect(values, *high);
+            }
         }
     }
 
-    fn wrong(&self, what: CheckSite, look: &Look) -> u32 {
+    fn wrong(&self, kind: Kind, look: &Look) -> u32 {
         let result = self.row(look.result);
         let operands = || look.operands.iter().map(|reg| self.row(*reg));
-        match what.kind {
+        match kind {
             Kind::Nan => {
                 let made = lanes_where(result, f32::is_nan);
                 match made {
