@@ -314,7 +314,7 @@ fn it_says_what_it_waits_for() {
     let out = running.wait_with_output().unwrap();
     let said = String::from_utf8(out.stderr).unwrap();
     assert!(
-        said.starts_with("shaderport: waiting for the end of standard input"),
+        said.starts_with("waiting for the end of standard input"),
         "{said}"
     );
     assert_eq!(out.status.code(), Some(0));

@@ -11,6 +11,7 @@ mod input;
 mod lint;
 mod output;
 mod port;
+mod run;
 mod watch;
 
 use clap::Parser;

@@ -163,6 +163,8 @@ pub enum Command {
         #[arg(hide_possible_values = true)]
         format: ListFormat,
     },
+    /// Draw a shader without a GPU, and say what was seen
+    Run(Box<super::super::run::RunArgs>),
     /// Make a shader small while what is reported of it stays
     Reduce(super::reduce::ReduceArgs),
     /// Print what a shader becomes before it is looked at

@@ -1,4 +1,4 @@
-//! `explain`, `rules`, `completions`, `man`, `schema`; `reduce` and `ir` have files of their own.
+//! `explain`, `rules`, `completions`, `man`, `schema`; `run`, `reduce` and `ir` have files of their own.
 
 use super::super::{CLEAN, FAILED};
 use super::args::{Command, LintArgs, ListFormat};
@@ -18,6 +18,7 @@ pub fn run(command: &Command) -> io::Result<u8> {
     let mut text = Vec::new();
     match command {
         Command::Explain { name } => return explain(name),
+        Command::Run(args) => return super::super::run::run(args),
         Command::Reduce(args) => return super::reduce::run(args),
         Command::Ir { file } => return super::middle::run(file),
         Command::Rules { format } => match format {

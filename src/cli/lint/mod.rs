@@ -10,7 +10,7 @@ mod reduce;
 mod verbose;
 mod watch;
 
-pub use args::LintArgs;
+pub use args::{ColorChoice, LintArgs};
 
 use super::config::Configs;
 use super::input::{InputFile, collect};

@@ -46,7 +46,9 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
         [] if args.pass.is_empty() => {
             return Err(USAGE.to_string());
         }
-        [one] if args.pass.is_empty() && !one.is_dir() => one_file(one, mode, dialect(args)?)?,
+        [one] if args.pass.is_empty() && !one.is_dir() => {
+            one_file(one, mode, dialect(args.from.as_deref())?)?
+        }
         several => Drafted::of(parts(several, &args.pass)?),
     };
     let name = name_of(args);
@@ -109,9 +111,29 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     })
 }
 
+/// A file as a project, as it is, with the files that it is made of. `from` is the dialect that the
+/// user says it is written in.
+pub(in crate::cli) fn draft(
+    path: &Path,
+    from: Option<&str>,
+) -> Result<(Project, Vec<PathBuf>), String> {
+    if path.is_dir() {
+        let files = in_folder(path)?.into_iter().map(|(_, path)| path);
+        let files = files.collect();
+        return Ok((parts(&[path.to_path_buf()], &[])?, files));
+    }
+    let drafted = one_file(path, Mode::AsItIs, dialect(from)?)?;
+    let beside = drafted
+        .beside
+        .keys()
+        .map(|asked| folder_of(path).join(asked));
+    let read = beside.chain([path.to_path_buf()]).collect();
+    Ok((drafted.project, read))
+}
+
 /// The dialect that the user says the code is written in.
-fn dialect(args: &PortArgs) -> Result<Option<&'static DialectFacts>, String> {
-    let Some(name) = &args.from else {
+fn dialect(from: Option<&str>) -> Result<Option<&'static DialectFacts>, String> {
+    let Some(name) = from else {
         return Ok(None);
     };
     let names: Vec<&str> = DIALECTS.iter().map(|d| d.name).collect();

@@ -22,7 +22,10 @@ use crate::report::{Format, Reporter, Summary};
 use crate::text::Sources;
 use clap::Parser;
 use load::Loaded;
-use save::{Place, save};
+pub(super) use load::draft;
+pub(super) use read::{read_text, shown};
+use save::Place;
+pub(super) use save::save;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 

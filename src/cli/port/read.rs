@@ -20,12 +20,12 @@ const MIB: u64 = 1024 * 1024;
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A path with forward slashes.
-pub(super) fn shown(path: &Path) -> String {
+pub(in crate::cli) fn shown(path: &Path) -> String {
     path.to_string_lossy().replace('\\', "/")
 }
 
 /// The text of a shader or an export; `-` is standard input.
-pub(super) fn read_text(path: &Path) -> Result<String, String> {
+pub(in crate::cli) fn read_text(path: &Path) -> Result<String, String> {
     let name = shown(path);
     let wrong = |e: String| format!("{name}: {e}");
     let bytes = match path.as_os_str() == "-" {
@@ -102,7 +102,7 @@ fn wait_for<R: Read>(
                 is_told = true;
                 let _ = writeln!(
                     io::stderr(),
-                    "shaderport: waiting for the end of {name}; Ctrl+D ends what is typed, Ctrl+C this"
+                    "waiting for the end of {name}; Ctrl+D ends what is typed, Ctrl+C this"
                 );
             }
             Err(RecvTimeoutError::Timeout) => {}

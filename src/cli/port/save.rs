@@ -57,7 +57,11 @@ fn file_name(title: &str) -> String {
 }
 
 /// Writes all files, or none where one is in the way. None takes the place of a file that was `read`.
-pub(super) fn save(files: &[File], overwrite: Overwrite, read: &[PathBuf]) -> Result<(), String> {
+pub(in crate::cli) fn save(
+    files: &[File],
+    overwrite: Overwrite,
+    read: &[PathBuf],
+) -> Result<(), String> {
     for (i, File { path, .. }) in files.iter().enumerate() {
         let shown = path.display();
         if files.iter().take(i).any(|f| f.path == *path) {

@@ -68,12 +68,18 @@ impl Picture {
         }
     }
 
-    /// What the screen shows, the uppermost row first, three bytes a pixel. Alpha is not looked at.
+    /// What the screen shows of a pixel. Alpha is not looked at.
+    pub fn shown([r, g, b, _]: [f32; 4]) -> [u8; 3] {
+        [r, g, b].map(byte)
+    }
+
+    /// What the screen shows, the uppermost row first, three bytes a pixel.
     pub fn bytes(&self) -> Vec<u8> {
         let width = self.size[0].max(1) as usize;
         let rows = self.pixels.chunks_exact(width).rev();
-        let shown = rows.flatten().flat_map(|[r, g, b, _]| [*r, *g, *b]);
-        shown.map(byte).collect()
+        rows.flatten()
+            .flat_map(|pixel| Picture::shown(*pixel))
+            .collect()
     }
 
     /// What it is like; `covered` says which of its pixels were not discarded.
@@ -85,7 +91,7 @@ impl Picture {
         facts.most = [f64::NEG_INFINITY; 3];
         for (pixel, is_covered) in self.pixels.iter().zip(covered) {
             let [r, g, b, _] = *pixel;
-            let shown = [r, g, b].map(byte);
+            let shown = Picture::shown(*pixel);
             if colors.len() < MAX_COLORS {
                 colors.insert(shown);
             }

@@ -1,0 +1,207 @@
+//! Two shaders at the same moments, bit for bit.
+
+use super::args::{RunArgs, RunFormat};
+use super::heat;
+use super::load::Shot;
+use super::png::Bitmap;
+use super::progress::Progress;
+use crate::engine::play::{Button, Moment, Mouse, Picture};
+use crate::exec::{Drawn, draw};
+use serde::Serialize;
+
+/// Times that are compared where none is asked for.
+const TIMES: [f64; 4] = [0.0, 1.0, 5.0, 20.0];
+
+/// What came of a comparison.
+#[derive(Serialize)]
+pub struct Compared {
+    schema: u32,
+    file: String,
+    other: String,
+    size: [u32; 2],
+    /// Whether all bits are the same.
+    pub same: bool,
+    moments: Vec<MomentCompared>,
+    /// What was written.
+    pub output: Option<String>,
+}
+
+#[derive(Serialize)]
+struct MomentCompared {
+    time: f64,
+    frame: u32,
+    mouse: Option<super::facts::MouseFacts>,
+    /// How many pixels differ in any bit of any output.
+    pixels: u64,
+    /// How many of them differ on the screen.
+    shown: u64,
+    /// The largest difference of a channel that is shown.
+    most: f64,
+    /// The first pixel that differs, from the left and from below.
+    first: Option<[u32; 2]>,
+}
+
+/// Two pictures of a moment, pixel by pixel.
+struct Difference {
+    told: MomentCompared,
+    /// By pixel: the largest difference of a channel; the least that there is where bits alone differ.
+    by_pixel: Vec<f64>,
+}
+
+/// Compares two shaders. Gives what came of it, and the picture of the moment at which they differ
+/// the most.
+pub fn compare(
+    shots: [&Shot; 2],
+    names: [&str; 2],
+    args: &RunArgs,
+) -> Result<(Compared, Option<Bitmap>), String> {
+    let moments = moments(args);
+    let progress = Progress::new(moments.len() as u32);
+    let mut told = Vec::new();
+    let mut worst: Option<(u64, Vec<f64>)> = None;
+    for moment in moments {
+        let [a, b] = shots.map(|shot| shot.drawn(args.size, &moment, args.threads()));
+        let found = difference([&a?, &b?], shots, &moment);
+        progress.step();
+        let pixels = found.told.pixels;
+        if pixels > 0 && worst.as_ref().is_none_or(|(most, _)| pixels > *most) {
+            worst = Some((pixels, found.by_pixel));
+        }
+        told.push(found.told);
+    }
+    drop(progress);
+    let picture = worst.map(|(_, values)| heat::map(args.size, &values, "DIFFERENCE"));
+    let compared = Compared {
+        schema: 1,
+        file: names[0].to_string(),
+        other: names[1].to_string(),
+        size: args.size,
+        same: told.iter().all(|moment| moment.pixels == 0),
+        moments: told,
+        output: None,
+    };
+    Ok((compared, picture))
+}
+
+/// The moments at which two shaders are compared: the one asked for, else several, with the mouse and
+/// without.
+fn moments(args: &RunArgs) -> Vec<Moment> {
+    if args.time.is_some() || args.frame.is_some() {
+        return vec![args.moment()];
+    }
+    let [width, height] = args.size.map(f64::from);
+    let dragged = Mouse {
+        at: [width * 0.3, height * 0.7],
+        button: Button::Down,
+    };
+    let mice = match args.mouse {
+        None => vec![None, Some(dragged)],
+        mouse => vec![mouse],
+    };
+    let all = TIMES
+        .iter()
+        .flat_map(|time| mice.iter().map(move |mouse| (time, mouse)));
+    all.map(|(time, mouse)| Moment {
+        mouse: *mouse,
+        ..Moment::at(*time)
+    })
+    .collect()
+}
+
+fn difference(drawn: [&Drawn; 2], shots: [&Shot; 2], moment: &Moment) -> Difference {
+    let [a, b] = drawn;
+    let pictures =
+        [(shots[0], a), (shots[1], b)].map(|(shot, drawn)| Picture::of(&shot.scene.code, drawn, 0));
+    let mut by_pixel = Vec::with_capacity(a.covered.len());
+    let mut told = MomentCompared {
+        time: moment.time,
+        frame: moment.frame,
+        mouse: super::facts::mouse(moment),
+        pixels: 0,
+        shown: 0,
+        most: 0.0,
+        first: None,
+    };
+    let width = a.size[0].max(1);
+    let [left, right] = pictures.each_ref().map(|p| p.pixels.as_slice());
+    for ((one, two), at) in left.iter().zip(right).zip(0_usize..) {
+        let covered = a.covered.get(at) == b.covered.get(at);
+        let outputs = a.outputs.len() == b.outputs.len()
+            && a.outputs
+                .iter()
+                .zip(&b.outputs)
+                .all(|(a, b)| a.get(at) == b.get(at));
+        if covered && outputs {
+            by_pixel.push(0.0);
+            continue;
+        }
+        let lanes = one.iter().zip(two).take(3);
+        let gaps = lanes.map(|(a, b)| f64::from((a - b).abs()));
+        let gap = gaps.fold(0.0, |most, gap| match gap.is_finite() {
+            true => gap.max(most),
+            false => f64::from(u8::from(one.map(f32::to_bits) != two.map(f32::to_bits))).max(most),
+        });
+        told.pixels += 1;
+        told.shown += u64::from(Picture::shown(*one) != Picture::shown(*two));
+        told.most = gap.max(told.most);
+        let place = || [at as u32 % width, at as u32 / width];
+        told.first.get_or_insert_with(place);
+        by_pixel.push(gap.max(f64::from(f32::MIN_POSITIVE)));
+    }
+    Difference { told, by_pixel }
+}
+
+impl Shot {
+    /// The picture of a moment.
+    pub fn drawn(&self, size: [u32; 2], moment: &Moment, threads: usize) -> Result<Drawn, String> {
+        let own = self.scene.draw(size, moment);
+        draw(&own, threads).map_err(|stop| super::stopped(&stop, own.fuel))
+    }
+}
+
+impl Compared {
+    /// As it is asked for.
+    pub fn print(&self, format: RunFormat) -> String {
+        match format {
+            RunFormat::Human => self.text(),
+            RunFormat::Json => {
+                format!(
+                    "{}\n",
+                    serde_json::to_string_pretty(self).unwrap_or_default()
+                )
+            }
+        }
+    }
+
+    fn text(&self) -> String {
+        let [width, height] = self.size;
+        let pixels = u64::from(width) * u64::from(height);
+        let moments = self.moments.len();
+        let (file, other) = (&self.file, &self.other);
+        let seen = format!("{} pixels at {moments} moments", pixels * moments as u64);
+        if self.same {
+            return format!("{file} and {other}: the same bits on {seen}\n");
+        }
+        let mut text = format!("{file} and {other} differ; seen on {seen}\n");
+        for moment in self.moments.iter().filter(|m| m.pixels > 0) {
+            let share = super::facts::percent(moment.pixels as f64 / pixels.max(1) as f64);
+            let [x, y] = moment.first.unwrap_or_default();
+            let mouse = match &moment.mouse {
+                Some(_) => ", mouse down",
+                None => "",
+            };
+            text.push_str(&format!(
+                "  at {} s{mouse}: {} pixels ({share}), {} of them on the screen, by {} at most, \
+                 first at ({x}, {y})\n",
+                moment.time,
+                moment.pixels,
+                moment.shown,
+                heat::short(moment.most),
+            ));
+        }
+        if let Some(output) = &self.output {
+            text.push_str(&format!("  written   {output}\n"));
+        }
+        text
+    }
+}

@@ -1,0 +1,123 @@
+//! Heat maps: how much of something each pixel has, as a colour, with a legend below.
+
+use super::font;
+use super::png::Bitmap;
+
+/// The colours from nothing to the most, from dark to bright.
+const RAMP: [[u8; 3]; 6] = [
+    [6, 6, 20],
+    [66, 16, 96],
+    [158, 36, 92],
+    [230, 84, 44],
+    [250, 178, 40],
+    [252, 250, 190],
+];
+
+/// Narrowest picture that has room for a legend.
+const NARROWEST: u32 = 96;
+const TEXT: [u8; 3] = [220; 3];
+const GROUND: [u8; 3] = [16; 3];
+
+/// The colour of a share of the most.
+pub fn color(share: f64) -> [u8; 3] {
+    let at = share.clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
+    let before = (at.floor() as usize).min(RAMP.len() - 2);
+    let part = at - before as f64;
+    let (from, to) = match RAMP.get(before..before + 2) {
+        Some([from, to]) => (*from, *to),
+        _ => ([0; 3], [0; 3]),
+    };
+    let mut mixed = [0; 3];
+    for ((lane, from), to) in mixed.iter_mut().zip(from).zip(to) {
+        *lane = (f64::from(from) + (f64::from(to) - f64::from(from)) * part).round() as u8;
+    }
+    mixed
+}
+
+/// The map of some values, the lowest row first, with a legend below where there is room for one.
+pub fn map(size: [u32; 2], values: &[f64], title: &str) -> Bitmap {
+    let most = values.iter().copied().fold(0.0, f64::max);
+    let mut picture = Bitmap::filled(size, [0; 3]);
+    let places = (0..size[1])
+        .rev()
+        .flat_map(|y| (0..size[0]).map(move |x| (x, y)));
+    for ((x, y), value) in places.zip(values) {
+        let share = if most > 0.0 { value / most } else { 0.0 };
+        picture.set(x, y, color(share));
+    }
+    with_legend(picture, title, most)
+}
+
+/// A picture with a legend below: what it shows, and from which colour to which it goes.
+pub fn with_legend(picture: Bitmap, title: &str, most: f64) -> Bitmap {
+    let [width, height] = picture.size;
+    if width < NARROWEST {
+        return picture;
+    }
+    let scale = (width / 320).clamp(1, 4);
+    let [margin, bar] = [4 * scale, 8 * scale];
+    let below = 2 * margin + bar;
+    let mut whole = Bitmap::filled([width, height + below], GROUND);
+    whole.paste(&picture, 0, 0);
+    let middle = height + margin + (bar - font::HEIGHT * scale) / 2;
+    font::write(&mut whole, title, [margin, middle], scale, TEXT);
+    let least = font::width(title, scale) + 2 * margin;
+    font::write(&mut whole, "0", [least, middle], scale, TEXT);
+    let number = short(most);
+    let room = font::width(&number, scale) + margin;
+    let left = least + font::width("0", scale) + margin;
+    let right = width.saturating_sub(room + margin).max(left + 1);
+    for x in left..right {
+        let share = f64::from(x - left) / f64::from((right - left).max(2) - 1);
+        for y in 0..bar {
+            whole.set(x, height + margin + y, color(share));
+        }
+    }
+    font::write(&mut whole, &number, [right + margin, middle], scale, TEXT);
+    whole
+}
+
+/// A number in at most four digits or so.
+pub fn short(number: f64) -> String {
+    match number.abs() {
+        n if n >= 1e7 => format!("{:.0}M", number / 1e6),
+        n if n >= 1e4 => format!("{:.0}K", number / 1e3),
+        n if n == n.trunc() => format!("{number:.0}"),
+        n if n >= 10.0 => format!("{number:.1}"),
+        n if n >= 0.01 => format!("{number:.3}"),
+        _ => format!("{number:.6}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ramp_goes_from_dark_to_bright() {
+        assert_eq!((color(0.0), color(1.0)), (RAMP[0], RAMP[5]));
+        let light = |share| color(share).iter().map(|n| u32::from(*n)).sum::<u32>();
+        let all: Vec<u32> = (0..=20).map(|i| light(f64::from(i) / 20.0)).collect();
+        assert!(all.is_sorted(), "{all:?}");
+    }
+
+    #[test]
+    fn the_lowest_row_is_below_and_a_legend_under_it() {
+        let picture = map([1, 2], &[0.0, 4.0], "STEPS");
+        assert_eq!(picture.size, [1, 2]);
+        assert_eq!(
+            (picture.pixel(0, 0), picture.pixel(0, 1)),
+            (RAMP[5], RAMP[0])
+        );
+        let wide = map([320, 2], &[1.0; 640], "STEPS");
+        assert_eq!(wide.size, [320, 18]);
+        assert_eq!(wide.pixel(0, 17), GROUND);
+        assert!((0..320).any(|x| wide.pixel(x, 10) == RAMP[5]));
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        let all = [0.0, 96.0, 9_999.0, 12_345.0, 2.5e7, 0.125, 31.25].map(short);
+        assert_eq!(all, ["0", "96", "9999", "12K", "25M", "0.125", "31.2"]);
+    }
+}

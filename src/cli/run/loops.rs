@@ -1,0 +1,160 @@
+//! What was seen of loops beside what is known of them.
+
+use super::load::{Shot, position, span};
+use crate::exec::{LoopSeen, Seen};
+use crate::flow::Bound;
+use crate::ir::Provenance;
+use crate::lint::Facts;
+use crate::semantic::Program;
+use serde::Serialize;
+
+/// A loop, and how often it turned.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct LoopRow {
+    /// Where it stands: `file:line:column`.
+    pub at: String,
+    /// The function around it.
+    pub function: String,
+    /// `exactly`, `at most`, `ends`, `open`.
+    pub bound: &'static str,
+    /// The number of turns that the text allows, where it is known.
+    pub turns: Option<u64>,
+    /// Pixels that came to it.
+    pub pixels: u64,
+    /// The most turns that were seen.
+    pub most: u32,
+    /// Turns in the mean, each time that a pixel came to it.
+    pub mean: f64,
+    /// 99 of 100 pixels needed no more at a time.
+    pub p99: u32,
+    /// The share of the pixels that ran all turns and were not done before.
+    pub exhausted: f64,
+}
+
+/// All loops that pixels came to, those with the most turns first.
+pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<LoopRow> {
+    let facts = Facts::new(program);
+    let known = facts.loops();
+    let mut seen: Vec<&LoopSeen> = seen.loops.iter().filter(|l| l.entries > 0).collect();
+    seen.sort_by_key(|l| (std::cmp::Reverse(l.turns), l.id));
+    let rows = seen.into_iter().filter_map(|own| {
+        let stmt = shot.module.looped(own.id)?.stmt;
+        let own_facts = known.get(stmt);
+        let (bound, turns) = match own_facts.map_or(Bound::Open, |f| f.bound) {
+            Bound::Exact(n) => ("exactly", Some(n)),
+            Bound::AtMost(n) => ("at most", Some(n)),
+            Bound::Ends => ("ends", None),
+            Bound::Open => ("open", None),
+        };
+        let function = own_facts.and_then(|f| program.function(f.function));
+        let place = span(program, Provenance::Stmt(stmt));
+        Some(LoopRow {
+            at: position(&program.sources, place?)?,
+            function: function.map_or(String::new(), |f| program.names.text(f.name).to_string()),
+            bound,
+            turns,
+            pixels: own.pixels,
+            most: own.most,
+            mean: own.turns as f64 / own.entries.max(1) as f64,
+            p99: quantile(&own.histogram, 0.99),
+            exhausted: own.exhausted_pixels as f64 / own.pixels.max(1) as f64,
+        })
+    });
+    rows.collect()
+}
+
+/// The number that so large a share of what a histogram counts does not exceed.
+fn quantile(histogram: &[u32], share: f64) -> u32 {
+    let all: u64 = histogram.iter().map(|n| u64::from(*n)).sum();
+    let wanted = (all as f64 * share).ceil() as u64;
+    let mut counted = 0;
+    for (count, turns) in histogram.iter().zip(0..) {
+        counted += u64::from(*count);
+        if counted >= wanted {
+            return turns;
+        }
+    }
+    0
+}
+
+/// The table for people.
+pub fn table(rows: &[LoopRow]) -> String {
+    if rows.is_empty() {
+        return "  no loop was reached\n".to_string();
+    }
+    let head = ["loop", "in", "may turn", "most", "mean", "p99", "ran out"];
+    let mut cells = vec![head.map(str::to_string)];
+    cells.extend(rows.iter().map(|row| {
+        [
+            row.at.clone(),
+            row.function.clone(),
+            match row.turns {
+                Some(n) => format!("{} {n}", row.bound),
+                None => row.bound.to_string(),
+            },
+            row.most.to_string(),
+            format!("{:.1}", row.mean),
+            row.p99.to_string(),
+            super::facts::percent(row.exhausted),
+        ]
+    }));
+    let mut widths = [0; 7];
+    for row in &cells {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = cell.chars().count().max(*width);
+        }
+    }
+    let mut text = String::new();
+    for row in &cells {
+        let mut line = String::from(" ");
+        for ((cell, width), column) in row.iter().zip(widths).zip(0..) {
+            // Words begin, and numbers end, below one another.
+            let cell = match column < 3 {
+                true => format!(" {cell:width$} "),
+                false => format!(" {cell:>width$} "),
+            };
+            line.push_str(&cell);
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_of_a_histogram() {
+        let mut histogram = vec![0; 10];
+        histogram[2] = 98;
+        histogram[5] = 1;
+        histogram[9] = 1;
+        assert_eq!(quantile(&histogram, 0.5), 2);
+        assert_eq!(quantile(&histogram, 0.99), 5);
+        assert_eq!(quantile(&histogram, 1.0), 9);
+        assert_eq!(quantile(&[], 0.99), 0);
+    }
+
+    #[test]
+    fn the_table_has_straight_columns() {
+        let row = LoopRow {
+            at: "a.glsl:4:5".to_string(),
+            function: "map".to_string(),
+            bound: "at most",
+            turns: Some(96),
+            pixels: 100,
+            most: 71,
+            mean: 16.12,
+            p99: 64,
+            exhausted: 0.031,
+        };
+        let text = table(&[row]);
+        assert_eq!(
+            text,
+            "  loop        in   may turn    most  mean  p99  ran out\n  \
+             a.glsl:4:5  map  at most 96    71  16.1   64    3.1 %\n"
+        );
+    }
+}

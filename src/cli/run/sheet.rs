@@ -1,0 +1,59 @@
+//! A contact sheet: pictures of several moments beside each other.
+
+use super::args::RunArgs;
+use super::font;
+use super::load::Shot;
+use super::png::Bitmap;
+use super::progress::Progress;
+use crate::engine::play::{Moment, Picture};
+
+/// Pixels between two pictures.
+const GAP: u32 = 4;
+const GROUND: [u8; 3] = [16; 3];
+const TEXT: [u8; 3] = [220; 3];
+
+/// Draws a sheet of so many pictures. Each is drawn in its full size and shown smaller, so that what
+/// depends on the size of a pixel is as it is.
+pub fn draw(shot: &Shot, args: &RunArgs, count: u32) -> Result<Bitmap, String> {
+    let columns = columns(count);
+    let small = args.size.map(|side| (side / columns).max(1));
+    let label = font::HEIGHT + 2 * GAP;
+    let rows = count.div_ceil(columns);
+    let cell = [small[0] + GAP, small[1] + label];
+    let size = [columns * cell[0] + GAP, rows * cell[1] + GAP];
+    let mut sheet = Bitmap::filled(size, GROUND);
+    let first = args.moment();
+    let progress = Progress::new(count);
+    for i in 0..count {
+        let moment = Moment {
+            mouse: first.mouse,
+            ..Moment::at(first.time + f64::from(i) * args.every)
+        };
+        let drawn = shot.drawn(args.size, &moment, args.threads())?;
+        let picture = Bitmap {
+            size: drawn.size,
+            bytes: Picture::of(&shot.scene.code, &drawn, 0).bytes(),
+        };
+        let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
+        sheet.paste(&picture.shrunk(small), left, top);
+        let told = format!("{} S", super::heat::short(moment.time));
+        font::write(&mut sheet, &told, [left, top + small[1] + GAP], 1, TEXT);
+        progress.step();
+    }
+    Ok(sheet)
+}
+
+/// How many pictures stand beside each other.
+fn columns(count: u32) -> u32 {
+    (1..=count).find(|n| n * n >= count).unwrap_or(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_is_about_square() {
+        assert_eq!([1, 2, 4, 5, 9, 10].map(columns), [1, 2, 2, 3, 3, 4]);
+    }
+}

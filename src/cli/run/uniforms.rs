@@ -1,0 +1,208 @@
+//! The JSON that says what uniforms are.
+
+use serde_json::value::RawValue;
+use std::collections::BTreeMap;
+
+/// Deepest nesting that is read.
+const MAX_DEPTH: usize = 16;
+
+/// A uniform, and what it is to be.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Assignment {
+    /// As `getUniformLocation` takes it.
+    pub name: String,
+    /// Its scalars in order.
+    pub scalars: Vec<f64>,
+    /// Where the value stands: line and column, from 1.
+    pub at: (usize, usize),
+}
+
+/// Something wrong with the JSON.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BadUniforms {
+    /// Where: line and column, from 1.
+    pub at: (usize, usize),
+    /// What.
+    pub message: String,
+}
+
+/// A value; those inside it are read when they are asked for.
+enum Given<'t> {
+    Number(f64),
+    Truth(bool),
+    List(Vec<&'t RawValue>),
+    Members(BTreeMap<String, &'t RawValue>),
+}
+
+/// Reads what the uniforms are to be.
+///
+/// # Errors
+/// The first thing that is none.
+pub fn read(text: &str) -> Result<Vec<Assignment>, BadUniforms> {
+    let members: BTreeMap<String, &RawValue> =
+        serde_json::from_str(text).map_err(|error| BadUniforms {
+            at: (error.line().max(1), error.column().max(1)),
+            message: match error.classify() {
+                serde_json::error::Category::Data => {
+                    "this is no object of uniforms, like {\"speed\": 2}".to_string()
+                }
+                _ => plain(&error),
+            },
+        })?;
+    let mut found = Vec::new();
+    for (name, value) in members {
+        add(text, name, value, 0, &mut found)?;
+    }
+    Ok(found)
+}
+
+/// What is wrong, without the place, which is told beside it.
+fn plain(error: &serde_json::Error) -> String {
+    let words = error.to_string();
+    match words.rsplit_once(" at line ") {
+        Some((words, _)) => words.to_string(),
+        None => words,
+    }
+}
+
+/// Adds a value, or those of its members.
+fn add(
+    text: &str,
+    name: String,
+    raw: &RawValue,
+    depth: usize,
+    found: &mut Vec<Assignment>,
+) -> Result<(), BadUniforms> {
+    let at = place(text, raw);
+    let wrong = |message: String| BadUniforms { at, message };
+    let scalars = match given(raw).filter(|_| depth < MAX_DEPTH) {
+        Some(Given::Members(members)) => {
+            for (member, value) in members {
+                add(text, format!("{name}.{member}"), value, depth + 1, found)?;
+            }
+            return Ok(());
+        }
+        Some(Given::List(items)) if items.iter().any(|i| holds_members(i)) => {
+            for (item, i) in items.into_iter().zip(0..) {
+                add(text, format!("{name}[{i}]"), item, depth + 1, found)?;
+            }
+            return Ok(());
+        }
+        Some(Given::List(items)) => {
+            let mut scalars = Vec::new();
+            for item in items {
+                flatten(item, depth + 1, &mut scalars)
+                    .ok_or_else(|| wrong(format!("`{name}`: {NO_VALUE}")))?;
+            }
+            scalars
+        }
+        Some(Given::Number(number)) => vec![number],
+        Some(Given::Truth(truth)) => vec![f64::from(u8::from(truth))],
+        None => return Err(wrong(format!("`{name}`: {NO_VALUE}"))),
+    };
+    found.push(Assignment { name, scalars, at });
+    Ok(())
+}
+
+const NO_VALUE: &str = "a uniform is a number, a boolean or an array of these";
+
+fn given(raw: &RawValue) -> Option<Given<'_>> {
+    let text = raw.get();
+    match text.bytes().next()? {
+        b'[' => serde_json::from_str(text).ok().map(Given::List),
+        b'{' => serde_json::from_str(text).ok().map(Given::Members),
+        b't' | b'f' => serde_json::from_str(text).ok().map(Given::Truth),
+        _ => serde_json::from_str(text).ok().map(Given::Number),
+    }
+}
+
+fn holds_members(raw: &RawValue) -> bool {
+    raw.get().starts_with('{')
+}
+
+/// The scalars of an array of arrays, one after another.
+fn flatten(raw: &RawValue, depth: usize, scalars: &mut Vec<f64>) -> Option<()> {
+    if depth >= MAX_DEPTH {
+        return None;
+    }
+    match given(raw)? {
+        Given::Number(number) => scalars.push(number),
+        Given::Truth(truth) => scalars.push(f64::from(u8::from(truth))),
+        Given::List(items) => {
+            for item in items {
+                flatten(item, depth + 1, scalars)?;
+            }
+        }
+        Given::Members(_) => return None,
+    }
+    Some(())
+}
+
+/// Line and column of a value, which is a part of the text.
+fn place(text: &str, raw: &RawValue) -> (usize, usize) {
+    let offset = (raw.get().as_ptr() as usize).wrapping_sub(text.as_ptr() as usize);
+    let before = text.get(..offset).unwrap_or("");
+    let line = before.rsplit('\n').next().unwrap_or("");
+    (before.matches('\n').count() + 1, line.chars().count() + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, expected: &[(&str, &[f64])]) {
+        let read = read(text).unwrap();
+        let found: Vec<(&str, &[f64])> = read
+            .iter()
+            .map(|a| (a.name.as_str(), &a.scalars[..]))
+            .collect();
+        assert_eq!(found, expected, "{text}");
+    }
+
+    #[track_caller]
+    fn refuse(text: &str, at: (usize, usize), words: &str) {
+        let bad = read(text).unwrap_err();
+        assert_eq!(bad.at, at, "{}", bad.message);
+        assert!(bad.message.contains(words), "{}", bad.message);
+    }
+
+    #[test]
+    fn numbers_truths_and_arrays() {
+        check("{}", &[]);
+        check(
+            r#"{"a": 1.5, "b": true, "c": [1, -2e3], "d": [[1, 0], [0, 1]], "e": [true, false]}"#,
+            &[
+                ("a", &[1.5]),
+                ("b", &[1.0]),
+                ("c", &[1.0, -2000.0]),
+                ("d", &[1.0, 0.0, 0.0, 1.0]),
+                ("e", &[1.0, 0.0]),
+            ],
+        );
+        check(r#"{"u": 4294967295}"#, &[("u", &[4_294_967_295.0])]);
+    }
+
+    #[test]
+    fn members_of_structs() {
+        check(
+            r#"{"lights": [{"at": [0, 1, 2]}, {"at": [3, 4, 5], "on": false}], "fog.far": 9}"#,
+            &[
+                ("fog.far", &[9.0]),
+                ("lights[0].at", &[0.0, 1.0, 2.0]),
+                ("lights[1].at", &[3.0, 4.0, 5.0]),
+                ("lights[1].on", &[0.0]),
+            ],
+        );
+    }
+
+    #[test]
+    fn what_is_none_is_told_with_its_place() {
+        refuse("[1]", (1, 1), "no object of uniforms");
+        refuse("{\n  \"a\": \"x\"\n}", (2, 8), "`a`: a uniform is");
+        refuse("{\n  \"a\": [1, null]\n}", (2, 8), "`a`: a uniform is");
+        refuse("{\"a\": 1,\n}", (2, 1), "trailing comma");
+        let deep = format!("{{\"a\": {}{}}}", "[".repeat(40), "]".repeat(40));
+        assert!(read(&deep).is_err());
+    }
+}
