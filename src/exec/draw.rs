@@ -41,6 +41,8 @@ pub struct Drawn {
     pub covered: Vec<bool>,
     /// By pixel: how many operations it took part in.
     pub cost: Vec<u32>,
+    /// By pixel: how many turns of loops it made, where these are watched.
+    pub turns: Vec<u32>,
     /// What was seen on the way.
     pub seen: Seen,
 }
@@ -199,6 +201,7 @@ struct Given {
     outputs: Vec<Vec<[u32; 4]>>,
     covered: Vec<bool>,
     cost: Vec<u32>,
+    turns: Vec<u32>,
 }
 
 impl Given {
@@ -212,11 +215,12 @@ impl Given {
     /// Takes over the wanted pixels of a tile.
     fn take(&mut self, machine: &Machine<'_>, code: &Code, tile: &Tile, covered: u32) {
         let wanted = (0..LANES).filter(|lane| tile.wanted >> lane & 1 == 1);
-        let cost = machine.watched.cost();
+        let (cost, turns) = (machine.watched.cost(), machine.watched.turns());
         for lane in wanted.clone() {
             self.pixels.extend(tile.pixels.get(lane));
             self.covered.push(covered >> lane & 1 == 1);
             self.cost.extend(cost.get(lane));
+            self.turns.extend(turns.get(lane));
         }
         for (slot, given) in code.outputs.iter().zip(&mut self.outputs) {
             let mut rows = [[0; LANES]; 4];
@@ -264,6 +268,7 @@ pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
         outputs: vec![vec![[0; 4]; count]; draw.code.outputs.len()],
         covered: vec![false; count],
         cost: vec![0; count],
+        turns: vec![0; count],
         seen: Seen::default(),
     };
     for part in parts {
@@ -281,6 +286,7 @@ impl Drawn {
             let at = *y as usize * self.size[0] as usize + *x as usize;
             put(&mut self.covered, at, given.covered.get(n));
             put(&mut self.cost, at, given.cost.get(n));
+            put(&mut self.turns, at, given.turns.get(n));
             for (all, own) in self.outputs.iter_mut().zip(&given.outputs) {
                 put(all, at, own.get(n));
             }

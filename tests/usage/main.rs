@@ -11,6 +11,7 @@ mod links;
 mod outputs;
 mod parts;
 mod readme;
+mod run;
 mod saying;
 mod scratch;
 mod suppressions;

@@ -47,6 +47,10 @@ pub struct RunArgs {
     #[arg(long, value_enum, value_name = "WHAT", help_heading = "Output")]
     #[arg(hide_possible_values = true)]
     pub heatmap: Option<Heat>,
+    /// Draw a variable as it is on a line, like `d@42`; the last time that the line is run counts
+    #[arg(long, value_name = "NAME@LINE", value_parser = show_of, help_heading = "Output")]
+    #[arg(conflicts_with_all = ["heatmap", "compare"])]
+    pub show: Option<Show>,
     /// Draw so many pictures on one sheet, from --time on
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "9")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=100), help_heading = "Output")]
@@ -87,6 +91,15 @@ pub struct RunArgs {
     #[arg(long, value_name = "N", help_heading = "Output")]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
+}
+
+/// A variable, and a line.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Show {
+    /// Its name.
+    pub name: String,
+    /// The line, from 1.
+    pub line: u32,
 }
 
 /// What a heat map shows of each pixel.
@@ -176,6 +189,17 @@ fn mouse_of(text: &str) -> Result<Mouse, String> {
     Ok(Mouse { at, button })
 }
 
+/// A variable like `d@42`.
+fn show_of(text: &str) -> Result<Show, String> {
+    let parts = text.rsplit_once('@');
+    let show = parts.and_then(|(name, line)| {
+        let line = line.trim().parse().ok().filter(|line| *line > 0)?;
+        let name = name.trim().to_string();
+        (!name.is_empty()).then_some(Show { name, line })
+    });
+    show.ok_or_else(|| "write a name and a line like d@42".to_string())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -190,5 +214,8 @@ mod tests {
         let mouse = mouse_of("3, 4.5,down").unwrap();
         assert_eq!((mouse.at, mouse.button), ([3.0, 4.5], Button::Down));
         assert!(mouse_of("3").is_err() && mouse_of("3,4,up").is_err());
+        let show = show_of("d@42").map(|s| (s.name, s.line));
+        assert_eq!(show, Ok(("d".to_string(), 42)));
+        assert!(show_of("d").is_err() && show_of("@4").is_err() && show_of("d@0").is_err());
     }
 }

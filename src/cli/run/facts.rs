@@ -49,12 +49,12 @@ pub struct OutputFacts {
     /// Its type.
     #[serde(rename = "type")]
     pub ty: String,
-    /// By channel, of the numbers that are finite.
-    pub mean: [f64; 3],
+    /// By channel, alpha left out, of the numbers that are finite.
+    pub mean: Vec<f64>,
     /// The smallest.
-    pub min: [f64; 3],
+    pub min: Vec<f64>,
     /// The largest.
-    pub max: [f64; 3],
+    pub max: Vec<f64>,
     /// Share of the pixels that are black on the screen.
     pub black: f64,
     /// Share of those with a NaN.
@@ -79,15 +79,21 @@ pub struct CostFacts {
 }
 
 impl OutputFacts {
-    /// What is said of an output.
-    pub fn of(name: &str, ty: String, facts: &PictureFacts, pixels: usize) -> OutputFacts {
+    /// What is said of an output of so many lanes.
+    pub fn of(
+        name: &str,
+        (ty, lanes): (String, u32),
+        facts: &PictureFacts,
+        pixels: usize,
+    ) -> OutputFacts {
+        let first = |all: [f64; 3]| all.into_iter().take(lanes.max(1) as usize).collect();
         let share = |count: u64| count as f64 / pixels.max(1) as f64;
         OutputFacts {
             name: name.to_string(),
             ty,
-            mean: facts.mean,
-            min: facts.least,
-            max: facts.most,
+            mean: first(facts.mean),
+            min: first(facts.least),
+            max: first(facts.most),
             black: share(facts.black),
             nan: share(facts.nan),
             infinite: share(facts.infinite),
@@ -128,13 +134,19 @@ impl RunFacts {
                 0 => "picture".to_string(),
                 _ => output.name.clone(),
             };
-            let lanes = |all: [f64; 3]| all.map(|n| format!("{n:.3}")).join(" ");
+            let lanes = |all: &[f64]| {
+                let all = all.iter().map(|n| format!("{n:.3}"));
+                all.collect::<Vec<_>>().join(" ")
+            };
             text.push_str(&format!(
                 "  {name:9} mean {}, from {} to {}\n",
-                lanes(output.mean),
-                lanes(output.min),
-                lanes(output.max)
+                lanes(&output.mean),
+                lanes(&output.min),
+                lanes(&output.max)
             ));
+            if i > 0 {
+                continue;
+            }
             let mut shares = vec![format!("{} black", percent(output.black))];
             let more = [
                 (output.nan, "NaN"),
@@ -151,7 +163,7 @@ impl RunFacts {
             };
             text.push_str(&format!("  {:9} {}, {colors}\n", "", shares.join(", ")));
         }
-        let (mean, most) = (self.cost.mean, self.cost.most);
+        let CostFacts { mean, most, .. } = self.cost;
         text.push_str(&format!(
             "  {:9} {mean:.0} operations a pixel, {most} at most\n",
             "cost"

@@ -34,22 +34,34 @@ pub fn color(share: f64) -> [u8; 3] {
     mixed
 }
 
-/// The map of some values, the lowest row first, with a legend below where there is room for one.
+/// What is no number, in a map.
+const NO_NUMBER: [u8; 3] = [255, 0, 255];
+
+/// The map of some values, the lowest row first, with a legend below where there is room for one. It
+/// begins at 0, or at what lies below.
 pub fn map(size: [u32; 2], values: &[f64], title: &str) -> Bitmap {
-    let most = values.iter().copied().fold(0.0, f64::max);
+    let finite = || values.iter().copied().filter(|n| n.is_finite());
+    let (least, most) = (finite().fold(0.0, f64::min), finite().fold(0.0, f64::max));
     let mut picture = Bitmap::filled(size, [0; 3]);
     let places = (0..size[1])
         .rev()
         .flat_map(|y| (0..size[0]).map(move |x| (x, y)));
     for ((x, y), value) in places.zip(values) {
-        let share = if most > 0.0 { value / most } else { 0.0 };
-        picture.set(x, y, color(share));
+        let share = match most > least {
+            true => (value - least) / (most - least),
+            false => 0.0,
+        };
+        let color = match value.is_finite() {
+            true => color(share),
+            false => NO_NUMBER,
+        };
+        picture.set(x, y, color);
     }
-    with_legend(picture, title, most)
+    with_legend(picture, title, [least, most])
 }
 
-/// A picture with a legend below: what it shows, and from which colour to which it goes.
-pub fn with_legend(picture: Bitmap, title: &str, most: f64) -> Bitmap {
+/// A picture with a legend below: what it shows, and from which number to which it goes.
+fn with_legend(picture: Bitmap, title: &str, ends: [f64; 2]) -> Bitmap {
     let [width, height] = picture.size;
     if width < NARROWEST {
         return picture;
@@ -62,10 +74,10 @@ pub fn with_legend(picture: Bitmap, title: &str, most: f64) -> Bitmap {
     let middle = height + margin + (bar - font::HEIGHT * scale) / 2;
     font::write(&mut whole, title, [margin, middle], scale, TEXT);
     let least = font::width(title, scale) + 2 * margin;
-    font::write(&mut whole, "0", [least, middle], scale, TEXT);
-    let number = short(most);
+    let [first, number] = ends.map(short);
+    font::write(&mut whole, &first, [least, middle], scale, TEXT);
     let room = font::width(&number, scale) + margin;
-    let left = least + font::width("0", scale) + margin;
+    let left = least + font::width(&first, scale) + margin;
     let right = width.saturating_sub(room + margin).max(left + 1);
     for x in left..right {
         let share = f64::from(x - left) / f64::from((right - left).max(2) - 1);

@@ -1,7 +1,7 @@
 //! From the arguments to what is drawn: the text, its errors, and what its uniforms are set to.
 
 use super::args::RunArgs;
-use super::uniforms;
+use super::{show, uniforms};
 use crate::cli::disk::Disk;
 use crate::cli::port;
 use crate::diagnostic::Severity;
@@ -138,6 +138,11 @@ pub fn shot(loaded: &Loaded, args: &RunArgs, options: &CompileOptions) -> Result
         return Err(Trouble::Words(words));
     }
     let module = lower(program);
+    let probe = match &args.show {
+        Some(show) => Some(show::probe(show, composed, unit, program, &module)?),
+        None => None,
+    };
+    let options = &CompileOptions { probe, ..*options };
     let scene = match (unit.wrapper, pass) {
         (Wrapper::Own, Some(pass)) => Scene::bound(program, &module, pass.bound.clone(), options),
         _ => Scene::of(program, &module, options),

@@ -27,8 +27,9 @@ pub struct LoopRow {
     pub mean: f64,
     /// 99 of 100 pixels needed no more at a time.
     pub p99: u32,
-    /// The share of the pixels that ran all turns and were not done before.
-    pub exhausted: f64,
+    /// The share of the pixels that ran all turns and were not done before; of loops that nothing but
+    /// their condition ends, that says nothing.
+    pub exhausted: Option<f64>,
 }
 
 /// All loops that pixels came to, those with the most turns first.
@@ -57,7 +58,9 @@ pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<LoopRow> {
             most: own.most,
             mean: own.turns as f64 / own.entries.max(1) as f64,
             p99: quantile(&own.histogram, 0.99),
-            exhausted: own.exhausted_pixels as f64 / own.pixels.max(1) as f64,
+            exhausted: own_facts
+                .is_some_and(|f| f.ends_early)
+                .then(|| own.exhausted_pixels as f64 / own.pixels.max(1) as f64),
         })
     });
     rows.collect()
@@ -95,7 +98,7 @@ pub fn table(rows: &[LoopRow]) -> String {
             row.most.to_string(),
             format!("{:.1}", row.mean),
             row.p99.to_string(),
-            super::facts::percent(row.exhausted),
+            row.exhausted.map_or("-".to_string(), super::facts::percent),
         ]
     }));
     let mut widths = [0; 7];
@@ -148,7 +151,7 @@ mod tests {
             most: 71,
             mean: 16.12,
             p99: 64,
-            exhausted: 0.031,
+            exhausted: Some(0.031),
         };
         let text = table(&[row]);
         assert_eq!(

@@ -10,6 +10,7 @@ mod loops;
 mod png;
 mod progress;
 mod sheet;
+mod show;
 mod terminal;
 mod uniforms;
 
@@ -74,9 +75,10 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     let progress = Progress::new(1);
     let drawn = own.drawn(args.size, &moment, args.threads())?;
     drop(progress);
-    let bitmap = match args.heatmap {
-        Some(heat) => heat_map(heat, &own, &drawn),
-        None => bitmap(&own, &drawn),
+    let bitmap = match (args.heatmap, &args.show) {
+        (Some(heat), _) => heat_map(heat, &own, &drawn),
+        (None, Some(show)) => show::picture(show, &own, &drawn),
+        (None, None) => bitmap(&own, &drawn),
     };
     let output = write(args, &bitmap, &loaded.read)?;
     let mut told = facts_of(&loaded, &own, &drawn, args);
@@ -94,9 +96,10 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
 /// How the shader is compiled for what is asked.
 fn options(args: &RunArgs) -> CompileOptions {
     CompileOptions {
-        watch: match args.report || args.heatmap == Some(Heat::Steps) {
-            true => Watch::Flow,
-            false => Watch::Nothing,
+        // Nobody asks for the cost of pictures that are only compared, or put on a sheet.
+        watch: match args.compare.is_some() || args.sheet.is_some() {
+            true => Watch::Nothing,
+            false => Watch::Flow,
         },
         ..CompileOptions::default()
     }
@@ -146,7 +149,7 @@ fn bitmap(shot: &Shot, drawn: &Drawn) -> Bitmap {
 fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
     let counts = |all: &[u32]| all.iter().map(|n| f64::from(*n)).collect::<Vec<_>>();
     let (values, title) = match heat {
-        Heat::Steps => (counts(&drawn.cost), "STEPS"),
+        Heat::Steps => (counts(&drawn.turns), "STEPS"),
         Heat::Cost => (counts(&drawn.cost), "OPERATIONS"),
         Heat::Nan => {
             let picture = Picture::of(&shot.scene.code, drawn, 0);
@@ -167,7 +170,8 @@ fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunF
     let outputs = code.outputs.iter().zip(0..).map(|(slot, at)| {
         let facts = Picture::of(code, drawn, at).facts(&drawn.covered);
         let ty = program.map_or(String::new(), |p| p.type_name(slot.ty));
-        OutputFacts::of(&slot.name, ty, &facts, drawn.covered.len())
+        let lanes = slot.ty.components();
+        OutputFacts::of(&slot.name, (ty, lanes), &facts, drawn.covered.len())
     });
     let moment = args.moment();
     let loops = program.filter(|_| args.report);

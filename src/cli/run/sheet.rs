@@ -17,7 +17,8 @@ const TEXT: [u8; 3] = [220; 3];
 pub fn draw(shot: &Shot, args: &RunArgs, count: u32) -> Result<Bitmap, String> {
     let columns = columns(count);
     let small = args.size.map(|side| (side / columns).max(1));
-    let label = font::HEIGHT + 2 * GAP;
+    let scale = (small[0] / 80).clamp(1, 4);
+    let label = font::HEIGHT * scale + 2 * GAP;
     let rows = count.div_ceil(columns);
     let cell = [small[0] + GAP, small[1] + label];
     let size = [columns * cell[0] + GAP, rows * cell[1] + GAP];
@@ -37,7 +38,7 @@ pub fn draw(shot: &Shot, args: &RunArgs, count: u32) -> Result<Bitmap, String> {
         let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
         sheet.paste(&picture.shrunk(small), left, top);
         let told = format!("{} S", super::heat::short(moment.time));
-        font::write(&mut sheet, &told, [left, top + small[1] + GAP], 1, TEXT);
+        font::write(&mut sheet, &told, [left, top + small[1] + GAP], scale, TEXT);
         progress.step();
     }
     Ok(sheet)

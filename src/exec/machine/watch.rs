@@ -18,6 +18,8 @@ const MOST_TURNS: usize = 1024;
 pub(in crate::exec) struct Watched {
     /// By lane: what it paid in the tile.
     cost: [i32x8; PARTS],
+    /// By lane: the turns of all loops in the tile.
+    turns: [i32x8; PARTS],
     loops: Vec<LoopCount>,
     /// By check: how often pixels came to it.
     visits: Vec<u64>,
@@ -57,6 +59,7 @@ impl Watched {
         });
         Watched {
             cost: Row::ZERO.0,
+            turns: Row::ZERO.0,
             loops: loops.collect(),
             visits: vec![0; code.checks.len()],
             compared: code.compared.iter().map(|_| Ends::default()).collect(),
@@ -91,6 +94,11 @@ impl Watched {
         Row(self.cost).bits()
     }
 
+    /// By lane: the turns of all loops in the tile.
+    pub fn turns(&self) -> [u32; LANES] {
+        Row(self.turns).bits()
+    }
+
     pub fn enter(&mut self, number: u32, active: u32) {
         if let Some(count) = self.loops.get_mut(number as usize) {
             count.entered = active;
@@ -103,6 +111,9 @@ impl Watched {
             for (turns, lanes) in count.turns.iter_mut().zip(lanes) {
                 *turns -= *lanes;
             }
+        }
+        for (turns, lanes) in self.turns.iter_mut().zip(lanes) {
+            *turns -= *lanes;
         }
     }
 
@@ -151,6 +162,7 @@ impl Watched {
     /// A tile begins.
     pub fn open(&mut self) {
         self.cost = Row::ZERO.0;
+        self.turns = Row::ZERO.0;
         for count in &mut self.loops {
             (count.came, count.exhausted) = (0, 0);
             count.most = [0; LANES];

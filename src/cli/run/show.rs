@@ -1,0 +1,126 @@
+//! A variable of a line, drawn as a picture.
+
+use super::args::Show;
+use super::heat;
+use super::load::{Shot, span};
+use super::png::Bitmap;
+use crate::engine::play::Picture;
+use crate::exec::{Drawn, Probe};
+use crate::ir::{Module, OpId, OpKind};
+use crate::port::{Composed, PassUnit};
+use crate::semantic::{Program, VariableId};
+use crate::text::{SourceFile, Span};
+use std::collections::BTreeSet;
+
+/// Where the variable is looked at that is to be shown.
+pub fn probe(
+    show: &Show,
+    composed: &Composed,
+    unit: &PassUnit,
+    program: &Program,
+    module: &Module,
+) -> Result<Probe, String> {
+    let mut files = unit.files.iter();
+    let own = files.find(|id| composed.owner(**id) == Some(unit.pass));
+    let file = own.and_then(|id| composed.sources.file(*id));
+    let uses = uses(&show.name, program, module);
+    let in_file = uses
+        .iter()
+        .filter_map(|(variable, span)| Some((*variable, line_of(file?, *span)?)));
+    let lines: BTreeSet<(u32, VariableId)> = in_file.map(|(v, line)| (line, v)).collect();
+    let found = lines.iter().find(|(line, _)| *line == show.line);
+    let within = file.and_then(|file| whole_line(file, show.line));
+    if let (Some((_, variable)), Some(within)) = (found, within) {
+        return Ok(Probe {
+            variable: *variable,
+            within,
+        });
+    }
+    let name = &show.name;
+    let others: BTreeSet<u32> = lines.iter().map(|(line, _)| *line).collect();
+    let others: Vec<String> = others.iter().map(u32::to_string).collect();
+    Err(match others.len() {
+        0 => format!("--show: the shader has no variable `{name}` that is read or written"),
+        1 => format!(
+            "--show: `{name}` is not read or written on line {}; it is on line {}",
+            show.line,
+            others.concat()
+        ),
+        _ => format!(
+            "--show: `{name}` is not read or written on line {}; it is on the lines {}",
+            show.line,
+            others.join(", ")
+        ),
+    })
+}
+
+/// Where the variables of a name are read and written.
+fn uses(name: &str, program: &Program, module: &Module) -> Vec<(VariableId, Span)> {
+    let Some(name) = program.names.get(name) else {
+        return Vec::new();
+    };
+    let ids = (0..module.ops.len() as u32).map(OpId);
+    let uses = ids.filter_map(|id| {
+        let (OpKind::Load(place) | OpKind::Store(place, _)) = module.op(id).kind else {
+            return None;
+        };
+        let variable = module.place(place).variable;
+        let is_it = program.variable(variable).is_some_and(|v| v.name == name);
+        let span = span(program, module.provenance(id)).filter(|_| is_it)?;
+        Some((variable, span))
+    });
+    uses.collect()
+}
+
+/// The line of a place, if it is in a file.
+fn line_of(file: &SourceFile, span: Span) -> Option<u32> {
+    file.span()
+        .contains(Span::at(span.start))
+        .then(|| file.position(span.start).line)
+}
+
+/// A line of a file, by its number from 1.
+fn whole_line(file: &SourceFile, number: u32) -> Option<Span> {
+    let lines = file.text.split_inclusive('\n');
+    let before = lines.clone().take(number as usize - 1).map(str::len);
+    let start = file.base + before.sum::<usize>() as u32;
+    let line = file.text.split_inclusive('\n').nth(number as usize - 1)?;
+    Some(Span::new(start, start + line.len() as u32))
+}
+
+/// The variable as a picture: a number as heat, several as colours, from the smallest to the largest
+/// where they do not lie between 0 and 1.
+pub fn picture(show: &Show, shot: &Shot, drawn: &Drawn) -> Bitmap {
+    let code = &shot.scene.code;
+    let at = code.outputs.len().saturating_sub(1);
+    let lanes = code.outputs.get(at).map_or(0, |slot| slot.ty.components());
+    let picture = Picture::of(code, drawn, at);
+    if lanes == 1 {
+        let values = picture.pixels.iter().map(|p| f64::from(p[0]));
+        return heat::map(drawn.size, &values.collect::<Vec<_>>(), &show.name);
+    }
+    let numbers = || {
+        picture
+            .pixels
+            .iter()
+            .flat_map(|p| p.iter().take(lanes as usize))
+    };
+    let finite = || numbers().copied().filter(|n| n.is_finite());
+    let (least, most) = (finite().fold(0.0, f32::min), finite().fold(1.0, f32::max));
+    let scaled = picture.pixels.iter().map(|p| {
+        let lane = |n: f32| (n - least) / (most - least);
+        let mut pixel = p.map(lane);
+        if lanes == 2 {
+            pixel[2] = 0.0;
+        }
+        pixel
+    });
+    let scaled = Picture {
+        size: drawn.size,
+        pixels: scaled.collect(),
+    };
+    Bitmap {
+        size: drawn.size,
+        bytes: scaled.bytes(),
+    }
+}

@@ -1,0 +1,280 @@
+//! `run`: what is drawn, what is said, what is refused.
+
+use crate::scratch::Scratch;
+
+/// Red grows to the right, green up; blue is what a uniform says.
+const RAMP: &str = "#version 300 es
+precision highp float;
+uniform vec2 u_resolution;
+uniform float gain;
+uniform mat2 turn;
+out vec4 color;
+void main() {
+    vec2 place = gl_FragCoord.xy / u_resolution;
+    vec2 turned = turn * vec2(1.0, 0.0);
+    color = vec4(place, gain * turned.y, 1.0);
+}
+";
+
+/// A march that ends where it hits, and a loop that always makes four turns.
+const MARCH: &str = "void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    float t = 0.0;
+    for (int i = 0; i < 8; i++) {
+        if (t > fragCoord.x) break;
+        t += 1.0;
+    }
+    for (int i = 0; i < 4; i++) {
+        t += 0.5;
+    }
+    fragColor = vec4(t / 16.0, iTime, 0.0, 1.0);
+}
+";
+
+/// Width, height and the bytes of a PNG.
+fn pixels(scratch: &Scratch, name: &str) -> (u32, u32, Vec<[u8; 3]>) {
+    let file = std::fs::File::open(scratch.path(name)).unwrap();
+    let decoder = png::Decoder::new(std::io::BufReader::new(file));
+    let mut reader = decoder.read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    assert_eq!(info.color_type, png::ColorType::Rgb);
+    let pixels = bytes.chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
+    (info.width, info.height, pixels.collect())
+}
+
+#[test]
+fn a_picture_is_written_with_its_first_row_above() {
+    let scratch = Scratch::new(&[
+        ("a.frag", RAMP),
+        ("u.json", "{\"gain\": 0.5, \"turn\": [0, 2, 0, 0]}"),
+    ]);
+    let args = ["run", "a.frag", "--size", "4x2", "--uniforms", "u.json"];
+    let ran = scratch.run(&[&args[..], &["-o", "a.png"]].concat());
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""), "{}", ran.out);
+    assert!(ran.out.contains("written   a.png"), "{}", ran.out);
+    let (width, height, pixels) = pixels(&scratch, "a.png");
+    assert_eq!((width, height), (4, 2));
+    assert_eq!(pixels[0], [32, 191, 255]);
+    assert_eq!(pixels[7], [223, 64, 255]);
+    let again = scratch.run(&[&args[..], &["-o", "a.png"]].concat());
+    assert_eq!(again.code, 2);
+    assert!(
+        again.err.contains("a.png is there already; --force"),
+        "{}",
+        again.err
+    );
+    let over = scratch.run(&[&args[..], &["--force", "-o", "a.frag"]].concat());
+    assert_eq!(over.code, 2);
+    assert!(over.err.contains("a.frag is what is read"), "{}", over.err);
+}
+
+#[test]
+fn uniforms_that_do_not_fit_are_told_with_their_place() {
+    let scratch = Scratch::new(&[("a.frag", RAMP)]);
+    for (json, expected) in [
+        (
+            "{\"gian\": 1}",
+            "u.json:1:10: the shader has no uniform `gian`; did you mean `gain`?",
+        ),
+        (
+            "{\n  \"turn\": [1, 2]\n}",
+            "u.json:2:11: `turn` takes 4 numbers, and this is 2",
+        ),
+        (
+            "{\"gain\": null}",
+            "u.json:1:10: `gain`: a uniform is a number",
+        ),
+    ] {
+        scratch.write("u.json", json);
+        let ran = scratch.run(&["run", "a.frag", "--size", "2x2", "--uniforms", "u.json"]);
+        assert_eq!(ran.code, 2);
+        assert!(ran.err.contains(expected), "{}", ran.err);
+    }
+}
+
+#[test]
+fn what_nothing_sets_is_told() {
+    let scratch = Scratch::new(&[("a.frag", RAMP)]);
+    let ran = scratch.run(&["run", "a.frag", "--size", "2x2"]);
+    assert_eq!(ran.code, 0);
+    assert!(ran.err.contains("so they are zero: `gain`"), "{}", ran.err);
+}
+
+#[test]
+fn loops_are_told_of_as_they_were_seen() {
+    let scratch = Scratch::new(&[("m.glsl", MARCH)]);
+    let args = [
+        "run", "m.glsl", "--size", "16x1", "--time", "0.5", "--report",
+    ];
+    let ran = scratch.run(&[&args[..], &["--format", "json"]].concat());
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""));
+    let told: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(told["schema"], 1);
+    assert_eq!(told["size"], serde_json::json!([16, 1]));
+    assert_eq!((&told["time"], &told["frame"]), (&0.5.into(), &30.into()));
+    let march = &told["loops"][0];
+    assert_eq!(march["at"], "m.glsl:3:5");
+    assert_eq!(
+        (&march["bound"], &march["turns"]),
+        (&"at most".into(), &8.into())
+    );
+    assert_eq!(
+        (&march["most"], &march["exhausted"]),
+        (&8.into(), &0.5625.into())
+    );
+    let steady = &told["loops"][1];
+    assert_eq!(
+        (&steady["mean"], &steady["exhausted"]),
+        (&4.0.into(), &serde_json::Value::Null)
+    );
+    let text = scratch.run(&args).out;
+    assert!(text.contains("m.glsl:3:5  mainImage  at most 8"), "{text}");
+}
+
+#[test]
+fn a_variable_of_a_line_is_shown() {
+    let scratch = Scratch::new(&[("m.glsl", MARCH)]);
+    let args = [
+        "run", "m.glsl", "--size", "16x1", "-o", "t.png", "--force", "--show",
+    ];
+    let ran = scratch.run(&[&args[..], &["t@5"]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let (_, _, pixels) = pixels(&scratch, "t.png");
+    assert_ne!(pixels[0], pixels[15]);
+    let ran = scratch.run(&[&args[..], &["t@1"]].concat());
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .contains("`t` is not read or written on line 1; it is on the lines 2, 4, 5"),
+        "{}",
+        ran.err
+    );
+    let ran = scratch.run(&[&args[..], &["x@1"]].concat());
+    assert!(ran.err.contains("has no variable `x`"), "{}", ran.err);
+}
+
+#[test]
+fn heat_maps_have_a_legend_below() {
+    let scratch = Scratch::new(&[("m.glsl", MARCH)]);
+    for heat in ["steps", "cost", "nan"] {
+        let name = format!("{heat}.png");
+        let ran = scratch.run(&[
+            "run",
+            "m.glsl",
+            "--size",
+            "128x8",
+            "--heatmap",
+            heat,
+            "-o",
+            &name,
+        ]);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        let (width, height, _) = pixels(&scratch, &name);
+        assert_eq!((width, height), (128, 24));
+    }
+    let (_, _, steps) = pixels(&scratch, "steps.png");
+    assert_ne!(steps[0], steps[20]);
+}
+
+#[test]
+fn two_shaders_are_compared_bit_for_bit() {
+    let same = MARCH.replace("t / 16.0", "t * 0.0625");
+    let other = MARCH.replace("t / 16.0", "t / 15.0");
+    let files = [
+        ("a.glsl", MARCH),
+        ("same.glsl", &same),
+        ("other.glsl", &other),
+    ];
+    let scratch = Scratch::new(&files);
+    let args = ["run", "--size", "16x2", "a.glsl", "--compare"];
+    let ran = scratch.run(&[&args[..], &["same.glsl"]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.out);
+    assert!(
+        ran.out.contains("the same bits on 256 pixels at 8 moments"),
+        "{}",
+        ran.out
+    );
+    let ran = scratch.run(&[&args[..], &["other.glsl", "-o", "d.png"]].concat());
+    assert_eq!(ran.code, 1, "{}", ran.out);
+    assert!(
+        ran.out.contains("a.glsl and other.glsl differ"),
+        "{}",
+        ran.out
+    );
+    assert!(scratch.path("d.png").exists());
+}
+
+#[test]
+fn a_sheet_holds_pictures_of_several_times() {
+    let scratch = Scratch::new(&[("m.glsl", MARCH)]);
+    let ran = scratch.run(&[
+        "run", "m.glsl", "--size", "64x32", "--sheet", "4", "-o", "s.png",
+    ]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let (width, height, pixels) = pixels(&scratch, "s.png");
+    assert_eq!((width, height), (76, 62));
+    let at = |x: usize, y: usize| pixels[y * 76 + x];
+    // The second picture is that of one second, and green grows with time.
+    assert_eq!((at(10, 10)[1], at(50, 10)[1]), (0, 255));
+}
+
+#[test]
+fn errors_are_told_as_the_linter_tells_them_and_nothing_is_drawn() {
+    let scratch = Scratch::new(&[("a.frag", &RAMP.replace("gain *", "gian *"))]);
+    let ran = scratch.run(&["run", "a.frag", "-o", "a.png"]);
+    assert_eq!(ran.code, 1);
+    let said = "error[undeclared-name]: nothing declares `gian`";
+    let checked = scratch.run(&["a.frag"]);
+    assert!(ran.out.starts_with(said), "{}", ran.out);
+    assert!(checked.out.contains(said), "{}", checked.out);
+    assert!(!scratch.path("a.png").exists());
+    let ran = scratch.run(&["run", "none.frag"]);
+    assert_eq!(ran.code, 2, "{}", ran.err);
+}
+
+#[test]
+fn varyings_hold_the_place_in_the_picture() {
+    let shader = "precision highp float;\nvarying vec2 vUv;\n\
+        void main() { gl_FragColor = vec4(vUv, 0.0, 1.0); }\n";
+    let scratch = Scratch::new(&[("v.frag", shader)]);
+    let ran = scratch.run(&["run", "v.frag", "--size", "4x2", "-o", "v.png"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let (_, _, pixels) = pixels(&scratch, "v.png");
+    assert_eq!((pixels[0], pixels[7]), ([32, 191, 0], [223, 64, 0]));
+}
+
+#[test]
+fn pictures_are_drawn_into_the_terminal() {
+    let scratch = Scratch::new(&[("m.glsl", MARCH)]);
+    let mut command = scratch.command(&["run", "m.glsl", "--size", "4x2", "--color", "always"]);
+    command.env("TERM", "xterm").env("COLORTERM", "truecolor");
+    let out = String::from_utf8(command.output().unwrap().stdout).unwrap();
+    let line = out.lines().next().unwrap();
+    assert_eq!(line.matches('▀').count(), 4, "{out}");
+    assert!(line.starts_with("\u{1b}[38;2;"), "{out}");
+}
+
+#[test]
+fn the_pictures_of_the_readme_are_what_is_drawn() {
+    let scratch = Scratch::new(&[]);
+    let templates = crate::scratch::root().join("corpus/templates");
+    let shader = templates.join("voxel.glsl");
+    let args = [
+        "run",
+        shader.to_str().unwrap(),
+        "--size",
+        "320x180",
+        "--time",
+        "6",
+    ];
+    for (name, more) in [
+        ("voxel.png", &[][..]),
+        ("voxel.steps.png", &["--heatmap", "steps"]),
+    ] {
+        let ran = scratch.run(&[&args[..], more, &["-o", name]].concat());
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        std::fs::copy(templates.join(name), scratch.path("kept.png")).unwrap();
+        let drawn = pixels(&scratch, name);
+        assert!(drawn == pixels(&scratch, "kept.png"), "{name} is stale");
+    }
+}
