@@ -1,5 +1,6 @@
 //! Register code: what the machine runs.
 
+use super::compile::Lean;
 use crate::ir::{LoopId, OpId, Provenance};
 use crate::semantic::{Sampler, Scalar, Type};
 
@@ -284,10 +285,6 @@ pub(super) enum Instr {
     SkipIfNone(Target),
     /// Jumps back; it costs as much as what is run again.
     Back(Target),
-    /// Runs a function and comes back.
-    Call(Target),
-    /// Comes back.
-    Return,
 
     /// A loop begins.
     Enter(u32),
@@ -321,6 +318,8 @@ pub(super) enum F1 {
     DifferenceX,
     /// The difference to the neighbour above.
     DifferenceY,
+    /// The nearest number of 16 bits.
+    Half,
 }
 
 /// Instructions with two operands.
@@ -334,6 +333,25 @@ pub(super) enum F2 {
     And, Or, Xor, ShiftLeft, ShiftRight, ShiftRightUnsigned,
     IntMin, IntMax, UintMin, UintMax,
     PackHalf, PackSnorm, PackUnorm,
+    /// The first operand, off by as much as a GPU may be for the second.
+    Off(Inexact, Lean),
+}
+
+/// What a GPU need not compute exactly.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(super) enum Inexact {
+    /// `/`, and `sqrt`
+    Quotient,
+    /// `inversesqrt`
+    InverseRoot,
+    /// `exp`, `exp2`
+    Exponential,
+    /// `log`, `log2`
+    Logarithm,
+    /// `sin`, `cos`
+    Sine,
+    /// `atan`, `asin`, `acos`
+    ArcTangent,
 }
 
 /// Instructions with three operands.

@@ -71,6 +71,7 @@ impl Compiler<'_> {
                     self.op = op;
                     self.tick();
                     let value = self.operation(op).unwrap_or_default();
+                    let value = self.narrowed(op, value);
                     if let Some(slot) = self.values.get_mut(op.0 as usize) {
                         *slot = value;
                     }

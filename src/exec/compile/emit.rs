@@ -2,8 +2,8 @@
 
 use super::plan::{Held, Plan};
 use super::registers::Registers;
-use super::{CompileOptions, Refusal, Watch};
-use crate::exec::code::{CheckSite, Code, F1, F2, F3, Instr, Reg, Slot, Target};
+use super::{CompileOptions, Persona, Refusal, Watch};
+use crate::exec::code::{CheckSite, Code, F1, F2, F3, Inexact, Instr, Reg, Slot, Target};
 use crate::ir::{Module, OpId, Provenance};
 use crate::semantic::{FunctionRef, Program, VariableId};
 use rustc_hash::FxHashMap;
@@ -362,11 +362,43 @@ impl<'p> Compiler<'p> {
     }
 
     pub fn one(&mut self, f: F1, a: Reg) -> Reg {
-        self.pure(Instr::One(f, 0, a), &[a])
+        let made = self.pure(Instr::One(f, 0, a), &[a]);
+        let what = match f {
+            F1::Sqrt => Inexact::Quotient,
+            F1::InverseSqrt => Inexact::InverseRoot,
+            F1::Exp | F1::Exp2 => Inexact::Exponential,
+            F1::Log | F1::Log2 => Inexact::Logarithm,
+            F1::Sin | F1::Cos => Inexact::Sine,
+            F1::Atan | F1::Asin | F1::Acos => Inexact::ArcTangent,
+            _ => return made,
+        };
+        self.off(what, made, a)
     }
 
     pub fn two(&mut self, f: F2, a: Reg, b: Reg) -> Reg {
-        self.pure(Instr::Two(f, 0, a, b), &[a, b])
+        if let (F2::Pow, Persona::Inexact(_)) = (f, self.options.persona) {
+            // As a GPU computes it, and as the errors add up.
+            let log = self.one(F1::Log2, a);
+            let product = self.then_two(F2::Multiply, log, b);
+            return self.then_one(F1::Exp2, product);
+        }
+        let made = self.pure(Instr::Two(f, 0, a, b), &[a, b]);
+        match f {
+            F2::Divide => self.off(Inexact::Quotient, made, b),
+            F2::Atan2 => self.off(Inexact::ArcTangent, made, b),
+            _ => made,
+        }
+    }
+
+    /// A result as a GPU may give it that is no more exact than it has to be.
+    fn off(&mut self, what: Inexact, made: Reg, operand: Reg) -> Reg {
+        let Persona::Inexact(lean) = self.options.persona else {
+            return made;
+        };
+        let f = F2::Off(what, lean);
+        let off = self.pure(Instr::Two(f, 0, made, operand), &[made, operand]);
+        self.registers.release(made);
+        off
     }
 
     pub fn three(&mut self, f: F3, a: Reg, b: Reg, c: Reg) -> Reg {
@@ -465,8 +497,7 @@ impl Instr {
             | Instr::While { to, .. }
             | Instr::Case { to, .. }
             | Instr::SkipIfNone(to)
-            | Instr::Back(to)
-            | Instr::Call(to) => *to = target,
+            | Instr::Back(to) => *to = target,
             _ => {}
         }
     }

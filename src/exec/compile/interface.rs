@@ -4,7 +4,7 @@ use super::emit::{Compiler, Made, Regs, Value};
 use super::layout::scalars;
 use crate::exec::code::{InputSlot, Instr, OutputSlot, SamplerSlot, UniformSlot};
 use crate::ir::Root;
-use crate::semantic::{Base, FunctionRef, Type, VariableId};
+use crate::semantic::{Base, FunctionRef, Type, Variable, VariableId};
 
 /// Most samplers of a shader; browsers have 16 or 32 units.
 const MAX_SAMPLERS: usize = 1024;
@@ -13,11 +13,15 @@ impl Compiler<'_> {
     /// Lays out the uniforms, and gives outputs and globals their registers.
     pub fn interface(&mut self) {
         let program = self.program;
-        for (number, variable) in (0..).map(VariableId).zip(&program.variables) {
-            let root = self.module.variable(number).map(|v| v.root);
-            if root != Some(Root::Uniform) || !variable.read {
-                continue;
-            }
+        let is_uniform = |(number, variable): &(VariableId, &Variable)| {
+            let root = self.module.variable(*number).map(|v| v.root);
+            root == Some(Root::Uniform) && variable.read
+        };
+        let all = (0..).map(VariableId).zip(&program.variables);
+        let mut uniforms: Vec<_> = all.filter(is_uniform).collect();
+        // In whatever order they are declared, the code is the same.
+        uniforms.sort_by_key(|(_, variable)| program.names.text(variable.name));
+        for (number, variable) in uniforms {
             let at = self.code.uniform_words;
             let first = self.code.samplers.len() as u32;
             let name = program.names.text(variable.name).to_string();

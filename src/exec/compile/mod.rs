@@ -35,6 +35,31 @@ pub struct CompileOptions {
     pub probe: Option<Probe>,
     /// The bits of what was never written: zero in the browser.
     pub undefined: u32,
+    /// The GPU that is played.
+    pub persona: Persona,
+}
+
+/// A GPU as exact as the conformance suite asks, and no more (VK-GL-CTS, glsBuiltinPrecisionTests).
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Persona {
+    /// As exact as it gets.
+    #[default]
+    Exact,
+    /// Off by all that is allowed.
+    Inexact(Lean),
+    /// Exact, but that `mediump` and `lowp` are numbers of 16 bits.
+    Mobile,
+}
+
+/// To which side results are off.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Lean {
+    /// Away from zero; sines up.
+    Out,
+    /// Towards zero; sines down.
+    In,
+    /// Now this, now that, by the bits of the result.
+    Either,
 }
 
 /// A variable that is looked at where it is read or written: the last such moment of a pixel counts.

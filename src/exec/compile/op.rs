@@ -1,9 +1,9 @@
 //! Operations, scalar by scalar.
 
-use super::Watch;
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
+use super::{Persona, Watch};
 use crate::exec::code::{CheckSite, Checked, Comparison, F1, F2, F3, Instr, Look, Reg};
-use crate::ir::{Binary, OpId, OpKind, Unary};
+use crate::ir::{Binary, OpId, OpKind, Precision, Unary};
 use crate::semantic::{Base, Scalar, Type, Value as Constant};
 
 impl Compiler<'_> {
@@ -95,6 +95,34 @@ impl Compiler<'_> {
                 Some(value) => Some(value),
                 None => self.refuse("what a call leaves behind"),
             },
+        }
+    }
+
+    /// A value as a phone has it: of `mediump` and less, numbers of 16 bits.
+    pub fn narrowed(&mut self, id: OpId, value: Value) -> Value {
+        let op = self.module.op(id);
+        let is_narrow = matches!(op.precision, Precision::Low | Precision::Medium);
+        let computes = matches!(
+            op.kind,
+            OpKind::Binary(..)
+                | OpKind::Builtin(..)
+                | OpKind::MatrixProduct(..)
+                | OpKind::Convert(_)
+        );
+        let is_float = op.ty.scalar_kind() == Some(Scalar::Float);
+        match value {
+            Value::Regs(regs)
+                if is_narrow && computes && is_float && self.options.persona == Persona::Mobile =>
+            {
+                let made: Vec<Reg> = (0..regs.len)
+                    .map(|n| {
+                        let reg = self.reg(regs, n);
+                        self.then_one(F1::Half, reg)
+                    })
+                    .collect();
+                Value::Regs(self.listed(made))
+            }
+            value => value,
         }
     }
 

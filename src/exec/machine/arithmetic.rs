@@ -174,6 +174,10 @@ fn apply_one(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
         F1::SnormHigh => unpacked(bank, to, a, |p| m::unpack_snorm(unsigned(p)), 1),
         F1::UnormLow => unpacked(bank, to, a, |p| m::unpack_unorm(unsigned(p)), 0),
         F1::UnormHigh => unpacked(bank, to, a, |p| m::unpack_unorm(unsigned(p)), 1),
+        F1::Half => float_one(bank, to, a, |x| {
+            let [low, _] = m::unpack_half(m::pack_half(x, f32x8::ZERO));
+            low
+        }),
         F1::DifferenceX => one(bank, to, a, |a| difference(a, [1, 0, 3, 2], [1, 1, 3, 3])),
         F1::DifferenceY => one(bank, to, a, |a| difference(a, [2, 3, 0, 1], [2, 3, 2, 3])),
     }
@@ -254,6 +258,7 @@ fn apply_two(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
         F2::IntMax => two(bank, to, a, b, |a, b| a.max(b)),
         F2::UintMin => two(bank, to, a, b, |a, b| turned(turned(a).min(turned(b)))),
         F2::UintMax => two(bank, to, a, b, |a, b| turned(turned(a).max(turned(b)))),
+        F2::Off(what, lean) => float_two(bank, to, a, b, |x, y| m::off(what, lean, x, y)),
         F2::PackHalf => two(bank, to, a, b, |a, b| {
             of_unsigned(m::pack_half(floats(a), floats(b)))
         }),

@@ -40,7 +40,6 @@ pub(super) struct Machine<'d> {
     wanted: u32,
     /// A mask, and the register that has all bits set in its lanes.
     spread: (u32, [i32x8; PARTS]),
-    returns: Vec<Target>,
     fuel: u64,
     tile: Tile,
     pub watched: Watched,
@@ -74,7 +73,6 @@ impl<'d> Machine<'d> {
             live: u32::MAX,
             wanted: 0,
             spread: (u32::MAX, spread(u32::MAX)),
-            returns: Vec::new(),
             fuel: 0,
             tile: Tile {
                 pixels: [[0; 2]; LANES],
@@ -98,7 +96,6 @@ impl<'d> Machine<'d> {
     pub fn run(&mut self, tile: &Tile) -> Result<u32, Stop> {
         self.open(tile);
         (self.active, self.live) = (u32::MAX, u32::MAX);
-        self.returns.clear();
         self.fuel = self.draw.fuel;
         self.inputs();
         let out_of_fuel = |m: &Machine<'_>| Stop::OutOfFuel {
@@ -108,7 +105,7 @@ impl<'d> Machine<'d> {
         let mut at: Target = 0;
         while let Some(instr) = code.body.get(at as usize) {
             at += 1;
-            match self.jump(instr, at) {
+            match self.jump(instr) {
                 Some(Step::To(target)) => at = target,
                 Some(Step::Back(target)) => {
                     let cost = (at - target) as u64;
@@ -198,7 +195,7 @@ impl<'d> Machine<'d> {
 
     /// Runs an instruction; gives where it jumps to.
     #[inline(always)]
-    fn jump(&mut self, instr: &Instr, at: Target) -> Option<Step> {
+    fn jump(&mut self, instr: &Instr) -> Option<Step> {
         match *instr {
             Instr::If {
                 condition,
@@ -253,11 +250,6 @@ impl<'d> Machine<'d> {
             }
             Instr::SkipIfNone(to) => return self.unless_any(to),
             Instr::Back(to) => return Some(Step::Back(to)),
-            Instr::Call(to) => {
-                self.returns.push(at);
-                return Some(Step::To(to));
-            }
-            Instr::Return => return self.returns.pop().map(Step::To),
             _ => self.straight(instr),
         }
         None

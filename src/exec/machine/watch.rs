@@ -86,6 +86,7 @@ impl Watched {
         }
         let compared = code.compared.iter().zip(&self.compared);
         seen.compared = compared.map(|(op, ends)| ends.seen(*op)).collect();
+        seen.numbers.sort_by_key(|n| (n.op, n.kind));
         self.seen
     }
 

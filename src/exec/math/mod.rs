@@ -7,6 +7,7 @@
 mod common;
 mod double;
 mod exponential;
+mod inexact;
 mod integer;
 mod large;
 mod packing;
@@ -19,6 +20,7 @@ pub(super) use common::{
 pub(super) use exponential::{
     acosh, asinh, atanh, cosh, exp, exp2, inverse_sqrt, log, log2, pow, sinh, sqrt, tanh,
 };
+pub(super) use inexact::off;
 pub(super) use integer::{
     divide_int, divide_uint, float_of_int, float_of_uint, int_of_float, remainder_int,
     remainder_uint, shift_left, shift_right_int, shift_right_uint, uint_of_float,
@@ -29,6 +31,9 @@ pub(super) use packing::{
 pub(super) use trigonometric::{acos, asin, atan, atan2, cos, sin, tan};
 
 use wide::f32x8;
+
+/// All bits set.
+const ALL: f32x8 = f32x8::new([f32::from_bits(u32::MAX); 8]);
 
 /// The signs alone, to be put on what has none.
 #[inline(always)]

@@ -1,0 +1,104 @@
+//! Whether two shaders draw the same picture: the same register code proves it; else both are run and
+//! every bit is compared.
+
+use super::code::Code;
+use super::draw::{Draw, Sampled, Stop, sample};
+
+/// How many moments are compared.
+const MOMENTS: usize = 8;
+/// How many quads across and up.
+const QUADS: [u32; 2] = [18, 16];
+/// The size of the picture.
+const SIZE: [u32; 2] = [640, 360];
+
+/// What is known of two shaders.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Equality {
+    /// The register code is the same, so that every picture is.
+    Proved,
+    /// As many pixels have the same bits.
+    Seen {
+        /// How many were compared.
+        pixels: u64,
+    },
+    /// This pixel has not.
+    Differs {
+        /// `gl_FragCoord.xy`, less the half.
+        pixel: [u32; 2],
+        /// Number of the moment.
+        moment: usize,
+    },
+    /// One of them takes too long to be compared.
+    TooLong,
+}
+
+/// Compares two shaders. `set` gives either its uniforms, textures and inputs at a moment, which are
+/// numbered from 0; the same for both.
+pub fn equality(a: &Code, b: &Code, set: &dyn Fn(&mut Draw<'_>, usize)) -> Equality {
+    if a.is_same(b) {
+        return Equality::Proved;
+    }
+    let mut pixels = 0;
+    for moment in 0..MOMENTS {
+        let run = |code: &Code| -> Result<Sampled, Stop> {
+            let mut draw = Draw::new(code, SIZE);
+            set(&mut draw, moment);
+            sample(&draw, &quads(moment as u32))
+        };
+        let (Ok(a), Ok(b)) = (run(a), run(b)) else {
+            return Equality::TooLong;
+        };
+        if let Some(pixel) = first_difference(&a, &b) {
+            return Equality::Differs { pixel, moment };
+        }
+        pixels += a.pixels.len() as u64;
+    }
+    Equality::Seen { pixels }
+}
+
+/// Quads all over the picture, at other places in each moment.
+fn quads(moment: u32) -> Vec<[u32; 2]> {
+    let [across, up] = QUADS;
+    let step = [SIZE[0] / across, SIZE[1] / up];
+    let all = (0..up).flat_map(|y| (0..across).map(move |x| [x, y]));
+    let shifted = all.map(|[x, y]| {
+        let shift = (x * 7 + y * 5 + moment * 3) % 16;
+        [(x * step[0] + shift) & !1, (y * step[1] + shift) & !1]
+    });
+    shifted.collect()
+}
+
+fn first_difference(a: &Sampled, b: &Sampled) -> Option<[u32; 2]> {
+    let differs = |at: &usize| {
+        let is_covered = a.covered.get(*at) == Some(&true);
+        if a.covered.get(*at) != b.covered.get(*at) || a.outputs.len() != b.outputs.len() {
+            return true;
+        }
+        let mut outputs = a.outputs.iter().zip(&b.outputs);
+        is_covered && outputs.any(|(a, b)| a.get(*at) != b.get(*at))
+    };
+    let at = (0..a.pixels.len()).find(differs)?;
+    a.pixels.get(at).copied()
+}
+
+impl Code {
+    /// Whether it is the same code for the same uniforms and samplers. Names of inputs of the stage
+    /// count, those of outputs do not.
+    fn is_same(&self, other: &Code) -> bool {
+        self.body == other.body
+            && self.prologue == other.prologue
+            && self.constants == other.constants
+            && self.tables == other.tables
+            && self.arrays == other.arrays
+            && self.lookups == other.lookups
+            && self.uniforms == other.uniforms
+            && self.samplers == other.samplers
+            && self.inputs == other.inputs
+            && self.outputs.len() == other.outputs.len()
+            && self
+                .outputs
+                .iter()
+                .zip(&other.outputs)
+                .all(|(a, b)| a.regs == b.regs)
+    }
+}

@@ -1,0 +1,433 @@
+//! What shaders compute, pixel by pixel; that pixels do not depend on who runs beside them; and that
+//! every run ends.
+
+use super::{
+    Code, CompileOptions, Draw, Drawn, Equality, Kind, Lean, Persona, Seen, Stop, Watch, compile,
+    draw, equality, sample,
+};
+use crate::ir::lower;
+use crate::semantic::analyze_fragment;
+
+/// What every shader here starts with, on one line.
+const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int; out vec4 color; \
+                    uniform int n; uniform float x; uniform vec3 v; uniform mat3 m; \
+                    uniform float a[4]; struct S { float a; vec2 b; };\n";
+
+fn compiled(code: &str, options: &CompileOptions) -> Code {
+    let analysis = analyze_fragment(code);
+    assert_eq!(analysis.diagnostics, [], "{code}");
+    let module = lower(&analysis.program);
+    let made = compile(&analysis.program, &module, options);
+    made.unwrap_or_else(|refusal| panic!("{refusal:?}\n{code}"))
+}
+
+fn set_all(draw: &mut Draw<'_>) {
+    draw.set("n", &[3.0]);
+    draw.set("x", &[0.5]);
+    draw.set("v", &[1.0, 2.0, 3.0]);
+    draw.set("m", &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
+    draw.set("a", &[10.0, 20.0, 30.0, 40.0]);
+}
+
+fn drawn(code: &str, size: [u32; 2]) -> Drawn {
+    let code = compiled(code, &CompileOptions::default());
+    let mut ready = Draw::new(&code, size);
+    set_all(&mut ready);
+    draw(&ready, 1).unwrap()
+}
+
+/// The pixels of the first row, as floats.
+fn row(code: &str, width: u32) -> Vec<[f32; 4]> {
+    let drawn = drawn(code, [width, 1]);
+    let pixels = drawn.outputs.first().unwrap().iter();
+    pixels.map(|p| p.map(f32::from_bits)).collect()
+}
+
+/// Compares what an expression of four components is.
+#[track_caller]
+fn check(expression: &str, expected: [f32; 4]) {
+    let code = format!("{HEAD}void main() {{ color = {expression}; }}");
+    assert_eq!(row(&code, 1), [expected], "{expression}");
+}
+
+/// Compares the first component that statements leave in the pixels `p` of a row of eight.
+#[track_caller]
+fn check_row(functions: &str, statements: &str, expected: [f32; 8]) {
+    let main = format!("void main() {{ int p = int(gl_FragCoord.x); {statements} }}");
+    let code = format!("{HEAD}{functions}\n{main}");
+    let found: Vec<f32> = row(&code, 8).iter().map(|p| p[0]).collect();
+    assert_eq!(found, expected, "{statements}");
+}
+
+#[test]
+fn values() {
+    check("vec4(1.0, x, v.z, n)", [1.0, 0.5, 3.0, 3.0]);
+    check("vec4(v.zyx * x, 2.0 / 4.0)", [1.5, 1.0, 0.5, 0.5]);
+    check("vec4(m * v, 0.0)", [30.0, 36.0, 42.0, 0.0]);
+    check("vec4(v * m, 0.0)", [14.0, 32.0, 50.0, 0.0]);
+    check("vec4((m * m)[1], m[2][0])", [66.0, 81.0, 96.0, 7.0]);
+    check(
+        "vec4(-n / 2, n % 2, n << 2, -n >> 1)",
+        [-1.0, 1.0, 12.0, -2.0],
+    );
+    check(
+        "vec4(n > 2, v == vec3(1, 2, 3), !(x < 0.5), false ^^ true)",
+        [1.0; 4],
+    );
+    check(
+        "vec4(a[n], a[n - 3], a[3], a.length())",
+        [40.0, 10.0, 40.0, 4.0],
+    );
+    check(
+        "vec4(float(0x80000000u), uint(-1) >> 31, int(-2.7), uint(2.7))",
+        [2147483648.0, 1.0, -2.0, 2.0],
+    );
+    check(
+        "vec4(S(1.0, v.xy) == S(1.0, vec2(1, 2)), S(2.0, v.yz).b, 0.0)",
+        [1.0, 2.0, 3.0, 0.0],
+    );
+    check(
+        "vec4(mat2(x)[1], mat3(mat2(5.0))[2].z, 0.0)",
+        [0.0, 0.5, 1.0, 0.0],
+    );
+}
+
+#[test]
+fn functions() {
+    check(
+        "vec4(dot(v, v), length(v.xz * vec2(3, 0)), cross(v, v.zxy).x, sign(-x))",
+        [14.0, 3.0, 1.0, -1.0],
+    );
+    check(
+        "vec4(mix(1.0, 3.0, x), mix(v.x, v.y, true), clamp(n, 0, 2), step(1.0, x))",
+        [2.0, 2.0, 2.0, 0.0],
+    );
+    check(
+        "vec4(fract(-x), mod(-1.0, 3.0), floor(-x), ceil(-x))",
+        [0.5, 2.0, -1.0, -0.0],
+    );
+    check(
+        "vec4(reflect(v, vec3(0, 1, 0)), smoothstep(0.0, 1.0, x))",
+        [1.0, -2.0, 3.0, 0.5],
+    );
+    check(
+        "vec4(determinant(mat2(1, 2, 3, 4)), inverse(mat2(2, 0, 0, 4))[1], 0)",
+        [-2.0, 0.0, 0.25, 0.0],
+    );
+    check(
+        "vec4(transpose(mat2x3(1, 2, 3, 4, 5, 6))[1], any(bvec2(false, n > 0)), all(bvec2(true)))",
+        [2.0, 5.0, 1.0, 1.0],
+    );
+    check(
+        "vec4(unpackHalf2x16(packHalf2x16(v.yz)), intBitsToFloat(floatBitsToInt(x)), isnan(x))",
+        [2.0, 3.0, 0.5, 0.0],
+    );
+    check(
+        "vec4(outerProduct(v.xy, v.yz)[1], min(n, 2), max(v.x, x))",
+        [3.0, 6.0, 2.0, 1.0],
+    );
+    check(
+        "vec4(lessThan(v, v.zyx), notEqual(v.xy, v.xz).y)",
+        [1.0, 0.0, 0.0, 1.0],
+    );
+    let modf = format!("{HEAD}void main() {{ float w; color = vec4(modf(-2.5, w), w, 0, 0); }}");
+    assert_eq!(row(&modf, 1), [[-0.5, -2.0, 0.0, 0.0]]);
+}
+
+#[test]
+fn control_flow() {
+    check_row(
+        "",
+        "color = vec4(p < 3 ? 1 : p < 5 ? 2 : 3);",
+        [1., 1., 1., 2., 2., 3., 3., 3.],
+    );
+    check_row(
+        "",
+        "int s = 0; for (int i = 0; i < p; i++) { if (i == 3) continue; if (i == 6) break; s += i; } color = vec4(s);",
+        [0., 0., 1., 3., 3., 7., 12., 12.],
+    );
+    check_row(
+        "",
+        "int s = 0; do { s++; if (s > 4) break; } while (s < p); color = vec4(s);",
+        [1., 1., 2., 3., 4., 5., 5., 5.],
+    );
+    check_row(
+        "",
+        "int s = 0; switch (p) { case 1: s = 1; case 2: s += 10; break; default: s = 7; case 5: s++; break; case 6: s = 60; } color = vec4(s);",
+        [8., 11., 10., 8., 8., 1., 60., 8.],
+    );
+    check_row(
+        "",
+        "int s = 0; for (int i = 0; i < 8; i++) { switch (i) { case 2: continue; default: if (i > p) break; s++; } } color = vec4(s);",
+        [1., 2., 2., 3., 4., 5., 6., 7.],
+    );
+    check_row(
+        "float f(int p) { for (int i = 0; i < 9; i++) { if (i * i > p) return float(i); } return -1.0; }",
+        "float r = f(p); if (p == 7) { color = vec4(9); return; } color = vec4(r);",
+        [1., 2., 2., 2., 3., 3., 3., 9.],
+    );
+    check_row(
+        "int c; bool t(bool b) { c++; return b; }",
+        "c = 0; bool b = p > 3 && t(p > 5) || t(p == 0); color = vec4(c * 10 + int(b));",
+        [11., 10., 10., 10., 20., 20., 11., 11.],
+    );
+}
+
+/// A lane that has left a construct keeps what it had.
+#[test]
+fn lanes_that_are_away() {
+    check_row(
+        "",
+        "float t = 0.0; for (int i = 0; i < 8; i++) { if (t > float(p)) break; t += 2.0; } color = vec4(t);",
+        [2., 2., 4., 4., 6., 6., 8., 8.],
+    );
+    check_row(
+        "",
+        "int i = 0; while (true) { i += 1; if (i >= p) break; } color = vec4(i);",
+        [1., 1., 2., 3., 4., 5., 6., 7.],
+    );
+    // A name for the value of a variable that changes meanwhile.
+    check_row(
+        "",
+        "int s = p; int old = s; for (int i = 0; i < 2; i++) { s += old; old = s; } color = vec4(old * 100 + s);",
+        [0., 404., 808., 1212., 1616., 2020., 2424., 2828.],
+    );
+    check_row(
+        "",
+        "ivec2 q = ivec2(p, 9); q = q.yx; color = vec4(q.x * 10 + q.y);",
+        [90., 91., 92., 93., 94., 95., 96., 97.],
+    );
+    check_row(
+        "void swap(inout int a, inout int b) { int t = a; a = b; b = t; }",
+        "int a = p, b = 5; swap(a, b); color = vec4(a * 10 + b);",
+        [50., 51., 52., 53., 54., 55., 56., 57.],
+    );
+    check_row(
+        "float g; float f(float y) { g = 7.0; return y; }",
+        "g = float(p); float k = f(g); color = vec4(k * 10.0 + g);",
+        [7., 17., 27., 37., 47., 57., 67., 77.],
+    );
+}
+
+#[test]
+fn arrays() {
+    check_row(
+        "",
+        "float k[8]; for (int i = 0; i < 8; i++) k[i] = float(i * i); color = vec4(k[7 - p]);",
+        [49., 36., 25., 16., 9., 4., 1., 0.],
+    );
+    check_row(
+        "",
+        "vec3 w = v; w[p % 3] = 9.0; color = vec4(w.x + w.y * 10.0 + w.z * 100.0);",
+        [329., 391., 921., 329., 391., 921., 329., 391.],
+    );
+    // The browser takes the nearest element.
+    check_row(
+        "",
+        "color = vec4(a[p - 2]);",
+        [10., 10., 10., 20., 30., 40., 40., 40.],
+    );
+    let table = "const float T[20] = float[](0.,1.,2.,3.,4.,5.,6.,7.,8.,9.,10.,11.,12.,13.,14.,15.,16.,17.,18.,19.);";
+    check_row(
+        table,
+        "color = vec4(T[p * 2]);",
+        [0., 2., 4., 6., 8., 10., 12., 14.],
+    );
+    check_row(
+        "",
+        "S s[3]; s[p % 3].b[1] = float(p); s[2].b.y += 1.0; color = vec4(s[2].b.y);",
+        [1., 1., 3., 1., 1., 6., 1., 1.],
+    );
+}
+
+#[test]
+fn neighbours() {
+    check_row(
+        "",
+        "color = vec4(dFdx(float(p * p)));",
+        [1., 1., 5., 5., 9., 9., 13., 13.],
+    );
+    check_row("", "color = vec4(fwidth(gl_FragCoord.y * 3.0));", [3.; 8]);
+    let discard =
+        format!("{HEAD}void main() {{ if (gl_FragCoord.x < 2.0) discard; color = vec4(1); }}");
+    assert_eq!(drawn(&discard, [4, 1]).covered, [false, false, true, true]);
+}
+
+/// Pixels of a shader with loops, calls, branches and derivatives.
+const BUSY: &str = "float map(vec3 p) { return length(p) - 1.0 + 0.1 * sin(8.0 * p.x); }
+    float march(vec3 o, vec3 d) {
+        float t = 0.0;
+        for (int i = 0; i < 40; i++) { float h = map(o + d * t); if (h < 0.001) return t; t += h; if (t > 9.0) break; }
+        return -1.0;
+    }
+    void main() {
+        vec2 uv = gl_FragCoord.xy / 20.0 - 1.0;
+        float t = march(vec3(0, 0, -3), normalize(vec3(uv, 1.5)));
+        vec3 c = vec3(0.1, 0.2, 0.3) * (1.0 + fwidth(t));
+        if (t > 0.0) { vec3 p = vec3(uv, t); c = fract(p * 3.7) + (mod(float(n), 2.0) > 0.5 ? 0.1 : 0.0); }
+        color = vec4(c, t);
+    }";
+
+/// Eight quads together give what each gives alone, and one thread what two give.
+#[test]
+fn quads_do_not_depend_on_each_other() {
+    let code = compiled(&format!("{HEAD}{BUSY}"), &CompileOptions::default());
+    let mut ready = Draw::new(&code, [40, 24]);
+    set_all(&mut ready);
+    let together = draw(&ready, 2).unwrap();
+    assert_eq!(draw(&ready, 1).unwrap().outputs, together.outputs);
+    for y in (0..24).step_by(2) {
+        for x in (0..40).step_by(2) {
+            let alone = sample(&ready, &[[x, y]]).unwrap();
+            for (pixel, found) in alone.pixels.iter().zip(&alone.outputs[0]) {
+                let at = (pixel[1] * 40 + pixel[0]) as usize;
+                assert_eq!(*found, together.outputs[0][at], "{pixel:?}");
+            }
+        }
+    }
+}
+
+/// Watching does not change what is drawn.
+#[test]
+fn watching_changes_nothing() {
+    let text = format!("{HEAD}{BUSY}");
+    let pictures = [Watch::Nothing, Watch::Flow, Watch::Numbers].map(|watch| {
+        let options = CompileOptions {
+            watch,
+            ..CompileOptions::default()
+        };
+        let code = compiled(&text, &options);
+        let mut ready = Draw::new(&code, [40, 24]);
+        set_all(&mut ready);
+        draw(&ready, 1).unwrap().outputs
+    });
+    assert_eq!(pictures[0], pictures[1]);
+    assert_eq!(pictures[0], pictures[2]);
+}
+
+fn seen(statements: &str) -> Seen {
+    let text = format!("{HEAD}void main() {{ int p = int(gl_FragCoord.x); {statements} }}");
+    let options = CompileOptions {
+        watch: Watch::Numbers,
+        ..CompileOptions::default()
+    };
+    let code = compiled(&text, &options);
+    let mut ready = Draw::new(&code, [8, 1]);
+    set_all(&mut ready);
+    draw(&ready, 1).unwrap().seen
+}
+
+#[test]
+fn loops_are_counted() {
+    let seen = seen("for (int i = 0; i < 5; i++) { if (i == p) break; } color = vec4(0);");
+    let [only] = seen.loops.as_slice() else {
+        panic!("{seen:?}")
+    };
+    assert_eq!((only.pixels, only.entries, only.most), (8, 8, 5));
+    // Pixels 5, 6 and 7 break never.
+    assert_eq!((only.exhausted, only.exhausted_pixels), (3, 3));
+    assert_eq!(only.turns, 1 + 2 + 3 + 4 + 5 + 5 + 5 + 5);
+    assert_eq!(only.histogram, [0, 1, 1, 1, 1, 4]);
+}
+
+#[test]
+fn branches_and_numbers_are_seen() {
+    let seen = seen(
+        "float q = float(p) - 2.0; if (p > 2) q = -q; color = vec4(1.0 / q, sqrt(q), a[p], 0);",
+    );
+    let [branch] = seen.branches.as_slice() else {
+        panic!("{seen:?}")
+    };
+    assert_eq!((branch.taken, branch.skipped), (5, 3));
+    let found: Vec<_> = seen
+        .numbers
+        .iter()
+        .map(|n| (n.kind, n.times, n.witness.pixel[0]))
+        .collect();
+    assert_eq!(
+        found,
+        [
+            (Kind::Infinite, 1, 2),
+            (Kind::DivisionByZero, 1, 2),
+            (Kind::Nan, 7, 0),
+            (Kind::OutOfRange, 4, 4)
+        ]
+    );
+    let [compared] = seen.compared.as_slice() else {
+        panic!("{seen:?}")
+    };
+    assert_eq!((compared.held, compared.failed), (5, 3));
+    assert_eq!((compared.left, compared.right), ([0.0, 7.0], [2.0, 2.0]));
+}
+
+/// A GPU that is no more exact than it has to be draws a noise of sines otherwise, and a plain
+/// gradient hardly.
+#[test]
+fn personas_differ_where_gpus_do() {
+    let picture = |expression: &str, persona: Persona| {
+        let text = format!(
+            "{HEAD}void main() {{ vec2 q = gl_FragCoord.xy; color = vec4({expression}); }}"
+        );
+        let options = CompileOptions {
+            persona,
+            ..CompileOptions::default()
+        };
+        let code = compiled(&text, &options);
+        let drawn = draw(&Draw::new(&code, [8, 8]), 1).unwrap();
+        let reds = drawn.outputs[0].iter().map(|p| f32::from_bits(p[0]));
+        reds.collect::<Vec<f32>>()
+    };
+    let most = |expression: &str, persona: Persona| {
+        let exact = picture(expression, Persona::Exact);
+        let pairs = exact.iter().zip(picture(expression, persona));
+        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
+    };
+    let noise = "fract(sin(dot(q, vec2(12.9898, 78.233))) * 43758.5453)";
+    let plain = "sin(q.x / 8.0) * exp(-q.y / 8.0)";
+    for lean in [Lean::Out, Lean::In, Lean::Either] {
+        assert!(most(noise, Persona::Inexact(lean)) > 0.1, "{lean:?}");
+        let off = most(plain, Persona::Inexact(lean));
+        assert!(0.0 < off && off < 0.001, "{lean:?}: {off}");
+    }
+    assert_eq!(most(plain, Persona::Mobile), 0.0);
+}
+
+/// Names, order of declarations and helpers do not change the code; another number does.
+#[test]
+fn the_same_code_is_the_same_picture() {
+    let code = |text: &str| compiled(&format!("{HEAD}{text}"), &CompileOptions::default());
+    let plain = code("void main() { float k = x * 2.0; color = vec4(k + v.x); }");
+    let compare = |text: &str| equality(&plain, &code(text), &|draw, _| set_all(draw));
+    let renamed =
+        "float twice(float b) { return b * 2.0; } void main() { color = vec4(twice(x) + v.x); }";
+    assert_eq!(compare(renamed), Equality::Proved);
+    let other = "void main() { float k = x + x; color = vec4(k + v.x); }";
+    assert_eq!(compare(other), Equality::Seen { pixels: 9216 });
+    let wrong = "void main() { color = vec4(x * 2.0 + v.x + floor(gl_FragCoord.x / 300.0)); }";
+    assert!(matches!(
+        compare(wrong),
+        Equality::Differs { moment: 0, .. }
+    ));
+}
+
+#[test]
+fn every_run_ends() {
+    let endless = format!("{HEAD}void main() {{ while (n > 0) {{ color.x += 1.0; }} }}");
+    let code = compiled(&endless, &CompileOptions::default());
+    let mut ready = Draw::new(&code, [2, 2]);
+    set_all(&mut ready);
+    assert!(matches!(draw(&ready, 1), Err(Stop::OutOfFuel { .. })));
+}
+
+#[test]
+fn what_is_too_large_is_refused() {
+    let large =
+        format!("{HEAD}void main() {{ float k[40000]; k[n] = 1.0; color = vec4(k[n + 1]); }}");
+    let analysis = analyze_fragment(&large);
+    let module = lower(&analysis.program);
+    let refusal = compile(&analysis.program, &module, &CompileOptions::default());
+    assert_eq!(
+        refusal.unwrap_err().what,
+        "a value of more than 32,768 scalars"
+    );
+}
