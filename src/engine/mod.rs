@@ -25,6 +25,7 @@ mod prelude;
 mod reading;
 mod repair;
 mod shader;
+mod verify;
 mod world;
 
 pub use crate::semantic::Wholeness;
@@ -37,6 +38,7 @@ pub use mend::{Offer, mend, offer};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};
 pub use part::Shader;
 pub use repair::{Repairs, repair, repair_webgl1, repairable};
+pub use verify::{Verified, equal, verify};
 
 use crate::text::{Content, Encoding};
 use world::{Keep, World};

@@ -2,14 +2,14 @@
 //! every bit is compared.
 
 use super::code::Code;
-use super::draw::{Draw, Sampled, Stop, sample};
+use super::draw::{Draw, Sampled, sample};
 
 /// How many moments are compared.
 const MOMENTS: usize = 8;
 /// How many quads across and up.
 const QUADS: [u32; 2] = [18, 16];
-/// The size of the picture.
-const SIZE: [u32; 2] = [640, 360];
+/// The size of the picture in which shaders are compared.
+pub const COMPARED_SIZE: [u32; 2] = [640, 360];
 
 /// What is known of two shaders.
 #[derive(Clone, PartialEq, Debug)]
@@ -32,20 +32,16 @@ pub enum Equality {
     TooLong,
 }
 
-/// Compares two shaders. `set` gives either its uniforms, textures and inputs at a moment, which are
-/// numbered from 0; the same for both.
-pub fn equality(a: &Code, b: &Code, set: &dyn Fn(&mut Draw<'_>, usize)) -> Equality {
+/// Compares two shaders. `draws` makes a draw of either at a moment, which are numbered from 0: with
+/// the same uniforms, textures and inputs, over a picture of [`COMPARED_SIZE`].
+pub fn equality<'c>([a, b]: [&'c Code; 2], draws: &dyn Fn(usize) -> [Draw<'c>; 2]) -> Equality {
     if a.is_same(b) {
         return Equality::Proved;
     }
     let mut pixels = 0;
     for moment in 0..MOMENTS {
-        let run = |code: &Code| -> Result<Sampled, Stop> {
-            let mut draw = Draw::new(code, SIZE);
-            set(&mut draw, moment);
-            sample(&draw, &quads(moment as u32))
-        };
-        let (Ok(a), Ok(b)) = (run(a), run(b)) else {
+        let [a, b] = draws(moment).map(|draw| sample(&draw, &quads(moment as u32)));
+        let (Ok(a), Ok(b)) = (a, b) else {
             return Equality::TooLong;
         };
         if let Some(pixel) = first_difference(&a, &b) {
@@ -59,7 +55,7 @@ pub fn equality(a: &Code, b: &Code, set: &dyn Fn(&mut Draw<'_>, usize)) -> Equal
 /// Quads all over the picture, at other places in each moment.
 fn quads(moment: u32) -> Vec<[u32; 2]> {
     let [across, up] = QUADS;
-    let step = [SIZE[0] / across, SIZE[1] / up];
+    let step = [COMPARED_SIZE[0] / across, COMPARED_SIZE[1] / up];
     let all = (0..up).flat_map(|y| (0..across).map(move |x| [x, y]));
     let shifted = all.map(|[x, y]| {
         let shift = (x * 7 + y * 5 + moment * 3) % 16;

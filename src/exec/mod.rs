@@ -20,7 +20,7 @@ mod tests;
 pub use code::{Code, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
 pub use compile::{CompileOptions, Lean, Persona, Probe, Refusal, Watch, compile};
 pub use draw::{Draw, Drawn, Sampled, Stop, draw, sample};
-pub use equal::{Equality, equality};
+pub use equal::{COMPARED_SIZE, Equality, equality};
 pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};
 pub use row::LANES;
 pub use seen::{BranchSeen, ComparedSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness};

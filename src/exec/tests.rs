@@ -2,8 +2,8 @@
 //! every run ends.
 
 use super::{
-    Code, CompileOptions, Draw, Drawn, Equality, Kind, Lean, Persona, Seen, Stop, Watch, compile,
-    draw, equality, sample,
+    COMPARED_SIZE, Code, CompileOptions, Draw, Drawn, Equality, Kind, Lean, Persona, Seen, Stop,
+    Watch, compile, draw, equality, sample,
 };
 use crate::ir::lower;
 use crate::semantic::analyze_fragment;
@@ -397,7 +397,15 @@ fn personas_differ_where_gpus_do() {
 fn the_same_code_is_the_same_picture() {
     let code = |text: &str| compiled(&format!("{HEAD}{text}"), &CompileOptions::default());
     let plain = code("void main() { float k = x * 2.0; color = vec4(k + v.x); }");
-    let compare = |text: &str| equality(&plain, &code(text), &|draw, _| set_all(draw));
+    let compare = |text: &str| {
+        let other = code(text);
+        let ready = |code| {
+            let mut draw = Draw::new(code, COMPARED_SIZE);
+            set_all(&mut draw);
+            draw
+        };
+        equality([&plain, &other], &|_| [ready(&plain), ready(&other)])
+    };
     let renamed =
         "float twice(float b) { return b * 2.0; } void main() { color = vec4(twice(x) + v.x); }";
     assert_eq!(compare(renamed), Equality::Proved);

@@ -14,10 +14,13 @@ mod whole;
 use super::output::{Overwrite, diff};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::engine::{Repairs, repairable};
+use crate::engine::{Repairs, Verified, repairable, verify};
+use crate::exec::Equality;
 #[cfg(feature = "naga")]
 use crate::port::naga::FirstRow;
-use crate::port::{Composed, Destination, File, MainChoice, Order, Remark, Target, build, missing};
+use crate::port::{
+    Composed, Destination, File, MainChoice, Order, Project, Remark, Target, build, missing,
+};
 use crate::report::{Format, Reporter, Summary};
 use crate::text::Sources;
 use clap::Parser;
@@ -78,6 +81,10 @@ pub struct PortArgs {
     /// How plain shaders get their `main`
     #[arg(long, value_enum, default_value_t, value_name = "HOW")]
     main: MainChoice,
+    /// Read back what is written, and tell by pass whether it draws what the original draws: proved
+    /// by the same code, or the same bits on thousands of pixels
+    #[arg(long, conflicts_with = "diff")]
+    verify: bool,
     /// Do as ShaderToy's player does where two channels read one buffer: the last setting wins; and
     /// where music is not at hand: nothing is on its channel
     #[arg(long)]
@@ -191,7 +198,10 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
             let _ = writeln!(io::stderr(), "note: {note}");
         }
     }
-    let code = if summary.errors > 0 { FINDINGS } else { CLEAN };
+    let mut code = if summary.errors > 0 { FINDINGS } else { CLEAN };
+    if args.verify && !is_verified(&project, &composed, target, &made.files)? {
+        code = FINDINGS;
+    }
     Ok(Made {
         files: made.files,
         read,
@@ -251,6 +261,31 @@ impl PortArgs {
 fn print(text: &[u8]) -> Result<(), String> {
     let printed = io::stdout().lock().write_all(text);
     printed.map_err(|e| format!("the output cannot be written: {e}"))
+}
+
+/// Tells by pass whether what is to be written draws what the original draws.
+fn is_verified(
+    project: &Project,
+    composed: &Composed,
+    target: Target,
+    files: &[File],
+) -> Result<bool, String> {
+    let all = verify(project, composed, target, files)?;
+    let mut is_so = true;
+    for Verified { pass, outcome } in all {
+        let said = match &outcome {
+            Ok(Equality::Proved) => "the same code".to_string(),
+            Ok(Equality::Seen { pixels }) => format!("the same bits on {pixels} pixels"),
+            Ok(Equality::Differs { pixel: [x, y], .. }) => {
+                format!("another picture than the original, first seen at pixel {x}, {y}")
+            }
+            Ok(Equality::TooLong) => "not compared: it runs too long".to_string(),
+            Err(why) => format!("not compared: {why}"),
+        };
+        is_so &= matches!(outcome, Ok(Equality::Proved | Equality::Seen { .. }));
+        let _ = writeln!(io::stderr(), "{pass}: {said}");
+    }
+    Ok(is_so)
 }
 
 /// All repairs, as a diff.
