@@ -178,6 +178,35 @@ fn media_outside_of_their_folder_are_not_read() {
     assert!(!folder.path("toy.html").exists());
 }
 
+/// Every target that can be read back is the original's code; a plain `main` is compared by running.
+#[test]
+fn what_is_written_is_verified() {
+    let folder = Folder::new();
+    let export = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/export.json");
+    let lines = |said: &str| -> Vec<String> {
+        let told = said.lines().filter(|l| l.contains(": the same"));
+        told.map(str::to_string).collect()
+    };
+    for target in ["page.html", "module.js", "project.json", "shaders"] {
+        let (code, said) = folder.run(&format!("{export} --verify -o {target}"));
+        assert_eq!(code, Some(0), "{target}: {said}");
+        let told = lines(&said);
+        assert!(!told.is_empty(), "{target}: {said}");
+        assert!(
+            told.iter().all(|l| l.ends_with(": the same code")),
+            "{target}: {said}"
+        );
+    }
+    folder.put(
+        "plain.glsl",
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, sin(iTime), 1); }",
+    );
+    folder.works(
+        "plain.glsl --main rewrite --verify -o plain.frag",
+        "Image: the same bits on 9216 pixels",
+    );
+}
+
 #[test]
 fn what_is_too_large_for_a_shader_is_not_read_as_one() {
     let folder = Folder::new();

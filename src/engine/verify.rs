@@ -8,7 +8,7 @@ use crate::exec::{
     equality,
 };
 use crate::ir::lower;
-use crate::port::{Composed, File, Project, Target, glsl};
+use crate::port::{Composed, File, Project, Target, bindings, glsl};
 use crate::semantic::{Pass, Program, Sampler, Stage};
 use serde::Deserialize;
 use std::sync::Arc;
@@ -68,8 +68,10 @@ fn compare(before: &Program, text: &str) -> Result<Equality, String> {
 /// # Errors
 /// What of them cannot be run.
 pub fn equal(before: &Program, after: &Program) -> Result<Equality, String> {
+    // Both get what the names mean in the original.
     let scene = |program: &Program| {
-        let scene = Scene::of(program, &lower(program), &CompileOptions::default());
+        let options = CompileOptions::default();
+        let scene = Scene::bound(program, &lower(program), bindings(before), &options);
         scene.map_err(|refusal| refusal.what)
     };
     let (before, after) = (scene(before)?, scene(after)?);
@@ -233,5 +235,35 @@ impl Held {
             }
         }
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::semantic::analyze_fragment;
+
+    const BEFORE: &str = "#version 300 es\nprecision highp float; uniform float u; out vec4 c;\n\
+                          void main() { c = vec4(sin(u), gl_FragCoord.x * 0.01, u, 1); }\n";
+
+    fn check(after: &str, expected: fn(&Result<Equality, String>) -> bool) {
+        let before = analyze_fragment(BEFORE);
+        let found = compare(&before.program, after);
+        assert!(expected(&found), "{found:?}\n{after}");
+    }
+
+    /// Another name, another way, another picture, and no shader.
+    #[test]
+    fn what_became_of_a_shader_is_compared() {
+        check(&BEFORE.replace("c;", "d;").replace("c =", "d ="), |found| {
+            *found == Ok(Equality::Proved)
+        });
+        check(&BEFORE.replace("* 0.01, u,", "* 0.01, -(-u),"), |found| {
+            matches!(found, Ok(Equality::Seen { .. }))
+        });
+        check(&BEFORE.replace("u, 1)", "u + 0.001, 1)"), |found| {
+            matches!(found, Ok(Equality::Differs { .. }))
+        });
+        check("nothing", Result::is_err);
     }
 }
