@@ -114,7 +114,7 @@ impl<'c> Draw<'c> {
         let element = slot.ty.element().components() as usize;
         let count = element * slot.ty.array.max(1) as usize;
         let from = first.saturating_mul(element);
-        let is_whole = scalars.len() % element.max(1) == 0 && !scalars.is_empty();
+        let is_whole = scalars.len().is_multiple_of(element.max(1)) && !scalars.is_empty();
         if !is_whole || from.saturating_add(scalars.len()) > count {
             return false;
         }

@@ -38,7 +38,7 @@ impl Compiler<'_> {
             || self.is_given(variable)
             || self.plan.stays(id, variable);
         let loaded = match (value, spot.index) {
-            (Value::Memory { at, .. }, None) => self.from_memory(at + spot.at, &spot),
+            (Value::Memory { at, .. }, None) => self.memory_part(at + spot.at, &spot),
             (Value::Memory { at, len }, Some(index)) => {
                 let base = at + spot.at;
                 let end = at + len;
@@ -53,8 +53,7 @@ impl Compiler<'_> {
             }
             (Value::Regs(regs), Some(index)) => {
                 let regs = self.neighbours(regs);
-                let made = Value::Regs(self.gathered(regs, index, &spot));
-                made
+                Value::Regs(self.gathered(regs, index, &spot))
             }
             (Value::Nothing | Value::Samplers(_), _) => return self.refuse("a value without type"),
         };
@@ -317,7 +316,7 @@ impl Compiler<'_> {
         self.listed(copies)
     }
 
-    fn from_memory(&mut self, at: u32, spot: &Spot) -> Value {
+    fn memory_part(&mut self, at: u32, spot: &Spot) -> Value {
         match spot.lanes {
             None if spot.len > super::emit::MAX_KEPT as u32 => Value::Memory { at, len: spot.len },
             None => {

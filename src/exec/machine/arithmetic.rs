@@ -1,5 +1,7 @@
 //! Instructions that compute.
 
+#![expect(clippy::needless_range_loop, reason = "the registers may be the same")]
+
 use super::{Bank, Machine};
 use crate::exec::code::{F1, F2, F3, Instr, Reg};
 use crate::exec::math;
