@@ -138,11 +138,11 @@ impl<'c> Draw<'c> {
         true
     }
 
-    /// Sets what a sampler looks up. Whether there is such a sampler.
+    /// Sets what a sampler looks up. Whether there is such a sampler, which can look this up.
     pub fn bind(&mut self, name: &str, texture: Texture) -> bool {
         let mut found = false;
         for (slot, place) in self.code.samplers.iter().zip(&mut self.textures) {
-            if slot.name == name {
+            if slot.name == name && texture.fits(slot.sampler) {
                 *place = Some(texture.clone());
                 found = true;
             }

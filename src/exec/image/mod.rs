@@ -54,6 +54,25 @@ impl Texels {
         }
     }
 
+    /// Colours as a canvas keeps them: what is not a number is 0.
+    pub fn of_colors(colors: &[[f32; 4]]) -> Texels {
+        let byte = |part: f32| (part.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+        Texels::Unorm8(colors.iter().map(|color| color.map(byte)).collect())
+    }
+
+    /// What one gives, as floats; nothing of those that there are not.
+    pub fn color(&self, number: usize) -> [f32; 4] {
+        let color = match self {
+            Texels::Unorm8(texels) => texels
+                .get(number)
+                .map(|texel| texel.map(|part| f32::from(part) / 255.0)),
+            Texels::Float(texels) => texels.get(number).copied(),
+            Texels::Int(texels) => texels.get(number).map(|t| t.map(|part| part as f32)),
+            Texels::Uint(texels) => texels.get(number).map(|t| t.map(|part| part as f32)),
+        };
+        color.unwrap_or_default()
+    }
+
     /// Whether lookups give integers.
     fn whole(&self) -> bool {
         matches!(self, Texels::Int(_) | Texels::Uint(_))

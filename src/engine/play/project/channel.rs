@@ -1,0 +1,272 @@
+//! What the channels of passes read.
+
+use super::shader::Shader;
+use super::signal::Signal;
+use super::stand_in::{Film, StandIns};
+use super::target::Target;
+use super::{PlayProblem, Player};
+use crate::engine::play::Moment;
+use crate::exec::{Draw, Filter, Image, ImageShape, Sampling, Stop, Texels, Texture, Wrap};
+use crate::port::{Input, InputKind, OutputId, Project};
+use crate::semantic::Pass;
+use std::sync::Arc;
+
+/// The texture of the keyboard: three rows of keys, none of which is pressed.
+const KEYBOARD: [u32; 3] = [256, 3, 1];
+
+/// A channel of a pass.
+pub(super) struct Channel {
+    number: usize,
+    /// The samplers that read it.
+    names: Vec<String>,
+    kind: InputKind,
+    sampling: Sampling,
+    source: Source,
+}
+
+/// Where what a channel reads comes from.
+enum Source {
+    /// Nothing is there.
+    Nothing,
+    /// It stays as it is.
+    Still(Arc<Image>),
+    /// Passes draw it.
+    Target(usize),
+    /// It is drawn anew for each frame.
+    Film(Box<Film>),
+    /// Sound, made up for each frame.
+    Signal(Box<Signal>),
+}
+
+/// What a channel reads now, and what uniforms tell of it.
+pub(super) struct Read {
+    texture: Option<Texture>,
+    size: [f64; 3],
+    time: f64,
+}
+
+impl Channel {
+    /// What passes draw of it.
+    pub fn target(&self) -> Option<usize> {
+        match self.source {
+            Source::Target(target) => Some(target),
+            _ => None,
+        }
+    }
+
+    /// Whether it holds more than what the last moment says.
+    pub fn remembers(&self) -> bool {
+        matches!(&self.source, Source::Signal(signal) if signal.remembers())
+    }
+
+    /// What a pass of a kind reads on it.
+    pub fn read(&self, player: &Player, by: Pass) -> Read {
+        // In the sound pass nothing but textures and volumes is bound.
+        let is_bound =
+            by != Pass::Sound || matches!(self.kind, InputKind::Texture | InputKind::Volume);
+        let (image, time) = match &self.source {
+            _ if !is_bound => (None, 0.0),
+            Source::Nothing => (None, 0.0),
+            Source::Still(image) => (Some(Arc::clone(image)), 0.0),
+            Source::Target(target) => (player.targets.get(*target).map(Target::image), 0.0),
+            Source::Film(film) => (film.image(), film.time()),
+            Source::Signal(signal) => (signal.image(), signal.time()),
+        };
+        // Files of cube maps say no size, and the keyboard none to the pass that draws one.
+        let is_sized = match self.kind {
+            InputKind::Cubemap => self.target().is_some(),
+            InputKind::Keyboard => by != Pass::Cubemap,
+            _ => true,
+        };
+        let size = match &image {
+            Some(image) if is_sized => {
+                let [width, height, depth] = image.size();
+                let depth = if image.shape() == ImageShape::Volume {
+                    depth
+                } else {
+                    1
+                };
+                [width, height, depth].map(f64::from)
+            }
+            _ => [0.0; 3],
+        };
+        let texture = image.map(|image| Texture {
+            image,
+            sampling: self.sampling,
+        });
+        Read {
+            texture,
+            size,
+            time,
+        }
+    }
+}
+
+/// Opens what all passes read.
+pub(super) fn open(player: &mut Player, project: &Project) -> Result<(), PlayProblem> {
+    let mut stand_ins = StandIns::new(player.threads);
+    let mut opened = Vec::new();
+    let mut notes = Vec::new();
+    for pass in &player.passes {
+        let found = project.passes.get(pass.number);
+        let mut channels = Vec::new();
+        for input in found.map_or(&[][..], |p| &p.inputs) {
+            if let (Some(found), false) = (found, input.urls.is_empty()) {
+                let title = found.title(pass.number);
+                notes.push(format!(
+                    "{title}: the file of channel {} is not read, so nothing is on it",
+                    input.channel
+                ));
+            }
+            let source = source(player, project, input, &mut stand_ins)?;
+            channels.push(channel(input, source));
+        }
+        opened.push(channels);
+    }
+    player.notes.append(&mut notes);
+    for (pass, channels) in player.passes.iter_mut().zip(opened) {
+        pass.channels = channels;
+    }
+    Ok(())
+}
+
+fn channel(input: &Input, source: Source) -> Channel {
+    let number = usize::from(input.channel);
+    let is_keyboard = input.kind == InputKind::Keyboard;
+    let filter = match input.sampler.filter.as_str() {
+        _ if is_keyboard => Filter::Nearest,
+        "linear" => Filter::Linear,
+        "mipmap" => Filter::Mipmap,
+        _ => Filter::Nearest,
+    };
+    let wrap = if is_keyboard || input.sampler.wrap == "clamp" {
+        Wrap::Clamp
+    } else {
+        Wrap::Repeat
+    };
+    Channel {
+        number,
+        names: match &input.uniform {
+            Some(name) => vec![name.clone()],
+            None => vec![format!("iChannel{number}"), format!("iCh{number}.sampler")],
+        },
+        kind: input.kind,
+        sampling: Sampling {
+            filter,
+            wrap: [wrap; 3],
+        },
+        source,
+    }
+}
+
+fn source(
+    player: &Player,
+    project: &Project,
+    input: &Input,
+    stand_ins: &mut StandIns,
+) -> Result<Source, PlayProblem> {
+    let draws_cube = player.passes.iter().any(|p| p.kind == Pass::Cubemap);
+    match input.kind {
+        InputKind::Buffer => return Ok(of_buffer(player, project, input)),
+        InputKind::Cubemap if draws_cube && input.id == OutputId::CUBE => {
+            let cube = player.passes.iter().find(|p| p.kind == Pass::Cubemap);
+            let target = cube.and_then(|p| p.target);
+            return Ok(target.map_or(Source::Nothing, Source::Target));
+        }
+        InputKind::Keyboard => return Ok(still(KEYBOARD)),
+        InputKind::Music | InputKind::MusicStream | InputKind::Microphone => {
+            return Ok(Source::Signal(Box::new(Signal::new(input))));
+        }
+        _ => {}
+    }
+    let Some(stand_in) = input.stand_in.filter(|_| input.urls.is_empty()) else {
+        return Ok(Source::Nothing);
+    };
+    if input.kind == InputKind::Video {
+        let film = Film::new(&stand_in, input)?;
+        return Ok(Source::Film(Box::new(film)));
+    }
+    Ok(Source::Still(stand_ins.get(&stand_in, input)?))
+}
+
+/// What a channel reads that names a buffer: the target of the pass that draws it, else one that stays
+/// empty.
+fn of_buffer(player: &Player, project: &Project, input: &Input) -> Source {
+    let is_drawn = |number: usize| {
+        let pass = project.passes.get(number);
+        let output = pass.and_then(|p| p.output.as_ref());
+        !input.id.is_empty() && output.is_some_and(|o| o.0 == input.id)
+    };
+    let mut drawn = player
+        .passes
+        .iter()
+        .filter(|p| matches!(p.kind, Pass::Buffer | Pass::Image));
+    let target = drawn.find(|p| is_drawn(p.number)).and_then(|p| p.target);
+    let [width, height] = player.size;
+    target.map_or_else(|| still([width, height, 1]), Source::Target)
+}
+
+/// An image of zeros that has a size.
+fn still([width, height, depth]: [u32; 3]) -> Source {
+    let texels = Texels::Unorm8(vec![[0; 4]; width as usize * height as usize]);
+    let image = Image::new(ImageShape::Flat, [width, height, depth], texels);
+    image.map_or(Source::Nothing, |image| Source::Still(Arc::new(image)))
+}
+
+/// Brings to a moment what is drawn anew for each frame.
+pub(super) fn update(player: &mut Player, moment: &Moment) -> Result<(), Stop> {
+    let threads = player.threads;
+    for channel in player.passes.iter_mut().flat_map(|p| &mut p.channels) {
+        let has_levels = channel.sampling.filter == Filter::Mipmap;
+        match &mut channel.source {
+            Source::Film(film) => film.update(moment.time, threads)?,
+            Source::Signal(signal) => signal.update(moment.time, has_levels),
+            Source::Nothing | Source::Still(_) | Source::Target(_) => {}
+        }
+    }
+    Ok(())
+}
+
+/// Hands a draw what the channels read.
+pub(super) fn bind(draw: &mut Draw<'_>, shader: &Shader, given: &[(&Channel, Read)]) {
+    let mut times = [0.0; 4];
+    let mut sizes = [[0.0; 3]; 4];
+    for (channel, read) in given {
+        for name in &channel.names {
+            if let Some(texture) = &read.texture {
+                draw.bind(name, texture.clone());
+            }
+            let told: Vec<String> = shader.sizes_of(name).map(str::to_string).collect();
+            for name in told {
+                set(draw, &name, &read.size);
+            }
+        }
+        let slots = times
+            .get_mut(channel.number)
+            .zip(sizes.get_mut(channel.number));
+        if let Some((time, size)) = slots {
+            (*time, *size) = (read.time, read.size);
+        }
+        let of = |member: &str| format!("iCh{}.{member}", channel.number);
+        draw.set(&of("size"), &read.size);
+        draw.set(&of("time"), &[read.time]);
+        draw.set(
+            &of("loaded"),
+            &[f64::from(u8::from(read.texture.is_some()))],
+        );
+    }
+    set(draw, "iChannelTime", &times);
+    set(draw, "iChannelResolution", sizes.as_flattened());
+}
+
+/// Sets a uniform to as many of these numbers as it takes.
+fn set(draw: &mut Draw<'_>, name: &str, lanes: &[f64]) {
+    let slot = draw.code.uniforms.iter().find(|slot| slot.name == name);
+    let Some(ty) = slot.map(|slot| slot.ty) else {
+        return;
+    };
+    let count = (ty.element().components() * ty.array.max(1)) as usize;
+    let mut lanes = lanes.to_vec();
+    lanes.resize(count, 0.0);
+    draw.set(name, &lanes);
+}

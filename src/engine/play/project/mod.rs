@@ -1,0 +1,291 @@
+//! Whole projects are run as the player runs them: every pass in its order, with what its channels
+//! read and what was drawn in the frames before.
+
+mod channel;
+mod problem;
+mod shader;
+mod signal;
+mod sound;
+mod stand_in;
+mod target;
+#[cfg(test)]
+mod tests;
+
+use super::moment::Moment;
+use super::picture::Picture;
+use crate::exec::{CompileOptions, Draw, Drawn, Stop, draw};
+use crate::port::{Composed, Project};
+use crate::semantic::Pass;
+use channel::Channel;
+use shader::Shader;
+use target::{CUBE_SIDE, Target};
+
+pub use problem::PlayProblem;
+pub use sound::SOUND_RATE;
+
+/// A project that is being run.
+pub struct Player {
+    /// Width and height of the picture.
+    size: [u32; 2],
+    threads: usize,
+    /// In the order of the project.
+    passes: Vec<PlayedPass>,
+    targets: Vec<Target>,
+    /// The picture as the last frame left it.
+    canvas: Vec<[f32; 4]>,
+    /// The frame that is drawn next.
+    next: u32,
+    notes: Vec<String>,
+}
+
+/// A pass that is run.
+struct PlayedPass {
+    /// Its number in the project.
+    number: usize,
+    kind: Pass,
+    shader: Shader,
+    channels: Vec<Channel>,
+    /// What it draws into; the picture, where that is nothing else.
+    target: Option<usize>,
+}
+
+/// What a frame gave.
+#[derive(Debug)]
+pub struct Played {
+    /// The picture.
+    pub picture: Picture,
+    /// By pass that drew, sound left out: its number in the project, and its draw. Of a cube map it
+    /// is the last face.
+    pub passes: Vec<(usize, Drawn)>,
+}
+
+/// How a project is run.
+#[derive(Clone, Copy, Debug)]
+pub struct PlayOptions {
+    /// Width and height of the picture.
+    pub size: [u32; 2],
+    /// How many threads draw.
+    pub threads: usize,
+    /// How passes are compiled.
+    pub compile: CompileOptions,
+}
+
+impl Player {
+    /// Makes a project ready to be run. `composed` is what it was put together to.
+    ///
+    /// # Errors
+    /// What of it cannot be run.
+    pub fn new(
+        project: &Project,
+        composed: &Composed,
+        options: &PlayOptions,
+    ) -> Result<Player, PlayProblem> {
+        let units = composed.units.iter().filter(|u| u.kind != Pass::Common);
+        let mut player = Player {
+            size: options.size,
+            threads: options.threads.max(1),
+            passes: Vec::new(),
+            targets: Vec::new(),
+            canvas: vec![[0.0, 0.0, 0.0, 1.0]; area(options.size)],
+            next: 0,
+            notes: Vec::new(),
+        };
+        for unit in units {
+            let Some(pass) = project.passes.get(unit.pass) else {
+                continue;
+            };
+            let shader = Shader::of(project, composed, unit, &options.compile)?;
+            player.passes.push(PlayedPass {
+                number: unit.pass,
+                kind: pass.kind,
+                shader,
+                channels: Vec::new(),
+                target: None,
+            });
+        }
+        target::make(&mut player, project)?;
+        channel::open(&mut player, project)?;
+        Ok(player)
+    }
+
+    /// What is to be told of how it is run.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Whether a frame depends on the frames before it.
+    pub fn remembers(&self) -> bool {
+        let order: Vec<usize> = self.order().collect();
+        let reads_old = |at: usize, pass: usize| {
+            let earlier = order.get(..at).unwrap_or_default();
+            let is_new = |target: usize| {
+                let mut drawn = earlier.iter().filter_map(|p| self.passes.get(*p));
+                drawn.any(|p| p.target == Some(target))
+            };
+            let channels = self.passes.get(pass).map_or(&[][..], |p| &p.channels);
+            let mut read = channels.iter().filter_map(Channel::target);
+            read.any(|target| self.is_drawn(target) && !is_new(target))
+        };
+        let mut channels = self.passes.iter().flat_map(|p| &p.channels);
+        if channels.any(Channel::remembers) {
+            return true;
+        }
+        let mut passes = order.iter().enumerate();
+        passes.any(|(at, pass)| reads_old(at, *pass))
+    }
+
+    /// Whether some pass draws into a target.
+    fn is_drawn(&self, target: usize) -> bool {
+        self.passes.iter().any(|p| p.target == Some(target))
+    }
+
+    /// The passes that make a frame, in the order in which they draw.
+    fn order(&self) -> impl Iterator<Item = usize> {
+        let kinds = [Pass::Buffer, Pass::Cubemap, Pass::Image];
+        kinds.into_iter().flat_map(|kind| {
+            let all = self.passes.iter().enumerate();
+            all.filter(move |(_, p)| p.kind == kind).map(|(i, _)| i)
+        })
+    }
+
+    /// Draws what is seen at a moment; the frames before it first, where it depends on them, as many
+    /// as its number says, spread over its time. `progress` is told of each frame before it is drawn.
+    ///
+    /// # Errors
+    /// Why a draw ended before its end.
+    pub fn play_to(
+        &mut self,
+        moment: &Moment,
+        progress: &mut dyn FnMut(u32),
+    ) -> Result<Played, Stop> {
+        if self.remembers() {
+            if self.next > moment.frame {
+                self.restart();
+            }
+            for frame in self.next..moment.frame {
+                progress(frame);
+                let time = moment.time * f64::from(frame) / f64::from(moment.frame);
+                let earlier = Moment {
+                    time,
+                    frame,
+                    ..moment.clone()
+                };
+                self.frame(&earlier)?;
+            }
+        }
+        progress(moment.frame);
+        self.frame(moment)
+    }
+
+    /// Forgets all that was drawn.
+    pub fn restart(&mut self) {
+        self.targets.iter_mut().for_each(Target::clear);
+        self.canvas.fill([0.0, 0.0, 0.0, 1.0]);
+        self.next = 0;
+    }
+
+    /// Draws one frame after the last one.
+    ///
+    /// # Errors
+    /// Why a draw ended before its end.
+    pub fn frame(&mut self, moment: &Moment) -> Result<Played, Stop> {
+        if moment.frame == 0 {
+            self.restart();
+        }
+        channel::update(self, moment)?;
+        let mut passes = Vec::new();
+        for at in self.order().collect::<Vec<_>>() {
+            let Some(pass) = self.passes.get(at) else {
+                continue;
+            };
+            let drawn = match pass.kind {
+                Pass::Cubemap => self.draw_cube(at, moment)?,
+                _ => self.draw_flat(at, moment)?,
+            };
+            if let Some((number, drawn)) = drawn {
+                passes.push((number, drawn));
+            }
+        }
+        self.next = moment.frame.saturating_add(1);
+        Ok(Played {
+            picture: Picture {
+                size: self.size,
+                pixels: self.canvas.clone(),
+            },
+            passes,
+        })
+    }
+
+    /// A draw of a pass with all that it is given.
+    fn prepare<'p>(&self, pass: &'p PlayedPass, size: [u32; 2], moment: &Moment) -> Draw<'p> {
+        let mut draw = pass.shader.draw(size, moment);
+        let given: Vec<_> = pass
+            .channels
+            .iter()
+            .map(|channel| (channel, channel.read(self, pass.kind)))
+            .collect();
+        channel::bind(&mut draw, &pass.shader, &given);
+        draw
+    }
+
+    fn draw_flat(&mut self, at: usize, moment: &Moment) -> Result<Option<(usize, Drawn)>, Stop> {
+        let Some(pass) = self.passes.get(at) else {
+            return Ok(None);
+        };
+        let target = pass.target.and_then(|target| self.targets.get(target));
+        let size = target.map_or(self.size, Target::side);
+        let drawn = draw(&self.prepare(pass, size, moment), self.threads)?;
+        let picture = Picture::of(pass.shader.code(), &drawn, 0);
+        let (number, kind, target) = (pass.number, pass.kind, pass.target);
+        if kind == Pass::Image {
+            // What is discarded shows what was there.
+            let shown = self.canvas.iter_mut().zip(&picture.pixels);
+            for ((old, new), is_covered) in shown.zip(&drawn.covered) {
+                if *is_covered {
+                    *old = *new;
+                }
+            }
+        }
+        if let Some(target) = target.and_then(|target| self.targets.get_mut(target)) {
+            target.take(picture.pixels, &drawn.covered);
+        }
+        Ok(Some((number, drawn)))
+    }
+
+    fn draw_cube(&mut self, at: usize, moment: &Moment) -> Result<Option<(usize, Drawn)>, Stop> {
+        let Some(pass) = self.passes.get(at) else {
+            return Ok(None);
+        };
+        let mut prepared = self.prepare(pass, [CUBE_SIDE; 2], moment);
+        let side = f64::from(CUBE_SIDE);
+        prepared.set("unViewport", &[0.0, 0.0, side, side]);
+        let (mut pixels, mut covered) = (Vec::new(), Vec::new());
+        let mut last = None;
+        for corners in &target::CUBE_CORNERS {
+            // The eye is in the middle.
+            let mut lanes = corners.to_vec();
+            lanes.extend([0.0; 3]);
+            prepared.set("unCorners", &lanes);
+            let drawn = draw(&prepared, self.threads)?;
+            pixels.extend(Picture::of(pass.shader.code(), &drawn, 0).pixels);
+            covered.extend_from_slice(&drawn.covered);
+            last = Some((pass.number, drawn));
+        }
+        let target = pass.target;
+        if let Some(target) = target.and_then(|target| self.targets.get_mut(target)) {
+            target.take(pixels, &covered);
+        }
+        Ok(last)
+    }
+
+    /// What a pass runs as, by its number in the project.
+    pub fn code(&self, pass: usize) -> Option<&crate::exec::Code> {
+        let pass = self.passes.iter().find(|p| p.number == pass)?;
+        Some(pass.shader.code())
+    }
+}
+
+/// How many pixels a picture has.
+fn area(size: [u32; 2]) -> usize {
+    size.iter().map(|side| *side as usize).product()
+}

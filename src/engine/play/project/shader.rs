@@ -1,0 +1,165 @@
+//! The shader of a pass, and what is the same for all its channels.
+
+use super::PlayProblem;
+use crate::diagnostic::Severity;
+use crate::engine::play::{Moment, Scene};
+use crate::exec::{Code, CompileOptions, Draw, compile};
+use crate::ir::lower;
+use crate::port::{Bindings, Composed, Feed, PassUnit, Project, ProjectPass, SizeTerm, Wrapper};
+use crate::semantic::Stage;
+
+/// What the uniforms of ShaderToy's player are given.
+const PLAYER: [(&str, Feed); 8] = [
+    ("iResolution", Feed::Resolution),
+    ("iTime", Feed::Time),
+    ("iTimeDelta", Feed::Delta),
+    ("iFrameRate", Feed::FrameRate),
+    ("iFrame", Feed::Frame),
+    ("iMouse", Feed::Mouse),
+    ("iDate", Feed::Date),
+    ("iSampleRate", Feed::SampleRate),
+];
+
+/// The shader of a pass.
+pub(super) enum Shader {
+    /// The player declares its uniforms.
+    Player(Code),
+    /// It declares them itself.
+    Own(Box<Scene>),
+}
+
+impl Shader {
+    /// Compiles a pass.
+    pub fn of(
+        project: &Project,
+        composed: &Composed,
+        unit: &PassUnit,
+        options: &CompileOptions,
+    ) -> Result<Shader, PlayProblem> {
+        let found = project.passes.get(unit.pass);
+        let title = || found.map_or(String::new(), |pass| pass.title(unit.pass));
+        if unit.stage == Stage::Vertex {
+            return Err(PlayProblem::Vertices { pass: title() });
+        }
+        let checked = composed.analysis(unit);
+        let mut found_wrong = checked.diagnostics.iter();
+        if found_wrong.any(|d| d.severity == Severity::Error) {
+            return Err(PlayProblem::Errors { pass: title() });
+        }
+        let program = &checked.program;
+        let module = lower(program);
+        let shader = match unit.wrapper {
+            Wrapper::Player => compile(program, &module, options).map(Shader::Player),
+            Wrapper::Own => {
+                let bound = found.map_or(Bindings::default(), |pass| pass.bound.clone());
+                Scene::bound(program, &module, bound, options).map(|mut scene| {
+                    scene.set_controls(&project.controls);
+                    Shader::Own(Box::new(scene))
+                })
+            }
+        };
+        shader.map_err(|refusal| PlayProblem::Refused {
+            pass: title(),
+            refusal,
+        })
+    }
+
+    pub fn code(&self) -> &Code {
+        match self {
+            Shader::Player(code) => code,
+            Shader::Own(scene) => &scene.code,
+        }
+    }
+
+    /// A draw at a moment, all set but what the channels read.
+    pub fn draw(&self, size: [u32; 2], moment: &Moment) -> Draw<'_> {
+        match self {
+            Shader::Own(scene) => scene.draw(size, moment),
+            Shader::Player(code) => {
+                let mut draw = Draw::new(code, size);
+                for (name, feed) in PLAYER {
+                    let mut lanes = moment.lanes(feed, size);
+                    if feed == Feed::Resolution {
+                        lanes.truncate(3);
+                    }
+                    draw.set(name, &lanes);
+                }
+                draw
+            }
+        }
+    }
+
+    /// The uniforms that tell how large the texture of a sampler is.
+    pub fn sizes_of<'s>(&'s self, sampler: &'s str) -> impl Iterator<Item = &'s str> {
+        let uniforms = match self {
+            Shader::Player(_) => &[][..],
+            Shader::Own(scene) => &scene.bound.uniforms,
+        };
+        let told = uniforms
+            .iter()
+            .filter(move |u| u.source == Feed::TextureSize && u.of.as_deref() == Some(sampler));
+        told.map(|u| u.name.as_str())
+    }
+}
+
+/// Largest side of what a pass with a size of its own draws into.
+const MAX_SIDE: f64 = 8192.0;
+
+/// The size of what a pass draws into.
+pub(super) fn size_of(project: &Project, pass: &ProjectPass, canvas: [u32; 2]) -> [u32; 2] {
+    let Some(terms) = &pass.draw.size else {
+        return canvas;
+    };
+    let pixels = |term| {
+        let size = value(term, project, canvas).floor();
+        // A NaN is one pixel as well.
+        size.max(1.0).min(MAX_SIDE) as u32
+    };
+    let [width, height] = terms;
+    [pixels(width), pixels(height)]
+}
+
+fn value(term: &SizeTerm, project: &Project, canvas: [u32; 2]) -> f64 {
+    match term {
+        SizeTerm::Number(number) => *number,
+        SizeTerm::Name(name) => match name.as_str() {
+            "$WIDTH" => f64::from(canvas[0]),
+            "$HEIGHT" => f64::from(canvas[1]),
+            name => {
+                let control = project.controls.iter().find(|c| c.name == name);
+                let first = control.and_then(|c| c.value.first());
+                first.copied().unwrap_or(0.0)
+            }
+        },
+        SizeTerm::Call(name, terms) => {
+            let terms = terms.iter().map(|term| value(term, project, canvas));
+            call(name, &terms.collect::<Vec<_>>())
+        }
+    }
+}
+
+fn call(name: &str, terms: &[f64]) -> f64 {
+    let first = terms.first().copied().unwrap_or(0.0);
+    let second = terms.get(1).copied().unwrap_or(0.0);
+    match name {
+        "add" => first + second,
+        "subtract" => first - second,
+        "multiply" => first * second,
+        "divide" => first / second,
+        "modulo" => first % second,
+        "floor" => first.floor(),
+        "ceil" => first.ceil(),
+        "round" => (first + 0.5).floor(),
+        "trunc" => first.trunc(),
+        "abs" => first.abs(),
+        "sqrt" => first.sqrt(),
+        "exp" => first.exp(),
+        "log" => first.ln(),
+        "log2" => first.log2(),
+        "sin" => first.sin(),
+        "cos" => first.cos(),
+        "pow" => first.powf(second),
+        "min" => terms.iter().copied().fold(f64::INFINITY, f64::min),
+        _ => terms.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    }
+}

@@ -1,0 +1,148 @@
+//! Sound that nobody hears, as the player makes it up for a texture: a spectrum and a wave.
+
+use crate::exec::{Image, ImageShape, Texels};
+use crate::port::{Input, SignalForm};
+use std::sync::Arc;
+
+/// How many frequencies a texture of sound has, and how many samples of its wave.
+const WIDTH: usize = 512;
+/// How many of them there are to make up.
+const COUNT: usize = 1024;
+/// How many frames the history of the spectrum has.
+const HISTORY_ROWS: usize = 240;
+
+/// Sound on a channel.
+pub(super) struct Signal {
+    form: SignalForm,
+    /// The lines of a history, or the sums.
+    kept: Vec<[f32; WIDTH]>,
+    last: f64,
+    image: Option<Arc<Image>>,
+}
+
+impl Signal {
+    pub fn new(input: &Input) -> Signal {
+        Signal {
+            form: input.signal,
+            kept: Vec::new(),
+            last: 0.0,
+            image: None,
+        }
+    }
+
+    pub fn image(&self) -> Option<Arc<Image>> {
+        self.image.clone()
+    }
+
+    /// What the player says of sound that is not heard.
+    pub fn time(&self) -> f64 {
+        10.0 + self.last
+    }
+
+    /// Whether it holds sound of the frames before.
+    pub fn remembers(&self) -> bool {
+        matches!(self.form, SignalForm::History | SignalForm::Sum)
+    }
+
+    pub fn update(&mut self, time: f64, has_levels: bool) {
+        let seconds = (time - self.last).max(0.0);
+        self.last = time;
+        let gray = |line: &[u8; WIDTH]| line.iter().map(|v| [*v, *v, *v, 255]).collect();
+        let texels = match self.form {
+            SignalForm::Both => {
+                let lines = [spectrum(time), wave(time)];
+                let red = lines.as_flattened().iter().map(|v| [*v, 0, 0, 255]);
+                Texels::Unorm8(red.collect())
+            }
+            SignalForm::Spectrum => Texels::Unorm8(gray(&spectrum(time))),
+            SignalForm::Wave => Texels::Unorm8(gray(&wave(time))),
+            SignalForm::History => {
+                self.kept.insert(0, spectrum(time).map(f32::from));
+                self.kept.resize(HISTORY_ROWS, [0.0; WIDTH]);
+                let all = self.kept.as_flattened().iter();
+                Texels::Unorm8(all.map(|v| [*v as u8; 4]).collect())
+            }
+            SignalForm::Sum => {
+                self.kept.resize(1, [0.0; WIDTH]);
+                let sums = self.kept.iter_mut().flatten().zip(spectrum(time));
+                let sums = sums.map(|(sum, v)| {
+                    *sum += (seconds * (f64::from(v) / 255.0)) as f32;
+                    [*sum, *sum, *sum, 0.0]
+                });
+                Texels::Float(sums.collect())
+            }
+        };
+        let rows = (texels.count() / WIDTH) as u32;
+        let image = Image::new(ImageShape::Flat, [WIDTH as u32, rows, 1], texels).ok();
+        let image = image.map(|i| if has_levels { i.with_levels() } else { i });
+        self.image = image.map(Arc::new);
+    }
+}
+
+fn byte(part: f64) -> u8 {
+    (255.0 * part).floor() as u8
+}
+
+fn spectrum(time: f64) -> [u8; WIDTH] {
+    // By number j the factor is exp(-3 j / 1024): each is the one before it by the same share.
+    const SHARE: f64 = 0.997_074_600_063_812;
+    const _: () = assert!(COUNT == 1024);
+    let mut values = [0; WIDTH];
+    let mut fade = 1.0;
+    for (value, j) in values.iter_mut().zip(0_u32..) {
+        let j = f64::from(j);
+        let mut part = (0.75 + 0.25 * sine(10.0 * j + 13.0 * time)) * fade;
+        if j < 3.0 {
+            let beat = 0.5 + 0.5 * sine(6.2831 * time);
+            part = beat * beat * beat * beat * (1.0 - j / 3.0);
+        }
+        *value = byte(part);
+        fade *= SHARE;
+    }
+    values
+}
+
+fn wave(time: f64) -> [u8; WIDTH] {
+    let mut values = [0; WIDTH];
+    for (value, j) in values.iter_mut().zip(0_u32..) {
+        let x = f64::from(j) / COUNT as f64;
+        let part = sine(17.0 * time + 62.831 * x) * sine(23.0 * time + 1.9 * x);
+        *value = byte(0.5 + 0.15 * part);
+    }
+    values
+}
+
+/// The sine, the same on every machine.
+fn sine(angle: f64) -> f64 {
+    let turns = angle / std::f64::consts::TAU;
+    let mut x = (turns - turns.round()) * std::f64::consts::TAU;
+    let quarter = std::f64::consts::FRAC_PI_2;
+    if x > quarter {
+        x = 2.0 * quarter - x;
+    } else if x < -quarter {
+        x = -2.0 * quarter - x;
+    }
+    let square = x * x;
+    // Its series, from the smallest part on.
+    let factors = [21.0, 19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0];
+    let sum = factors
+        .iter()
+        .fold(1.0, |sum, n| 1.0 - square / (n * (n - 1.0)) * sum);
+    x * sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sines_are_those_of_the_library() {
+        for n in -2000..2000 {
+            let angle = f64::from(n) * 0.37;
+            assert!((sine(angle) - angle.sin()).abs() < 1e-12, "{angle}");
+        }
+        let share = (-3.0_f64 / COUNT as f64).exp();
+        assert!((spectrum(0.7)[400] as f64 / 255.0 - share.powi(400)).abs() < 0.26);
+        assert!((share - 0.997_074_600_063_812).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,146 @@
+//! What stands for files that are not at hand, drawn by their own small shaders.
+
+use super::PlayProblem;
+use crate::engine::play::Picture;
+use crate::exec::{Code, CompileOptions, Draw, Image, ImageShape, Stop, Texels, compile, draw};
+use crate::ir::lower;
+use crate::port::{Input, InputKind, StandIn};
+use crate::semantic::{Dialect, Stage, Unit, Wholeness, analyze};
+use crate::text::{Role, Sources};
+use std::sync::Arc;
+
+/// The stand-ins of a project, each drawn once.
+pub(super) struct StandIns {
+    threads: usize,
+    made: Vec<(Key, Arc<Image>)>,
+}
+
+/// What decides how a stand-in looks.
+#[derive(Clone, PartialEq)]
+struct Key {
+    stand_in: StandIn,
+    kind: InputKind,
+    vflip: bool,
+    has_levels: bool,
+}
+
+impl Key {
+    fn of(stand_in: &StandIn, input: &Input) -> Key {
+        Key {
+            stand_in: *stand_in,
+            kind: input.kind,
+            vflip: input.sampler.vflip,
+            has_levels: input.sampler.filter == "mipmap",
+        }
+    }
+}
+
+impl StandIns {
+    pub fn new(threads: usize) -> StandIns {
+        StandIns {
+            threads,
+            made: Vec::new(),
+        }
+    }
+
+    /// The image that stands for the file of an input.
+    pub fn get(&mut self, stand_in: &StandIn, input: &Input) -> Result<Arc<Image>, PlayProblem> {
+        let key = Key::of(stand_in, input);
+        if let Some((_, image)) = self.made.iter().find(|(made, _)| *made == key) {
+            return Ok(Arc::clone(image));
+        }
+        let code = code_of(stand_in)?;
+        let image = paint(&code, &key, 0.0, self.threads).ok().flatten();
+        let image = Arc::new(image.ok_or(no_stand_in(stand_in))?);
+        self.made.push((key, Arc::clone(&image)));
+        Ok(image)
+    }
+}
+
+/// A stand-in for a film, drawn for each frame.
+pub(super) struct Film {
+    code: Code,
+    key: Key,
+    time: f64,
+    image: Option<Arc<Image>>,
+}
+
+impl Film {
+    pub fn new(stand_in: &StandIn, input: &Input) -> Result<Film, PlayProblem> {
+        Ok(Film {
+            code: code_of(stand_in)?,
+            key: Key::of(stand_in, input),
+            time: 0.0,
+            image: None,
+        })
+    }
+
+    pub fn image(&self) -> Option<Arc<Image>> {
+        self.image.clone()
+    }
+
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    pub fn update(&mut self, time: f64, threads: usize) -> Result<(), Stop> {
+        self.time = time;
+        self.image = paint(&self.code, &self.key, time, threads)?.map(Arc::new);
+        Ok(())
+    }
+}
+
+const fn no_stand_in(stand_in: &StandIn) -> PlayProblem {
+    PlayProblem::StandIn {
+        generator: stand_in.generator.name,
+    }
+}
+
+fn code_of(stand_in: &StandIn) -> Result<Code, PlayProblem> {
+    let mut sources = Sources::new();
+    let text = stand_in.generator.fragment();
+    let file = sources.add("", None, Role::Prelude, text);
+    let file = file.ok_or(no_stand_in(stand_in))?;
+    let checked = analyze(&Unit {
+        sources: &Arc::new(sources),
+        files: &[file],
+        stage: Stage::Fragment,
+        dialect: Dialect::WebGl,
+        infer_channels: false,
+        wholeness: Wholeness::Whole,
+    });
+    let module = lower(&checked.program);
+    let code = compile(&checked.program, &module, &CompileOptions::default());
+    code.map_err(|_| no_stand_in(stand_in))
+}
+
+/// Draws all layers of a stand-in.
+fn paint(code: &Code, key: &Key, time: f64, threads: usize) -> Result<Option<Image>, Stop> {
+    let [width, height, depth] = key.stand_in.size;
+    let (shape, layers) = match key.kind {
+        InputKind::Cubemap => (ImageShape::Cube, 6),
+        InputKind::Volume => (ImageShape::Volume, depth),
+        _ => (ImageShape::Flat, 1),
+    };
+    let mut one = Draw::new(code, [width, height]);
+    one.set("size", &[f64::from(width), f64::from(height)]);
+    one.set("flip", &[f64::from(u8::from(key.vflip))]);
+    one.set("time", &[time]);
+    let mut colors = Vec::new();
+    for layer in 0..layers {
+        one.set("layer", &[f64::from(layer)]);
+        let drawn = draw(&one, threads)?;
+        colors.extend(Picture::of(code, &drawn, 0).pixels);
+    }
+    if key.stand_in.is_gray {
+        for [_, green, blue, alpha] in &mut colors {
+            (*green, *blue, *alpha) = (0.0, 0.0, 1.0);
+        }
+    }
+    let texels = Texels::of_colors(&colors);
+    let image = Image::new(shape, [width, height, layers], texels).ok();
+    Ok(image.map(|image| match key.has_levels {
+        true => image.with_levels(),
+        false => image,
+    }))
+}

@@ -1,0 +1,232 @@
+//! What passes draw into: pairs of images, of which one is read while the other is drawn.
+
+use super::shader::size_of;
+use super::{PlayProblem, Player};
+use crate::exec::{Image, ImageShape, Texels};
+use crate::port::{InputKind, OutputId, Project, ProjectPass, Wrapper};
+use crate::semantic::Pass;
+use std::sync::Arc;
+
+/// The side of a cube map that a pass draws.
+pub(super) const CUBE_SIDE: u32 = 1024;
+
+/// Most texels that all targets may have.
+const MAX_TEXELS: u64 = 1 << 25;
+
+/// Directions of the faces +x, -x, +y, -y, +z, -z at their (0,0), (1,0), (1,1) and (0,1).
+#[rustfmt::skip]
+pub(super) const CUBE_CORNERS: [[f64; 12]; 6] = [
+    [1.0, 1.0, 1.0, 1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0],
+    [-1.0, 1.0, -1.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0, -1.0, -1.0, -1.0],
+    [-1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0, 1.0, 1.0, -1.0, 1.0, 1.0],
+    [-1.0, -1.0, 1.0, 1.0, -1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0, -1.0],
+    [-1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0],
+    [1.0, 1.0, -1.0, -1.0, 1.0, -1.0, -1.0, -1.0, -1.0, 1.0, -1.0, -1.0],
+];
+
+/// What texels of a target hold.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Depth {
+    /// Bytes, as a canvas.
+    Bytes,
+    /// Floats of 16 bits.
+    Half,
+    /// Floats of 32 bits.
+    Float,
+}
+
+/// A pair of images.
+pub(super) struct Target {
+    shape: ImageShape,
+    side: [u32; 2],
+    depth: Depth,
+    /// Whether some channel reads it with mipmaps.
+    has_levels: bool,
+    empty: Arc<Image>,
+    /// What readers see.
+    front: Arc<Image>,
+    /// What is drawn over next.
+    back: Arc<Image>,
+}
+
+impl Target {
+    pub fn side(&self) -> [u32; 2] {
+        self.side
+    }
+
+    pub fn image(&self) -> Arc<Image> {
+        Arc::clone(&self.front)
+    }
+
+    pub fn clear(&mut self) {
+        self.front = Arc::clone(&self.empty);
+        self.back = Arc::clone(&self.empty);
+    }
+
+    /// Readers see these pixels from now on; where nothing was drawn, what was there two frames ago.
+    pub fn take(&mut self, mut pixels: Vec<[f32; 4]>, covered: &[bool]) {
+        if covered.contains(&false)
+            && let Some(old) = self.back.level(0)
+        {
+            let all = pixels.iter_mut().zip(covered).enumerate();
+            for (at, (pixel, _)) in all.filter(|(_, (_, is_covered))| !**is_covered) {
+                *pixel = old.color(at);
+            }
+        }
+        let texels = match self.depth {
+            Depth::Bytes => Texels::of_colors(&pixels),
+            Depth::Float => Texels::Float(pixels),
+            Depth::Half => {
+                for lane in pixels.iter_mut().flatten() {
+                    *lane = half(*lane);
+                }
+                Texels::Float(pixels)
+            }
+        };
+        if let Some(image) = image(self.shape, self.side, texels, self.has_levels) {
+            self.back = Arc::clone(&self.front);
+            self.front = Arc::new(image);
+        }
+    }
+}
+
+fn image(shape: ImageShape, side: [u32; 2], texels: Texels, has_levels: bool) -> Option<Image> {
+    let [width, height] = side;
+    let image = Image::new(shape, [width, height, layers(shape)], texels).ok()?;
+    Some(if has_levels {
+        image.with_levels()
+    } else {
+        image
+    })
+}
+
+fn layers(shape: ImageShape) -> u32 {
+    if shape == ImageShape::Cube { 6 } else { 1 }
+}
+
+/// The nearest float of 16 bits, halves to even; what is too large is infinite.
+fn half(number: f32) -> f32 {
+    // One more than the largest such number that rounding still reaches.
+    const LIMIT: f32 = 65_520.0;
+    if number.is_nan() || number.is_infinite() {
+        return number;
+    }
+    if number.abs() >= LIMIT {
+        return f32::INFINITY.copysign(number);
+    }
+    let exponent = (number.to_bits() >> 23 & 0xff) as i32 - 127;
+    // Ten bits of fraction, fewer below the smallest normal number.
+    let step = f32::from_bits(((exponent.max(-14) - 10 + 127) as u32) << 23);
+    (number / step).round_ties_even() * step
+}
+
+/// Makes the targets of all passes, and what nobody draws but somebody reads.
+pub(super) fn make(player: &mut Player, project: &Project) -> Result<(), PlayProblem> {
+    let mut wanted: Vec<(OutputId, ImageShape, [u32; 2], Depth)> = Vec::new();
+    let reads = |id: &OutputId| {
+        let mut inputs = project.passes.iter().flat_map(|p| &p.inputs);
+        inputs.any(|i| i.kind == InputKind::Buffer && i.id == id.0)
+    };
+    for pass in &mut player.passes {
+        let Some(of) = project.passes.get(pass.number) else {
+            continue;
+        };
+        let id = of.output.clone().unwrap_or(OutputId(String::new()));
+        let spot = match of.kind {
+            Pass::Cubemap => (
+                OutputId(OutputId::CUBE.to_string()),
+                ImageShape::Cube,
+                [CUBE_SIDE; 2],
+                Depth::Half,
+            ),
+            Pass::Buffer => spot(project, of, id, player.size),
+            Pass::Image if !id.0.is_empty() && reads(&id) => spot(project, of, id, player.size),
+            Pass::Image | Pass::Common | Pass::Sound => continue,
+        };
+        // Passes of one name draw into one target; a pass without name has one of its own.
+        let known = wanted
+            .iter()
+            .position(|w| w.0 == spot.0 && !spot.0.0.is_empty());
+        pass.target = Some(known.unwrap_or(wanted.len()));
+        if known.is_none() {
+            wanted.push(spot);
+        }
+    }
+    let texels = wanted.iter().map(|(_, shape, [width, height], _)| {
+        2 * u64::from(*width) * u64::from(*height) * u64::from(layers(*shape))
+    });
+    let texels: u64 = texels.sum();
+    if texels > MAX_TEXELS {
+        return Err(PlayProblem::TooLarge {
+            texels,
+            most: MAX_TEXELS,
+        });
+    }
+    for (id, shape, side, depth) in wanted {
+        let count = side.iter().map(|s| *s as usize).product::<usize>() * layers(shape) as usize;
+        let texels = match depth {
+            Depth::Bytes => Texels::Unorm8(vec![[0; 4]; count]),
+            Depth::Half | Depth::Float => Texels::Float(vec![[0.0; 4]; count]),
+        };
+        let has_levels = is_mipmapped(project, &id, shape);
+        let Some(empty) = image(shape, side, texels, has_levels) else {
+            continue;
+        };
+        let empty = Arc::new(empty);
+        player.targets.push(Target {
+            shape,
+            side,
+            depth,
+            has_levels,
+            front: Arc::clone(&empty),
+            back: Arc::clone(&empty),
+            empty,
+        });
+    }
+    Ok(())
+}
+
+fn spot(
+    project: &Project,
+    pass: &ProjectPass,
+    id: OutputId,
+    canvas: [u32; 2],
+) -> (OutputId, ImageShape, [u32; 2], Depth) {
+    let is_float = pass.draw.is_float || (pass.wrapper == Wrapper::Player);
+    let depth = if is_float { Depth::Float } else { Depth::Bytes };
+    (id, ImageShape::Flat, size_of(project, pass, canvas), depth)
+}
+
+/// Whether some channel reads a target with mipmaps.
+fn is_mipmapped(project: &Project, id: &OutputId, shape: ImageShape) -> bool {
+    let kind = match shape {
+        ImageShape::Cube => InputKind::Cubemap,
+        _ => InputKind::Buffer,
+    };
+    let mut inputs = project.passes.iter().flat_map(|p| &p.inputs);
+    inputs.any(|i| i.kind == kind && i.id == id.0 && i.sampler.filter == "mipmap")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::half;
+
+    #[test]
+    fn floats_of_16_bits() {
+        let all = [
+            (1.0, 1.0),
+            (2049.0, 2048.0),
+            (2051.0, 2052.0),
+            (65_519.0, 65_504.0),
+            (65_520.0, f32::INFINITY),
+            (-1e9, f32::NEG_INFINITY),
+            (1e-9, 0.0),
+            (6e-8, 5.960_464_5e-8),
+            (0.1, 0.099_975_586),
+        ];
+        for (number, expected) in all {
+            assert_eq!(half(number), expected, "{number}");
+        }
+        assert!(half(f32::NAN).is_nan());
+    }
+}
