@@ -23,7 +23,7 @@ const PLAYER: [(&str, Feed); 8] = [
 /// The shader of a pass.
 pub(super) enum Shader {
     /// The player declares its uniforms.
-    Player(Code),
+    Player(Box<Code>),
     /// It declares them itself.
     Own(Box<Scene>),
 }
@@ -49,7 +49,9 @@ impl Shader {
         let program = &checked.program;
         let module = lower(program);
         let shader = match unit.wrapper {
-            Wrapper::Player => compile(program, &module, options).map(Shader::Player),
+            Wrapper::Player => {
+                compile(program, &module, options).map(|code| Shader::Player(Box::new(code)))
+            }
             Wrapper::Own => {
                 let bound = found.map_or(Bindings::default(), |pass| pass.bound.clone());
                 Scene::bound(program, &module, bound, options).map(|mut scene| {
@@ -112,8 +114,8 @@ pub(super) fn size_of(project: &Project, pass: &ProjectPass, canvas: [u32; 2]) -
     };
     let pixels = |term| {
         let size = value(term, project, canvas).floor();
-        // A NaN is one pixel as well.
-        size.max(1.0).min(MAX_SIDE) as u32
+        // A NaN becomes 0, and that is one pixel.
+        (size.min(MAX_SIDE) as u32).max(1)
     };
     let [width, height] = terms;
     [pixels(width), pixels(height)]

@@ -11,6 +11,9 @@ const COUNT: usize = 1024;
 /// How many frames the history of the spectrum has.
 const HISTORY_ROWS: usize = 240;
 
+/// A turn, to as many digits as the player has it.
+const TURN: f64 = 62_831.0 / 10_000.0;
+
 /// Sound on a channel.
 pub(super) struct Signal {
     form: SignalForm,
@@ -85,7 +88,7 @@ fn byte(part: f64) -> u8 {
 
 fn spectrum(time: f64) -> [u8; WIDTH] {
     // By number j the factor is exp(-3 j / 1024): each is the one before it by the same share.
-    const SHARE: f64 = 0.997_074_600_063_812;
+    const SHARE: f64 = 0.997_074_599_846_54;
     const _: () = assert!(COUNT == 1024);
     let mut values = [0; WIDTH];
     let mut fade = 1.0;
@@ -93,7 +96,7 @@ fn spectrum(time: f64) -> [u8; WIDTH] {
         let j = f64::from(j);
         let mut part = (0.75 + 0.25 * sine(10.0 * j + 13.0 * time)) * fade;
         if j < 3.0 {
-            let beat = 0.5 + 0.5 * sine(6.2831 * time);
+            let beat = 0.5 + 0.5 * sine(TURN * time);
             part = beat * beat * beat * beat * (1.0 - j / 3.0);
         }
         *value = byte(part);
@@ -143,6 +146,6 @@ mod tests {
         }
         let share = (-3.0_f64 / COUNT as f64).exp();
         assert!((spectrum(0.7)[400] as f64 / 255.0 - share.powi(400)).abs() < 0.26);
-        assert!((share - 0.997_074_600_063_812).abs() < 1e-15);
+        assert!((share - 0.997_074_599_846_54).abs() < 1e-15);
     }
 }
