@@ -50,6 +50,11 @@ fn line_numbers() {
         "local y: int = 7\nlocal z: int = 9\nlocal w: int = 9",
     );
     check("\n#line 70\nint y = __LINE__;", "local y: int = 70");
+    check("int y = __FILE__;", "local y: int = 0");
+    check(
+        "\n#define N 10\n#line (60 + 10) N\n#line 5\nint y = __FILE__;",
+        "local y: int = 10",
+    );
 }
 
 #[test]

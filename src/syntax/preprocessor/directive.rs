@@ -473,14 +473,14 @@ impl Preprocessor<'_> {
         }
         let result = evaluate_prefix(&pieces).and_then(|(line, taken)| {
             match pieces.get(taken..).unwrap_or(&[]) {
-                [] => Ok(line),
-                more => evaluate(more).map(|_| line),
+                [] => Ok((line, None)),
+                more => evaluate(more).map(|file| (line, Some(file))),
             }
         });
         match result {
-            Ok(line) => {
+            Ok((line, file)) => {
                 let number = line as i64 - 1;
-                self.lines.set(self.sources, span.start, number);
+                self.lines.set(self.sources, span.start, number, file);
                 self.check_line_count(span, line);
             }
             Err(Problem::Empty) => {

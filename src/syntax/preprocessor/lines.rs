@@ -10,6 +10,8 @@ pub(super) struct LineCount {
     /// How far the compiler's count is ahead of the file's own in the first of them, as `#line` says;
     /// without one the first line that is compiled is 1.
     shift: Option<i64>,
+    /// The number of the text that is being read: 0, or what `#line` says.
+    file: i32,
 }
 
 /// A text whose lines count.
@@ -31,11 +33,17 @@ impl LineCount {
         });
     }
 
-    /// `#line` gives a line of the text that is being read another number.
-    pub(super) fn set(&mut self, sources: &Sources, address: u32, number: i64) {
+    /// `#line` gives a line of the text that is being read another number, and maybe the text itself.
+    pub(super) fn set(&mut self, sources: &Sources, address: u32, number: i64, file: Option<i32>) {
+        self.file = file.unwrap_or(self.file);
         self.shift = Some(number - own_line(sources, address));
         let before = self.texts.len().saturating_sub(1);
         self.texts.drain(..before);
+    }
+
+    /// The number of the text that is being read.
+    pub(super) fn file(&self) -> i32 {
+        self.file
     }
 
     /// The number of the line of an address in the text that is being read.

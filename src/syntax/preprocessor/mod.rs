@@ -640,7 +640,7 @@ impl<'a> Preprocessor<'a> {
                 // What a call expands to counts where the call ends.
                 Some(self.lines.at(self.sources, token.span.end) as u32)
             }
-            "__FILE__" => Some(0),
+            "__FILE__" => Some(self.lines.file() as u32),
             _ => None,
         }
     }
