@@ -248,6 +248,14 @@ fn neighbours() {
         [1., 1., 5., 5., 9., 9., 13., 13.],
     );
     check_row("", "color = vec4(fwidth(gl_FragCoord.y * 3.0));", [3.; 8]);
+    // A quad has one derivative, that of its first pixel.
+    let area = "gl_FragCoord.x * gl_FragCoord.y";
+    let one = format!("{HEAD}void main() {{ color = vec4(dFdx({area}), dFdy({area}), 0, 0); }}");
+    let one = drawn(&one, [2, 2]).outputs.swap_remove(0);
+    assert!(
+        one.iter()
+            .all(|p| p.map(f32::from_bits) == [0.5, 0.5, 0.0, 0.0])
+    );
     let discard =
         format!("{HEAD}void main() {{ if (gl_FragCoord.x < 2.0) discard; color = vec4(1); }}");
     assert_eq!(drawn(&discard, [4, 1]).covered, [false, false, true, true]);

@@ -180,8 +180,8 @@ fn apply_one(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
             let [low, _] = m::unpack_half(m::pack_half(x, f32x8::ZERO));
             low
         }),
-        F1::DifferenceX => one(bank, to, a, |a| difference(a, [1, 0, 3, 2], [1, 1, 3, 3])),
-        F1::DifferenceY => one(bank, to, a, |a| difference(a, [2, 3, 0, 1], [2, 3, 2, 3])),
+        F1::DifferenceX => one(bank, to, a, |a| difference(a, 1)),
+        F1::DifferenceY => one(bank, to, a, |a| difference(a, 2)),
     }
 }
 
@@ -194,20 +194,15 @@ fn unpacked(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(i32x8) -> [f32x8; 2], h
     });
 }
 
-/// In each quad, for each lane: the far lane less the near one. `other` is the lane on the other
-/// side, `far` the one that is further right or up.
+/// In each quad, for all of its lanes: a neighbour of the first lane less that, as browsers do that
+/// draw by software. The language leaves open whether each lane is compared with its own neighbour.
 #[inline(always)]
-fn difference(a: i32x8, other: [usize; 4], far: [usize; 4]) -> i32x8 {
+fn difference(a: i32x8, neighbour: usize) -> i32x8 {
     let lanes: [f32; 8] = floats(a).to_array();
     let mut made = [0.0; 8];
     for (quad, lanes) in made.chunks_exact_mut(4).zip(lanes.chunks_exact(4)) {
         let at = |n: usize| lanes.get(n).copied().unwrap_or(0.0);
-        for (n, slot) in quad.iter_mut().enumerate() {
-            let other = other.get(n).copied().unwrap_or(0);
-            let far = far.get(n).copied().unwrap_or(0);
-            let near = if far == n { other } else { n };
-            *slot = at(far) - at(near);
-        }
+        quad.fill(at(neighbour) - at(0));
     }
     of_floats(f32x8::new(made))
 }
