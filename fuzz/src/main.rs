@@ -1,5 +1,5 @@
 //! `shaderlint-fuzz TARGET|all [--seconds N] [--seed S] [FILE]...`
-//! `shaderlint-fuzz write|pairs [--count N] [--seed S]`
+//! `shaderlint-fuzz write|pairs|drawn|builtins [--count N] [--seed S]`
 //!
 //! Breaks the shaders of the corpus and of the rules' pages in random ways and throws them at a
 //! target. A panic or an answer that takes too long is a failure: its text is made as short as it
@@ -8,10 +8,16 @@
 //! `tests/browser/verdicts.js`, which asks Chromium.
 //!
 //! `shaderlint-fuzz pairs [--count N] [--seed S]` prints pairs of stages for a browser to link.
+//! `shaderlint-fuzz drawn [--count N] [--seed S]` prints programs with what the machine draws of them,
+//! for `tests/browser/drawn.js`, which draws them in Chromium; `builtins` prints those that compute
+//! the built-in functions of random numbers.
 
+mod builtins;
+mod compute;
 mod generate;
 mod mutate;
 mod pairs;
+mod run;
 mod targets;
 
 use generate::generate;
@@ -54,6 +60,14 @@ fn main() -> ExitCode {
     if name == "write" {
         return write(seed, count);
     }
+    if name == "builtins" {
+        run::print_builtins();
+        return ExitCode::SUCCESS;
+    }
+    if name == "drawn" {
+        run::print(seed, count);
+        return ExitCode::SUCCESS;
+    }
     if name == "pairs" {
         pairs::print(seed, count as usize);
         return ExitCode::SUCCESS;
@@ -64,7 +78,7 @@ fn main() -> ExitCode {
         .collect();
     if chosen.is_empty() {
         eprintln!(
-            "there is no target `{name}`: lex, parse, check, link, fix, port, programs or all"
+            "there is no target `{name}`: lex, parse, check, link, fix, port, programs, run or all"
         );
         return ExitCode::from(2);
     }

@@ -1,7 +1,7 @@
 //! What the broken shaders are thrown at. A target panics where something is wrong.
 
 use crate::mutate::split;
-use crate::pairs;
+use crate::{pairs, run};
 use shaderlint::diagnostic::{Diagnostic, Severity};
 use shaderlint::engine::{
     Analysis, DialectChoice, NoFiles, Options, Report, Wholeness, analyze, check, mend,
@@ -35,7 +35,7 @@ pub enum Texts {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 7] = [
+pub const TARGETS: [Target; 8] = [
     Target {
         name: "lex",
         texts: Texts::Broken,
@@ -70,6 +70,11 @@ pub const TARGETS: [Target; 7] = [
         name: "programs",
         texts: Texts::Programs,
         run: programs,
+    },
+    Target {
+        name: "run",
+        texts: Texts::Programs,
+        run: run::agrees_with_itself,
     },
 ];
 

@@ -5,6 +5,7 @@ import { rmSync } from 'node:fs';
 import { launch, work } from './browser.js';
 import { corpusTests } from './corpus.js';
 import { dialectTests } from './dialects.js';
+import { drawnTests } from './drawn.js';
 import { fixTests } from './fixes.js';
 import { hostileTests } from './hostile.js';
 import { mediaTests } from './media.js';
@@ -28,6 +29,7 @@ const tests = [
   ...moduleTests,
   ...serveTests,
   ...verdictTests,
+  ...drawnTests,
   ...corpusTests(),
   ...webgpuTests(),
 ];

@@ -1,0 +1,140 @@
+// Shaders draw in Chromium what `shaderlint` computes of them: programs of which every number is known,
+// to the bit, and the built-in functions of random numbers, within what the conformance suite allows.
+//
+//   node drawn.js [COUNT] [SEED]   draws COUNT programs from SEED on, and prints those that differ
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
+import { launch, top } from './browser.js';
+
+/** Programs that are drawn at once. */
+const BATCH = 25;
+
+/**
+ * @typedef {{id: string | number, source: string, seeds: number[], parts: number[], why?: string,
+ *   pixels: number[][], bound?: string, by?: number}} Program
+ */
+
+// Runs inside the page, so it may use nothing from outside.
+/** Draws programs into targets of unsigned integers; gives the pixels, or why there are none. */
+function draw({ programs, size }) {
+  const gl = new OffscreenCanvas(size, size).getContext('webgl2');
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, size, size);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  const texture = gl.getParameter(gl.TEXTURE_BINDING_2D);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+  gl.viewport(0, 0, size, size);
+  const compile = (type, source) => {
+    const shader = gl.createShader(type);
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    return shader;
+  };
+  const corners = 'vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0, 1)';
+  const triangle = compile(gl.VERTEX_SHADER, `#version 300 es\nvoid main() { gl_Position = ${corners}; }`);
+  return programs.map(({ source, seeds, parts }) => {
+    const program = gl.createProgram();
+    const fragment = compile(gl.FRAGMENT_SHADER, source);
+    gl.attachShader(program, triangle);
+    gl.attachShader(program, fragment);
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return { refused: gl.getShaderInfoLog(fragment) };
+    gl.useProgram(program);
+    gl.uniform4iv(gl.getUniformLocation(program, 'seeds'), seeds);
+    gl.uniform4fv(gl.getUniformLocation(program, 'parts'), parts);
+    gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    const pixels = new Uint32Array(size * size * 4);
+    gl.readPixels(0, 0, size, size, gl.RGBA_INTEGER, gl.UNSIGNED_INT, pixels);
+    gl.deleteProgram(program);
+    gl.deleteShader(fragment);
+    return { pixels: [...pixels] };
+  });
+}
+
+/** What the programs of the fuzzer are, and what `shaderlint` draws of them. */
+function written(...args) {
+  const program = process.env.FUZZ ? [process.env.FUZZ] : ['cargo', 'run', '--quiet', '-p', 'shaderlint-fuzz', '--'];
+  const [command, ...rest] = [...program, ...args];
+  const text = execFileSync(command, rest, { cwd: top, maxBuffer: 1 << 30 }).toString();
+  /** @type {Program[]} */
+  const programs = text.trim().split('\n').map((line) => JSON.parse(line));
+  return programs;
+}
+
+const float = (() => {
+  const bits = new Uint32Array(1);
+  const number = new Float32Array(bits.buffer);
+  return (x) => {
+    bits[0] = x;
+    return number[0];
+  };
+})();
+
+/** The distance of a float to the next larger one. */
+const unit = (x) => 2 ** Math.max(Math.floor(Math.log2(Math.abs(x) || 1e-38)) - 23, -149);
+
+/** How far a result may be from another machine's. */
+const BOUNDS = {
+  units: ({ mine, by }) => by * unit(mine),
+  absolute: ({ by }) => by,
+  power: ({ mine, a }) => (4 + 2 * Math.abs(a)) * unit(mine),
+  logarithm: ({ mine }) => Math.max(4 * unit(mine), 2 ** -21),
+  'power of any': ({ mine, a, b }) => {
+    const power = Math.abs(b * Math.log2(a));
+    return (8 + 4 * power) * unit(mine) + Math.abs(mine * b) * 2 ** -20;
+  },
+};
+
+/** Whether a pixel of a built-in function is within its bound. */
+function isWithin({ bound, by }, mine, theirs) {
+  if (bound === undefined || bound === 'exact') return mine.every((x, i) => x === theirs[i]);
+  const [a, b] = [float(mine[1]), float(mine[2])];
+  const [x, y] = [float(mine[0]), float(theirs[0])];
+  return Math.abs(x - y) <= BOUNDS[bound]({ mine: x, a, b, by });
+}
+
+/** The programs that are drawn otherwise, with the first pixel that is. */
+async function otherwise(context, programs, size) {
+  const wrong = programs.filter((p) => p.why).map((p) => ({ ...p, what: p.why }));
+  const fit = programs.filter((p) => !p.why);
+  for (let at = 0; at < fit.length; at += BATCH) {
+    const batch = fit.slice(at, at + BATCH);
+    const page = await context.newPage();
+    const sent = batch.map(({ source, seeds, parts }) => ({ source, seeds, parts }));
+    const drawn = await page.evaluate(draw, { programs: sent, size });
+    await page.close();
+    batch.forEach((program, i) => {
+      const { refused, pixels } = drawn[i];
+      if (!pixels) return wrong.push({ ...program, what: `refused: ${refused}` });
+      const theirs = (n) => pixels.slice(4 * n, 4 * n + 4);
+      const bad = program.pixels.findIndex((mine, n) => !isWithin(program, mine, theirs(n)));
+      if (bad >= 0) wrong.push({ ...program, what: `pixel ${bad}: ${program.pixels[bad]}, in the browser ${theirs(bad)}` });
+    });
+  }
+  return wrong;
+}
+
+async function agree(context, programs, size) {
+  const wrong = await otherwise(context, programs, size);
+  assert.deepEqual(wrong.map((p) => `${p.id}: ${p.what}`), []);
+}
+
+const programs = (count, seed) => written('drawn', '--count', `${count}`, '--seed', `${seed}`);
+
+export const drawnTests = [
+  { name: 'drawn: built-in functions', seconds: 300, run: (context) => agree(context, written('builtins'), 64) },
+  { name: 'drawn: programs', seconds: 600, run: (context) => agree(context, programs(300, 1), 8) },
+];
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const running = await launch();
+  const context = await running.browser.newContext();
+  const [count, seed] = process.argv.slice(2).map(Number);
+  const wrong = await otherwise(context, programs(count || 1000, seed || 1), 8);
+  for (const { id, what, source } of wrong) console.log(`--- seed ${id}: ${what}\n${source}`);
+  console.log(`${count || 1000} programs, ${wrong.length} drawn otherwise`);
+  await running.kill();
+  process.exit(wrong.length ? 1 : 0);
+}
