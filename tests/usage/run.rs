@@ -278,3 +278,40 @@ fn the_pictures_of_the_readme_are_what_is_drawn() {
         assert!(drawn == pixels(&scratch, "kept.png"), "{name} is stale");
     }
 }
+
+#[test]
+fn projects_are_run_with_all_their_passes() {
+    let export = r#"{"info": {"name": "counter"}, "renderpass": [
+        {"type": "image", "name": "Image", "code": "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }",
+         "inputs": [{"id": "4dXGR8", "channel": 0, "type": "buffer", "sampler": {"filter": "nearest", "wrap": "clamp"}}],
+         "outputs": [{"id": "4dfGRr", "channel": 0}]},
+        {"type": "buffer", "name": "Buffer A", "code": "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) + vec4(0.25, 0.0, 0.0, 1.0); }",
+         "inputs": [{"id": "4dXGR8", "channel": 0, "type": "buffer", "sampler": {"filter": "nearest", "wrap": "clamp"}}],
+         "outputs": [{"id": "4dXGR8", "channel": 0}]}]}"#;
+    let scratch = Scratch::new(&[("counter.json", export)]);
+    let args = [
+        "run",
+        "counter.json",
+        "--size",
+        "2x2",
+        "--frame",
+        "1",
+        "--force",
+        "-o",
+        "c.png",
+    ];
+    let ran = scratch.run(&args);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let (_, _, drawn) = pixels(&scratch, "c.png");
+    assert_eq!(drawn, [[128, 0, 0]; 4]);
+    let ran = scratch.run(&[&args[..], &["--pass", "buffer_a"]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let ran = scratch.run(&[&args[..], &["--pass", "buffer_b"]].concat());
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .contains("there is no pass `buffer_b`; there is image, buffer_a"),
+        "{}",
+        ran.err
+    );
+}

@@ -6,7 +6,7 @@ use super::load::Shot;
 use super::png::Bitmap;
 use super::progress::Progress;
 use crate::engine::play::{Button, Moment, Mouse, Picture};
-use crate::exec::{Drawn, draw};
+use crate::exec::{Code, Drawn};
 use serde::Serialize;
 
 /// Times that are compared where none is asked for.
@@ -51,7 +51,7 @@ struct Difference {
 /// Compares two shaders. Gives what came of it, and the picture of the moment at which they differ
 /// the most.
 pub fn compare(
-    shots: [&Shot; 2],
+    mut shots: [&mut Shot; 2],
     names: [&str; 2],
     args: &RunArgs,
 ) -> Result<(Compared, Option<Bitmap>), String> {
@@ -60,8 +60,15 @@ pub fn compare(
     let mut told = Vec::new();
     let mut worst: Option<(u64, Vec<f64>)> = None;
     for moment in moments {
-        let [a, b] = shots.map(|shot| shot.drawn(args.size, &moment, args.threads()));
-        let found = difference([&a?, &b?], shots, &moment);
+        let drawn = shots
+            .each_mut()
+            .map(|shot| shot.drawn(args, &moment, &progress));
+        let [a, b] = drawn;
+        let found = difference(
+            [&a?, &b?],
+            shots.each_ref().map(|shot| shot.code()),
+            &moment,
+        );
         progress.step();
         let pixels = found.told.pixels;
         if pixels > 0 && worst.as_ref().is_none_or(|(most, _)| pixels > *most) {
@@ -108,10 +115,10 @@ fn moments(args: &RunArgs) -> Vec<Moment> {
     .collect()
 }
 
-fn difference(drawn: [&Drawn; 2], shots: [&Shot; 2], moment: &Moment) -> Difference {
+fn difference(drawn: [&Drawn; 2], codes: [&Code; 2], moment: &Moment) -> Difference {
     let [a, b] = drawn;
-    let pictures =
-        [(shots[0], a), (shots[1], b)].map(|(shot, drawn)| Picture::of(&shot.scene.code, drawn, 0));
+    let [code, other] = codes;
+    let pictures = [(code, a), (other, b)].map(|(code, drawn)| Picture::of(code, drawn, 0));
     let mut by_pixel = Vec::with_capacity(a.covered.len());
     let mut told = MomentCompared {
         time: moment.time,
@@ -151,14 +158,6 @@ fn difference(drawn: [&Drawn; 2], shots: [&Shot; 2], moment: &Moment) -> Differe
     Difference { told, by_pixel }
 }
 
-impl Shot {
-    /// The picture of a moment.
-    pub fn drawn(&self, size: [u32; 2], moment: &Moment, threads: usize) -> Result<Drawn, String> {
-        let own = self.scene.draw(size, moment);
-        draw(&own, threads).map_err(|stop| super::stopped(&stop, own.fuel))
-    }
-}
-
 impl Compared {
     /// As it is asked for.
     pub fn print(&self, format: RunFormat) -> String {
@@ -191,9 +190,9 @@ impl Compared {
                 None => "",
             };
             text.push_str(&format!(
-                "  at {} s{mouse}: {} pixels ({share}), {} of them on the screen, by {} at most, \
+                "  at {}{mouse}: {} pixels ({share}), {} of them on the screen, by {} at most, \
                  first at ({x}, {y})\n",
-                moment.time,
+                super::facts::seconds(moment.time),
                 moment.pixels,
                 moment.shown,
                 heat::short(moment.most),

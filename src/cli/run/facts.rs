@@ -127,15 +127,15 @@ impl RunFacts {
     /// For people.
     pub fn text(&self) -> String {
         let [width, height] = self.size;
-        let (file, time, frame) = (&self.file, self.time, self.frame);
-        let mut text = format!("{file}: {width}x{height}, {time} s, frame {frame}\n");
+        let (file, time, frame) = (&self.file, seconds(self.time), self.frame);
+        let mut text = format!("{file}: {width}x{height}, {time}, frame {frame}\n");
         for (output, i) in self.outputs.iter().zip(0..) {
             let name = match i {
                 0 => "picture".to_string(),
                 _ => output.name.clone(),
             };
             let lanes = |all: &[f64]| {
-                let all = all.iter().map(|n| format!("{n:.3}"));
+                let all = all.iter().map(|n| number(*n));
                 all.collect::<Vec<_>>().join(" ")
             };
             text.push_str(&format!(
@@ -184,6 +184,21 @@ impl RunFacts {
     }
 }
 
+/// A number to three digits behind the point.
+fn number(number: f64) -> String {
+    let text = format!("{number:.3}");
+    match text.as_str() {
+        "-0.000" => "0.000".to_string(),
+        _ => text,
+    }
+}
+
+/// A time to a thousandth of a second.
+pub fn seconds(time: f64) -> String {
+    let text = format!("{time:.3}");
+    format!("{} s", text.trim_end_matches('0').trim_end_matches('.'))
+}
+
 /// A share in percent; what is there is never told as none.
 pub fn percent(share: f64) -> String {
     match share * 100.0 {
@@ -198,6 +213,13 @@ pub fn percent(share: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn times_and_numbers_are_short() {
+        let all = [0.0, 2.0, 0.5, 10.0, 1.0 / 6.0].map(seconds);
+        assert_eq!(all, ["0 s", "2 s", "0.5 s", "10 s", "0.167 s"]);
+        assert_eq!([-0.0001, 1.5].map(number), ["0.000", "1.500"]);
+    }
 
     #[test]
     fn what_is_there_is_never_told_as_none() {

@@ -1,20 +1,22 @@
 //! From the arguments to what is drawn: the text, its errors, and what its uniforms are set to.
 
 use super::args::RunArgs;
+use super::progress::Progress;
 use super::{show, uniforms};
 use crate::cli::disk::Disk;
 use crate::cli::port;
 use crate::diagnostic::Severity;
-use crate::engine::play::{Scene, Unfit};
+use crate::engine::play::{Moment, PlayOptions, Player, Scene, Unfit};
 use crate::engine::{Options, check};
-use crate::exec::{CompileOptions, Refusal};
+use crate::exec::{Code, CompileOptions, Drawn, Refusal, Stop, draw};
 use crate::ir::{Module, Provenance, lower};
-use crate::port::{Composed, PassUnit, Project, Wrapper};
+use crate::port::{Composed, PassUnit, Project, Wrapper, add_stand_ins, missing};
 use crate::report::{Format, Reporter};
-use crate::semantic::{Pass, Program, Stage};
+use crate::semantic::{Pass, Program, Stage, Storage};
 use crate::text::{Sources, Span};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// Why there is nothing to draw.
 #[derive(Debug)]
@@ -51,12 +53,106 @@ pub struct Loaded {
 
 /// A pass that is ready to be drawn.
 pub struct Shot {
-    /// It, with what it is given.
-    pub scene: Scene,
+    /// What draws it.
+    play: Play,
     /// Its middle form.
     pub module: Module,
     /// The index of its unit.
     unit: usize,
+    /// Its number in the project.
+    pass: usize,
+}
+
+/// What draws a pass.
+enum Play {
+    /// It reads nothing that is drawn.
+    Alone(Box<Scene>),
+    /// The other passes of its project, and what its channels hold, are drawn with it.
+    Project(Box<Player>),
+}
+
+impl Shot {
+    /// What the pass runs as.
+    pub fn code(&self) -> &Code {
+        static NOTHING: OnceLock<Code> = OnceLock::new();
+        match &self.play {
+            Play::Alone(scene) => &scene.code,
+            Play::Project(player) => player
+                .code(self.pass)
+                .unwrap_or_else(|| NOTHING.get_or_init(Code::default)),
+        }
+    }
+
+    /// The picture of a moment.
+    pub fn drawn(
+        &mut self,
+        args: &RunArgs,
+        moment: &Moment,
+        progress: &Progress,
+    ) -> Result<Drawn, String> {
+        match &mut self.play {
+            Play::Alone(scene) => {
+                let own = scene.draw(args.size, moment);
+                draw(&own, args.threads()).map_err(|stop| stopped(&stop))
+            }
+            Play::Project(player) => {
+                let mut tell = |frame| progress.frame(frame, moment.frame);
+                let played = player.play_to(moment, &mut tell);
+                let played = played.map_err(|stop| stopped(&stop))?;
+                let mut passes = played.passes.into_iter();
+                let own = passes.find(|(number, _)| *number == self.pass);
+                own.map(|(_, drawn)| drawn)
+                    .ok_or_else(|| "the pass gives no picture".to_string())
+            }
+        }
+    }
+
+    /// What is to be said of what the shader is given.
+    pub fn notes(&self, project: &Project) -> Vec<String> {
+        let mut notes = project.notes.clone();
+        let quoted = |names: &[&str]| format!("`{}`", names.join("`, `"));
+        match &self.play {
+            Play::Alone(scene) => {
+                let zeros = scene.zeros();
+                if !zeros.is_empty() {
+                    notes.push(format!(
+                        "nothing sets these uniforms, so they are zero: {}; --uniforms sets them",
+                        quoted(&zeros)
+                    ));
+                }
+                let guessed: Vec<&str> = scene.bound.guessed.iter().map(String::as_str).collect();
+                if !guessed.is_empty() {
+                    notes.push(format!(
+                        "nothing gives these varyings, so they hold the place in the picture: {}",
+                        quoted(&guessed)
+                    ));
+                }
+            }
+            Play::Project(player) => {
+                let missing = missing(project).into_iter();
+                notes.extend(missing.map(|m| format!("{}: {}; {}", m.place, m.what, m.stand_in)));
+                notes.extend(player.notes().iter().cloned());
+            }
+        }
+        notes
+    }
+
+    /// Sets a uniform for all moments.
+    fn set(&mut self, name: &str, scalars: &[f64]) -> Result<(), Unfit> {
+        match &mut self.play {
+            Play::Alone(scene) => scene.set(name, scalars),
+            Play::Project(player) => player.set(name, scalars),
+        }
+    }
+}
+
+/// What is said of a run that did not come to its end.
+fn stopped(stop: &Stop) -> String {
+    match stop {
+        Stop::OutOfFuel { pixel: [x, y] } => {
+            format!("the run was ended: the pixels around ({x}, {y}) took too many operations")
+        }
+    }
 }
 
 impl Loaded {
@@ -72,8 +168,10 @@ pub fn load(path: &Path, args: &RunArgs, format: Format) -> Result<Loaded, Troub
     let name = port::shown(path);
     let drafted = port::draft(path, args.from.as_deref());
     let resolved = drafted.and_then(|(mut project, read)| {
-        let composed = project.resolve(&name);
-        let composed = composed.map_err(|e| format!("{name}: {e}"))?;
+        let wrong = |e| format!("{name}: {e}");
+        let composed = project.resolve(&name).map_err(wrong)?;
+        add_stand_ins(&mut project);
+        let composed = project.renew(composed, &name).map_err(wrong)?;
         Ok((project, read, composed))
     });
     match resolved {
@@ -143,22 +241,55 @@ pub fn shot(loaded: &Loaded, args: &RunArgs, options: &CompileOptions) -> Result
         None => None,
     };
     let options = &CompileOptions { probe, ..*options };
-    let scene = match (unit.wrapper, pass) {
-        (Wrapper::Own, Some(pass)) => Scene::bound(program, &module, pass.bound.clone(), options),
-        _ => Scene::of(program, &module, options),
+    let play = match alone(loaded, unit, &module, options)? {
+        Some(scene) => Play::Alone(Box::new(scene)),
+        None => {
+            let options = PlayOptions {
+                size: args.size,
+                threads: args.threads(),
+                compile: *options,
+            };
+            let player = Player::new(&loaded.project, composed, &options);
+            Play::Project(Box::new(player.map_err(|e| format!("{name}: {e}"))?))
+        }
     };
-    let mut scene = scene.map_err(|refusal| refused(&composed.sources, program, name, &refusal))?;
-    let project = &loaded.project;
-    let described = project.controls.iter().take(project.described);
-    scene.set_controls(described.cloned().collect::<Vec<_>>().as_slice());
-    if let Some(path) = &args.uniforms {
-        set_uniforms(&mut scene, path)?;
-    }
-    Ok(Shot {
-        scene,
+    let mut shot = Shot {
+        play,
         module,
         unit: at,
-    })
+        pass: unit.pass,
+    };
+    if let Some(path) = &args.uniforms {
+        set_uniforms(&mut shot, program, path)?;
+    }
+    Ok(shot)
+}
+
+/// The scene of a pass that is all there is, and looks nothing up.
+fn alone(
+    loaded: &Loaded,
+    unit: &PassUnit,
+    module: &Module,
+    options: &CompileOptions,
+) -> Result<Option<Scene>, Trouble> {
+    let Loaded {
+        name,
+        project,
+        composed,
+        ..
+    } = loaded;
+    if composed.units.len() > 1 || unit.kind != Pass::Image {
+        return Ok(None);
+    }
+    let program = &composed.analysis(unit).program;
+    let scene = match (unit.wrapper, project.passes.get(unit.pass)) {
+        (Wrapper::Own, Some(pass)) => Scene::bound(program, module, pass.bound.clone(), options),
+        _ => Scene::of(program, module, options),
+    };
+    let mut scene = scene.map_err(|refusal| refused(&composed.sources, program, name, &refusal))?;
+    let described = project.controls.iter().take(project.described);
+    scene.set_controls(&described.cloned().collect::<Vec<_>>());
+    Ok(scene.code.samplers.is_empty().then_some(scene))
 }
 
 /// The pass that is to be shown: the one asked for, else the picture.
@@ -183,7 +314,7 @@ fn chosen<'a>(loaded: &'a Loaded, asked: Option<&str>) -> Result<(usize, &'a Pas
 }
 
 /// Sets what the user's JSON says.
-fn set_uniforms(scene: &mut Scene, path: &Path) -> Result<(), Trouble> {
+fn set_uniforms(shot: &mut Shot, program: &Program, path: &Path) -> Result<(), Trouble> {
     let text = port::read_text(path)?;
     let shown = port::shown(path);
     let wrong = |(line, column): (usize, usize), message: String| {
@@ -191,14 +322,14 @@ fn set_uniforms(scene: &mut Scene, path: &Path) -> Result<(), Trouble> {
     };
     let assigned = uniforms::read(&text).map_err(|bad| wrong(bad.at, bad.message))?;
     for given in assigned {
-        let unfit = match scene.set(&given.name, &given.scalars) {
+        let unfit = match shot.set(&given.name, &given.scalars) {
             Ok(()) => continue,
             Err(unfit) => unfit,
         };
         let name = &given.name;
         let said = match unfit {
             Unfit::Unknown => {
-                let near = crate::cli::run::near(name, scene.declared());
+                let near = near(name, program);
                 format!("the shader has no uniform `{name}`{near}")
             }
             Unfit::Sampler => format!("`{name}` is a sampler, which a number is not put onto"),
@@ -213,6 +344,16 @@ fn set_uniforms(scene: &mut Scene, path: &Path) -> Result<(), Trouble> {
         return Err(wrong(given.at, said));
     }
     Ok(())
+}
+
+/// What may be meant by a name that no uniform has.
+fn near(name: &str, program: &Program) -> String {
+    let uniforms = program.variables.iter();
+    let uniforms = uniforms.filter(|v| v.storage == Storage::Uniform);
+    let names = uniforms.map(|v| program.names.text(v.name));
+    let distances = names.map(|n| (strsim::damerau_levenshtein(n, name), n));
+    let near = distances.filter(|(distance, _)| *distance <= 2).min();
+    near.map_or(String::new(), |(_, n)| format!("; did you mean `{n}`?"))
 }
 
 /// What is said of a shader that cannot be run.

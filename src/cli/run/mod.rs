@@ -19,8 +19,8 @@ pub use args::RunArgs;
 use super::output::Overwrite;
 use super::port::save;
 use super::{CLEAN, FAILED, FINDINGS};
-use crate::engine::play::{Picture, Scene};
-use crate::exec::{CompileOptions, Drawn, Stop, Watch};
+use crate::engine::play::Picture;
+use crate::exec::{CompileOptions, Drawn, Watch};
 use crate::port::File;
 use crate::report::Format;
 use args::{Heat, RunFormat};
@@ -54,26 +54,26 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
         RunFormat::Json => Format::Json,
     };
     let loaded = load(&args.file, args, format)?;
-    let own = shot(&loaded, args, &options(args))?;
+    let mut own = shot(&loaded, args, &options(args))?;
     if let Some(path) = &args.compare {
         let other = load(path, args, format)?;
-        let other_shot = shot(&other, args, &options(args))?;
-        return compared(args, [(&loaded, &own), (&other, &other_shot)]);
+        let mut other_shot = shot(&other, args, &options(args))?;
+        return compared(args, [(&loaded, &mut own), (&other, &mut other_shot)]);
     }
-    let notes = notes(&own.scene, &loaded);
+    let notes = own.notes(&loaded.project);
     if args.format == RunFormat::Human {
         for note in &notes {
             let _ = writeln!(io::stderr(), "note: {note}");
         }
     }
     if let Some(count) = args.sheet {
-        let sheet = sheet::draw(&own, args, count)?;
+        let sheet = sheet::draw(&mut own, args, count)?;
         let written = write(args, &sheet, &loaded.read)?;
         return Ok((show(args, &sheet, written.as_deref()), CLEAN));
     }
     let moment = args.moment();
     let progress = Progress::new(1);
-    let drawn = own.drawn(args.size, &moment, args.threads())?;
+    let drawn = own.drawn(args, &moment, &progress)?;
     drop(progress);
     let bitmap = match (args.heatmap, &args.show) {
         (Some(heat), _) => heat_map(heat, &own, &drawn),
@@ -105,44 +105,11 @@ fn options(args: &RunArgs) -> CompileOptions {
     }
 }
 
-/// What is to be said of how the shader was read, and of what stays empty.
-fn notes(scene: &Scene, loaded: &Loaded) -> Vec<String> {
-    let mut notes = loaded.project.notes.clone();
-    let quoted = |names: &[&str]| format!("`{}`", names.join("`, `"));
-    let zeros = scene.zeros();
-    if !zeros.is_empty() {
-        let names = quoted(&zeros);
-        notes.push(format!(
-            "nothing sets these uniforms, so they are zero: {names}; --uniforms sets them"
-        ));
-    }
-    let guessed: Vec<&str> = scene.bound.guessed.iter().map(String::as_str).collect();
-    if !guessed.is_empty() {
-        let names = quoted(&guessed);
-        notes.push(format!(
-            "nothing gives these varyings, so they hold the place in the picture: {names}"
-        ));
-    }
-    let samplers: Vec<&str> = scene
-        .code
-        .samplers
-        .iter()
-        .map(|s| s.name.as_str())
-        .collect();
-    if !samplers.is_empty() {
-        let names = quoted(&samplers);
-        notes.push(format!(
-            "nothing is on these samplers, so they are black: {names}"
-        ));
-    }
-    notes
-}
-
 /// What the screen shows of a draw.
 fn bitmap(shot: &Shot, drawn: &Drawn) -> Bitmap {
     Bitmap {
         size: drawn.size,
-        bytes: Picture::of(&shot.scene.code, drawn, 0).bytes(),
+        bytes: Picture::of(shot.code(), drawn, 0).bytes(),
     }
 }
 
@@ -152,7 +119,7 @@ fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
         Heat::Steps => (counts(&drawn.turns), "STEPS"),
         Heat::Cost => (counts(&drawn.cost), "OPERATIONS"),
         Heat::Nan => {
-            let picture = Picture::of(&shot.scene.code, drawn, 0);
+            let picture = Picture::of(shot.code(), drawn, 0);
             let is_bad = |pixel: &[f32; 4]| pixel.iter().any(|lane| !lane.is_finite());
             let values = picture
                 .pixels
@@ -165,7 +132,7 @@ fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
 }
 
 fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunFacts {
-    let code = &shot.scene.code;
+    let code = shot.code();
     let program = loaded.program(shot);
     let outputs = code.outputs.iter().zip(0..).map(|(slot, at)| {
         let facts = Picture::of(code, drawn, at).facts(&drawn.covered);
@@ -191,10 +158,11 @@ fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunF
 }
 
 /// Compares two shaders and says what came of it.
-fn compared(args: &RunArgs, both: [(&Loaded, &Shot); 2]) -> Result<(String, u8), Trouble> {
-    let names = both.map(|(loaded, _)| loaded.name.as_str());
-    let (mut told, picture) = compare::compare(both.map(|(_, shot)| shot), names, args)?;
-    let read: Vec<PathBuf> = both.iter().flat_map(|(l, _)| l.read.clone()).collect();
+fn compared(args: &RunArgs, both: [(&Loaded, &mut Shot); 2]) -> Result<(String, u8), Trouble> {
+    let [(one, shot), (other, other_shot)] = both;
+    let names = [&one.name, &other.name].map(String::as_str);
+    let (mut told, picture) = compare::compare([shot, other_shot], names, args)?;
+    let read: Vec<PathBuf> = one.read.iter().chain(&other.read).cloned().collect();
     if let Some(picture) = &picture {
         told.output = write(args, picture, &read)?;
     }
@@ -246,22 +214,4 @@ fn show(args: &RunArgs, bitmap: &Bitmap, written: Option<&str>) -> String {
         let _ = writeln!(io::stderr(), "note: {told}");
     }
     terminal::draw(&bitmap.shrunk(size), palette)
-}
-
-/// What is said of a run that did not come to its end.
-fn stopped(stop: &Stop, fuel: u64) -> String {
-    match stop {
-        Stop::OutOfFuel { pixel: [x, y] } => format!(
-            "the run was ended: the pixels around ({x}, {y}) took more than {fuel} operations"
-        ),
-    }
-}
-
-/// What may be meant by a name that is none of some.
-fn near(name: &str, all: &[String]) -> String {
-    let distances = all
-        .iter()
-        .map(|n| (strsim::damerau_levenshtein(n, name), n));
-    let near = distances.filter(|(distance, _)| *distance <= 2).min();
-    near.map_or(String::new(), |(_, n)| format!("; did you mean `{n}`?"))
 }

@@ -21,6 +21,8 @@ pub struct Progress {
 
 struct Shared {
     done: AtomicU32,
+    /// The frame that is drawn, and the last one of the picture.
+    frames: [AtomicU32; 2],
     is_over: AtomicBool,
 }
 
@@ -29,6 +31,7 @@ impl Progress {
     pub fn new(total: u32) -> Progress {
         let shared = Arc::new(Shared {
             done: AtomicU32::new(0),
+            frames: [AtomicU32::new(0), AtomicU32::new(0)],
             is_over: AtomicBool::new(false),
         });
         let own = shared.clone();
@@ -37,6 +40,13 @@ impl Progress {
             shared,
             thread: is_shown.then(|| thread::spawn(move || show(&own, total))),
         }
+    }
+
+    /// Tells which frame is drawn of those that a picture depends on.
+    pub fn frame(&self, frame: u32, last: u32) {
+        let [own_frame, own_last] = &self.shared.frames;
+        own_frame.store(frame, Ordering::Relaxed);
+        own_last.store(last, Ordering::Relaxed);
     }
 
     /// Counts a picture.
@@ -63,7 +73,9 @@ fn show(shared: &Shared, total: u32) {
         thread::park_timeout(PAUSE);
         if start.elapsed() >= PATIENCE && !shared.is_over.load(Ordering::Relaxed) {
             is_shown = true;
-            let line = line(shared.done.load(Ordering::Relaxed), total, start.elapsed());
+            let frames = shared.frames.each_ref().map(|n| n.load(Ordering::Relaxed));
+            let done = shared.done.load(Ordering::Relaxed);
+            let line = line([done, total], frames, start.elapsed());
             let _ = write!(io::stderr(), "\r{line}\x1b[K");
         }
     }
@@ -73,16 +85,18 @@ fn show(shared: &Shared, total: u32) {
 }
 
 /// What is said after a time.
-fn line(done: u32, total: u32, elapsed: Duration) -> String {
+fn line([done, total]: [u32; 2], frames: [u32; 2], elapsed: Duration) -> String {
     let seconds = elapsed.as_secs();
-    if total < 2 {
-        return format!("drawing, {seconds} s");
-    }
+    let (done, total, noun) = match (total, frames) {
+        (0 | 1, [_, 0]) => return format!("drawing, {seconds} s"),
+        (0 | 1, [frame, last]) => (frame, last, "frame "),
+        _ => (done, total, ""),
+    };
     let full = WIDTH * done.min(total) / total;
     let bar: String = (0..WIDTH)
         .map(|i| if i < full { '#' } else { '.' })
         .collect();
-    format!("drawing [{bar}] {done} of {total}, {seconds} s")
+    format!("drawing [{bar}] {noun}{done} of {total}, {seconds} s")
 }
 
 #[cfg(test)]
@@ -92,10 +106,14 @@ mod tests {
     #[test]
     fn the_line_tells_how_far_it_is() {
         let second = Duration::from_secs(2);
-        assert_eq!(line(0, 1, second), "drawing, 2 s");
+        assert_eq!(line([0, 1], [0, 0], second), "drawing, 2 s");
         assert_eq!(
-            line(3, 9, second),
+            line([3, 9], [0, 0], second),
             "drawing [########................] 3 of 9, 2 s"
+        );
+        assert_eq!(
+            line([0, 1], [30, 60], second),
+            "drawing [############............] frame 30 of 60, 2 s"
         );
     }
 }

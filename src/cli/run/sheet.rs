@@ -14,7 +14,7 @@ const TEXT: [u8; 3] = [220; 3];
 
 /// Draws a sheet of so many pictures. Each is drawn in its full size and shown smaller, so that what
 /// depends on the size of a pixel is as it is.
-pub fn draw(shot: &Shot, args: &RunArgs, count: u32) -> Result<Bitmap, String> {
+pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, String> {
     let columns = columns(count);
     let small = args.size.map(|side| (side / columns).max(1));
     let scale = (small[0] / 80).clamp(1, 4);
@@ -30,10 +30,10 @@ pub fn draw(shot: &Shot, args: &RunArgs, count: u32) -> Result<Bitmap, String> {
             mouse: first.mouse,
             ..Moment::at(first.time + f64::from(i) * args.every)
         };
-        let drawn = shot.drawn(args.size, &moment, args.threads())?;
+        let drawn = shot.drawn(args, &moment, &progress)?;
         let picture = Bitmap {
             size: drawn.size,
-            bytes: Picture::of(&shot.scene.code, &drawn, 0).bytes(),
+            bytes: Picture::of(shot.code(), &drawn, 0).bytes(),
         };
         let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
         sheet.paste(&picture.shrunk(small), left, top);

@@ -91,7 +91,7 @@ fn whole_line(file: &SourceFile, number: u32) -> Option<Span> {
 /// The variable as a picture: a number as heat, several as colours, from the smallest to the largest
 /// where they do not lie between 0 and 1.
 pub fn picture(show: &Show, shot: &Shot, drawn: &Drawn) -> Bitmap {
-    let code = &shot.scene.code;
+    let code = shot.code();
     let at = code.outputs.len().saturating_sub(1);
     let lanes = code.outputs.get(at).map_or(0, |slot| slot.ty.components());
     let picture = Picture::of(code, drawn, at);

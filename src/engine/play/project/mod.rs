@@ -13,6 +13,7 @@ mod tests;
 
 use super::moment::Moment;
 use super::picture::Picture;
+use super::scene::Unfit;
 use crate::exec::{CompileOptions, Draw, Drawn, Stop, draw};
 use crate::port::{Composed, Project};
 use crate::semantic::Pass;
@@ -106,6 +107,25 @@ impl Player {
         target::make(&mut player, project)?;
         channel::open(&mut player, project)?;
         Ok(player)
+    }
+
+    /// Sets a uniform of the shaders that bring their own, for all moments.
+    ///
+    /// # Errors
+    /// Why it can be set in none of them.
+    pub fn set(&mut self, name: &str, scalars: &[f64]) -> Result<(), Unfit> {
+        let shaders = self.passes.iter_mut().map(|pass| &mut pass.shader);
+        let set = shaders.map(|shader| shader.set(name, scalars));
+        let mut refused = Unfit::Unknown;
+        let mut is_set = false;
+        for one in set {
+            match one {
+                Ok(()) => is_set = true,
+                Err(Unfit::Unknown) => {}
+                Err(unfit) => refused = unfit,
+            }
+        }
+        if is_set { Ok(()) } else { Err(refused) }
     }
 
     /// What is to be told of how it is run.

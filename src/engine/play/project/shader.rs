@@ -2,7 +2,7 @@
 
 use super::PlayProblem;
 use crate::diagnostic::Severity;
-use crate::engine::play::{Moment, Scene};
+use crate::engine::play::{Moment, Scene, Unfit};
 use crate::exec::{Code, CompileOptions, Draw, compile};
 use crate::ir::lower;
 use crate::port::{Bindings, Composed, Feed, PassUnit, Project, ProjectPass, SizeTerm, Wrapper};
@@ -70,6 +70,14 @@ impl Shader {
         match self {
             Shader::Player(code) => code,
             Shader::Own(scene) => &scene.code,
+        }
+    }
+
+    /// Sets a uniform that the shader brings.
+    pub fn set(&mut self, name: &str, scalars: &[f64]) -> Result<(), Unfit> {
+        match self {
+            Shader::Own(scene) => scene.set(name, scalars),
+            Shader::Player(_) => Err(Unfit::Unknown),
         }
     }
 
