@@ -245,6 +245,34 @@ impl Compiler<'_> {
                 }
                 vec![made]
             }
+            B::Modf => {
+                let whole = self.each(a.len, |c, n| {
+                    let a = c.reg(a, n);
+                    c.one(F1::Trunc, a)
+                });
+                let made = self.each(a.len, |c, n| {
+                    let whole = whole.get(n as usize).copied().unwrap_or(0);
+                    let a = c.reg(a, n);
+                    c.s2(F2::Subtract, a, whole)
+                });
+                let whole = self.listed(whole);
+                self.taken_back.insert((id, 1), Value::Regs(whole));
+                made
+            }
+            _ => return self.of_matrices(function, [columns, rows], a, b),
+        })
+    }
+
+    /// Functions of matrices.
+    fn of_matrices(
+        &mut self,
+        function: BuiltinId,
+        [columns, rows]: [u8; 2],
+        a: Regs,
+        b: Regs,
+    ) -> Made<Vec<Reg>> {
+        use BuiltinId as B;
+        Some(match function {
             B::OuterProduct => {
                 let mut made = Vec::new();
                 for c in 0..b.len {
@@ -268,20 +296,14 @@ impl Compiler<'_> {
                 let m = self.list(a).to_vec();
                 self.inverse(&m, columns as usize)
             }
-            B::Modf => {
-                let whole = self.each(a.len, |c, n| {
-                    let a = c.reg(a, n);
-                    c.one(F1::Trunc, a)
-                });
-                let made = self.each(a.len, |c, n| {
-                    let whole = whole.get(n as usize).copied().unwrap_or(0);
-                    let a = c.reg(a, n);
-                    c.s2(F2::Subtract, a, whole)
-                });
-                let whole = self.listed(whole);
-                self.taken_back.insert((id, 1), Value::Regs(whole));
-                made
-            }
+            _ => return self.of_bits(function, a),
+        })
+    }
+
+    /// Functions that pack two numbers into one.
+    fn of_bits(&mut self, function: BuiltinId, a: Regs) -> Made<Vec<Reg>> {
+        use BuiltinId as B;
+        Some(match function {
             B::PackHalf2x16 | B::PackSnorm2x16 | B::PackUnorm2x16 => {
                 let f = match function {
                     B::PackHalf2x16 => F2::PackHalf,

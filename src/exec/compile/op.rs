@@ -46,35 +46,19 @@ impl Compiler<'_> {
                 condition,
                 then,
                 otherwise,
-            } => {
-                let condition = self.operand(condition);
-                let condition = self.reg(condition, 0);
-                let (then, otherwise) = (self.operand(then), self.operand(otherwise));
-                let made: Vec<Reg> = (0..then.len)
-                    .map(|n| {
-                        let (a, b) = (self.reg(then, n), self.reg(otherwise, n));
-                        self.three(F3::Select, condition, a, b)
-                    })
-                    .collect();
-                Some(Value::Regs(self.listed(made)))
-            }
+            } => Some(self.select(condition, then, otherwise)),
             OpKind::Convert(a) => self.convert(a, ty),
             OpKind::Splat(a) => {
                 let regs = self.operand(a);
                 let reg = self.reg(regs, 0);
                 let count = self.scalars_of(ty)?;
-                let regs = self.listed((0..count).map(|_| reg));
-                Some(self.retain(Value::Regs(regs)))
+                Some(self.named((0..count).map(|_| reg)))
             }
             OpKind::Swizzle(a, lanes) => {
                 let regs = self.operand(a);
-                let picked: Vec<Reg> = lanes
-                    .numbers()
-                    .iter()
-                    .map(|n| self.reg(regs, *n as u32))
-                    .collect();
-                let regs = self.listed(picked);
-                Some(self.retain(Value::Regs(regs)))
+                let numbers = lanes.numbers().iter();
+                let picked: Vec<Reg> = numbers.map(|n| self.reg(regs, *n as u32)).collect();
+                Some(self.named(picked))
             }
             OpKind::Compose(parts) => {
                 let mut all = Vec::new();
@@ -82,8 +66,7 @@ impl Compiler<'_> {
                     let regs = self.operand(*part);
                     all.extend_from_slice(self.list(regs));
                 }
-                let regs = self.listed(all);
-                Some(self.retain(Value::Regs(regs)))
+                Some(self.named(all))
             }
             OpKind::Extract(a, number) => self.extract(a, number),
             OpKind::ExtractComputed { base, index } => self.extract_computed(base, index),
@@ -96,6 +79,25 @@ impl Compiler<'_> {
                 None => self.refuse("what a call leaves behind"),
             },
         }
+    }
+
+    /// Another name for registers.
+    fn named(&mut self, regs: impl IntoIterator<Item = Reg>) -> Value {
+        let regs = self.listed(regs);
+        self.retain(Value::Regs(regs))
+    }
+
+    fn select(&mut self, condition: OpId, then: OpId, otherwise: OpId) -> Value {
+        let condition = self.operand(condition);
+        let condition = self.reg(condition, 0);
+        let (then, otherwise) = (self.operand(then), self.operand(otherwise));
+        let made: Vec<Reg> = (0..then.len)
+            .map(|n| {
+                let (a, b) = (self.reg(then, n), self.reg(otherwise, n));
+                self.three(F3::Select, condition, a, b)
+            })
+            .collect();
+        Value::Regs(self.listed(made))
     }
 
     /// A value as a phone has it: of `mediump` and less, numbers of 16 bits.
