@@ -17,6 +17,6 @@ mod words;
 pub use content::{Content, Encoding};
 pub use edit::{Edit, EditError, apply_edits};
 pub use line_index::{LineIndex, Position};
-pub use source::{Code, FileId, Role, SourceFile, Sources};
+pub use source::{CompiledText, FileId, Role, SourceFile, Sources};
 pub use span::Span;
 pub use words::WordIndex;

@@ -77,7 +77,7 @@ struct Piece {
 
 /// What the compiler reads of a file or a piece of one.
 #[derive(Clone, Copy, Debug)]
-pub struct Code<'a> {
+pub struct CompiledText<'a> {
     /// The text.
     pub text: &'a str,
     /// Address of its first byte.
@@ -161,17 +161,17 @@ impl Sources {
     }
 
     /// What the compiler reads of a file, or of a piece of one.
-    pub fn code(&self, id: FileId) -> Option<Code<'_>> {
+    pub fn code(&self, id: FileId) -> Option<CompiledText<'_>> {
         if id.is_whole() {
             let file = self.file(id)?;
-            return Some(Code {
+            return Some(CompiledText {
                 text: &file.text,
                 base: file.base,
                 role: file.role,
             });
         }
         let piece = self.pieces.get((id.0 & !PIECE) as usize)?;
-        Some(Code {
+        Some(CompiledText {
             text: &piece.code,
             base: piece.base,
             role: self.file(piece.file)?.role,
@@ -179,7 +179,7 @@ impl Sources {
     }
 
     /// The piece that holds an address, or else its file.
-    pub fn code_at(&self, address: u32) -> Option<Code<'_>> {
+    pub fn code_at(&self, address: u32) -> Option<CompiledText<'_>> {
         // Pieces are mostly named in the order of the text: those behind are left out at once, and
         // nothing is looked for where no piece before reaches.
         let from = match self.is_shuffled {
