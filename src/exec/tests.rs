@@ -59,6 +59,23 @@ fn check_row(functions: &str, statements: &str, expected: [f32; 8]) {
     assert_eq!(found, expected, "{statements}");
 }
 
+/// What an early `return` leaves in an `out` parameter stands, whatever others write there later.
+#[test]
+fn who_left_early_gives_back_what_was_there() {
+    let functions = "void f(int p, out float y) { if (p < 3) { y = 1.0; return; } y = 2.0; }
+        void g(int p, inout float y) { if (p > 5) return; for (int i = 0; i < p; i++) y += 1.0; }";
+    check_row(
+        functions,
+        "float y = 7.0; f(p, y); color = vec4(y);",
+        [1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 2.0],
+    );
+    check_row(
+        functions,
+        "float y = 7.0; g(p, y); color = vec4(y);",
+        [7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 7.0, 7.0],
+    );
+}
+
 #[test]
 fn values() {
     check("vec4(1.0, x, v.z, n)", [1.0, 0.5, 3.0, 3.0]);

@@ -242,15 +242,18 @@ impl Planner<'_> {
         };
         self.effects_of(id, &function);
         let home = (self.next_region, self.clock);
+        let leaves = self.leaves(self.module.steps(body), true);
         for variable in self.module.parameters(&function) {
+            let root = self.module.variable(*variable).map(|v| v.root);
+            let is_given_back = matches!(root, Some(Root::ParameterOut | Root::ParameterInout));
             if let Some(about) = self.plan.variables.get_mut(variable.0 as usize) {
-                about.home = Some(home);
+                // Lanes that left before a write give back what was there.
+                about.home = Some(home).filter(|_| !(leaves && is_given_back));
                 about.last = self.clock;
                 self.met.push(*variable);
             }
         }
         self.walk(id, body);
-        let leaves = self.leaves(self.module.steps(body), true);
         if let Some(slot) = self.plan.leaves_early.get_mut(id.0 as usize) {
             *slot = leaves;
         }
