@@ -1,6 +1,7 @@
 //! A program for each built-in function, that computes it of random numbers, one for each pixel.
 
 use crate::compute::Computing;
+use std::f32::consts::PI;
 
 /// How far two machines may be apart.
 #[derive(Clone, Copy, Debug)]
@@ -43,8 +44,8 @@ const SINE: f64 = 1.1 / 2048.0;
 
 /// The bounds are those of the conformance suite, or of what a function is defined by.
 pub const CASES: [Case; 82] = [
-    case("sin(a)", -3.1415, 3.1415, Absolute(SINE)),
-    case("cos(a)", -3.1415, 3.1415, Absolute(SINE)),
+    case("sin(a)", -PI, PI, Absolute(SINE)),
+    case("cos(a)", -PI, PI, Absolute(SINE)),
     case("sin(a)", -100.0, 100.0, Absolute(0.05)),
     case("cos(a)", -100.0, 100.0, Absolute(0.05)),
     case("tan(a)", -0.9, 0.9, Absolute(4.0 * SINE)),

@@ -366,24 +366,3 @@ pub(super) enum F3 {
 }
 
 const _: () = assert!(size_of::<Instr>() <= 12);
-
-impl Code {
-    /// How large it is, in words.
-    pub fn summary(&self) -> String {
-        format!(
-            "{} instructions once, {} for each group, {} masks, {} words",
-            self.prologue.len(),
-            self.body.len(),
-            self.slots,
-            self.uniform_words as usize + self.tables.len()
-        )
-    }
-
-    /// All instructions, one in a line.
-    pub fn dump(&self) -> String {
-        let line = |(n, i): (usize, &Instr)| format!("{n:5} {i:?}\n");
-        let once: String = self.prologue.iter().enumerate().map(line).collect();
-        let body: String = self.body.iter().enumerate().map(line).collect();
-        format!("once:\n{once}body:\n{body}")
-    }
-}

@@ -22,7 +22,7 @@ impl Compiler<'_> {
         let frame = self.frame(callee);
         self.frames.push(frame);
         self.begin_frame();
-        self.region(body, false);
+        self.region(body);
         for (number, &parameter) in (0..).zip(parameters) {
             let root = module.variable(parameter).map(|v| v.root);
             if matches!(root, Some(Root::ParameterOut | Root::ParameterInout)) {

@@ -14,7 +14,7 @@ impl Compiler<'_> {
         self.clear_outer();
         self.open_probe();
         self.frames.push(self.frame(GLOBALS));
-        self.region(self.module.globals, true);
+        self.region(self.module.globals);
         self.frames.pop();
         if self.entry_parameters(entry).is_none() {
             return;
@@ -26,7 +26,7 @@ impl Compiler<'_> {
         let frame = self.frame(entry);
         self.frames.push(frame);
         self.begin_frame();
-        self.region(body, true);
+        self.region(body);
         let returned = self.end_frame();
         if let Value::Regs(regs) = returned {
             let ty = self.module.function(entry).map(|f| f.returns);
@@ -42,7 +42,7 @@ impl Compiler<'_> {
 
     /// Code for a region; of one whose lanes all come back, the rest is passed over when none are
     /// left.
-    pub fn region(&mut self, region: Region, is_outermost: bool) {
+    pub fn region(&mut self, region: Region) {
         let steps = self.module.steps(region);
         let mut skips: Vec<Target> = Vec::new();
         for (at, step) in steps.iter().enumerate() {
@@ -58,7 +58,6 @@ impl Compiler<'_> {
                 skips.push(self.push(Instr::SkipIfNone(0)));
             }
         }
-        let _ = is_outermost;
         for skip in skips {
             self.land(skip);
         }
@@ -134,11 +133,11 @@ impl Compiler<'_> {
             to: 0,
         });
         self.tidy();
-        self.region(then, false);
+        self.region(then);
         if !self.module.steps(otherwise).is_empty() {
             self.land(jump);
             jump = self.push(Instr::Else { others, to: 0 });
-            self.region(otherwise, false);
+            self.region(otherwise);
         }
         self.land(jump);
         self.push(Instr::EndIf { others });
@@ -174,14 +173,14 @@ impl Compiler<'_> {
         if let Some(frame) = self.frames.last_mut() {
             frame.waiting.push(waiting);
         }
-        self.region(l.body, false);
+        self.region(l.body);
         if let Some(frame) = self.frames.last_mut() {
             frame.waiting.pop();
         }
         self.push(Instr::Resume(waiting));
         exits.push(self.push(Instr::SkipIfNone(0)));
         match l.tests_first {
-            true => self.region(l.step, false),
+            true => self.region(l.step),
             false => self.test(l.test, l.condition, watched, &mut exits),
         }
         self.push(Instr::Back(head));
@@ -208,7 +207,7 @@ impl Compiler<'_> {
         watched: Option<u32>,
         exits: &mut Vec<Target>,
     ) {
-        self.region(test, false);
+        self.region(test);
         self.tick();
         if let Some(condition) = condition {
             let condition = self.condition(condition);
@@ -240,7 +239,7 @@ impl Compiler<'_> {
                 marked,
                 to: 0,
             });
-            self.region(case.body, false);
+            self.region(case.body);
             self.land(jump);
         }
         let frame = self.frames.last();

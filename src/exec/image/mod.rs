@@ -11,7 +11,6 @@ mod tests;
 use crate::semantic::{Sampler, Scalar};
 use std::sync::Arc;
 
-#[allow(unused_imports)]
 pub(in crate::exec) use lookup::{LevelOf, Lookup, fetch, lookup, size_of};
 
 /// The longest side of an image.

@@ -2,8 +2,6 @@
 //!
 //! What the language leaves undefined is what the browser makes of it.
 
-#![allow(unused_imports)]
-
 mod common;
 mod double;
 mod exponential;
@@ -15,7 +13,7 @@ mod single;
 mod trigonometric;
 
 pub(super) use common::{
-    ceil, clamp, floor, fract, max, min, mix, modulo, round_even, sign, smoothstep, step, trunc,
+    ceil, floor, fract, max, min, mix, modulo, round_even, sign, smoothstep, step, trunc,
 };
 pub(super) use exponential::{
     acosh, asinh, atanh, cosh, exp, exp2, inverse_sqrt, log, log2, pow, sinh, sqrt, tanh,

@@ -1,5 +1,6 @@
 //! Against the numbers that double precision gives.
 
+use super::common::clamp;
 use super::*;
 use wide::{f32x8, i32x8, u32x8};
 
