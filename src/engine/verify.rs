@@ -3,14 +3,13 @@
 
 use super::play::{Button, Moment, Mouse, Scene};
 use super::{NoFiles, Options, analyze};
-use crate::diagnostic::Severity;
 use crate::exec::{
     COMPARED_SIZE, CompileOptions, Draw, Equality, Image, ImageShape, Sampling, Texels, Texture,
     equality,
 };
 use crate::ir::lower;
 use crate::port::{Composed, File, Project, Target, bindings, glsl};
-use crate::semantic::{Checked, Pass, Program, Sampler, Stage};
+use crate::semantic::{Pass, Program, Sampler, Stage};
 use serde::Deserialize;
 use std::sync::Arc;
 
@@ -48,7 +47,7 @@ pub fn verify(
         let pass = pass.map_or(String::new(), |p| p.title(unit.pass));
         let outcome = match unit.stage {
             Stage::Vertex => Err("vertex shaders are not compared".to_string()),
-            Stage::Fragment if has_errors(composed.analysis(unit)) => {
+            Stage::Fragment if composed.analysis(unit).has_errors() => {
                 Err("it does not compile".to_string())
             }
             Stage::Fragment => compare(&composed.analysis(unit).program, &text),
@@ -56,12 +55,6 @@ pub fn verify(
         Verified { pass, outcome }
     });
     Ok(all.collect())
-}
-
-/// Whether the browser would refuse a pass.
-fn has_errors(pass: &Checked) -> bool {
-    let mut all = pass.diagnostics.iter();
-    all.any(|d| d.severity == Severity::Error)
 }
 
 /// Compares a shader with the text that it became.

@@ -1,7 +1,6 @@
 //! Each pass as the player compiles it: its header, every Common in order, its own code.
 
 use super::{Project, ProjectPass, Wrapper};
-use crate::diagnostic::Severity;
 use crate::semantic::{Channels, Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
 use crate::text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
@@ -67,11 +66,7 @@ impl Composed {
 
     /// Whether the browser would refuse a pass.
     pub fn has_errors(&self) -> bool {
-        let mut all = self
-            .units
-            .iter()
-            .flat_map(|u| &self.analysis(u).diagnostics);
-        all.any(|d| d.severity == Severity::Error)
+        self.units.iter().any(|u| self.analysis(u).has_errors())
     }
 
     /// Whether it is what a project is put together to, so that what was checked of it holds.

@@ -9,14 +9,11 @@ use super::glsl::signed;
 use super::same::{Added, Lowered, is_same};
 use super::{Composed, PassUnit, Project, Wrapper};
 use crate::ir::lower;
-use crate::semantic::{
-    Dialect, FunctionRef, Pass, Program, Stage, Unit, Wholeness, analyze, builtins::Builtins,
-};
+use crate::semantic::{FunctionRef, Pass, Program, Stage, analyze_alone, builtins::Builtins};
 use crate::syntax::ast::{
     Expr, ExprId, ExprKind, Extent, FunctionDecl, Param, QualifierKind, StmtKind, TokenId, TypeBase,
 };
-use crate::text::{Edit, Role, Sources, Span, apply_edits};
-use std::sync::Arc;
+use crate::text::{Edit, Role, Span, apply_edits};
 
 /// Why a pass cannot be rewritten.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -84,17 +81,8 @@ pub fn rewrite(project: &Project, composed: &Composed, unit: &PassUnit) -> Resul
 
 /// Checks what came of it, and compares what it does with what the pass did.
 fn prove(program: &Program, main: &Main, how: &Rewriting, text: &str) -> Result<(), NotSafe> {
-    let mut sources = Sources::new();
-    let file = sources.add("", None, Role::User, text);
-    let file = file.ok_or_else(|| not_safe(main.header, "it is too large"))?;
-    let made = analyze(&Unit {
-        sources: &Arc::new(sources),
-        files: &[file],
-        stage: Stage::Fragment,
-        dialect: Dialect::WebGl,
-        infer_channels: false,
-        wholeness: Wholeness::Whole,
-    });
+    let made = analyze_alone(text.to_string(), Role::User);
+    let made = made.ok_or_else(|| not_safe(main.header, "it is too large"))?;
     if let Some(problem) = made.diagnostics.first() {
         let message = format!("what comes of it does not compile: {}", problem.message);
         return Err(not_safe(main.header, message));

@@ -52,4 +52,4 @@ pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type};
 #[cfg(test)]
 pub(crate) use unit::analyze_fragment;
-pub use unit::{Checked, Unit, analyze, analyze_part};
+pub use unit::{Checked, Unit, analyze, analyze_alone, analyze_part};

@@ -45,6 +45,28 @@ pub struct Checked {
     pub wholeness: Wholeness,
 }
 
+impl Checked {
+    /// Whether the browser would refuse it.
+    pub fn has_errors(&self) -> bool {
+        let mut all = self.diagnostics.iter();
+        all.any(|d| d.severity == Severity::Error)
+    }
+}
+
+/// A whole fragment shader without a host, checked; `None` where it is too large.
+pub fn analyze_alone(code: String, role: Role) -> Option<Checked> {
+    let mut sources = Sources::new();
+    let file = sources.add("", None, role, code)?;
+    Some(analyze(&Unit {
+        sources: &Arc::new(sources),
+        files: &[file],
+        stage: Stage::Fragment,
+        dialect: Dialect::WebGl,
+        infer_channels: false,
+        wholeness: Wholeness::Whole,
+    }))
+}
+
 /// Reads and checks a part of a shader in each way in which a host may take it, the likeliest first:
 /// what is wrong in all of them is wrong.
 pub fn analyze_part(readings: &[Unit]) -> Option<Checked> {
@@ -54,11 +76,7 @@ pub fn analyze_part(readings: &[Unit]) -> Option<Checked> {
     let mut analysis = analyze(first);
     let mut read = 0;
     for other in others {
-        if !analysis
-            .diagnostics
-            .iter()
-            .any(|d| d.severity == Severity::Error)
-        {
+        if !analysis.has_errors() {
             break;
         }
         read += analysis.program.size();

@@ -4,9 +4,8 @@
 use crate::exec::{Code, CompileOptions, Draw, compile, draw};
 use crate::ir::lower;
 use crate::port::VaryingValue;
-use crate::semantic::{Dialect, Stage, Unit, Wholeness, analyze};
-use crate::text::{Role, Sources};
-use std::sync::Arc;
+use crate::semantic::analyze_alone;
+use crate::text::Role;
 
 /// The corners of the triangle that covers the picture, from -1 to 1 in it.
 const CORNERS: [[f64; 2]; 3] = [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]];
@@ -59,16 +58,7 @@ impl Varyings {
              uniform vec2 port_pos, port_size;\nuniform int port_at;\nout vec4 port_value;\n\
              void main() {{\n    vec2 port_place = 0.5 + 0.5 * port_pos;\n{chosen}}}\n"
         );
-        let mut sources = Sources::new();
-        let file = sources.add("", None, Role::Prelude, text)?;
-        let checked = analyze(&Unit {
-            sources: &Arc::new(sources),
-            files: &[file],
-            stage: Stage::Fragment,
-            dialect: Dialect::WebGl,
-            infer_channels: false,
-            wholeness: Wholeness::Whole,
-        });
+        let checked = analyze_alone(text, Role::Prelude)?;
         let module = lower(&checked.program);
         let code = compile(&checked.program, &module, &CompileOptions::default()).ok()?;
         Some(Varyings { places, code })

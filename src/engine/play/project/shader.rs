@@ -1,7 +1,6 @@
 //! The shader of a pass, and what is the same for all its channels.
 
 use super::PlayProblem;
-use crate::diagnostic::Severity;
 use crate::engine::play::{Moment, Scene, Unfit};
 use crate::exec::{Code, CompileOptions, Draw, compile};
 use crate::ir::lower;
@@ -42,8 +41,7 @@ impl Shader {
             return Err(PlayProblem::Vertices { pass: title() });
         }
         let checked = composed.analysis(unit);
-        let mut found_wrong = checked.diagnostics.iter();
-        if found_wrong.any(|d| d.severity == Severity::Error) {
+        if checked.has_errors() {
             return Err(PlayProblem::Errors { pass: title() });
         }
         let program = &checked.program;

@@ -5,8 +5,8 @@ use crate::engine::play::Picture;
 use crate::exec::{Code, CompileOptions, Draw, Image, ImageShape, Stop, Texels, compile, draw};
 use crate::ir::lower;
 use crate::port::{Input, InputKind, StandIn};
-use crate::semantic::{Dialect, Stage, Unit, Wholeness, analyze};
-use crate::text::{Role, Sources};
+use crate::semantic::analyze_alone;
+use crate::text::Role;
 use std::sync::Arc;
 
 /// The stand-ins of a project, each drawn once.
@@ -97,18 +97,8 @@ const fn no_stand_in(stand_in: &StandIn) -> PlayProblem {
 }
 
 fn code_of(stand_in: &StandIn) -> Result<Code, PlayProblem> {
-    let mut sources = Sources::new();
-    let text = stand_in.generator.fragment();
-    let file = sources.add("", None, Role::Prelude, text);
-    let file = file.ok_or(no_stand_in(stand_in))?;
-    let checked = analyze(&Unit {
-        sources: &Arc::new(sources),
-        files: &[file],
-        stage: Stage::Fragment,
-        dialect: Dialect::WebGl,
-        infer_channels: false,
-        wholeness: Wholeness::Whole,
-    });
+    let checked = analyze_alone(stand_in.generator.fragment(), Role::Prelude);
+    let checked = checked.ok_or(no_stand_in(stand_in))?;
     let module = lower(&checked.program);
     let code = compile(&checked.program, &module, &CompileOptions::default());
     code.map_err(|_| no_stand_in(stand_in))
