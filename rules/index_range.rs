@@ -1,6 +1,7 @@
 //! Indexes outside their array, vector or matrix.
 
 use crate::diagnostic::Severity;
+use crate::exec::Kind;
 use crate::flow::ranges::Side;
 use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::Type;
@@ -47,4 +48,5 @@ fn check(cx: &mut Context, id: ExprId) {
         .note(format!(
             "`{what}` has {count} elements; beyond them lies anything"
         ));
+    cx.judge(id, &[Kind::OutOfRange]);
 }

@@ -1,6 +1,7 @@
 //! `asin` and `acos` of numbers that are no sine or cosine.
 
 use crate::diagnostic::{Fix, Severity};
+use crate::exec::Kind;
 use crate::flow::ranges::{Interval, Side};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
@@ -48,4 +49,5 @@ fn check(cx: &mut Context, call: &Builtin) {
     )
     .note("there is no angle with such a sine or cosine; the result is undefined")
     .fix(fix);
+    cx.judge(call.id, &[Kind::Undefined]);
 }

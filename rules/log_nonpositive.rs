@@ -1,6 +1,7 @@
 //! Logarithms of zero and of negative numbers.
 
 use crate::diagnostic::Severity;
+use crate::exec::Kind;
 use crate::flow::ranges::{Interval, Side};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
@@ -41,4 +42,5 @@ fn check(cx: &mut Context, call: &Builtin) {
     )
     .note("the logarithm of zero or less is undefined: an infinity or a NaN")
     .help(format!("bound it with `max({text}, 1e-6)`"));
+    cx.judge(call.id, &[Kind::Undefined]);
 }

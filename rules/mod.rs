@@ -4,6 +4,8 @@
 mod aspect_ellipse;
 mod assignment_in_condition;
 mod backend_keyword;
+mod black_silhouette;
+mod camera_inside;
 mod clamp_bounds;
 mod comment_continues;
 mod component_by_index;
@@ -12,6 +14,7 @@ mod contradiction;
 mod copied_component;
 mod could_be_const;
 mod dangling_else;
+mod dark_frame;
 mod dead_code;
 mod dead_store;
 mod define_with_call;
@@ -19,17 +22,22 @@ mod degrees_in_trig;
 mod derivative_in_divergent_flow;
 mod derivative_of_jump;
 mod derivative_of_uniform;
+mod division_by_zero_seen;
 mod double_gamma;
 mod double_underscore;
 mod duplicate_branch;
 mod empty_body;
 mod exp_overflow;
+mod flat_frame;
 mod float_counter_drift;
 mod float_equality;
+mod gpu_dependent_picture;
 mod gradient_in_loop;
+mod gray_picture;
 mod half_texel;
 mod identity_operation;
 mod index_range;
+mod infinite_pixels;
 mod inout_alias;
 mod integer_division;
 mod inverse_trig_range;
@@ -54,6 +62,7 @@ mod missing_return_path;
 mod mistyped_constant;
 mod mouse_sign;
 mod nan_compare;
+mod nan_pixels;
 mod needless_bool;
 mod negative_remainder;
 mod negative_to_uint;
@@ -64,6 +73,7 @@ mod normal_length;
 mod normalize_zero;
 mod octal_literal;
 mod octave_budget;
+mod out_of_range_seen;
 mod output_not_written;
 mod overwritten_parameter;
 mod pow_in_loop;
@@ -86,7 +96,9 @@ mod single_turn_loop;
 mod six_sample_normal;
 mod smoothstep_edges;
 mod sqrt_negative;
+mod static_picture;
 mod step_budget;
+mod steps_exhausted;
 mod swapped_arguments;
 mod switch_fallthrough;
 mod switch_return;
@@ -98,9 +110,12 @@ mod truncated_cell;
 mod tunable_range;
 mod unbounded_loop;
 mod undefined_constant;
+mod uniform_without_effect;
 mod uninitialized_read;
+mod uninitialized_seen;
 mod unknown_uniform;
 mod unreachable_case;
+mod unreachable_height;
 mod unsigned_underflow;
 mod unused_allow;
 mod unused_function;
@@ -111,6 +126,7 @@ mod unused_variable;
 mod useless_clamp;
 mod vec2_resolution;
 mod vector_times_matrix;
+mod washed_out;
 mod webgl1_context;
 mod zero_division;
 
@@ -122,6 +138,8 @@ pub static RULES: &[&Rule] = &[
     &aspect_ellipse::RULE,
     &assignment_in_condition::RULE,
     &backend_keyword::RULE,
+    &black_silhouette::RULE,
+    &camera_inside::RULE,
     &clamp_bounds::RULE,
     &comment_continues::RULE,
     &component_by_index::RULE,
@@ -130,6 +148,7 @@ pub static RULES: &[&Rule] = &[
     &copied_component::RULE,
     &could_be_const::RULE,
     &dangling_else::RULE,
+    &dark_frame::RULE,
     &dead_code::RULE,
     &dead_store::RULE,
     &define_with_call::RULE,
@@ -137,17 +156,22 @@ pub static RULES: &[&Rule] = &[
     &derivative_in_divergent_flow::RULE,
     &derivative_of_jump::RULE,
     &derivative_of_uniform::RULE,
+    &division_by_zero_seen::RULE,
     &double_gamma::RULE,
     &double_underscore::RULE,
     &duplicate_branch::RULE,
     &empty_body::RULE,
     &exp_overflow::RULE,
+    &flat_frame::RULE,
     &float_counter_drift::RULE,
     &float_equality::RULE,
+    &gpu_dependent_picture::RULE,
     &gradient_in_loop::RULE,
+    &gray_picture::RULE,
     &half_texel::RULE,
     &identity_operation::RULE,
     &index_range::RULE,
+    &infinite_pixels::RULE,
     &inout_alias::RULE,
     &integer_division::RULE,
     &inverse_trig_range::RULE,
@@ -172,6 +196,7 @@ pub static RULES: &[&Rule] = &[
     &mistyped_constant::RULE,
     &mouse_sign::RULE,
     &nan_compare::RULE,
+    &nan_pixels::RULE,
     &needless_bool::RULE,
     &negative_remainder::RULE,
     &negative_to_uint::RULE,
@@ -182,6 +207,7 @@ pub static RULES: &[&Rule] = &[
     &normalize_zero::RULE,
     &octal_literal::RULE,
     &octave_budget::RULE,
+    &out_of_range_seen::RULE,
     &output_not_written::RULE,
     &overwritten_parameter::RULE,
     &pow_in_loop::RULE,
@@ -204,7 +230,9 @@ pub static RULES: &[&Rule] = &[
     &six_sample_normal::RULE,
     &smoothstep_edges::RULE,
     &sqrt_negative::RULE,
+    &static_picture::RULE,
     &step_budget::RULE,
+    &steps_exhausted::RULE,
     &swapped_arguments::RULE,
     &switch_fallthrough::RULE,
     &switch_return::RULE,
@@ -216,9 +244,12 @@ pub static RULES: &[&Rule] = &[
     &tunable_range::RULE,
     &unbounded_loop::RULE,
     &undefined_constant::RULE,
+    &uniform_without_effect::RULE,
     &uninitialized_read::RULE,
+    &uninitialized_seen::RULE,
     &unknown_uniform::RULE,
     &unreachable_case::RULE,
+    &unreachable_height::RULE,
     &unsigned_underflow::RULE,
     &unused_allow::RULE,
     &unused_function::RULE,
@@ -229,6 +260,7 @@ pub static RULES: &[&Rule] = &[
     &useless_clamp::RULE,
     &vec2_resolution::RULE,
     &vector_times_matrix::RULE,
+    &washed_out::RULE,
     &webgl1_context::RULE,
     &zero_division::RULE,
 ];

@@ -1,6 +1,7 @@
 //! Remainders of negative integers.
 
 use crate::diagnostic::Severity;
+use crate::exec::Kind;
 use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::Scalar;
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
@@ -40,4 +41,5 @@ fn check(cx: &mut Context, id: ExprId) {
     if side == left {
         finding.help(help);
     }
+    cx.judge(id, &[Kind::Undefined]);
 }

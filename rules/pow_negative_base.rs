@@ -1,6 +1,7 @@
 //! `pow` of a negative number.
 
 use crate::diagnostic::{Fix, Severity};
+use crate::exec::Kind;
 use crate::flow::ranges::Side;
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::{BuiltinId, Value};
@@ -41,6 +42,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         .note("`pow` of a negative number is undefined, and a NaN on many GPUs, whatever the exponent")
         .help(help)
         .fix(fix);
+    cx.judge(call.id, &[Kind::Undefined]);
 }
 
 /// Whether an expression is short and costs nothing to write twice.

@@ -1,6 +1,7 @@
 //! Shifts by more bits than an integer has.
 
 use crate::diagnostic::Severity;
+use crate::exec::Kind;
 use crate::flow::ranges::{Interval, Side};
 use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
@@ -40,4 +41,5 @@ fn check(cx: &mut Context, id: ExprId) {
     )
     .note("integers have 32 bits; a shift by a negative number, or by 32 or more, is undefined")
     .help("keep it inside with `& 31`");
+    cx.judge(id, &[Kind::Undefined]);
 }

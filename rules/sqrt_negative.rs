@@ -1,6 +1,7 @@
 //! Roots of negative numbers.
 
 use crate::diagnostic::{Fix, Severity};
+use crate::exec::Kind;
 use crate::flow::ranges::{Interval, Side};
 use crate::lint::{Builtin, Check, Context, Group, Rule};
 use crate::semantic::BuiltinId;
@@ -41,6 +42,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         )
         .note("the root of a negative number is undefined, and a NaN on most GPUs")
         .fix(fix);
+        cx.judge(call.id, &[Kind::Undefined]);
     } else if is_inverse && let Some(range) = ranges.iter().find(|r| r.holds(0.0)) {
         let is = range.may_or_is(|r| r.single() == Some(0.0));
         cx.report_range(
@@ -50,5 +52,6 @@ fn check(cx: &mut Context, call: &Builtin) {
         )
         .note("the inverse root of zero is undefined")
         .help("bound it with `max(..., 1e-6)`");
+        cx.judge(call.id, &[Kind::Undefined]);
     }
 }

@@ -140,6 +140,7 @@ fn report(cx: &mut Context, marched: &Marched, entry: FunctionRef) {
     let way = way(program, cx.facts.calls(), entry, looped.function);
     let definition = definition(cx, given);
     let role = march.goal.name();
+    let seen = cx.facts.turns_seen(looped.stmt);
     let mut finding = cx.report_expr(
         given,
         format!("the {role} takes up to {steps} steps; {allowed} are allowed"),
@@ -157,6 +158,9 @@ fn report(cx: &mut Context, marched: &Marched, entry: FunctionRef) {
     };
     if let Some(way) = way {
         finding = finding.note(format!("called as {way}"));
+    }
+    if let Some(seen) = seen {
+        finding = finding.note(seen);
     }
     finding.help(format!("take at most {allowed}"));
 }

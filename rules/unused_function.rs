@@ -26,7 +26,8 @@ fn check(cx: &mut Context, id: FunctionRef) {
     let at = Extent::token(definition.ident.token);
     let own = cx.facts.own_file();
     let is_own = own.is_some_and(|own| own.contains(program.span(at))) && program.is_direct(at);
-    let is_exempt = name.starts_with('_') || starts_a_shader(name);
+    let is_test = function.is_some_and(|f| f.is_test(&program.names));
+    let is_exempt = name.starts_with('_') || starts_a_shader(name) || is_test;
     let is_called = || cx.facts.calls().calls_of(id).next().is_some();
     if !is_own || is_exempt || is_called() || cx.facts.unseen().has(name) {
         return;

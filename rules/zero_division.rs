@@ -1,6 +1,7 @@
 //! Division by zero.
 
 use crate::diagnostic::Severity;
+use crate::exec::Kind;
 use crate::flow::ranges::Side;
 use crate::lint::{Check, Context, Group, Rule, Shape};
 use crate::semantic::{BuiltinId, Scalar};
@@ -70,6 +71,7 @@ fn check(cx: &mut Context, id: ExprId) {
     if !is_zero && range.lo.value >= 0.0 {
         finding.help("decide what comes out there: start the counter behind zero, leave that case out, or bound the divisor from below by the smallest value that means something");
     }
+    cx.judge(id, &[Kind::DivisionByZero]);
 }
 
 /// Whether both sides of a division of floats are constants.

@@ -26,6 +26,7 @@ pub mod flow;
 pub mod host;
 pub mod ir;
 pub mod lint;
+mod math;
 pub mod port;
 pub mod report;
 #[path = "../rules/mod.rs"]

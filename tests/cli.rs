@@ -82,7 +82,12 @@ fn warnings_pass_unless_denied() {
     );
     let denied = lint(&["--deny-warnings", "warned.glsl"]).output().unwrap();
     assert_eq!(denied.status.code(), Some(1));
-    let ignored = lint(&["--deny-warnings", "--ignore", "numeric", "warned.glsl"]);
+    let ignored = lint(&[
+        "--deny-warnings",
+        "--ignore",
+        "numeric,runtime",
+        "warned.glsl",
+    ]);
     assert_eq!({ ignored }.output().unwrap().status.code(), Some(0));
 }
 
@@ -375,4 +380,10 @@ fn what_comes_from_outside_cannot_leave_its_element() {
 #[test]
 fn excerpts_in_a_text() {
     assert_cmd_snapshot!(lint(&["--format", "short", "notes.md"]));
+}
+
+#[test]
+fn tests_in_glsl() {
+    assert_cmd_snapshot!(lint(&["test", "tested"]));
+    assert_cmd_snapshot!(lint(&["test", "--help"]));
 }

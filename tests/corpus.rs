@@ -57,10 +57,10 @@ fn what_shaderport_writes() {
         let passes = glsl(&project, &composed);
         assert_eq!(passes.len(), 1);
         assert!(
-            passes[0].fragment.ends_with(&text),
+            passes[0].text.ends_with(&text),
             "the user's text stays as it is"
         );
-        golden(&path, "port", passes[0].fragment.clone());
+        golden(&path, "port", passes[0].text.clone());
     }
 }
 
@@ -79,20 +79,22 @@ fn what_shaders_become() {
     }
 }
 
-/// The files in `corpus/mistakes`, by name.
-fn mistakes() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/mistakes");
+/// The shaders in a folder of the corpus, by name; there are at least so many.
+fn shaders(folder: &str, least: usize) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("corpus")
+        .join(folder);
     let entries = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path());
     let mut found: Vec<PathBuf> = entries
         .filter(|p| p.extension().is_some_and(|e| e != "txt" && e != "md"))
         .collect();
     found.sort();
-    assert!(found.len() >= 40);
+    assert!(found.len() >= least);
     found
 }
 
 /// What the program prints of a file, as a person sees it without colours.
-fn printed(path: &Path) -> String {
+fn printed(path: &Path) -> (Option<i32>, String) {
     let folder = path.parent().unwrap();
     let done = Command::new(env!("CARGO_BIN_EXE_shaderlint"))
         .current_dir(folder)
@@ -100,13 +102,8 @@ fn printed(path: &Path) -> String {
         .arg(path.file_name().unwrap())
         .output()
         .unwrap();
-    assert_eq!(
-        done.status.code(),
-        Some(1),
-        "{} has no error",
-        path.display()
-    );
-    String::from_utf8(done.stdout).unwrap()
+    let text = String::from_utf8(done.stdout).unwrap();
+    (done.status.code(), text)
 }
 
 /// Each mistake, what is printed of it beside it, and a table of all of them.
@@ -117,9 +114,10 @@ fn what_is_printed_of_mistakes() {
          `shaderlint` prints of it.\n\n| file | the first line |\n|---|---|\n",
     );
     let mut stale = Vec::new();
-    for path in mistakes() {
+    for path in shaders("mistakes", 40) {
         let name = path.file_name().unwrap().to_str().unwrap().to_string();
-        let text = printed(&path);
+        let (code, text) = printed(&path);
+        assert_eq!(code, Some(1), "{name} has no error");
         let first = text.lines().next().unwrap_or("").replace('|', "\\|");
         table.push_str(&format!(
             "| [{name}]({name}), [printed]({name}.txt) | {first} |\n"
@@ -143,4 +141,36 @@ fn beside(path: &Path, text: &str) -> Option<String> {
         "{} is stale, it should say\n{text}",
         path.display()
     ))
+}
+
+/// Each pitfall is told by a rule, what is printed of it stands beside it, and its mended twin is
+/// silent.
+#[test]
+fn what_is_printed_of_pitfalls() {
+    let mut table = String::from(
+        "# Pitfalls\n\nShaders that compile and do not show what they should. Beside each is what \
+         `shaderlint` prints of it, and a mended twin of which it says nothing.\n\n\
+         | file | mended | the first line |\n|---|---|---|\n",
+    );
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/pitfalls");
+    let mut stale = Vec::new();
+    for path in shaders("pitfalls", 20) {
+        let name = path.file_name().unwrap().to_str().unwrap().to_string();
+        let (code, text) = printed(&path);
+        assert_eq!(code, Some(0), "{name} has errors");
+        if name.ends_with(".mended.glsl") {
+            assert!(text.ends_with(", no findings\n"), "{name}: {text}");
+            continue;
+        }
+        let mended = name.replace(".glsl", ".mended.glsl");
+        assert!(folder.join(&mended).is_file(), "{name} has no twin");
+        let first = text.lines().next().unwrap_or("");
+        assert!(first.contains("]: "), "{name} is silent");
+        table.push_str(&format!(
+            "| [{name}]({name}), [printed]({name}.txt) | [{mended}]({mended}) | {first} |\n"
+        ));
+        stale.extend(beside(&path.with_file_name(format!("{name}.txt")), &text));
+    }
+    stale.extend(beside(&folder.join("README.md"), &table));
+    assert!(stale.is_empty(), "{}", stale.join("\n\n"));
 }

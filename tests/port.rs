@@ -160,8 +160,8 @@ fn media_are_what_their_bytes_say() {
     );
     folder.fails(
         "a.glsl --channel 0=a.png --max-media 4 -o c.html",
-        "--channel: a.png: the file has 8 bytes; at most 4 bytes are put into a page, more with \
-         `--max-media SIZE`",
+        "--channel: a.png: the file has 8 bytes; at most 4 bytes are put onto a channel, more \
+         with `--max-media SIZE`",
     );
 }
 
@@ -206,8 +206,64 @@ fn what_is_written_is_verified() {
     );
     folder.works(
         "plain.glsl --main rewrite --verify -o plain.frag",
-        "Image: the same bits on 9216 pixels",
+        "Image: the same bits on 8832 pixels",
     );
+}
+
+/// A repair is compared with what was given, where that draws anything.
+#[test]
+fn repairs_are_verified() {
+    let folder = Folder::new();
+    let told = |file: &str, code: &str| {
+        folder.put(file, code);
+        let (exit, said) = folder.run(&format!("{file} --repair --verify --force -o page.html"));
+        let last = said.lines().last().unwrap_or_default().to_string();
+        (exit, last)
+    };
+    let old = "precision highp float;\nvarying vec2 place;\nuniform float time;\n\
+               uniform sampler2D back;\nvoid main() {\n    \
+               gl_FragColor = texture2D(back, place) * sin(time);\n}\n";
+    let same = "Image: the same bits on 8832 pixels".to_string();
+    assert_eq!(told("old.frag", old), (Some(0), same));
+    let toy = "void mainImage(out vec4 c, in vec2 p) { c = texture2D(iChannel0, p); }\n";
+    let since = " as the repaired text; what was given does not compile";
+    let same = format!("Image: the same code{since}");
+    assert_eq!(told("toy.glsl", toy), (Some(0), same));
+}
+
+/// A pass of vertices is written as a vertex shader with the site's fragment shader beside it, and a
+/// pair of shaders as this pair.
+#[test]
+fn both_shaders_of_a_pass_are_written() {
+    let folder = Folder::new();
+    let dialects = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/dialects");
+    let check = |from: &str, out: &str, vertex: (&str, &str), fragment: (&str, &str)| {
+        let args = format!("{dialects}/{from} -t glsl --verify -o {out}");
+        let (code, said) = folder.run(&args);
+        assert_eq!(code, Some(0), "{said}");
+        assert!(said.ends_with("Image: the same code"), "{said}");
+        for (file, text) in [vertex, fragment] {
+            let shader = fs::read_to_string(folder.path(file)).unwrap();
+            assert!(shader.contains(text), "{file}: {shader}");
+        }
+    };
+    let [points, color] = ["attribute float vertexId;", "gl_FragColor = v_color;"];
+    let cube = "vertexshaderart/cube.vert";
+    check(
+        cube,
+        "cube.frag",
+        ("cube.vert", points),
+        ("cube.frag", color),
+    );
+    check(
+        cube,
+        "cube",
+        ("cube/image.vert", points),
+        ("cube/image.frag", color),
+    );
+    let [own, lines] = ["left_coord = clamp(", "void main() {"];
+    let pair = ("pair/pass.vert", own);
+    check("isf/edges.fs", "pair", pair, ("pair/image.frag", lines));
 }
 
 #[test]

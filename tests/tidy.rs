@@ -9,15 +9,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each layer may name, besides itself.
-const LAYERS: [(&str, &[&str]); 14] = [
+const LAYERS: [(&str, &[&str]); 15] = [
     ("text", &[]),
+    ("math", &[]),
     ("host", &[]),
     ("diagnostic", &["text"]),
     ("syntax", &["text", "diagnostic"]),
-    ("semantic", &["text", "diagnostic", "syntax"]),
+    ("semantic", &["text", "math", "diagnostic", "syntax"]),
     ("ir", &["text", "diagnostic", "syntax", "semantic"]),
     ("flow", &["text", "diagnostic", "syntax", "semantic", "ir"]),
-    ("exec", &["text", "diagnostic", "syntax", "semantic", "ir"]),
+    (
+        "exec",
+        &["text", "math", "diagnostic", "syntax", "semantic", "ir"],
+    ),
     (
         "lint",
         &[
@@ -61,6 +65,7 @@ const LAYERS: [(&str, &[&str]); 14] = [
         "engine",
         &[
             "text",
+            "math",
             "host",
             "diagnostic",
             "syntax",

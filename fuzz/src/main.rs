@@ -10,16 +10,21 @@
 //! `shaderlint-fuzz pairs [--count N] [--seed S]` prints pairs of stages for a browser to link.
 //! `shaderlint-fuzz drawn [--count N] [--seed S]` prints programs with what the machine draws of them,
 //! for `tests/browser/drawn.js`, which draws them in Chromium; `builtins` prints those that compute
-//! the built-in functions of random numbers.
+//! the built-in functions of random numbers. `shaderlint-fuzz played FILE.json...` prints what the
+//! machine draws of exports, for `tests/browser/exports.js`, and `unsettled` which of their pixels other
+//! GPUs may draw otherwise.
 
 mod builtins;
 mod compute;
 mod generate;
+mod metamorphic;
 mod mutate;
 mod pairs;
+mod played;
 mod run;
 mod targets;
 
+use compute::compute;
 use generate::generate;
 use mutate::{Random, mutate, split};
 use shaderlint::semantic::Stage;
@@ -72,13 +77,22 @@ fn main() -> ExitCode {
         pairs::print(seed, count as usize);
         return ExitCode::SUCCESS;
     }
+    if name == "played" || name == "unsettled" {
+        let print = match name {
+            "played" => played::print,
+            _ => played::print_unsettled,
+        };
+        words.iter().skip(1).for_each(|file| print(file));
+        return ExitCode::SUCCESS;
+    }
     let chosen: Vec<&Target> = TARGETS
         .iter()
         .filter(|t| name == "all" || t.name == name)
         .collect();
     if chosen.is_empty() {
         eprintln!(
-            "there is no target `{name}`: lex, parse, check, link, fix, port, programs, run or all"
+            "there is no target `{name}`: lex, parse, check, link, fix, port, draw, programs, run, \
+             metamorphic or all"
         );
         return ExitCode::from(2);
     }
@@ -153,6 +167,7 @@ fn fuzz(target: &Target, time: Duration, seed: u64, current: &Current) -> bool {
         let text = match target.texts {
             Texts::Broken => mutate(&mut random, &seeds),
             Texts::Programs => generate(seed + count).text,
+            Texts::Computing => compute(seed + count).text,
         };
         if let Some(failure) = throw(target, &text, current) {
             let small = minimise(target, &text, current);

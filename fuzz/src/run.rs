@@ -2,7 +2,8 @@
 
 use crate::builtins::CASES;
 use crate::compute::{Computing, compute};
-use shaderlint::engine::{DialectChoice, NoFiles, Options, analyze};
+use shaderlint::engine::play::{Moment, Scene};
+use shaderlint::engine::{Analysis, DialectChoice, NoFiles, Options, analyze};
 use shaderlint::exec::{CompileOptions, Draw, Watch, compile, draw, sample};
 use shaderlint::lint::Settings;
 
@@ -11,6 +12,9 @@ const SIZE: [u32; 2] = [8, 8];
 
 /// The size of a picture of a built-in function.
 const LARGE: [u32; 2] = [64, 64];
+
+/// Bytes that running a shader may take: as many as all registers, and 1 MB for each of 32 uniforms.
+const MEMORY: usize = 40 << 20;
 
 /// Instructions that a group of pixels may repeat.
 const FUEL: u64 = 2_000_000;
@@ -78,42 +82,44 @@ pub fn picture(program: &Computing, size: [u32; 2]) -> Result<Vec<[u32; 4]>, Str
         .collect())
 }
 
-/// A shader draws the same bits in a whole picture, quad by quad, and while it is watched.
+/// What compiles draws the same bits in a whole picture, quad by quad, and while it is watched.
 pub fn agrees_with_itself(text: &str) {
-    let report = analyze("a.frag", text, &Options::default(), &NoFiles);
-    let Some(analysis) = report.analyses.first().filter(|a| !a.has_errors) else {
-        return;
+    let report = analyze("a.glsl", text, &Options::default(), &NoFiles);
+    for analysis in report.analyses.iter().filter(|a| !a.has_errors) {
+        let run = |watch| agrees_by_quads(analysis, watch);
+        if let (Some(plain), Some(watched)) = (run(Watch::Nothing), run(Watch::Numbers)) {
+            assert!(plain == watched, "other pixels while watched");
+        }
+    }
+}
+
+/// By output and pixel the bits, and which pixels are covered.
+type Pixels = (Vec<Vec<[u32; 4]>>, Vec<bool>);
+
+/// What a shader draws, whole and quad by quad; nothing where it is refused or takes too long.
+fn agrees_by_quads(analysis: &Analysis, watch: Watch) -> Option<Pixels> {
+    let options = CompileOptions {
+        watch,
+        ..CompileOptions::default()
     };
-    let run = |watch| {
-        let options = CompileOptions {
-            watch,
-            ..CompileOptions::default()
-        };
-        // What cannot be run is refused.
-        let code = compile(&analysis.program, analysis.module(), &options).ok()?;
-        let mut job = Draw::new(&code, SIZE);
-        job.fuel = FUEL / 100;
-        let whole = draw(&job, 1).ok()?;
-        for (y, x) in (0..SIZE[1])
-            .step_by(2)
-            .flat_map(|y| (0..SIZE[0]).step_by(2).map(move |x| (y, x)))
-        {
-            let quad = sample(&job, &[[x, y]]).ok()?;
-            for (lane, [x, y]) in quad.pixels.iter().enumerate() {
-                let at = (y * SIZE[0] + x) as usize;
-                assert_eq!(
-                    quad.covered[lane], whole.covered[at],
-                    "pixel {x}, {y} alone"
-                );
-                for (quad, whole) in quad.outputs.iter().zip(&whole.outputs) {
-                    assert!(quad[lane] == whole[at], "pixel {x}, {y} alone");
-                }
+    // What cannot be run is refused.
+    let scene = Scene::of(&analysis.program, analysis.module(), &options).ok()?;
+    let bytes = scene.code.bytes();
+    assert!(bytes <= MEMORY, "{bytes} bytes to run it");
+    let mut job = scene.draw(SIZE, &Moment::at(1.7));
+    job.fuel = FUEL / 100;
+    let whole = draw(&job, 1).ok()?;
+    let rows = (0..SIZE[1]).step_by(2);
+    for (y, x) in rows.flat_map(|y| (0..SIZE[0]).step_by(2).map(move |x| (y, x))) {
+        let quad = sample(&job, &[[x, y]]).ok()?;
+        for (lane, [x, y]) in quad.pixels.iter().enumerate() {
+            let at = (y * SIZE[0] + x) as usize;
+            let is_same = quad.covered[lane] == whole.covered[at];
+            assert!(is_same, "pixel {x}, {y} alone");
+            for (quad, whole) in quad.outputs.iter().zip(&whole.outputs) {
+                assert!(quad[lane] == whole[at], "pixel {x}, {y} alone");
             }
         }
-        Some((whole.outputs, whole.covered))
-    };
-    let (plain, watched) = (run(Watch::Nothing), run(Watch::Numbers));
-    if let (Some(plain), Some(watched)) = (plain, watched) {
-        assert!(plain == watched, "other pixels while watched");
     }
+    Some((whole.outputs, whole.covered))
 }

@@ -1,6 +1,7 @@
 //! What the broken shaders are thrown at. A target panics where something is wrong.
 
-use crate::mutate::split;
+use crate::metamorphic::{CHANGES, keeps_every_bit};
+use crate::mutate::{Random, split};
 use crate::{pairs, run};
 use shaderlint::diagnostic::{Diagnostic, Severity};
 use shaderlint::engine::{
@@ -32,10 +33,12 @@ pub enum Texts {
     Broken,
     /// Programs that are written for it.
     Programs,
+    /// Programs of which every number is known.
+    Computing,
 }
 
 /// All targets.
-pub const TARGETS: [Target; 8] = [
+pub const TARGETS: [Target; 10] = [
     Target {
         name: "lex",
         texts: Texts::Broken,
@@ -75,6 +78,16 @@ pub const TARGETS: [Target; 8] = [
         name: "run",
         texts: Texts::Programs,
         run: run::agrees_with_itself,
+    },
+    Target {
+        name: "draw",
+        texts: Texts::Broken,
+        run: run::agrees_with_itself,
+    },
+    Target {
+        name: "metamorphic",
+        texts: Texts::Computing,
+        run: metamorphic,
     },
 ];
 
@@ -123,6 +136,14 @@ fn parse_only(text: &str) {
             "expression {i} has no end"
         );
     }
+}
+
+/// Changes that must keep every bit, at places that hang on the text alone.
+fn metamorphic(text: &str) {
+    let seed = text.bytes().fold(1, |seed: u64, byte| {
+        seed.wrapping_mul(31).wrapping_add(u64::from(byte))
+    });
+    keeps_every_bit(text, &CHANGES, &mut Random::new(seed));
 }
 
 /// A shader as both stages of a program.

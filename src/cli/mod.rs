@@ -10,8 +10,10 @@ mod disk;
 mod input;
 mod lint;
 mod output;
+mod parallel;
 mod port;
 mod run;
+mod test;
 mod watch;
 
 use clap::Parser;

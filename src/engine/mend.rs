@@ -3,15 +3,66 @@
 use super::document::{Report, judge};
 use super::files::Files;
 use super::options::Options;
-use super::world::World;
+use super::verify::equal;
+use super::world::{Keep, World};
 use crate::diagnostic::{Applicability, Diagnostic};
-use crate::lint::{Allow, Fixed, Judged, Look, fix, fix_seen};
+use crate::exec::Equality;
+use crate::lint::{Allow, Fixed, Judged, Look, Proof, Shown, fix, fix_seen, without_pictures};
+use crate::semantic::{Dialect, Pass, Program, Wholeness};
 use crate::text::{Encoding, Span};
+use std::sync::Arc;
 
-/// Mends what can be mended in a text, judging it anew after each round.
+/// How many instructions may be run to compare the pictures of a text.
+const FUEL: u64 = 250_000_000;
+
+/// Mends what can be mended in a text, judging it anew after each round. Fixes that should keep the
+/// picture are applied where it stays, as far as it can be drawn here.
 pub fn mend(name: &str, text: &str, options: &Options, files: &dyn Files, allow: Allow) -> Fixed {
-    let world = World::new(options, files);
-    fix(text, allow, |text| look(name, text, world))
+    let world = World {
+        keep: Keep::Programs,
+        ..World::new(options, files)
+    };
+    let mut fuel = FUEL;
+    let compare =
+        |before: &Look, after: &Look| pictures(&before.shaders, &after.shaders, &mut fuel);
+    fix(text, allow, |text| look(name, text, world), compare)
+}
+
+/// What is known of the pictures of a text after fixes.
+fn pictures(before: &[Shown], after: &[Shown], fuel: &mut u64) -> Proof {
+    if before.len() != after.len() {
+        return Proof::Unknown;
+    }
+    let is_pass = |shader: &Shown| shader.program.dialect != Dialect::ShaderToy(Pass::Common);
+    let pairs = before.iter().zip(after);
+    let pairs = pairs.filter(|(before, _)| is_pass(before));
+    let all = pairs.map(|(before, after)| match before.is_drawn && after.is_drawn {
+        _ if is_unchanged(&before.program, &after.program) => Proof::SameCode,
+        true => picture(&before.program, &after.program, fuel),
+        false => Proof::Unknown,
+    });
+    all.max().unwrap_or(Proof::Unknown)
+}
+
+/// What is known of the picture of a shader after fixes.
+fn picture(before: &Program, after: &Program, fuel: &mut u64) -> Proof {
+    match equal(before, after, fuel) {
+        Ok(Equality::Proved) => Proof::SameCode,
+        Ok(Equality::Seen { .. }) => Proof::SameBits,
+        Ok(Equality::Differs { .. }) => Proof::Refuted,
+        Ok(Equality::TooLong) | Err(_) => Proof::Unknown,
+    }
+}
+
+/// Whether the compiler reads the same in both.
+fn is_unchanged(before: &Program, after: &Program) -> bool {
+    let texts = |program: &Program| {
+        let tokens = program.tokens.tokens.iter();
+        tokens
+            .map(|token| program.sources.text(token.span).to_string())
+            .collect::<Vec<_>>()
+    };
+    texts(before) == texts(after)
 }
 
 fn look(name: &str, text: &str, world: World) -> Option<Look> {
@@ -30,9 +81,15 @@ fn look(name: &str, text: &str, world: World) -> Option<Look> {
 impl Report {
     /// The findings as those of the text of the input, for the fix engine.
     fn look(&self, text: &str) -> Option<Look> {
+        let shaders = self.analyses.iter().map(|analysis| Shown {
+            program: Arc::clone(&analysis.program),
+            is_drawn: analysis.wholeness == Wholeness::Whole && !analysis.has_errors,
+        });
+        let shaders = shaders.collect();
         if let Some(export) = &self.export {
             let place = |d: &Diagnostic| export.finding(&self.sources, d.clone());
             return Some(Look {
+                shaders,
                 span: Span::new(0, text.len() as u32),
                 diagnostics: self.diagnostics.iter().map(place).collect(),
                 judged: self.judged.as_ref().map(|j| Judged {
@@ -43,11 +100,37 @@ impl Report {
             });
         }
         Some(Look {
+            shaders,
             span: self.sources.file(self.file?)?.span(),
             diagnostics: self.diagnostics.clone(),
             judged: self.judged.clone(),
             size: self.size(),
         })
+    }
+
+    /// Says of the findings whose fixes were left alone that they were. Their places are those of
+    /// [`Fixed::left`], in the text that this report is of.
+    pub fn leave_alone(&mut self, left: &[Diagnostic]) {
+        let base = self.file.and_then(|id| self.sources.file(id));
+        let base = base.map_or(0, |file| file.base);
+        let place = |found: &Diagnostic| match &self.export {
+            Some(export) => export.finding(&self.sources, found.clone()).span,
+            None => found.span,
+        };
+        for found in &mut self.diagnostics {
+            let start = place(found).start.saturating_sub(base);
+            let is_it = |l: &Diagnostic| (l.rule, l.span.start) == (found.rule, start);
+            if !left.iter().any(is_it) {
+                continue;
+            }
+            // Nobody has an answer: it is told, and offered no more.
+            if let Some(fix) = found.fix.take() {
+                found.notes.push(format!(
+                    "left alone since the picture would change: {}",
+                    fix.title
+                ));
+            }
+        }
     }
 
     /// How many tokens and macro calls were read.
@@ -95,9 +178,119 @@ pub fn offer(
     let apparent = Offer::of(report);
     let seen = report.look(text).filter(|_| apparent.safe > 0);
     let look = |text: &str| look(name, text, world);
-    let fixed = seen.map(|seen| fix_seen(text, seen, Allow::Safe, look));
+    let fixed = seen.map(|seen| fix_seen(text, seen, Allow::Safe, look, without_pictures));
     Offer {
         safe: fixed.map_or(0, |f| f.applied.len()),
         ..apparent
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::{Fix, Origin, Severity};
+    use crate::engine::NoFiles;
+    use crate::text::{Edit, Role};
+
+    /// A fix that another rule could offer for the numbers of a text, as one that keeps the picture.
+    fn offer_fix(report: &mut Report, number: &str, other: &str) {
+        let users = report.sources.files().iter();
+        let users = users.filter(|file| file.role == Role::User);
+        let places = users.flat_map(|file| {
+            let found = file.text.match_indices(number);
+            found.map(|(at, _)| file.base + at as u32)
+        });
+        for start in places.collect::<Vec<_>>() {
+            let span = Span::new(start, start + number.len() as u32);
+            let fix = Fix::safe(format!("write `{other}`"), vec![Edit::replace(span, other)]);
+            let found = Diagnostic::new("number", Origin::Rule, Severity::Info, span, number);
+            report.diagnostics.push(found.fix(fix));
+        }
+    }
+
+    /// A text in which `0.5` may be written `0.6`, wrongly, and `2.5` `25e-1`.
+    fn judged(name: &str, text: &str, options: &Options) -> Report {
+        let world = World {
+            keep: Keep::Programs,
+            ..World::new(options, &NoFiles)
+        };
+        let mut report = judge(name, text, Encoding::Utf8, world);
+        report.diagnostics.clear();
+        offer_fix(&mut report, "0.5", "0.6");
+        offer_fix(&mut report, "2.5", "25e-1");
+        report
+    }
+
+    /// The wrong fix is left alone, and said to be; the right one is written.
+    fn check(name: &str, text: &str, proof: Proof) {
+        let options = Options::default();
+        let mut fuel = FUEL;
+        let fixed = fix(
+            text,
+            Allow::Safe,
+            |text| judged(name, text, &options).look(text),
+            |before, after| pictures(&before.shaders, &after.shaders, &mut fuel),
+        );
+        assert_eq!(fixed.text, text.replace("2.5", "25e-1"), "{name}");
+        assert_eq!(fixed.proofs, [proof], "{name}");
+        assert_eq!(fixed.left.len(), 1, "{name}");
+        let mut report = judged(name, &fixed.text, &options);
+        report.leave_alone(&fixed.left);
+        let left = report.diagnostics.iter().find(|d| d.message == "0.5");
+        let left = left.unwrap_or_else(|| panic!("{name}"));
+        let note = "left alone since the picture would change: write `0.6`";
+        assert_eq!(
+            (left.fix.is_none(), left.notes.as_slice()),
+            (true, &[note.to_string()][..])
+        );
+    }
+
+    #[test]
+    fn wrong_fixes_are_left_alone() {
+        let value = "max(0.5, fract(gl_FragCoord.x * 0.1)), 2.5, u, 1";
+        let new = format!(
+            "#version 300 es\nprecision highp float;\nuniform float u;\nout vec4 o;\n\
+             void main() {{ o = vec4({value}); }}\n"
+        );
+        check("a.frag", &new, Proof::SameCode);
+        let old = format!(
+            "precision mediump float;\nuniform float u;\n\
+             void main() {{ gl_FragColor = vec4({value}); }}\n"
+        );
+        check("a.frag", &old, Proof::SameCode);
+        check(
+            "a.js",
+            &format!("const shader = `{new}`;\n"),
+            Proof::SameCode,
+        );
+        let toy = "void mainImage(out vec4 c, in vec2 p) \
+                   { c = vec4(max(0.5, fract(p.x * 0.1)), 2.5, iTime, 1); }\n";
+        check("a.glsl", toy, Proof::SameCode);
+        // What passes share is drawn by each of them.
+        let shared = "float f(float x) { return max(0.5, fract(x * 0.1)); }";
+        let image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(f(p.x), 2.5, iTime, 1); }";
+        let sound = "vec2 mainSound(int n, float t) { return vec2(sin(t * f(t) * 2.5)); }";
+        for (kind, code) in [("image", image), ("sound", sound)] {
+            let export = format!(
+                r#"{{"renderpass":[{{"type":"common","code":"{shared}"}},{{"type":"{kind}","code":"{code}"}}]}}"#
+            );
+            check("a.json", &export, Proof::SameCode);
+        }
+    }
+
+    /// What cannot be drawn is mended as far as nothing else speaks against it.
+    #[test]
+    fn what_is_not_drawn_is_mended_all_the_same() {
+        let part = "float f(float x) { return max(0.5, x); }\n";
+        let options = Options::default();
+        let mut fuel = FUEL;
+        let fixed = fix(
+            part,
+            Allow::Safe,
+            |text| judged("a.glsl", text, &options).look(text),
+            |before, after| pictures(&before.shaders, &after.shaders, &mut fuel),
+        );
+        assert_eq!(fixed.text, part.replace("0.5", "0.6"));
+        assert_eq!(fixed.proofs, [Proof::Unknown]);
     }
 }

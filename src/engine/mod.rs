@@ -38,7 +38,7 @@ pub use mend::{Offer, mend, offer};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};
 pub use part::Shader;
 pub use repair::{Repairs, repair, repair_webgl1, repairable};
-pub use verify::{Verified, equal, verify};
+pub use verify::{Original, Verified, equal, verify};
 
 use crate::text::{Content, Encoding};
 use world::{Keep, World};

@@ -4,6 +4,7 @@ use super::analysis::Analysis;
 use super::host::Hosts;
 use super::include::MissingInclude;
 use super::options::{DialectChoice, Options};
+use super::play::Supply;
 use super::reading::{Reading, Readings, Standing, lacking};
 use super::world::Keep;
 use crate::diagnostic::{Applicability, Diagnostic, Severity, error};
@@ -128,35 +129,7 @@ fn tell_part(
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
     let errors = checked.diagnostics.iter().filter(is_error).count();
     allows.expect(&checked.program, RULES, &mut checked.diagnostics);
-    let mut left_out = 0;
-    // Where something is open, no rule knows enough.
-    let unrun = if !checked.open.is_any && wholeness != Wholeness::Excerpt {
-        let mut found = Vec::new();
-        let (program, errors) = (&checked.program, &checked.diagnostics);
-        let around = Around {
-            embedder: part.embedder,
-            mipmapped: part.mipmapped,
-        };
-        let unrun = lint_within(program, around, errors, RULES, settings, &mut found);
-        if unrun != Unrun::Everywhere {
-            allows.apply(&checked.program, RULES, &mut found);
-        }
-        if let Unrun::Functions { broken, .. } = &unrun {
-            allows.excuse(broken);
-        }
-        found.retain(|d| sources.is_user(d.span.start));
-        if wholeness != Wholeness::Whole {
-            // What a host makes of it is not known well enough to write anything unasked.
-            ask_first(&mut found);
-        }
-        found.sort_by_key(|d| (d.span.start, d.span.end));
-        left_out = found.len().saturating_sub(MAX_FINDINGS);
-        found.truncate(MAX_FINDINGS);
-        diagnostics.append(&mut found);
-        unrun
-    } else {
-        Unrun::Everywhere
-    };
+    let (unrun, left_out) = run_rules(part, checked, settings, allows, diagnostics);
     keep_under_hosts(sources, &part.readings, &mut checked.diagnostics);
     if wholeness != Wholeness::Whole {
         // The program around a part knows its names.
@@ -195,6 +168,47 @@ fn tell_part(
         hosts: part.readings.hosts.clone(),
     };
     Some((shader, judged))
+}
+
+/// Runs the rules over a shader. Says where they did not run, and how many of their findings are too
+/// many.
+fn run_rules(
+    part: &Part,
+    checked: &Checked,
+    settings: &Settings,
+    allows: &mut Allows,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> (Unrun, usize) {
+    let wholeness = checked.wholeness;
+    // Where something is open, no rule knows enough.
+    if checked.open.is_any || wholeness == Wholeness::Excerpt {
+        return (Unrun::Everywhere, 0);
+    }
+    let mut found = Vec::new();
+    let (program, errors) = (&checked.program, &checked.diagnostics);
+    let supply = Supply::of(program);
+    let around = Around {
+        embedder: part.embedder,
+        mipmapped: part.mipmapped,
+        supplier: (wholeness == Wholeness::Whole).then_some(&supply),
+    };
+    let unrun = lint_within(program, around, errors, RULES, settings, &mut found);
+    if unrun != Unrun::Everywhere {
+        allows.apply(program, RULES, &mut found);
+    }
+    if let Unrun::Functions { broken, .. } = &unrun {
+        allows.excuse(broken);
+    }
+    found.retain(|d| program.sources.is_user(d.span.start));
+    if wholeness != Wholeness::Whole {
+        // What a host makes of it is not known well enough to write anything unasked.
+        ask_first(&mut found);
+    }
+    found.sort_by_key(|d| (d.span.start, d.span.end));
+    let left_out = found.len().saturating_sub(MAX_FINDINGS);
+    found.truncate(MAX_FINDINGS);
+    diagnostics.append(&mut found);
+    (unrun, left_out)
 }
 
 /// Keeps what is wrong even if the hosts give other names, or are not the ones that were guessed.

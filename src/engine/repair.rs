@@ -1,7 +1,7 @@
 //! The errors of a project that have one answer, mended in all of its passes.
 
 use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::lint::{Allow, Look, fix};
+use crate::lint::{Allow, Look, fix, without_pictures};
 use crate::port::{Composed, Project, add_repairs, compose};
 use crate::text::{Role, SourceFile, Sources, Span};
 use std::sync::Arc;
@@ -41,10 +41,12 @@ pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<
     let owners = owners(composed);
     let texts: Vec<&str> = files.iter().map(|f| &*f.text).collect();
     let whole = texts.join(&BETWEEN.to_string());
-    let fixed = fix(&whole, Allow::Safe, |text| match text == whole {
+    let look = |text: &str| match text == whole {
         true => look(composed, text),
         false => look(&renewed(project, &owners, path, text)?, text),
-    });
+    };
+    // What does not compile has no picture.
+    let fixed = fix(&whole, Allow::Safe, look, without_pictures);
     let mut repairs = Repairs::default();
     for file in &files {
         let (path, part) = (file.path.clone(), file.part.clone());
@@ -136,6 +138,7 @@ fn look(composed: &Composed, whole: &str) -> Option<Look> {
         span,
         judged: None,
         size,
+        shaders: Vec::new(),
     })
 }
 

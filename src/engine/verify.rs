@@ -4,37 +4,58 @@
 use super::play::{Button, Moment, Mouse, Scene};
 use super::{NoFiles, Options, analyze};
 use crate::exec::{
-    COMPARED_SIZE, CompileOptions, Draw, Equality, Image, ImageShape, Sampling, Texels, Texture,
-    equality,
+    COMPARED_SIZE, CompileOptions, Draw, Equality, Image, ImageShape, OutputSlot, Sampling, Texels,
+    Texture, equality,
 };
 use crate::ir::lower;
-use crate::port::{Composed, File, Project, Target, bindings, glsl};
-use crate::semantic::{Pass, Program, Sampler, Stage};
+use crate::math::hash;
+use crate::port::{Composed, File, PassUnit, Project, Target, bindings, glsl};
+use crate::semantic::{Pass, Program, Sampler, Scalar, Stage};
 use serde::Deserialize;
 use std::sync::Arc;
+
+/// How many instructions may be run to compare a pass.
+const FUEL: u64 = 4_000_000_000;
 
 /// What is known of a pass.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Verified {
     /// What the user calls it.
     pub pass: String,
+    /// What it is compared with.
+    pub original: Original,
     /// How it compares with its original; else why that is not known.
     pub outcome: Result<Equality, String>,
 }
 
-/// Compares what is to be written with the project that it is made of, pass by pass.
+/// What a pass that is to be written is compared with.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Original {
+    /// What the user gave.
+    Given,
+    /// What a repair made of that, as no browser compiles it.
+    Repaired,
+}
+
+/// Compares what is to be written with the project that it is made of, pass by pass. Where that was
+/// repaired, `given` is what it was before, put together: a pass that drew something then must draw
+/// it still.
 ///
 /// # Errors
 /// Why what is written cannot be read back.
 pub fn verify(
     project: &Project,
     composed: &Composed,
+    given: Option<&Composed>,
     target: Target,
     files: &[File],
 ) -> Result<Vec<Verified>, String> {
-    let made = read_back(target, files)?;
-    let units = composed.units.iter().filter(|u| u.kind != Pass::Common);
-    let units: Vec<_> = units.collect();
+    let units: Vec<_> = drawn_units(composed).collect();
+    let made = read_back(target, files, units.len())?;
+    let mut before: Vec<_> = given.map_or(Vec::new(), |g| drawn_units(g).map(|u| (g, u)).collect());
+    if before.len() != units.len() {
+        before.clear();
+    }
     if made.len() != units.len() {
         return Err(format!(
             "{} passes are written, and there are {}",
@@ -42,46 +63,80 @@ pub fn verify(
             units.len()
         ));
     }
-    let all = units.into_iter().zip(made).map(|(unit, text)| {
+    let all = units.into_iter().zip(made).enumerate();
+    let all = all.map(|(at, (unit, text))| {
         let pass = project.passes.get(unit.pass);
         let pass = pass.map_or(String::new(), |p| p.title(unit.pass));
-        let outcome = match unit.stage {
-            Stage::Vertex => Err("vertex shaders are not compared".to_string()),
-            Stage::Fragment if composed.analysis(unit).has_errors() => {
-                Err("it does not compile".to_string())
-            }
-            Stage::Fragment => compare(&composed.analysis(unit).program, &text),
+        let given = before.get(at).map(|(given, unit)| given.analysis(unit));
+        let (original, analysis) = match given {
+            Some(given) if !given.has_errors() => (Original::Given, given),
+            Some(_) => (Original::Repaired, composed.analysis(unit)),
+            None => (Original::Given, composed.analysis(unit)),
         };
-        Verified { pass, outcome }
+        let outcome = match analysis.has_errors() {
+            true => Err("it does not compile".to_string()),
+            false => compare(&analysis.program, &text),
+        };
+        Verified {
+            pass,
+            original,
+            outcome,
+        }
     });
     Ok(all.collect())
 }
 
+/// The passes of a project that are drawn or heard.
+fn drawn_units(composed: &Composed) -> impl Iterator<Item = &PassUnit> {
+    composed.units.iter().filter(|u| u.kind != Pass::Common)
+}
+
 /// Compares a shader with the text that it became.
 fn compare(before: &Program, text: &str) -> Result<Equality, String> {
-    let report = analyze("pass.frag", text, &Options::default(), &NoFiles);
+    let name = match before.stage {
+        Stage::Vertex => "pass.vert",
+        Stage::Fragment => "pass.frag",
+    };
+    let report = analyze(name, text, &Options::default(), &NoFiles);
     let after = report.analyses.first();
     let after = after.filter(|a| !a.has_errors);
     let after = after.ok_or("what was written does not compile")?;
-    equal(before, &after.program)
+    equal(before, &after.program, &mut FUEL.clone())
 }
 
-/// Compares two shaders at moments that differ in time and mouse.
+/// Compares two shaders at moments that differ in time and mouse; vertex shaders with a vertex in
+/// place of each pixel. `fuel` is how many instructions may be run for it, and what is left of them
+/// afterwards.
 ///
 /// # Errors
-/// What of them cannot be run.
-pub fn equal(before: &Program, after: &Program) -> Result<Equality, String> {
+/// What of them cannot be run, or that they have not the same varyings.
+pub fn equal(before: &Program, after: &Program, fuel: &mut u64) -> Result<Equality, String> {
     // Both get what the names mean in the original.
     let scene = |program: &Program| {
         let options = CompileOptions::default();
         let scene = Scene::bound(program, &lower(program), bindings(before), &options);
         scene.map_err(|refusal| refusal.what)
     };
+    let stage = before.stage;
     let (before, after) = (scene(before)?, scene(after)?);
+    let outputs = |scene: &Scene| -> Vec<String> {
+        let all = scene.code.outputs.iter();
+        all.map(|output| output.name.clone()).collect()
+    };
+    // A fragment shader finds varyings by name.
+    if stage == Stage::Vertex && outputs(&before) != outputs(&after) {
+        return Err("its varyings have other names, or another order".to_string());
+    }
     let noise = Noise::new();
-    Ok(equality([&before.code, &after.code], &|number| {
-        [&before, &after].map(|scene| noise.draw(scene, number))
-    }))
+    let draws = |number| [&before, &after].map(|scene| noise.draw(scene, number));
+    let found = equality([&before.code, &after.code], fuel, &draws);
+    let is_large = |output: &OutputSlot| output.lanes() < output.scalars();
+    match found {
+        Equality::Seen { .. } if before.code.outputs.iter().any(is_large) => {
+            Err("of an output as large as one of its, only four numbers are compared".to_string())
+        }
+        found => Ok(found),
+    }
 }
 
 /// The moment with a number.
@@ -106,19 +161,11 @@ struct Noise {
     layers: Option<Arc<Image>>,
 }
 
-/// A number that looks as if thrown.
-const fn thrown(seed: u32) -> u32 {
-    let mut x = seed.wrapping_mul(0x9e37_79b1) ^ 0x85eb_ca6b;
-    x = (x ^ (x >> 15)).wrapping_mul(0x2c1b_3c6d);
-    x = (x ^ (x >> 12)).wrapping_mul(0x297a_2d39);
-    x ^ (x >> 15)
-}
-
 impl Noise {
     fn new() -> Noise {
         let image = |shape, size: [u32; 3]| {
             let count = size.iter().product::<u32>();
-            let texels = (0..count).map(|n| thrown(n).to_le_bytes()).collect();
+            let texels = (0..count).map(|n| hash(n).to_le_bytes()).collect();
             let image = Image::new(shape, size, Texels::Unorm8(texels));
             image.ok().map(Arc::new)
         };
@@ -149,10 +196,8 @@ impl Noise {
                 continue;
             };
             let count = slot.ty.element().components() * slot.ty.array.max(1);
-            let seed = name
-                .bytes()
-                .fold(number as u32, |s, b| thrown(s ^ u32::from(b)));
-            let scalars = (0..count).map(|n| f64::from(thrown(seed + n) % 1000) / 500.0);
+            let seed = by_name(name, number as u32);
+            let scalars = (0..count).map(|n| f64::from(hash(seed.wrapping_add(n)) % 1000) / 500.0);
             draw.set(name, &scalars.collect::<Vec<f64>>());
         }
         for slot in &scene.code.samplers {
@@ -164,8 +209,45 @@ impl Noise {
                 draw.bind(&slot.name, texture);
             }
         }
+        let is_known = |name: &str| {
+            let mut varyings = scene.given.bound.varyings.iter();
+            PIXEL_INPUTS.contains(&name) || varyings.any(|v| v.place == name)
+        };
+        for slot in scene
+            .code
+            .inputs
+            .iter()
+            .filter(|slot| !is_known(&slot.name))
+        {
+            let planes = match slot.ty.scalar_kind() {
+                Some(Scalar::Float) => thrown(&slot.name, number as u32, slot.ty.components()),
+                // Each pixel has its own number.
+                _ => vec![[-0.5 - 0.5 * ROW, 1.0, ROW]; slot.ty.components() as usize],
+            };
+            draw.input(&slot.name, &planes);
+        }
         draw
     }
+}
+
+/// Inputs that every pixel has by itself.
+const PIXEL_INPUTS: [&str; 3] = ["gl_FragCoord", "gl_FrontFacing", "gl_PointCoord"];
+/// How many pixels a row of the compared picture has.
+const ROW: f32 = COMPARED_SIZE[0] as f32;
+
+/// Slopes of an input that nobody sets, by its name: from -1 to 3 somewhere, and no steeper than twice
+/// that over the picture.
+fn thrown(name: &str, seed: u32, count: u32) -> Vec<[f32; 3]> {
+    let seed = by_name(name, seed);
+    let number = |n: u32| (hash(seed.wrapping_add(n)) % 1000) as f32 / 250.0 - 1.0;
+    let plane = |n: u32| [number(n), number(n + 1) / ROW, number(n + 2) / ROW];
+    (0..count).map(|n| plane(3 * n)).collect()
+}
+
+/// A number that a name has.
+fn by_name(name: &str, seed: u32) -> u32 {
+    let bytes = name.bytes().map(u32::from);
+    bytes.fold(seed, |known, byte| hash(known ^ byte))
 }
 
 /// What a page or a module holds.
@@ -186,16 +268,16 @@ struct HeldPass {
     files: Vec<usize>,
 }
 
-/// The fragment shaders of what is to be written, in the order of the passes.
-fn read_back(target: Target, files: &[File]) -> Result<Vec<String>, String> {
+/// The shaders of what is to be written, in the order of the passes, of which there are so many.
+fn read_back(target: Target, files: &[File], count: usize) -> Result<Vec<String>, String> {
     let texts = files
         .iter()
         .filter_map(|f| Some((f, std::str::from_utf8(&f.content).ok()?)));
     match target {
         Target::Glsl => {
-            let is_vertex = |f: &File| f.path.extension().is_some_and(|e| e == "vert");
-            let shaders = texts.filter(|(file, _)| !is_vertex(file));
-            Ok(shaders.map(|(_, text)| text.to_string()).collect())
+            // Behind them come those of the other stage.
+            let own = texts.take(count);
+            Ok(own.map(|(_, text)| text.to_string()).collect())
         }
         Target::Json => {
             let mut texts = texts;
@@ -203,7 +285,7 @@ fn read_back(target: Target, files: &[File]) -> Result<Vec<String>, String> {
             let mut project = Project::from_json(text).map_err(|e| e.to_string())?;
             let composed = project.resolve("").map_err(|e| e.to_string())?;
             let passes = glsl(&project, &composed);
-            Ok(passes.into_iter().map(|p| p.fragment).collect())
+            Ok(passes.into_iter().map(|p| p.text).collect())
         }
         Target::Html | Target::Module | Target::Three | Target::React => {
             let held = texts.filter_map(|(_, text)| held(text)).next();
@@ -255,6 +337,40 @@ mod tests {
         let before = analyze_fragment(BEFORE);
         let found = compare(&before.program, after);
         assert!(expected(&found), "{found:?}\n{after}");
+    }
+
+    /// Compares a vertex shader with what it became.
+    fn compare_vertices(before: &str, after: &str) -> Result<Equality, String> {
+        let report = analyze("pass.vert", before, &Options::default(), &NoFiles);
+        compare(&report.analyses.first().unwrap().program, after)
+    }
+
+    /// Varyings are found by name, and every vertex counts.
+    #[test]
+    fn vertex_shaders_are_compared() {
+        let text = "#version 300 es\nin vec3 at; out vec2 place; uniform mat4 m;\n\
+                    void main() { gl_Position = m * vec4(at, 1); place = at.xy * 0.5; }\n";
+        let check = |after: &str, expected: fn(&Result<Equality, String>) -> bool| {
+            let found = compare_vertices(text, after);
+            assert!(expected(&found), "{found:?}\n{after}");
+        };
+        check(
+            &text.replace("out vec2 place;", "/**/ out vec2 place;"),
+            |found| *found == Ok(Equality::Proved),
+        );
+        check(&text.replace("at.xy * 0.5", "-(-at.xy) * 0.5"), |found| {
+            matches!(found, Ok(Equality::Seen { .. }))
+        });
+        check(&text.replace("at, 1)", "at + 0.01, 1)"), |found| {
+            matches!(found, Ok(Equality::Differs { .. }))
+        });
+        check(&text.replace("place", "position"), Result::is_err);
+        // By number, and not for each alike.
+        let text = "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID % 7); }\n";
+        let found = compare_vertices(text, &text.replace("% 7", "% 14 % 7"));
+        assert!(matches!(found, Ok(Equality::Seen { .. })), "{found:?}");
+        let found = compare_vertices(text, &text.replace("% 7", "% 17"));
+        assert!(matches!(found, Ok(Equality::Differs { .. })), "{found:?}");
     }
 
     /// Another name, another way, another picture, and no shader.

@@ -1,8 +1,9 @@
 //! Register code: what the machine runs.
 
 use super::compile::Lean;
+use super::row::LANES;
 use crate::ir::{LoopId, OpId, Provenance};
-use crate::semantic::{Sampler, Scalar, Type};
+use crate::semantic::{FunctionRef, Sampler, Scalar, Type, Undefined};
 
 /// Number of a register.
 pub(super) type Reg = u16;
@@ -34,6 +35,8 @@ pub struct Code {
     pub(super) prologue: Vec<Instr>,
     /// Runs for each group of pixels.
     pub(super) body: Vec<Instr>,
+    /// How many registers it works with.
+    pub(super) registers: usize,
     /// Registers that hold the same bits at all times.
     pub(super) constants: Vec<(Reg, u32)>,
     /// What lies in the memory behind the uniforms: large constants.
@@ -50,6 +53,8 @@ pub struct Code {
     pub(super) loops: Vec<LoopId>,
     /// By number that [`Instr::Branch`] names: the condition's construct.
     pub(super) branches: Vec<Provenance>,
+    /// By number that [`Instr::Spend`] names: the function, and the functions that called it.
+    pub(super) calls: Vec<CallPath>,
     /// By number that [`Look`] names: what is checked.
     pub(super) checks: Vec<CheckSite>,
     /// By number that [`Comparison`] names: the operation.
@@ -58,6 +63,17 @@ pub struct Code {
     pub(super) comparisons: Vec<Comparison>,
     /// By number that [`Instr::Check`] names: where it is looked at.
     pub(super) looks: Vec<Look>,
+}
+
+impl Code {
+    /// How many bytes it takes to run it in one thread, itself and what it is given included;
+    /// textures and what is watched apart.
+    pub fn bytes(&self) -> usize {
+        let instructions = self.prologue.len() + self.body.len();
+        let words = self.registers * LANES + self.uniform_words as usize + self.tables.len();
+        let masks = self.slots as usize;
+        instructions * size_of::<Instr>() + (words + masks) * size_of::<u32>()
+    }
 }
 
 /// A uniform without members.
@@ -92,13 +108,6 @@ pub struct InputSlot {
     pub(super) regs: Vec<Reg>,
 }
 
-impl InputSlot {
-    /// Whether it is a truth value.
-    pub(super) fn is_bool(&self) -> bool {
-        self.ty.scalar_kind() == Some(Scalar::Bool)
-    }
-}
-
 /// An output of the stage, or an `out` parameter of an entry that a host calls, or what it returns.
 #[derive(Clone, PartialEq, Debug)]
 pub struct OutputSlot {
@@ -108,6 +117,28 @@ pub struct OutputSlot {
     pub ty: Type,
     /// Its registers.
     pub(super) regs: Vec<Reg>,
+}
+
+impl OutputSlot {
+    /// How many numbers of a pixel it holds, at most four.
+    pub fn lanes(&self) -> usize {
+        self.ty.element().components().min(4) as usize
+    }
+
+    /// How many numbers it has.
+    pub fn scalars(&self) -> usize {
+        self.regs.len()
+    }
+
+    /// The number that bits of it stand for.
+    pub fn number(&self, bits: u32) -> f32 {
+        match self.ty.scalar_kind().unwrap_or(Scalar::Float) {
+            Scalar::Float => f32::from_bits(bits),
+            Scalar::Int => bits as i32 as f32,
+            Scalar::Uint => bits as f32,
+            Scalar::Bool => f32::from(u8::from(bits != 0)),
+        }
+    }
 }
 
 /// Where elements with computed numbers lie.
@@ -153,6 +184,15 @@ pub(super) enum LookupQuery {
     Size,
 }
 
+/// A function, and who called it.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(super) struct CallPath {
+    /// The function; `None` for the initial values of globals.
+    pub function: Option<FunctionRef>,
+    /// The path of its caller.
+    pub caller: Option<u32>,
+}
+
 /// A result that is looked at.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Look {
@@ -195,10 +235,25 @@ pub(super) enum Checked {
     Float,
     /// The same, and a divisor that is zero.
     Quotient,
-    /// A divisor that is zero.
-    WholeQuotient,
+    /// A divisor that is zero, of a kind.
+    Divisor(Scalar),
     /// A number that is not below the second operand.
     Index,
+    /// Operands of a kind for which the result is undefined.
+    Operands(Undefined, Scalar),
+    /// Neighbours that do not take part, so that there is nothing to take a derivative from.
+    Neighbours,
+}
+
+impl Checked {
+    /// What the operands are.
+    pub const fn scalar(self) -> Scalar {
+        match self {
+            Checked::Float | Checked::Quotient | Checked::Neighbours => Scalar::Float,
+            Checked::Divisor(scalar) | Checked::Operands(_, scalar) => scalar,
+            Checked::Index => Scalar::Int,
+        }
+    }
 }
 
 /// An instruction. The first register is the one that is written; operands follow.
@@ -297,7 +352,11 @@ pub(super) enum Instr {
     /// Which lanes take a branch.
     Branch(u32, Reg),
     /// What lanes that take part have to pay.
-    Spend(u32),
+    Spend {
+        cost: u32,
+        /// Number of the path of calls that leads here.
+        by: u32,
+    },
     /// Looks at a result.
     Check(u32),
     /// Looks at a comparison.

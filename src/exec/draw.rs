@@ -1,10 +1,11 @@
 //! A draw: register code with its uniforms, textures and inputs, over a rectangle of pixels.
 
-use super::code::{Code, InputSlot};
+use super::code::{Code, InputSlot, UniformSlot};
 use super::image::Texture;
 use super::machine::{Machine, Tile};
 use super::row::LANES;
 use super::seen::Seen;
+use crate::math::hash;
 use crate::semantic::Scalar;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -19,6 +20,8 @@ pub struct Draw<'c> {
     pub size: [u32; 2],
     /// How many instructions each group of pixels may run more than once.
     pub fuel: u64,
+    /// How many instructions all groups of one thread may run together.
+    pub budget: u64,
     /// Uniforms, then large constants.
     pub(super) memory: Vec<u32>,
     /// By sampler.
@@ -41,6 +44,9 @@ pub struct Drawn {
     pub covered: Vec<bool>,
     /// By pixel: how many operations it took part in.
     pub cost: Vec<u32>,
+    /// By pixel: how many operations its group of 8x4 pixels took, those counted once that several
+    /// took part in.
+    pub ran: Vec<u32>,
     /// By pixel: how many turns of loops it made, where these are watched.
     pub turns: Vec<u32>,
     /// What was seen on the way.
@@ -58,6 +64,8 @@ pub struct Sampled {
     pub covered: Vec<bool>,
     /// By pixel: how many operations it took part in.
     pub cost: Vec<u32>,
+    /// How many instructions were run.
+    pub spent: u64,
     /// What was seen on the way.
     pub seen: Seen,
 }
@@ -65,7 +73,7 @@ pub struct Sampled {
 /// Why a run ended before its end.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Stop {
-    /// A group of pixels took all the operations that it may take.
+    /// A group of pixels took all the operations that it may take, or that were left.
     OutOfFuel {
         /// The first of its pixels.
         pixel: [u32; 2],
@@ -91,6 +99,7 @@ impl<'c> Draw<'c> {
             code,
             size,
             fuel: FUEL,
+            budget: u64::MAX,
             memory,
             textures: vec![None; code.samplers.len()],
             inputs: code.inputs.iter().map(planes).collect(),
@@ -136,6 +145,17 @@ impl<'c> Draw<'c> {
             };
         }
         true
+    }
+
+    /// The uniforms that hold something else than in another draw of the same code.
+    pub fn differences(&self, other: &Draw<'_>) -> impl Iterator<Item = &'c UniformSlot> {
+        let words = |draw: &[u32], slot: &UniformSlot| {
+            let count = slot.ty.element().components() * slot.ty.array.max(1);
+            let words = draw.get(slot.at as usize..(slot.at + count) as usize);
+            words.map(<[u32]>::to_vec)
+        };
+        let slots = self.code.uniforms.iter();
+        slots.filter(move |slot| words(&self.memory, slot) != words(&other.memory, slot))
     }
 
     /// Sets what a sampler looks up. Whether there is such a sampler, which can look this up.
@@ -184,6 +204,28 @@ fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
     tile
 }
 
+/// At most so many quads of a picture, by their lower left pixels: spread evenly, and in no line.
+/// Those that the machine runs together are neighbours, which go the same ways more often. Other seeds
+/// give other places.
+pub fn quads_all_over([width, height]: [u32; 2], count: usize, seed: u32) -> Vec<[u32; 2]> {
+    let cells = (count.max(1) as f64 * f64::from(width) / f64::from(height.max(1))).sqrt();
+    let across = (cells.round() as u32).clamp(1, (width / 2).max(1));
+    let up = (count as u32 / across).clamp(1, (height / 2).max(1));
+    let side = [width / across, height / up].map(|side| side.max(1));
+    let all = (0..up).flat_map(|y| (0..across).map(move |x| [x, y]));
+    let mut cells: Vec<[u32; 2]> = all.collect();
+    cells.sort_by_key(|[x, y]| [y / 2, x / 4, *y, *x]);
+    let spread = cells.into_iter().map(|[x, y]| {
+        let thrown = hash(x ^ hash(y ^ hash(seed)));
+        let place = |cell: u32, side: u32, by: u32| (cell * side + by % side) & !1;
+        [
+            place(x, side[0], thrown & 0xffff),
+            place(y, side[1], thrown >> 16),
+        ]
+    });
+    spread.collect()
+}
+
 /// The quads of a group of 8x4 pixels.
 fn quads_of(size: [u32; 2], number: u32) -> Vec<[u32; 2]> {
     let across = size[0].div_ceil(8).max(1);
@@ -201,6 +243,7 @@ struct Given {
     outputs: Vec<Vec<[u32; 4]>>,
     covered: Vec<bool>,
     cost: Vec<u32>,
+    ran: Vec<u32>,
     turns: Vec<u32>,
 }
 
@@ -220,6 +263,7 @@ impl Given {
             self.pixels.extend(tile.pixels.get(lane));
             self.covered.push(covered >> lane & 1 == 1);
             self.cost.extend(cost.get(lane));
+            self.ran.push(machine.watched.ran());
             self.turns.extend(turns.get(lane));
         }
         for (slot, given) in code.outputs.iter().zip(&mut self.outputs) {
@@ -268,6 +312,7 @@ pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
         outputs: vec![vec![[0; 4]; count]; draw.code.outputs.len()],
         covered: vec![false; count],
         cost: vec![0; count],
+        ran: vec![0; count],
         turns: vec![0; count],
         seen: Seen::default(),
     };
@@ -286,6 +331,7 @@ impl Drawn {
             let at = *y as usize * self.size[0] as usize + *x as usize;
             put(&mut self.covered, at, given.covered.get(n));
             put(&mut self.cost, at, given.cost.get(n));
+            put(&mut self.ran, at, given.ran.get(n));
             put(&mut self.turns, at, given.turns.get(n));
             for (all, own) in self.outputs.iter_mut().zip(&given.outputs) {
                 put(all, at, own.get(n));
@@ -317,6 +363,7 @@ pub fn sample(draw: &Draw<'_>, quads: &[[u32; 2]]) -> Result<Sampled, Stop> {
         outputs: given.outputs,
         covered: given.covered,
         cost: given.cost,
+        spent: machine.spent,
         seen: machine.finish(),
     })
 }

@@ -2,12 +2,12 @@
 //! every bit is compared.
 
 use super::code::Code;
-use super::draw::{Draw, Sampled, sample};
+use super::draw::{Draw, Sampled, Stop, quads_all_over, sample};
 
 /// How many moments are compared.
 const MOMENTS: usize = 8;
-/// How many quads across and up.
-const QUADS: [u32; 2] = [18, 16];
+/// How many quads of each.
+const QUADS: usize = 288;
 /// The size of the picture in which shaders are compared.
 pub const COMPARED_SIZE: [u32; 2] = [640, 360];
 
@@ -33,35 +33,41 @@ pub enum Equality {
 }
 
 /// Compares two shaders. `draws` makes a draw of either at a moment, which are numbered from 0: with
-/// the same uniforms, textures and inputs, over a picture of [`COMPARED_SIZE`].
-pub fn equality<'c>([a, b]: [&'c Code; 2], draws: &dyn Fn(usize) -> [Draw<'c>; 2]) -> Equality {
+/// the same uniforms, textures and inputs, over a picture of [`COMPARED_SIZE`]. `fuel` is how many
+/// instructions may be run for it, and what is left of them afterwards.
+pub fn equality<'c>(
+    [a, b]: [&'c Code; 2],
+    fuel: &mut u64,
+    draws: &dyn Fn(usize) -> [Draw<'c>; 2],
+) -> Equality {
     if a.is_same(b) {
         return Equality::Proved;
     }
     let mut pixels = 0;
     for moment in 0..MOMENTS {
-        let [a, b] = draws(moment).map(|draw| sample(&draw, &quads(moment as u32)));
+        let quads = quads_all_over(COMPARED_SIZE, QUADS, moment as u32);
+        let [a, b] = draws(moment).map(|draw| run(draw, &quads, fuel));
         let (Ok(a), Ok(b)) = (a, b) else {
-            return Equality::TooLong;
+            break;
         };
         if let Some(pixel) = first_difference(&a, &b) {
             return Equality::Differs { pixel, moment };
         }
         pixels += a.pixels.len() as u64;
     }
-    Equality::Seen { pixels }
+    match pixels {
+        0 => Equality::TooLong,
+        pixels => Equality::Seen { pixels },
+    }
 }
 
-/// Quads all over the picture, at other places in each moment.
-fn quads(moment: u32) -> Vec<[u32; 2]> {
-    let [across, up] = QUADS;
-    let step = [COMPARED_SIZE[0] / across, COMPARED_SIZE[1] / up];
-    let all = (0..up).flat_map(|y| (0..across).map(move |x| [x, y]));
-    let shifted = all.map(|[x, y]| {
-        let shift = (x * 7 + y * 5 + moment * 3) % 16;
-        [(x * step[0] + shift) & !1, (y * step[1] + shift) & !1]
-    });
-    shifted.collect()
+/// Runs quads with the fuel that is left.
+fn run(mut draw: Draw<'_>, quads: &[[u32; 2]], fuel: &mut u64) -> Result<Sampled, Stop> {
+    draw.budget = *fuel;
+    let sampled = sample(&draw, quads);
+    let spent = sampled.as_ref().map_or(*fuel, |s| s.spent);
+    *fuel = fuel.saturating_sub(spent);
+    sampled
 }
 
 fn first_difference(a: &Sampled, b: &Sampled) -> Option<[u32; 2]> {

@@ -10,8 +10,8 @@ mod compile;
 mod draw;
 mod equal;
 mod image;
+mod inexact;
 mod machine;
-mod math;
 mod row;
 mod seen;
 #[cfg(test)]
@@ -19,8 +19,10 @@ mod tests;
 
 pub use code::{Code, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
 pub use compile::{CompileOptions, Lean, Persona, Probe, Refusal, Watch, compile};
-pub use draw::{Draw, Drawn, Sampled, Stop, draw, sample};
+pub use draw::{Draw, Drawn, Sampled, Stop, draw, quads_all_over, sample};
 pub use equal::{COMPARED_SIZE, Equality, equality};
 pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};
 pub use row::LANES;
-pub use seen::{BranchSeen, ComparedSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness};
+pub use seen::{
+    BranchSeen, ComparedSeen, FunctionSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness,
+};

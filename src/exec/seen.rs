@@ -1,6 +1,7 @@
 //! What was seen in a run: facts about the pixels that ran, and of no others.
 
 use crate::ir::{LoopId, OpId, Provenance};
+use crate::semantic::FunctionRef;
 
 /// What was seen.
 #[derive(Clone, Default, Debug)]
@@ -13,11 +14,14 @@ pub struct Seen {
     pub loops: Vec<LoopSeen>,
     /// By `if` of the module that ran, each source construct once.
     pub branches: Vec<BranchSeen>,
+    /// What each function cost that runs, the initial values of globals first.
+    pub functions: Vec<FunctionSeen>,
     /// Numbers that went wrong, the first of each operation; by the time at which they did.
     pub numbers: Vec<NumberSeen>,
     /// The operations at which numbers are watched that any pixel came to.
     pub watched: Vec<WatchedSeen>,
-    /// The comparisons of two scalars by `<`, `<=`, `>`, `>=` that any pixel came to.
+    /// The comparisons of two scalars by `<`, `<=`, `>`, `>=`, and by `step` and `smoothstep` of what is
+    /// past the first edge, that any pixel came to.
     pub compared: Vec<ComparedSeen>,
 }
 
@@ -69,6 +73,17 @@ pub struct LoopSeen {
     pub histogram: Vec<u32>,
 }
 
+/// What a function cost, in operations of lanes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct FunctionSeen {
+    /// The function; `None` for the initial values of globals.
+    pub function: Option<FunctionRef>,
+    /// What it did itself.
+    pub own: u64,
+    /// That, and what the functions did that it called.
+    pub whole: u64,
+}
+
 /// What was seen of a condition.
 #[derive(Clone, PartialEq, Debug)]
 pub struct BranchSeen {
@@ -91,8 +106,10 @@ pub enum Kind {
     DivisionByZero,
     /// An index outside of its array, matrix or vector.
     OutOfRange,
-    /// A read of what was never written.
-    Uninitialized,
+    /// Operands for which the specification leaves the result undefined: `pow` of a negative base,
+    /// `log` of what is not positive, a shift by more bits than there are, a derivative that a neighbour
+    /// has no part in.
+    Undefined,
 }
 
 /// A number that went wrong.
@@ -113,6 +130,6 @@ pub struct NumberSeen {
 pub struct Witness {
     /// `gl_FragCoord.xy`, less the half.
     pub pixel: [u32; 2],
-    /// The operands, as floats where they are any, else as their numbers.
+    /// The operands as numbers.
     pub operands: Vec<f64>,
 }

@@ -3,10 +3,11 @@
 
 use super::{
     COMPARED_SIZE, Code, CompileOptions, Draw, Drawn, Equality, Kind, Lean, Persona, Seen, Stop,
-    Watch, compile, draw, equality, sample,
+    Watch, compile, draw, equality, quads_all_over, sample,
 };
 use crate::ir::lower;
 use crate::semantic::analyze_fragment;
+use std::collections::BTreeSet;
 
 /// What every shader here starts with, on one line.
 const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int; out vec4 color; \
@@ -73,6 +74,21 @@ fn who_left_early_gives_back_what_was_there() {
         functions,
         "float y = 7.0; g(p, y); color = vec4(y);",
         [7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 7.0, 7.0],
+    );
+}
+
+/// What only changes the order or the type of numbers keeps them, whatever is written there later.
+#[test]
+fn what_was_turned_stays() {
+    check_row(
+        "",
+        "vec2 q = vec2(p, 1); mat2 k = transpose(mat2(q, q)); q.x = 9.0; color = vec4(k[0][1]);",
+        [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0],
+    );
+    check_row(
+        "",
+        "float q = float(p); int k = floatBitsToInt(q); q = 9.0; color = vec4(intBitsToFloat(k));",
+        [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0],
     );
 }
 
@@ -316,7 +332,8 @@ fn quads_do_not_depend_on_each_other() {
 #[test]
 fn watching_changes_nothing() {
     let text = format!("{HEAD}{BUSY}");
-    let pictures = [Watch::Nothing, Watch::Flow, Watch::Numbers].map(|watch| {
+    let levels = [Watch::Nothing, Watch::Flow, Watch::Faults, Watch::Numbers];
+    let pictures = levels.map(|watch| {
         let options = CompileOptions {
             watch,
             ..CompileOptions::default()
@@ -326,14 +343,19 @@ fn watching_changes_nothing() {
         set_all(&mut ready);
         draw(&ready, 1).unwrap().outputs
     });
-    assert_eq!(pictures[0], pictures[1]);
-    assert_eq!(pictures[0], pictures[2]);
+    for picture in &pictures {
+        assert_eq!(*picture, pictures[0]);
+    }
 }
 
 fn seen(statements: &str) -> Seen {
+    seen_by(Watch::Numbers, statements)
+}
+
+fn seen_by(watch: Watch, statements: &str) -> Seen {
     let text = format!("{HEAD}void main() {{ int p = int(gl_FragCoord.x); {statements} }}");
     let options = CompileOptions {
-        watch: Watch::Numbers,
+        watch,
         ..CompileOptions::default()
     };
     let code = compiled(&text, &options);
@@ -375,6 +397,7 @@ fn branches_and_numbers_are_seen() {
             (Kind::Infinite, 1, 2),
             (Kind::DivisionByZero, 1, 2),
             (Kind::Nan, 7, 0),
+            (Kind::Undefined, 7, 0),
             (Kind::OutOfRange, 4, 4)
         ]
     );
@@ -383,6 +406,72 @@ fn branches_and_numbers_are_seen() {
     };
     assert_eq!((compared.held, compared.failed), (5, 3));
     assert_eq!((compared.left, compared.right), ([0.0, 7.0], [2.0, 2.0]));
+}
+
+/// Operands for which the specification leaves the result undefined are found, whatever is computed.
+#[test]
+fn undefined_results_are_seen() {
+    let first = |statements: &str| {
+        let seen = seen(statements);
+        let undefined = seen.numbers.iter().filter(|n| n.kind == Kind::Undefined);
+        let told = undefined.map(|n| (n.times, n.witness.pixel[0], n.witness.operands.clone()));
+        told.collect::<Vec<_>>()
+    };
+    let of = |expression: &str| {
+        first(&format!(
+            "float q = float(p) - 2.0; color = vec4({expression});"
+        ))
+    };
+    assert_eq!(of("pow(q, 2.0)"), [(2, 0, vec![-2.0, 2.0])]);
+    assert_eq!(of("pow(q, -2.0)"), [(3, 0, vec![-2.0, -2.0])]);
+    assert_eq!(of("log(q)"), [(3, 0, vec![-2.0])]);
+    assert_eq!(of("sqrt(vec2(q, q - 1.0)), 0, 1"), [(5, 0, vec![-2.0])]);
+    assert_eq!(of("asin(-q)"), [(5, 0, vec![2.0])]);
+    assert_eq!(of("atan(q, q + q)"), [(1, 2, vec![0.0, 0.0])]);
+    assert_eq!(of("atan(q)"), []);
+    assert_eq!(of("smoothstep(q, 1.0, 0.5)"), [(5, 3, vec![1.0, 1.0, 0.5])]);
+    assert_eq!(of("clamp(p, 0, 1 - p)"), [(6, 2, vec![2.0, 0.0, -1.0])]);
+    assert_eq!(of("(p - 2) % 2"), [(2, 0, vec![-2.0, 2.0])]);
+    assert_eq!(of("1u << (p + 27)"), [(3, 5, vec![1.0, 32.0])]);
+    assert_eq!(of("uint(q)"), [(2, 0, vec![-2.0])]);
+    assert_eq!(of("int(q * 2e9)"), [(5, 0, vec![-4e9])]);
+    assert_eq!(of("log(0.0 * inversesqrt(q * 0.0))").len(), 1);
+    assert_eq!(of("dFdx(q)"), []);
+    // Of the quad of the pixels 2 and 3, only the first takes part.
+    let branch = "float q = float(p); color = vec4(0); if (p < 3) color.x = fwidth(q);";
+    assert_eq!(first(branch), [(1, 2, vec![2.0])]);
+}
+
+/// Faults are seen alike by both who look for them.
+#[test]
+fn faults_need_not_look_at_every_number() {
+    let statements = "float q = float(p) - 2.0; if (p > 2) q = -q; \
+                      color = vec4(1.0 / q, sqrt(q), a[p], 4 % (p - 3));";
+    let (all, faults) = (seen(statements), seen_by(Watch::Faults, statements));
+    let is_fault = |kind: Kind| !matches!(kind, Kind::Nan | Kind::Infinite);
+    let mut expected = all.numbers;
+    expected.retain(|number| is_fault(number.kind));
+    assert!(expected.len() >= 4, "{expected:?}");
+    for (number, other) in faults.numbers.iter().zip(&mut expected) {
+        other.witness = number.witness.clone();
+    }
+    assert_eq!(faults.numbers, expected);
+    assert_eq!(faults.compared, []);
+    let compared = seen_by(Watch::Comparisons, statements).compared;
+    assert_eq!((compared.len(), &compared), (1, &all.compared));
+}
+
+/// A draw knows which of its uniforms another has set otherwise.
+#[test]
+fn draws_differ_in_uniforms() {
+    let text = format!("{HEAD}void main() {{ color = vec4(x, v[1], a[n], m[0][0]); }}");
+    let code = compiled(&text, &CompileOptions::default());
+    let [mut one, other] = [(); 2].map(|()| Draw::new(&code, [8, 1]));
+    one.set("a[2]", &[1.0]);
+    one.set("x", &[2.0]);
+    one.set("n", &[0.0]);
+    let names: Vec<&str> = one.differences(&other).map(|u| u.name.as_str()).collect();
+    assert_eq!(names, ["a", "x"]);
 }
 
 /// A GPU that is no more exact than it has to be draws a noise of sines otherwise, and a plain
@@ -429,13 +518,16 @@ fn the_same_code_is_the_same_picture() {
             set_all(&mut draw);
             draw
         };
-        equality([&plain, &other], &|_| [ready(&plain), ready(&other)])
+        let mut fuel = 10_000_000;
+        equality([&plain, &other], &mut fuel, &|_| {
+            [ready(&plain), ready(&other)]
+        })
     };
     let renamed =
         "float twice(float b) { return b * 2.0; } void main() { color = vec4(twice(x) + v.x); }";
     assert_eq!(compare(renamed), Equality::Proved);
     let other = "void main() { float k = x + x; color = vec4(k + v.x); }";
-    assert_eq!(compare(other), Equality::Seen { pixels: 9216 });
+    assert_eq!(compare(other), Equality::Seen { pixels: 8832 });
     let wrong = "void main() { color = vec4(x * 2.0 + v.x + floor(gl_FragCoord.x / 300.0)); }";
     assert!(matches!(
         compare(wrong),
@@ -463,4 +555,57 @@ fn what_is_too_large_is_refused() {
         refusal.unwrap_err().what,
         "a value of more than 32,768 scalars"
     );
+}
+
+#[test]
+fn functions_cost_what_they_do_wherever_they_are_called() {
+    let code = format!(
+        "{HEAD}float f(float y) {{ return y * y; }}
+        float g(float y) {{ return f(y) + 1.0; }}
+        void main() {{
+            float y = f(gl_FragCoord.x);
+            if (gl_FragCoord.x < 4.0) y += g(y);
+            color = vec4(y);
+        }}"
+    );
+    let options = CompileOptions {
+        watch: Watch::Flow,
+        ..CompileOptions::default()
+    };
+    let code = compiled(&code, &options);
+    for threads in [1, 2] {
+        let drawn = draw(&Draw::new(&code, [16, 4]), threads).unwrap();
+        let seen = &drawn.seen;
+        let [globals, main, f, g] = seen.functions[..] else {
+            panic!("{:?}", seen.functions)
+        };
+        let sum: u64 = seen.functions.iter().map(|f| f.own).sum();
+        assert_eq!(sum, seen.operations);
+        assert_eq!(globals.own + main.whole, seen.operations);
+        // All 64 pixels call `f`, and 16 of them `g` and through it `f` again.
+        assert_eq!(f.own, 5 * (g.whole - g.own));
+        let paid = |x: usize| (drawn.cost[x], drawn.ran[x]);
+        let (branch, all) = paid(0);
+        assert_eq!(branch, all);
+        assert_eq!(paid(4).1, all);
+        assert!(paid(4).0 < all && paid(8) == (paid(4).0, paid(4).0));
+    }
+}
+
+#[test]
+fn quads_are_real_and_all_over_the_picture() {
+    let size = [1280, 720];
+    for count in [250, 576] {
+        let quads = quads_all_over(size, count, 1);
+        assert!(
+            quads.len() <= count && quads.len() * 10 > count * 8,
+            "{}",
+            quads.len()
+        );
+        assert!(quads.iter().all(|[x, y]| x % 2 == 0 && y % 2 == 0));
+        assert!(quads.iter().all(|[x, y]| *x < size[0] && *y < size[1]));
+        let sixteenths: BTreeSet<_> = quads.iter().map(|[x, y]| (x / 320, y / 180)).collect();
+        assert_eq!(sixteenths.len(), 16);
+        assert_ne!(quads, quads_all_over(size, count, 2));
+    }
 }

@@ -94,6 +94,15 @@ const MAX_OUTWARDS: usize = 32;
 impl Uniformity {
     /// Follows what differs through a shader whose pixels start at its entry.
     pub fn of(module: &Module) -> Uniformity {
+        Uniformity::spread(module, |_| sources(module).map(Varying::Variable).collect())
+    }
+
+    /// Follows through a shader what hangs on other things than the pixel: those that `sources`
+    /// names, which is shown the shader's controls. What may hang on them "varies" in the answers.
+    pub fn spread(
+        module: &Module,
+        sources: impl FnOnce(&Uniformity) -> Vec<Varying>,
+    ) -> Uniformity {
         let first = Firsts {
             variable: module.ops.len() as u32,
             function: (module.ops.len() + module.variables.len()) as u32,
@@ -121,8 +130,8 @@ impl Uniformity {
         };
         // First come, first served: the ways back are the shortest.
         let mut todo: Vec<u32> = Vec::new();
-        for source in sources(module) {
-            let node = first.variable + source.0;
+        for source in sources(&uniformity) {
+            let node = uniformity.node(source);
             uniformity.mark(node, node, &mut todo);
         }
         let mut done = 0;

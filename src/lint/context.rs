@@ -2,6 +2,7 @@
 
 use super::{Facts, OptionType, Rule, Setting, Settings};
 use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
+use crate::exec::Kind;
 use crate::flow::ranges::{Interval, Side};
 use crate::ir::OpId;
 use crate::semantic::Program;
@@ -94,6 +95,31 @@ impl<'p> Context<'_, 'p> {
         self.report(extent.unwrap_or_default(), message)
     }
 
+    /// Judges the last finding by a run of the shader: what was seen to go wrong at its expression is
+    /// told with it; what never did, however often pixels came to it, is not as bad.
+    pub fn judge(&mut self, expr: ExprId, kinds: &[Kind]) {
+        let op = self.facts.module().op_of(expr);
+        self.facts.tell(op);
+        let Some(op) = op else { return };
+        let verdict = self.facts.verdict(op, kinds);
+        let (Some(last), Some(verdict)) = (self.diagnostics.last_mut(), verdict) else {
+            return;
+        };
+        if !verdict.is_confirmed {
+            last.severity = last.severity.min(Severity::Info);
+        }
+        last.notes.push(verdict.words);
+    }
+
+    /// Reports a finding about all that the shader draws, at the name of its entry.
+    pub fn report_picture(&mut self, message: impl Into<String>) -> Finding<'_> {
+        let program = self.program;
+        let entry = self.facts.entry().and_then(|f| program.function(f));
+        let decl = entry.and_then(|f| program.tree.function(f.definition?));
+        let name = decl.and_then(|d| program.token(d.ident.token));
+        self.report_span(name.map_or(Span::default(), |t| t.span), message)
+    }
+
     /// Reports a finding at a place in the text.
     #[expect(clippy::indexing_slicing, reason = "the last one was just pushed")]
     pub fn report_span(&mut self, span: Span, message: impl Into<String>) -> Finding<'_> {
@@ -135,6 +161,12 @@ impl Finding<'_> {
     /// Says what to write instead.
     pub fn help(self, help: impl Into<String>) -> Self {
         self.diagnostic.help.push(help.into());
+        self
+    }
+
+    /// Makes it no worse than an info.
+    pub fn lower(self) -> Self {
+        self.diagnostic.severity = self.diagnostic.severity.min(Severity::Info);
         self
     }
 

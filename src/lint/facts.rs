@@ -2,6 +2,7 @@
 
 use super::broken::Broken;
 use super::march::{March, marches};
+use super::trial::{Supplier, Tried};
 use super::unseen::Unseen;
 use super::words::count;
 use crate::flow::defs::Defs;
@@ -20,12 +21,14 @@ use crate::text::embed::Embedder;
 use std::cell::OnceCell;
 
 /// What is known of where a shader stands and runs, that its text does not say.
-#[derive(Clone, Copy, Default, Debug)]
-pub struct Around {
+#[derive(Clone, Copy, Default)]
+pub struct Around<'a> {
     /// The page or script that it stands in.
     pub embedder: Embedder,
     /// By channel: whether its texture has mipmaps, where that is known.
     pub mipmapped: [Option<bool>; 4],
+    /// Who knows what it is given, where it may be run.
+    pub supplier: Option<&'a dyn Supplier>,
 }
 
 /// A bias that takes the sharpest level of a texture for certain.
@@ -52,8 +55,9 @@ pub struct Facts<'a> {
     uniformity: OnceCell<Uniformity>,
     gradients: OnceCell<Vec<Gradient>>,
     marches: OnceCell<Vec<March>>,
+    pub(super) tried: Tried<'a>,
     /// What is known of where it runs.
-    pub around: Around,
+    pub around: Around<'a>,
     /// What of the shader has errors.
     pub broken: Broken<'a>,
 }
@@ -81,9 +85,15 @@ impl<'a> Facts<'a> {
             uniformity: OnceCell::new(),
             gradients: OnceCell::new(),
             marches: OnceCell::new(),
+            tried: Tried::default(),
             around: Around::default(),
             broken: Broken::default(),
         }
+    }
+
+    /// The shader.
+    pub fn program(&self) -> &'a Program {
+        self.program
     }
 
     /// The shader's middle form.
@@ -258,7 +268,12 @@ impl<'a> Facts<'a> {
     pub fn is_same(&self, a: ExprId, b: ExprId) -> bool {
         let module = self.module();
         let both = module.op_of(a).zip(module.op_of(b));
-        both.is_some_and(|(a, b)| is_same(module, self.defs(), a, b))
+        both.is_some_and(|(a, b)| self.is_same_value(a, b))
+    }
+
+    /// Whether two operations give the same value, as far as a short look tells.
+    pub fn is_same_value(&self, a: OpId, b: OpId) -> bool {
+        is_same(self.module(), self.defs(), a, b)
     }
 
     /// What makes a lane of a value jump between neighbouring pixels.

@@ -1,6 +1,7 @@
 //! What a lint rule is, and how rules are run. No rule is in here; they are in `rules/`.
 
 mod broken;
+mod change;
 mod context;
 pub mod expansion;
 mod facts;
@@ -21,13 +22,14 @@ pub mod screen;
 mod settings;
 pub mod still;
 mod suppress;
+pub mod trial;
 mod unseen;
 mod words;
 
 pub use broken::Broken;
 pub use context::{Context, Finding};
 pub use facts::{Around, Facts};
-pub use fix::{Allow, Fixed, Look, fix, fix_seen, keep_comments};
+pub use fix::{Allow, Fixed, Look, Proof, Shown, fix, fix_seen, keep_comments, without_pictures};
 pub use judged::Judged;
 pub use option::{OptionType, OptionValue, RuleOption, Setting};
 pub use page::{Fence, FenceKind, Page};

@@ -23,17 +23,20 @@ pub enum Group {
     Look,
     /// Order in the code.
     Tidy,
+    /// What a run of the shader shows.
+    Runtime,
 }
 
 impl Group {
     /// All groups.
-    pub const ALL: [Group; 6] = [
+    pub const ALL: [Group; 7] = [
         Group::Webgl2,
         Group::Numeric,
         Group::Portability,
         Group::Budget,
         Group::Look,
         Group::Tidy,
+        Group::Runtime,
     ];
 
     /// The word for `--select` and the configuration.
@@ -45,6 +48,7 @@ impl Group {
             Group::Budget => "budget",
             Group::Look => "look",
             Group::Tidy => "tidy",
+            Group::Runtime => "runtime",
         }
     }
 }
@@ -184,6 +188,8 @@ pub enum Check {
     Name(fn(&mut Context, &DeclaredName)),
     /// Every macro.
     Macro(fn(&mut Context, &Macro)),
+    /// What a run of the shader shows, once, behind all checks of its text.
+    Run(fn(&mut Context)),
     /// Comments that allow findings, which are looked at when all findings are there.
     Allows,
     /// What the script around shaders asks of them, which is looked at where they are linked.

@@ -48,9 +48,9 @@ pub fn lint(
 
 /// Runs the selected rules over a shader that stands in a page or script, as far as it is free of
 /// the errors given. Says where they did not run.
-pub fn lint_within(
-    program: &Program,
-    around: Around,
+pub fn lint_within<'a>(
+    program: &'a Program,
+    around: Around<'a>,
     errors: &[Diagnostic],
     rules: &[&'static Rule],
     settings: &Settings,
@@ -58,6 +58,8 @@ pub fn lint_within(
 ) -> Unrun {
     let mut facts = Facts::new(program);
     facts.around = around;
+    facts.tried.supplier = around.supplier;
+    facts.tried.limit = settings.trial_limit();
     facts.broken = Broken::of(program, errors);
     if facts.broken.whole() {
         return Unrun::Everywhere;
@@ -131,6 +133,7 @@ fn walk<'p>(
             run.each(&checks.function, |check, cx| check(cx, FunctionRef(i)));
         }
     }
+    run.each(&checks.run, |check, cx| check(cx));
 }
 
 /// The first token that the user wrote; what a host puts before is not linted.
@@ -175,6 +178,7 @@ struct Checks {
     declaration: Vec<(Active, OnDeclaration)>,
     name: Vec<(Active, OnName)>,
     macros: Vec<(Active, OnMacro)>,
+    run: Vec<(Active, OnProgram)>,
 }
 
 impl Checks {
@@ -209,6 +213,7 @@ impl Checks {
             Check::Declaration(check) => self.declaration.push((rule, check)),
             Check::Name(check) => self.name.push((rule, check)),
             Check::Macro(check) => self.macros.push((rule, check)),
+            Check::Run(check) => self.run.push((rule, check)),
             Check::Allows | Check::Page => {}
         }
     }

@@ -1,5 +1,6 @@
 //! Which rules run, how bad their findings are, and what they go by.
 
+use super::trial::TrialLimit;
 use super::{Group, OptionType, OptionValue, Rule, Setting};
 use crate::diagnostic::{ERRORS, Severity};
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
@@ -41,6 +42,8 @@ pub struct Settings {
     chosen: Option<FxHashSet<&'static str>>,
     /// What draws the shader.
     target: Renderer,
+    /// How much of it is run.
+    trial: TrialLimit,
 }
 
 /// A name that is neither a rule's nor a group's.
@@ -73,6 +76,7 @@ impl Settings {
             failing: FxHashSet::default(),
             chosen: None,
             target: Renderer::default(),
+            trial: TrialLimit::default(),
         };
         for rule in rules.iter().filter(|r| r.default) {
             settings.set_level(rule, Some(rule.severity));
@@ -88,6 +92,16 @@ impl Settings {
                 self.set_level(rule, Some(target.level(rule)));
             }
         }
+    }
+
+    /// Sets how much of the shader is run.
+    pub fn set_trial_limit(&mut self, limit: TrialLimit) {
+        self.trial = limit;
+    }
+
+    /// How much of the shader is run.
+    pub fn trial_limit(&self) -> TrialLimit {
+        self.trial
     }
 
     /// Adds the rules that `select` names to those that run, and takes those of `ignore` away. Of two

@@ -8,7 +8,7 @@ use super::{
     Composed, NotSafe, Project, ScriptModule, glsl, html, json, module, react, rewrite, three,
 };
 use crate::diagnostic::{Diagnostic, Origin, Severity};
-use crate::semantic::Pass;
+use crate::semantic::{Pass, Stage};
 use crate::text::Span;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -290,72 +290,106 @@ fn typed(path: &Path, module: ScriptModule) -> Vec<File> {
     vec![file(path, module.code), types]
 }
 
-/// The fragment shaders, and the vertex shader beside them.
+/// The shaders of the passes, and those of the other stage beside them.
 fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build, BuildError> {
     let mut remarks = Vec::new();
     let mut passes = glsl(project, composed);
     if order.main == MainChoice::Rewrite {
         for (pass, unit) in passes.iter_mut().zip(&composed.units) {
             match rewrite(project, composed, unit) {
-                Ok(text) => pass.fragment = text,
+                Ok(text) => pass.text = text,
                 Err(reason) => remarks.push(Remark::kept(pass.name.clone(), &reason)),
             }
         }
     }
-    let vertex = match order.output {
-        Destination::Folder(folder) => folder.join("pass.vert"),
-        other => other.path().with_extension("vert"),
-    };
-    let vertices: Vec<String> = passes.iter().map(|p| p.vertex.clone()).collect();
-    let passes = passes.into_iter();
-    let passes = passes.map(|p| (p.name, p.slug.to_string(), p.fragment.into_bytes()));
-    let mut files = named(order, passes.collect(), "frag")?;
-    let is_one = vertices.windows(2).all(|pair| pair.first() == pair.last());
-    let own: Vec<File> = match is_one {
-        true => vertices
-            .first()
-            .map(|v| file(&vertex, v.as_str()))
-            .into_iter()
-            .collect(),
-        // Each fragment shader has its own beside it.
-        false => {
-            let pairs = files.iter().zip(&vertices);
-            let pairs = pairs.map(|(f, v)| file(&f.path.with_extension("vert"), v.as_str()));
+    let partners: Vec<(Stage, String)> = passes
+        .iter_mut()
+        .map(|p| (p.stage, std::mem::take(&mut p.partner)))
+        .collect();
+    let named_passes = passes.into_iter().map(|p| NamedPass {
+        ending: ending(p.stage),
+        content: p.text.into_bytes(),
+        slug: p.slug.to_string(),
+        name: p.name,
+    });
+    let mut files = named(order, named_passes.collect())?;
+    let is_one = partners.windows(2).all(|pair| pair.first() == pair.last());
+    let beside: Vec<File> = match (&partners[..], order.output) {
+        ([(Stage::Fragment, vertex), ..], Destination::Folder(folder)) if is_one => {
+            vec![file(&folder.join("pass.vert"), vertex.as_str())]
+        }
+        // Each has its own beside it.
+        _ => {
+            let pairs = files.iter().zip(&partners);
+            let pairs = pairs.map(|(named, (stage, partner))| {
+                file(&shader_path(&named.path, stage.other()), partner.as_str())
+            });
             pairs.collect()
         }
     };
-    files.extend(own);
+    for (own, (stage, _)) in files.iter_mut().zip(&partners) {
+        own.path = shader_path(&own.path, *stage);
+    }
+    // Beside standard output lies nothing.
+    if order.output != Destination::Standard {
+        files.extend(beside);
+    }
     Ok(Build { files, remarks })
 }
 
+/// How files of a stage end.
+fn ending(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Fragment => "frag",
+        Stage::Vertex => "vert",
+    }
+}
+
+/// Where the shader of a stage goes, where the shaders of a pass have this name: who asks for
+/// `points.frag` or `points.glsl` gets the fragment shader there and the vertex shader beside it.
+fn shader_path(name: &Path, stage: Stage) -> PathBuf {
+    let names_vertices = name.extension().is_some_and(|e| e == ending(Stage::Vertex));
+    match stage {
+        Stage::Fragment if !names_vertices => name.to_path_buf(),
+        _ => name.with_extension(ending(stage)),
+    }
+}
+
+/// What is to become a file.
+pub(super) struct NamedPass {
+    /// What the user calls it.
+    pub name: String,
+    /// What its file is called in a folder.
+    pub slug: String,
+    /// How that ends.
+    pub ending: &'static str,
+    /// What it holds.
+    pub content: Vec<u8>,
+}
+
 /// One pass may become the file named; several go into a folder, under names of their own.
-pub(super) fn named(
-    order: Order,
-    passes: Vec<(String, String, Vec<u8>)>,
-    ending: &str,
-) -> Result<Vec<File>, BuildError> {
+pub(super) fn named(order: Order, passes: Vec<NamedPass>) -> Result<Vec<File>, BuildError> {
     let folder = match order.output {
         Destination::Folder(folder) => folder,
         other if passes.len() < 2 => {
-            let only = passes
-                .into_iter()
-                .map(|(.., text)| file(other.path(), text));
+            let only = passes.into_iter().map(|p| file(other.path(), p.content));
             return Ok(only.collect());
         }
         _ => {
-            let names = passes.into_iter().map(|p| p.0);
+            let names = passes.into_iter().map(|p| p.name);
             return Err(BuildError::NeedsFolder(names.collect()));
         }
     };
     let mut files: Vec<File> = Vec::new();
-    for (_, slug, text) in passes {
+    for pass in passes {
+        let NamedPass { slug, ending, .. } = &pass;
         let mut path = folder.join(format!("{slug}.{ending}"));
         let mut number = 2;
         while files.iter().any(|f| f.path == path) {
             path = folder.join(format!("{slug}_{number}.{ending}"));
             number += 1;
         }
-        files.push(file(&path, text));
+        files.push(file(&path, pass.content));
     }
     Ok(files)
 }

@@ -1,6 +1,7 @@
 //! The shaders alone, as text.
 
 use super::{Composed, Project, Wrapper, credits};
+use crate::semantic::Stage;
 use crate::text::{FileId, Role};
 
 /// The vertex shader of every pass: one triangle that covers the picture.
@@ -13,57 +14,60 @@ precision mediump sampler3D;\n\
 layout(location = 0) in vec2 pos;\n\
 void main() {\n    gl_Position = vec4(pos, 0.0, 1.0);\n}\n";
 
-/// A pass as a WebGL2 fragment shader.
+/// A pass as the two shaders of a WebGL2 program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct GlslPass {
     /// What the user calls it.
     pub name: String,
     /// What its file is called, without ending.
     pub slug: &'static str,
-    /// The fragment shader.
-    pub fragment: String,
-    /// The vertex shader that goes with it.
-    pub vertex: String,
+    /// The stage that the pass is written for; vertices where it draws points by itself.
+    pub stage: Stage,
+    /// Its shader.
+    pub text: String,
+    /// The shader of the other stage that goes with it.
+    pub partner: String,
 }
 
-/// The fragment shader of each pass, in the order of the project.
+/// The shaders of each pass, in the order of the project.
 pub fn glsl(project: &Project, composed: &Composed) -> Vec<GlslPass> {
     let pass = |unit: &super::PassUnit| {
         let pass = project.passes.get(unit.pass)?;
+        let text = joined(composed, &unit.files);
+        let bound = Some(pass.bound.vertex.as_str()).filter(|v| !v.is_empty());
+        let partner = pass.draw.partner.as_deref().or(bound);
         Some(GlslPass {
             name: pass.title(unit.pass),
             slug: pass.slug(),
-            fragment: match unit.wrapper {
-                Wrapper::Player => signed(project, fragment(composed, &unit.files)),
-                Wrapper::Own => headed(project, fragment(composed, &unit.files)),
+            stage: unit.stage,
+            text: match unit.wrapper {
+                Wrapper::Player => signed(project, text),
+                Wrapper::Own => headed(project, text),
             },
-            vertex: match pass.bound.vertex.as_str() {
-                "" => VERTEX.to_string(),
-                own => own.to_string(),
-            },
+            partner: partner.unwrap_or(VERTEX).to_string(),
         })
     };
     composed.units.iter().filter_map(pass).collect()
 }
 
 /// Puts who made it before a whole shader, but behind a `#version`, which must come first.
-fn headed(project: &Project, fragment: String) -> String {
+fn headed(project: &Project, shader: String) -> String {
     let lines = credits::lines(project);
     let credits: String = lines.iter().map(|line| format!("// {line}\n")).collect();
-    match fragment.split_once('\n') {
+    match shader.split_once('\n') {
         Some((version, rest)) if version.starts_with("#version") => {
             format!("{version}\n{credits}{rest}")
         }
-        _ => credits + &fragment,
+        _ => credits + &shader,
     }
 }
 
 /// Puts who made it behind the `#version`, which must come first. As many lines of uniforms are joined,
 /// so that every line of the user's keeps its number: `__LINE__` tells it.
-pub(super) fn signed(project: &Project, fragment: String) -> String {
+pub(super) fn signed(project: &Project, shader: String) -> String {
     let credits = credits::lines(project);
-    let Some((version, mut rest)) = fragment.split_once('\n') else {
-        return fragment;
+    let Some((version, mut rest)) = shader.split_once('\n') else {
+        return shader;
     };
     let mut text = format!("{version}\n");
     for line in &credits {
@@ -84,7 +88,7 @@ pub(super) fn signed(project: &Project, fragment: String) -> String {
 
 /// The texts as the player joins them: behind every text of the user but the last comes a line
 /// break.
-fn fragment(composed: &Composed, files: &[FileId]) -> String {
+fn joined(composed: &Composed, files: &[FileId]) -> String {
     let mut text = String::new();
     for (i, file) in files.iter().enumerate() {
         let Some(file) = composed.sources.file(*file) else {
@@ -111,8 +115,8 @@ mod tests {
         let mut project = Project::from_json(json).unwrap();
         let composed = project.resolve("").unwrap();
         let lines = glsl(&project, &composed).into_iter().map(|pass| {
-            let at = |text: &str| pass.fragment.lines().position(|l| l == text).unwrap() + 1;
-            assert!(pass.fragment.contains("\n// by u\n"));
+            let at = |text: &str| pass.text.lines().position(|l| l == text).unwrap() + 1;
+            assert!(pass.text.contains("\n// by u\n"));
             (
                 at("int a;"),
                 at(&format!("int {};", pass.slug.trim_end_matches("_a"))),

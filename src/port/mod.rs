@@ -49,7 +49,7 @@ pub use export::{MAX_EXPORT, ProjectError};
 pub use glsl::{GlslPass, VERTEX, glsl};
 pub use html::{html, waiting_page};
 pub use json::json;
-pub use media::{Generator, StandIn, add_stand_ins};
+pub use media::{Generator, StandIn, add_stand_ins, is_gray};
 pub use parts::{PartsError, PassFile, PassRole, unknown_pass};
 pub use project::{
     Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, SignalForm, Wrapper,
@@ -57,7 +57,7 @@ pub use project::{
 pub use repair::add_repairs;
 pub use rewrite::{NotSafe, rewrite};
 pub use script::{ScriptModule, module, react, three};
-pub use signature::{kind_of_bytes, kind_of_name, why_not};
+pub use signature::{VolumeHead, kind_of_bytes, kind_of_name, why_not};
 pub use single::ShaderError;
 pub use supply::{Missing, missing};
 #[cfg(feature = "naga")]

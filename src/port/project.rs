@@ -238,6 +238,11 @@ pub struct SamplerSettings {
 }
 
 impl SamplerSettings {
+    /// Whether it reads smaller levels of a texture.
+    pub fn has_mipmaps(&self) -> bool {
+        self.filter == "mipmap"
+    }
+
     /// What most inputs of a kind are set to on the site.
     pub fn usual(kind: InputKind) -> SamplerSettings {
         let (filter, wrap, vflip) = match kind {

@@ -8,9 +8,10 @@ const HEAD: usize = 4096;
 /// The kind of input that a file is, with its media type; `None` for what no browser shows or plays.
 pub fn kind_of_bytes(bytes: &[u8]) -> Option<(InputKind, &'static str)> {
     let head = bytes.get(..HEAD).unwrap_or(bytes);
-    picture(head)
-        .or_else(|| film_or_music(head))
-        .or_else(|| is_volume(bytes).then_some((InputKind::Volume, "application/octet-stream")))
+    picture(head).or_else(|| film_or_music(head)).or_else(|| {
+        let head = VolumeHead::read(bytes);
+        head.map(|_| (InputKind::Volume, "application/octet-stream"))
+    })
 }
 
 /// The media type that the ending of a file's name tells.
@@ -105,21 +106,43 @@ fn brands(head: &[u8]) -> impl Iterator<Item = &[u8]> {
     others.filter(|(i, _)| *i != 1).map(|(_, brand)| brand)
 }
 
-/// Whether it is ShaderToy's volume file: a signature, three sizes, the number of components, a layout,
-/// a format (0 for bytes, 10 for floats), and just as much data as that asks for.
-fn is_volume(bytes: &[u8]) -> bool {
-    let size = |at: usize| {
-        let field: Option<[u8; 4]> = bytes.get(at..at + 4).and_then(|b| b.try_into().ok());
-        field.map_or(0, |f| u64::from(u32::from_le_bytes(f)))
-    };
-    let (components, width) = match bytes.get(16..20) {
-        Some([components @ 1..=4, _, 0, 0]) => (*components, 1),
-        Some([components @ 1..=4, _, 10, 0]) => (*components, 4),
-        _ => return false,
-    };
-    let sizes = [size(4), size(8), size(12), u64::from(components), width];
-    let data = sizes.iter().try_fold(1_u64, |all, n| all.checked_mul(*n));
-    data.is_some_and(|data| data > 0 && data.checked_add(20) == Some(bytes.len() as u64))
+/// How ShaderToy's volume file begins: a signature, three sizes, the number of components, a layout,
+/// and a format (0 for bytes, 10 for floats).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct VolumeHead {
+    /// Width, height and depth.
+    pub size: [u32; 3],
+    /// How many components a texel has, 1 to 4.
+    pub components: usize,
+    /// How many bytes a component has: 1 where it is a byte, 4 where it is a float.
+    pub width: usize,
+}
+
+impl VolumeHead {
+    /// Where the data begin, in bytes.
+    pub const LENGTH: usize = 20;
+
+    /// Reads the head of a file that has just as much data as that asks for.
+    pub fn read(file: &[u8]) -> Option<VolumeHead> {
+        let field = |at: usize| {
+            let four = file.get(at..at + 4)?.try_into().ok()?;
+            Some(u32::from_le_bytes(four))
+        };
+        let (components, width) = match file.get(16..VolumeHead::LENGTH)? {
+            [components @ 1..=4, _, 0, 0] => (usize::from(*components), 1),
+            [components @ 1..=4, _, 10, 0] => (usize::from(*components), 4),
+            _ => return None,
+        };
+        let size = [field(4)?, field(8)?, field(12)?];
+        let mut sides = size.iter().map(|side| *side as usize);
+        let data = sides.try_fold(components * width, usize::checked_mul)?;
+        let is_whole = data > 0 && data.checked_add(VolumeHead::LENGTH) == Some(file.len());
+        is_whole.then_some(VolumeHead {
+            size,
+            components,
+            width,
+        })
+    }
 }
 
 /// What a file that is no media is, as messages go on behind its name.

@@ -1,7 +1,7 @@
 //! The files of the languages that naga writes: of the passes of a project, and of whole shaders of
 //! both stages, whatever their uniforms mean.
 
-use super::build::{Build, BuildError, File, Order, Remark, file, named};
+use super::build::{Build, BuildError, File, NamedPass, Order, Remark, file, named};
 use super::naga::{LowerOptions, Refused, TranslatedShader, lower, translate, write};
 use super::{Composed, Project};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -144,13 +144,19 @@ struct Made {
 
 /// The files of all shaders; none where one is refused.
 fn files(order: Order, all: Vec<Made>) -> Result<Build, BuildError> {
+    let ending = order.target.language().map_or("", |l| l.ending());
     let mut remarks = Vec::new();
     let mut passes = Vec::new();
     let mut interfaces = Vec::new();
     for made in all {
         match made.outcome {
             Ok(Some(done)) => {
-                passes.push((made.title, made.slug, done.text));
+                passes.push(NamedPass {
+                    name: made.title,
+                    slug: made.slug,
+                    ending,
+                    content: done.text,
+                });
                 interfaces.push(done.interface);
             }
             // The compiler's own errors are told anyway.
@@ -162,8 +168,7 @@ fn files(order: Order, all: Vec<Made>) -> Result<Build, BuildError> {
         let files = Vec::new();
         return Ok(Build { files, remarks });
     }
-    let ending = order.target.language().map_or("", |l| l.ending());
-    let mut files = named(order, passes, ending)?;
+    let mut files = named(order, passes)?;
     if order.interface {
         let told = files.iter().zip(&interfaces).map(|(shader, interface)| {
             let mut path = shader.path.clone().into_os_string();

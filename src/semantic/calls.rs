@@ -71,6 +71,19 @@ impl CallGraph {
         reached
     }
 
+    /// Whether each function is one of some, or reaches one by calls, by number.
+    pub fn reaching(&self, is_goal: impl Fn(FunctionRef) -> bool) -> Vec<bool> {
+        let mut reaching = vec![false; self.functions];
+        for function in self.bottom_up() {
+            let reaches = |callee: FunctionRef| reaching.get(callee.0 as usize) == Some(&true);
+            let is_one = is_goal(function) || self.callees(function).any(reaches);
+            if let Some(slot) = reaching.get_mut(function.0 as usize) {
+                *slot = is_one;
+            }
+        }
+        reaching
+    }
+
     /// All functions, each behind those that it calls.
     pub fn bottom_up(&self) -> Vec<FunctionRef> {
         let mut order = Vec::with_capacity(self.functions);

@@ -60,6 +60,16 @@ impl Value {
         }
     }
 
+    /// As a number that holds all that the scalars hold.
+    pub fn as_double(self) -> f64 {
+        match self {
+            Value::Bool(v) => v as u8 as f64,
+            Value::Int(v) => v as f64,
+            Value::Uint(v) => v as f64,
+            Value::Float(v) => v as f64,
+        }
+    }
+
     /// As `float(x)`.
     pub fn as_float(self) -> f32 {
         match self {

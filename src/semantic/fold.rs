@@ -2,6 +2,8 @@
 
 use super::constant::Value;
 use super::types::{Scalar, Type};
+use super::undefined::Undefined;
+use crate::math::{self, of_one, of_two};
 
 /// Computes a built-in function. `args` are the scalars of each argument; `None` where the result is
 /// not known.
@@ -34,20 +36,10 @@ impl Folding {
 
 pub(super) fn arc_tangent(args: &[&[Value]]) -> Option<Vec<Value>> {
     if args.len() == 2 {
-        map2(args, f32::atan2)
+        map2(args, |y, x| of_two(math::atan2, y, x))
     } else {
-        map(args, f32::atan)
+        map(args, |x| of_one(math::atan, x))
     }
-}
-
-pub(super) fn power(args: &[&[Value]]) -> Option<Vec<Value>> {
-    map2(args, |x, y| {
-        if x < 0.0 || (x == 0.0 && y <= 0.0) {
-            0.0
-        } else {
-            x.powf(y)
-        }
-    })
 }
 
 pub(super) fn absolute(args: &[&[Value]]) -> Option<Vec<Value>> {
@@ -66,10 +58,7 @@ pub(super) fn signum(args: &[&[Value]]) -> Option<Vec<Value>> {
 
 pub(super) fn clamp(args: &[&[Value]]) -> Option<Vec<Value>> {
     triple(args, |x, lo, hi| {
-        if less(hi, lo) {
-            // Undefined; the browser gives 0.
-            zero_of(lo)
-        } else if !less(lo, x) {
+        if !less(lo, x) {
             lo
         } else if less(hi, x) {
             hi
@@ -90,10 +79,6 @@ pub(super) fn mix(args: &[&[Value]]) -> Option<Vec<Value>> {
 pub(super) fn smoothstep(args: &[&[Value]]) -> Option<Vec<Value>> {
     triple(args, |e0, e1, x| {
         let (e0, e1, x) = (e0.as_float(), e1.as_float(), x.as_float());
-        if e0 >= e1 {
-            // Undefined; the browser gives 0.
-            return Value::Float(0.0);
-        }
         let t = ((x - e0) / (e1 - e0)).clamp(0.0, 1.0);
         // What is no number counts as 0.
         let t = if t.is_nan() { 0.0 } else { t };
@@ -139,6 +124,16 @@ fn zero_of(like: Value) -> Value {
         Value::Int(_) => Value::Int(0),
         Value::Uint(_) => Value::Uint(0),
         _ => Value::Float(0.0),
+    }
+}
+
+/// Makes 0 of the components that are undefined.
+pub(super) fn set_undefined_to_zero(made: &mut [Value], undefined: Undefined, args: &[&[Value]]) {
+    for (i, value) in made.iter_mut().enumerate() {
+        let operand = |number: usize| Some(at(args.get(number)?, i)?.as_double());
+        if undefined.holds(operand) {
+            *value = zero_of(*value);
+        }
     }
 }
 
@@ -264,36 +259,6 @@ pub(super) fn snorm_bits(x: f32) -> u16 {
     ((x.clamp(-1.0, 1.0) * 32767.0).round() as i16) as u16
 }
 
-/// The 16 bits that are nearest to a number.
-pub(crate) fn half_bits(x: f32) -> u16 {
-    let sign = if x.is_sign_negative() { 0x8000 } else { 0 };
-    let bits = x.abs().to_bits();
-    sign | if x.is_nan() {
-        0x7fff
-    } else if bits >= 0x4780_0000 {
-        0x7c00
-    } else if bits >= 0x3880_0000 {
-        // Rounded to even, with the exponent counted from another zero.
-        let odd = bits >> 13 & 1;
-        ((bits - 0x3800_0000 + 0xfff + odd) >> 13) as u16
-    } else {
-        // Too small for a leading one: counted in steps of 2^-24.
-        (x.abs() * 16_777_216.0).round_ties_even() as u16
-    }
-}
-
-/// The number that 16 bits stand for.
-pub(crate) fn half_value(bits: u16) -> f32 {
-    let (exponent, rest) = (bits >> 10 & 0x1f, (bits & 0x3ff) as f32);
-    let size = match exponent {
-        0 => rest / 16_777_216.0,
-        31 if rest == 0.0 => f32::INFINITY,
-        31 => f32::NAN,
-        e => (1.0 + rest / 1024.0) * 2f32.powi(e as i32 - 15),
-    };
-    if bits & 0x8000 != 0 { -size } else { size }
-}
-
 /// A square matrix as columns.
 pub(super) fn square(arg: &[Value]) -> Option<Vec<Vec<f32>>> {
     let n = match arg.len() {
@@ -362,6 +327,7 @@ pub(super) fn inverse(args: &[&[Value]]) -> Option<Vec<Value>> {
 mod tests {
     use super::*;
     use crate::semantic::BuiltinId::{self, *};
+    use std::f32::consts::PI;
 
     #[track_caller]
     fn check(id: BuiltinId, args: &[&[f32]], expected: &[f32]) {
@@ -371,7 +337,7 @@ mod tests {
             .collect();
         let args: Vec<&[Value]> = args.iter().map(Vec::as_slice).collect();
         let ty = Type::matrix(2, args[0].len() as u8 / 2);
-        let found = id.folding().fold(ty, &args).unwrap();
+        let found = id.fold(ty, &args).unwrap();
         let found: Vec<f32> = found.iter().map(|v| v.as_float()).collect();
         assert!(
             found
@@ -394,6 +360,11 @@ mod tests {
             &[0.0, 0.0, 1.0],
         );
         check(Length, &[&[3.0, 4.0]], &[5.0]);
+        check(Sqrt, &[&[4.0, -4.0]], &[2.0, 0.0]);
+        check(Pow, &[&[-2.0, 2.0, 0.0], &[2.0]], &[0.0, 4.0, 0.0]);
+        check(Clamp, &[&[5.0, 5.0], &[2.0, 1.0], &[1.0, 2.0]], &[0.0, 2.0]);
+        check(Smoothstep, &[&[1.0, 0.0], &[1.0], &[2.0]], &[0.0, 1.0]);
+        check(Atan, &[&[-0.0, 1.0], &[-0.0, 1.0]], &[0.0, PI / 4.0]);
         check(Determinant, &[&[1.0, 2.0, 3.0, 4.0]], &[-2.0]);
         check(Inverse, &[&[2.0, 0.0, 0.0, 4.0]], &[0.5, 0.0, 0.0, 0.25]);
         check(Transpose, &[&[1.0, 2.0, 3.0, 4.0]], &[1.0, 3.0, 2.0, 4.0]);
@@ -413,18 +384,5 @@ mod tests {
         check(Smoothstep, &[&[0.0], &[1.0], &[f32::NAN]], &[0.0]);
         assert_eq!(Value::Float(f32::NAN).as_int(), i32::MIN);
         assert_eq!(Value::Float(1e20).as_int(), i32::MIN);
-    }
-
-    #[test]
-    fn halves_are_packed_as_ieee_754_says() {
-        for (number, bits) in [
-            (1.0, 0x3c00),
-            (-2.5, 0xc100),
-            (65504.0, 0x7bff),
-            (5.960_464_5e-8, 1),
-            (f32::INFINITY, 0x7c00),
-        ] {
-            assert_eq!((half_bits(number), half_value(bits)), (bits, number));
-        }
     }
 }

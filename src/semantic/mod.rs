@@ -28,6 +28,7 @@ mod target;
 pub mod tunable;
 mod types;
 mod typing;
+mod undefined;
 mod unit;
 
 pub use builtins::{BuiltinId, Stage};
@@ -38,7 +39,6 @@ pub use constant::{Constant, Pool, Value};
 pub use dialect::{
     Channels, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
 };
-pub(crate) use fold::{half_bits, half_value};
 pub use host::{EntryPoint, EntryResult, Host, channel, starts_a_shader};
 pub use mentions::Mentions;
 pub use part::{Open, Wholeness};
@@ -50,6 +50,7 @@ pub use reach::Reachability;
 pub use structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
 pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type};
+pub use undefined::{ComparedWith, Comparing, OperandTest, Undefined};
 #[cfg(test)]
 pub(crate) use unit::analyze_fragment;
 pub use unit::{Checked, Unit, analyze, analyze_alone, analyze_part};

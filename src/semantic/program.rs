@@ -119,6 +119,14 @@ pub struct Function {
     pub definition: Option<FunctionId>,
 }
 
+impl Function {
+    /// Whether it is a test, as `shaderlint test` runs them: `bool test_*()`.
+    pub fn is_test(&self, names: &Names) -> bool {
+        let is_called_so = names.text(self.name).starts_with("test_");
+        is_called_so && self.params.is_empty() && self.returns == Type::BOOL
+    }
+}
+
 /// A call of one of the shader's functions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Call {

@@ -1,7 +1,7 @@
 //! Between the corrections that the syntax allows, the one that means something: the shader is
 //! checked with each of them, and the one that leaves the fewest errors is taken.
 
-use super::checker::Parsed;
+use super::checker::{Advice, Parsed};
 use super::program::Program;
 use super::unit::{Unit, judge};
 use crate::diagnostic::Diagnostic;
@@ -38,29 +38,29 @@ impl Corrected {
         let mut looks = MAX_LOOKS.min(MAX_TOKENS / self.original.len().max(1));
         let mut made = vec![Some(0); mistakes];
         let mut fewest = found.1.len();
+        let mut is_tried = false;
         for (i, choice) in self.choices.iter().enumerate() {
             let mut best = Some(0);
-            let mut last = best;
             let others = (1..choice.len()).map(Some).chain([None]);
             for other in others {
                 if fewest <= mistakes || looks == 0 {
                     break;
                 }
                 looks -= 1;
-                last = other;
+                is_tried = true;
                 set(&mut made, i, other);
-                found = self.look(found.0, &made, unit);
+                found = self.look(found.0, &made, unit, Advice::LeftOut);
                 if found.1.len() < fewest {
                     fewest = found.1.len();
                     best = other;
                 }
             }
-            if last != best {
-                set(&mut made, i, best);
-                found = self.look(found.0, &made, unit);
-            }
+            set(&mut made, i, best);
         }
-        found
+        match is_tried {
+            true => self.look(found.0, &made, unit, Advice::Given),
+            false => found,
+        }
     }
 
     /// Reads and checks the shader again with other corrections.
@@ -69,6 +69,7 @@ impl Corrected {
         program: Program,
         made: &[Option<usize>],
         unit: &Unit,
+        advice: Advice,
     ) -> (Program, Vec<Diagnostic>) {
         let corrections: Vec<&Correction> = self
             .choices
@@ -77,6 +78,7 @@ impl Corrected {
             .filter_map(|(choice, made)| choice.get((*made)?))
             .collect();
         let mut parsed = program.into_parsed();
+        parsed.advice = advice;
         parsed.tokens.tokens = self.original.clone();
         let parse = parse_corrected(
             &parsed.sources,

@@ -3,7 +3,7 @@
 use super::blame::{attribute, gather};
 use super::builtins::Stage;
 use super::channels::needed_channels;
-use super::checker::{Parsed, check};
+use super::checker::{Advice, Parsed, check};
 use super::dialect::Dialect;
 use super::part::{Open, Wholeness, keep_certain};
 use super::program::Program;
@@ -184,6 +184,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
         tree: parse.tree,
         version,
         has_errors,
+        advice: Advice::Given,
     };
     let corrected = Corrected {
         options: language,
@@ -303,6 +304,7 @@ impl Program {
             tree: self.tree,
             version: self.version,
             has_errors: self.had_errors,
+            advice: Advice::Given,
         }
     }
 }

@@ -2,6 +2,10 @@
 // to the bit, and the built-in functions of random numbers, within what the conformance suite allows.
 //
 //   node drawn.js [COUNT] [SEED]   draws COUNT programs from SEED on, and prints those that differ
+//
+// Where SwiftShader knows the value of a vector before it runs, it computes some functions of it wrongly: with
+// `bvec3 b = bvec3(false);`, `not(b)` is false, and `uvec2(1u) / (u | 1u)` is 0 of a `u` of zeros. A program
+// that differs is drawn again with such values hidden from it; where it agrees then, the mistake is not ours.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
@@ -116,6 +120,29 @@ async function otherwise(context, programs, size) {
   return wrong;
 }
 
+/**
+ * The same program, in which variables may be something else for all that the compiler knows.
+ * @param {Program} program
+ */
+function hidden(program) {
+  const never = `if (seeds.x == ${program.seeds[0] ^ 1})`;
+  const declared = /^(const )?(bool|u?int|float|[biu]?vec[234])(?:\[(\d+)\])? (\w+) = .*;$/;
+  const globals = [];
+  let isInside = false;
+  const lines = program.source.split('\n').map((line) => {
+    if (/^\w.*\) \{$/.test(line) && !/^(if|for|while|switch)\b/.test(line)) isInside = true;
+    const [, constant, type, array, name] = line.match(declared) ?? [];
+    if (constant || !name) return line;
+    const elements = Array(Number(array ?? 1)).fill(`${type}(1)`);
+    const change = `${never} ${name} = ${array ? `${type}[](${elements.join()})` : elements[0]};`;
+    if (isInside) return `${line} ${change}`;
+    globals.push(change);
+    return line;
+  });
+  const source = lines.join('\n').replace(/^void main\(\) \{$/m, `$&\n${globals.join('\n')}`);
+  return { ...program, source };
+}
+
 async function agree(context, programs, size) {
   const wrong = await otherwise(context, programs, size);
   assert.deepEqual(wrong.map((p) => `${p.id}: ${p.what}`), []);
@@ -132,9 +159,12 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const running = await launch();
   const context = await running.browser.newContext();
   const [count, seed] = process.argv.slice(2).map(Number);
-  const wrong = await otherwise(context, programs(count || 1000, seed || 1), 8);
+  const differing = await otherwise(context, programs(count || 1000, seed || 1), 8);
+  const wrong = await otherwise(context, differing.map(hidden), 8);
+  for (const { id } of differing) if (!wrong.some((w) => w.id === id)) console.log(`seed ${id}: known values`);
   for (const { id, what, source } of wrong) console.log(`--- seed ${id}: ${what}\n${source}`);
-  console.log(`${count || 1000} programs, ${wrong.length} drawn otherwise`);
+  const known = differing.length - wrong.length;
+  console.log(`${count || 1000} programs, ${wrong.length} drawn otherwise, and ${known} where values are known before`);
   await running.kill();
   process.exit(wrong.length ? 1 : 0);
 }

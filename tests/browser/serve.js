@@ -23,7 +23,11 @@ async function serve(...args) {
     });
     server.on('exit', () => reject(new Error(`it ended: ${said}`)));
   });
-  return { address, end: () => server.kill(), said: () => said };
+  const end = () => {
+    server.kill();
+    return new Promise((resolve) => server.once('exit', resolve));
+  };
+  return { address, end, said: () => said };
 }
 
 /** Waits until the first pixel has this red. */
@@ -166,7 +170,8 @@ async function growingFolder(context) {
 
 async function serverComesBack(context) {
   const file = put('again.glsl', shader('1.0'));
-  const first = await serve(file);
+  // None of those that the system hands out: another connection could get it in between.
+  const first = await serve(file, `--serve=${20000 + (process.pid % 10000)}`);
   const { port } = new URL(first.address);
   const page = await visit(context, first.address);
   await redBecomes(page, 255);
@@ -175,7 +180,7 @@ async function serverComesBack(context) {
   await page.fill('input[aria-label="SPEED, number"]', '2.5');
   await page.press('input[aria-label="SPEED, number"]', 'Enter');
   await page.evaluate(() => globalThis.shaderport.seek(7.5));
-  first.end();
+  await first.end();
   fs.writeFileSync(file, shader('0.0'));
   const second = await serve(file, `--serve=${port}`);
   try {

@@ -18,6 +18,16 @@ fn safe_fixes_are_written_until_nothing_is_left() {
 }
 
 #[test]
+fn how_a_fix_is_known_to_keep_the_picture_is_told_on_demand() {
+    let code = "void mainImage(out vec4 c, in vec2 p) {\n    vec3 v = vec3(p, iTime);\n    v = v;\n    c = vec4(v, 1.0);\n}\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    let ran = scratch.run(&["-v", "--fix", "a.glsl"]);
+    let told = "shaderlint: a.glsl: fixed: 1 by the same bits wherever it was looked\n";
+    assert!(ran.err.starts_with(told), "{}", ran.err);
+    assert_eq!(scratch.read("a.glsl"), code.replace("    v = v;\n", ""));
+}
+
+#[test]
 fn one_fix_opens_the_way_for_the_next() {
     // The error hides what the rules say of the shader that compiles.
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = 1;\n    float unused = a;\n    c = vec4(p, a, 1.0);\n}\n";

@@ -15,3 +15,5 @@ mod run;
 mod saying;
 mod scratch;
 mod suppressions;
+mod testing;
+mod trials;

@@ -156,7 +156,7 @@ fn a_variable_of_a_line_is_shown() {
 #[test]
 fn heat_maps_have_a_legend_below() {
     let scratch = Scratch::new(&[("m.glsl", MARCH)]);
-    for heat in ["steps", "cost", "nan"] {
+    for heat in ["steps", "cost", "overdraw", "nan"] {
         let name = format!("{heat}.png");
         let ran = scratch.run(&[
             "run",
@@ -174,6 +174,39 @@ fn heat_maps_have_a_legend_below() {
     }
     let (_, _, steps) = pixels(&scratch, "steps.png");
     assert_ne!(steps[0], steps[20]);
+    let (_, _, waiting) = pixels(&scratch, "overdraw.png");
+    // The first pixels of a group leave the march before the others; further on all take eight turns.
+    assert_ne!(waiting[0], waiting[7]);
+    assert_eq!(waiting[7], waiting[64]);
+}
+
+#[test]
+fn the_cost_is_told_by_function() {
+    let shader = "float square(float x) { return x * x; }
+float twice(float x) { return square(x) + square(x + 1.0); }
+void mainImage(out vec4 color, in vec2 place) {
+    color = vec4(twice(place.x) + square(place.y));
+}
+";
+    let scratch = Scratch::new(&[("f.glsl", shader)]);
+    let args = ["run", "f.glsl", "--size", "8x4", "--report"];
+    let ran = scratch.run(&[&args[..], &["--format", "json"]].concat());
+    let told: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let all = told["functions"].as_array().unwrap();
+    let row = |name: &str| all.iter().find(|f| f["name"] == name).unwrap();
+    assert_eq!(row("twice")["at"], "f.glsl:2:7");
+    let count = |name: &str| row(name)["own_operations"].as_u64().unwrap();
+    let sum: u64 = all
+        .iter()
+        .map(|f| f["own_operations"].as_u64().unwrap())
+        .sum();
+    assert_eq!(told["cost"]["operations"], sum);
+    let with = count("twice") + count("square") / 3 * 2;
+    let share = row("twice")["with_callees"].as_f64().unwrap();
+    assert!((share - with as f64 / sum as f64).abs() < 1e-12, "{share}");
+    let text = scratch.run(&args).out;
+    let line = text.lines().find(|l| l.contains("square")).unwrap();
+    assert!(line.contains("f.glsl:1:7"), "{text}");
 }
 
 #[test]
@@ -314,4 +347,76 @@ fn projects_are_run_with_all_their_passes() {
         "{}",
         ran.err
     );
+}
+
+/// Four colours, the red one in the upper left corner.
+const COLORS: [[u8; 3]; 4] = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 0]];
+
+/// A PNG file of two by two pixels.
+fn colors() -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 2, 2);
+    encoder.set_color(png::ColorType::Rgb);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(COLORS.as_flattened()).unwrap();
+    writer.finish().unwrap();
+    file
+}
+
+/// Pictures given with `--channel`, by `channels.toml` and in an export lie on their channels as in
+/// the page; what is no picture is said to be none.
+#[test]
+fn pictures_lie_on_channels() {
+    let show = "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }";
+    let scratch = Scratch::new(&[("show.glsl", show)]);
+    scratch.write("colors.png", colors());
+    scratch.write("half.png", &colors()[..40]);
+    scratch.write("sound.wav", b"RIFF\x04\0\0\0WAVEfmt ");
+    let draw = |more: &[&str]| {
+        let args = ["--size", "2x2", "--force", "-o", "drawn.png"];
+        let ran = scratch.run(&[&["run"], more, &args].concat());
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        (pixels(&scratch, "drawn.png").2, ran.out + &ran.err)
+    };
+    let turned = [COLORS[2], COLORS[3], COLORS[0], COLORS[1]];
+    assert_eq!(draw(&["show.glsl", "--channel", "0=colors.png"]).0, COLORS);
+    let noflip = "0=colors.png,nearest,clamp,noflip";
+    assert_eq!(draw(&["show.glsl", "--channel", noflip]).0, turned);
+    let (drawn, said) = draw(&["show.glsl", "--channel", "0=half.png"]);
+    assert_eq!(drawn, [[0; 3]; 4]);
+    assert!(
+        said.contains("channel 0 is not read, so nothing is on it"),
+        "{said}"
+    );
+    let (_, said) = draw(&["show.glsl", "--channel", "0=sound.wav"]);
+    assert!(
+        said.contains("a made-up spectrum and wave stand for it"),
+        "{said}"
+    );
+    let ran = scratch.run(&[
+        "run",
+        "show.glsl",
+        "--channel",
+        "0=color.png",
+        "-o",
+        "x.png",
+    ]);
+    assert_eq!((ran.code, scratch.path("x.png").exists()), (2, false));
+    assert!(
+        ran.err.contains("there is no file `color.png`"),
+        "{}",
+        ran.err
+    );
+    scratch.write("channels.toml", "0 = \"colors.png,nearest\"\n");
+    assert_eq!(draw(&["show.glsl"]).0, COLORS);
+    // What `shaderport` carries in an export is drawn of it.
+    let mut port = std::process::Command::new(insta_cmd::get_cargo_bin("shaderport"));
+    port.current_dir(scratch.path("."));
+    let made = port
+        .args(["show.glsl", "-o", "project.json"])
+        .output()
+        .unwrap();
+    assert!(made.status.success());
+    std::fs::remove_file(scratch.path("channels.toml")).unwrap();
+    assert_eq!(draw(&["project.json"]).0, COLORS);
 }

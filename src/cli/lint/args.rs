@@ -60,6 +60,17 @@ pub struct LintArgs {
     )]
     #[arg(hide_possible_values = true)]
     pub dialect: DialectChoice,
+    /// Run no shader: find what the text tells alone
+    #[arg(long, help_heading = "Rules")]
+    pub no_run: bool,
+    /// Run N pixels of each shader, whatever that takes, in place of up to 9216
+    #[arg(
+        long,
+        value_name = "N",
+        conflicts_with = "no_run",
+        help_heading = "Rules"
+    )]
+    pub run_samples: Option<u32>,
     /// The configuration, in place of the nearest shaderlint.toml above each file
     #[arg(
         long,
@@ -165,6 +176,8 @@ pub enum Command {
     },
     /// Draw a shader without a GPU, and say what was seen
     Run(Box<super::super::run::RunArgs>),
+    /// Run the tests that are written in GLSL, and compare pictures with those that were blessed
+    Test(Box<super::super::test::TestArgs>),
     /// Make a shader small while what is reported of it stays
     Reduce(super::reduce::ReduceArgs),
     /// Print what a shader becomes before it is looked at
@@ -307,6 +320,7 @@ impl LintArgs {
                 select: self.select.clone(),
                 ignore: self.ignore.clone(),
                 only: self.only.clone(),
+                run_samples: self.run_samples.or(self.no_run.then_some(0)),
             },
             source: match &self.config {
                 Some(file) => Source::File(file.clone()),

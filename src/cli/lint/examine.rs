@@ -1,23 +1,22 @@
 //! Checking inputs, several at a time.
 
-use super::super::STACK;
 use super::super::config::Configs;
 use super::super::disk::Disk;
 use super::super::input::{InputFile, read};
-use super::mend::{Mend, Mended};
+use super::super::parallel::in_order;
+use super::mend::{Mend, Mended, Mending};
 use crate::engine::{Offer, Options, Report, Unread, check_content, offer};
 use crate::text::{Content, Encoding};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, mpsc};
+use std::sync::Arc;
 
 /// What became of one input.
 pub enum Outcome {
     /// What is found after what was mended, and what can be mended.
-    Checked(Box<Report>, Option<Mended>, Offer),
+    Checked(Box<Report>, Mending, Offer),
     /// It is nothing that is read, for this reason; standard input is handed on as it is.
     Skipped(String, Option<Mended>),
     /// It cannot be judged, for this reason.
@@ -48,51 +47,10 @@ pub fn examine_all(
         disk: Disk::new(),
         work,
     };
-    let threads = match inputs.len() {
-        0 | 1 => 1,
-        count => std::thread::available_parallelism()
-            .map_or(1, usize::from)
-            .min(count),
-    };
-    if threads <= 1 {
-        for input in inputs {
-            print(input, examine(input, run))?;
-        }
-        return Ok(());
-    }
-    let next = AtomicUsize::new(0);
-    let (sender, receiver) = mpsc::sync_channel(threads * 4);
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            let (next, sender) = (&next, sender.clone());
-            let work = move || {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(input) = inputs.get(index) else {
-                        return;
-                    };
-                    let outcome = examine(input, run);
-                    if sender.send((index, outcome)).is_err() {
-                        return;
-                    }
-                }
-            };
-            let builder = std::thread::Builder::new().stack_size(STACK);
-            builder.spawn_scoped(scope, work)?;
-        }
-        drop(sender);
-        let mut waiting = BTreeMap::new();
-        let mut due = 0;
-        for (index, outcome) in receiver {
-            waiting.insert(index, outcome);
-            while let Some(outcome) = waiting.remove(&due) {
-                if let Some(input) = inputs.get(due) {
-                    print(input, outcome)?;
-                }
-                due += 1;
-            }
-        }
-        Ok(())
+    let work = |index: usize| inputs.get(index).map(|input| (input, examine(input, run)));
+    in_order(inputs.len(), &work, &mut |done| match done {
+        Some((input, outcome)) => print(input, outcome),
+        None => Ok(()),
     })
 }
 
@@ -121,14 +79,14 @@ fn examine(input: &InputFile, run: &Run) -> Outcome {
     };
     // A fault of this program costs one file its answer, never the others theirs.
     let judged = catch_unwind(AssertUnwindSafe(|| judge(input, content, &options, run)));
-    let Ok((report, mended, offer)) = judged else {
+    let Ok((report, mending, offer)) = judged else {
         return Outcome::Failed("shaderlint itself failed on this file; please report it".into());
     };
     match report.unread {
-        None => Outcome::Checked(Box::new(report), mended, offer),
-        Some(Unread::Skipped(decision)) => Outcome::Skipped(decision.to_string(), mended),
+        None => Outcome::Checked(Box::new(report), mending, offer),
+        Some(Unread::Skipped(decision)) => Outcome::Skipped(decision.to_string(), mending.mended),
         Some(Unread::Export(error)) if !input.is_explicit => {
-            Outcome::Skipped(error.to_string(), mended)
+            Outcome::Skipped(error.to_string(), mending.mended)
         }
         Some(error @ (Unread::Export(_) | Unread::TooLarge)) => Outcome::Failed(error.to_string()),
     }
@@ -140,20 +98,21 @@ fn judge(
     mut content: Content,
     options: &Options,
     run: &Run,
-) -> (Report, Option<Mended>, Offer) {
+) -> (Report, Mending, Offer) {
     let (name, disk) = (&input.name, &run.disk);
-    let (text, mended) = match run.work.mend {
+    let (text, mending) = match run.work.mend {
         Some(mend) => mend.apply(input, &content, options, disk),
-        None => (None, None),
+        None => (None, Mending::default()),
     };
     if let Some(text) = text {
         content = Content::utf8(&text);
     }
-    let report = check_content(name, &content, options, disk);
+    let mut report = check_content(name, &content, options, disk);
+    report.leave_alone(&mending.left);
     let is_written = content.encoding == Encoding::Utf8 && report.unread.is_none();
     let offer = match run.work.counts_fixes && is_written {
         true => offer(name, &content.text, options, disk, &report),
         false => Offer::default(),
     };
-    (report, mended, offer)
+    (report, mending, offer)
 }

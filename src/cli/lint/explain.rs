@@ -1,4 +1,5 @@
-//! `explain`, `rules`, `completions`, `man`, `schema`; `run`, `reduce` and `ir` have files of their own.
+//! `explain`, `rules`, `completions`, `man`, `schema`; `run`, `test`, `reduce` and `ir` have files of
+//! their own.
 
 use super::super::{CLEAN, FAILED};
 use super::args::{Command, LintArgs, ListFormat};
@@ -19,6 +20,7 @@ pub fn run(command: &Command) -> io::Result<u8> {
     match command {
         Command::Explain { name } => return explain(name),
         Command::Run(args) => return super::super::run::run(args),
+        Command::Test(args) => return super::super::test::run(args),
         Command::Reduce(args) => return super::reduce::run(args),
         Command::Ir { file } => return super::middle::run(file),
         Command::Rules { format } => match format {

@@ -3,9 +3,10 @@
 use super::super::input::InputFile;
 use super::super::output::{diff, replace};
 use super::args::LintArgs;
+use crate::diagnostic::Diagnostic;
 use crate::engine::{Files, Options, mend};
-use crate::lint::Allow;
-use crate::text::{Content, Encoding};
+use crate::lint::{Allow, Proof};
+use crate::text::{Content, Encoding, Span};
 
 /// What is done with fixes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -18,6 +19,27 @@ pub struct Mend {
 enum Into {
     Files,
     Diff,
+}
+
+/// What became of the fixes of one input.
+#[derive(Default)]
+pub struct Mending {
+    /// What was done with them.
+    pub mended: Option<Mended>,
+    /// By finding that was fixed: what is known of the picture.
+    pub proofs: Vec<Proof>,
+    /// The findings whose fixes would change the picture, with their places in the text that is
+    /// checked next.
+    pub left: Vec<Diagnostic>,
+}
+
+impl Mending {
+    fn of(mended: Option<Mended>) -> Mending {
+        Mending {
+            mended,
+            ..Mending::default()
+        }
+    }
 }
 
 /// What was done with the fixes of one input.
@@ -61,36 +83,53 @@ impl Mend {
         content: &Content,
         options: &Options,
         files: &dyn Files,
-    ) -> (Option<String>, Option<Mended>) {
+    ) -> (Option<String>, Mending) {
         let is_stdin = input.path.is_none();
         let unchanged = || {
             let passes_through = is_stdin && self.into == Into::Files;
             passes_through.then(|| Mended::Text(content.text.clone()))
         };
         if content.encoding != Encoding::Utf8 {
-            return (None, unchanged());
+            return (None, Mending::of(unchanged()));
         }
         let fixed = mend(&input.name, &content.text, options, files, self.allow);
-        if fixed.applied.is_empty() || fixed.text == content.text {
-            return (None, unchanged());
-        }
-        match (self.into, &input.path) {
+        let is_same = fixed.applied.is_empty() || fixed.text == content.text;
+        let (text, mended) = match (self.into, &input.path) {
+            _ if is_same => (None, unchanged()),
             (Into::Diff, _) => {
                 let diff = diff(&input.name, &content.text, &fixed.text);
                 (None, Some(Mended::Text(diff)))
             }
-            (Into::Files, None) => (Some(fixed.text.clone()), Some(Mended::Text(fixed.text))),
+            (Into::Files, None) => {
+                let text = fixed.text.clone();
+                (Some(text.clone()), Some(Mended::Text(text)))
+            }
             (Into::Files, Some(path)) => {
                 match replace(path, content.text.as_bytes(), fixed.text.as_bytes()) {
-                    Ok(()) => (Some(fixed.text), Some(Mended::Written(fixed.applied.len()))),
-                    Err(error) => (
-                        None,
-                        Some(Mended::Refused(format!(
-                            "the fixes cannot be written: {error}"
-                        ))),
-                    ),
+                    Ok(()) => {
+                        let count = fixed.applied.len();
+                        (Some(fixed.text.clone()), Some(Mended::Written(count)))
+                    }
+                    Err(error) => {
+                        let why = format!("the fixes cannot be written: {error}");
+                        (None, Some(Mended::Refused(why)))
+                    }
                 }
             }
-        }
+        };
+        let place = |found: &Diagnostic| match text {
+            Some(_) => found.span,
+            None => Span::new(fixed.origin(found.span.start), fixed.origin(found.span.end)),
+        };
+        let left = fixed.left.iter().map(|found| Diagnostic {
+            span: place(found),
+            ..found.clone()
+        });
+        let mending = Mending {
+            mended,
+            left: left.collect(),
+            proofs: fixed.proofs,
+        };
+        (text, mending)
     }
 }

@@ -17,13 +17,13 @@ use super::input::{InputFile, collect};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::engine::{Offer, Report, Shader, Wholeness};
-use crate::lint::Unrun;
+use crate::lint::{Proof, Unrun};
 use crate::report::{Format, Reporter, Scope, Summary};
 use args::Talk;
 use baseline::Baseline;
 use examine::{ExtraWork, Outcome, examine_all};
 use mend::{Mend, Mended};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::sync::Arc;
@@ -109,6 +109,7 @@ fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result
         configs,
         baseline,
         told: Vec::new(),
+        left: BTreeMap::new(),
         said: HashSet::new(),
         all_well: true,
     };
@@ -118,12 +119,16 @@ fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result
     };
     // All is mended before anything is said: files include each other.
     if let Some(mend) = mend.filter(|m| m.writes() && !prints_text) {
-        let (fixed, refused) = mend_all(inputs, configs, mend)?;
-        printer.reporter.add_fixed(fixed);
-        for message in refused {
+        let all = mend_all(inputs, configs, mend)?;
+        printer.reporter.add_fixed(all.fixed);
+        for (name, proofs) in &all.proofs {
+            printer.proofs(name, proofs)?;
+        }
+        for message in all.refused {
             printer.tell(&message)?;
             printer.all_well = false;
         }
+        printer.left = all.left;
         work.mend = None;
     }
     examine_all(inputs, configs, work, &mut |input, outcome| {
@@ -172,6 +177,8 @@ struct Printer<'a> {
     baseline: Option<Baseline>,
     /// Mistakes in configurations that were told.
     told: Vec<Arc<str>>,
+    /// By input: the findings whose fixes were left alone.
+    left: BTreeMap<String, Vec<Diagnostic>>,
     /// The findings that were printed: a file may be included by many.
     said: HashSet<Said>,
     /// Whether all could be read and written.
@@ -180,8 +187,8 @@ struct Printer<'a> {
 
 impl Printer<'_> {
     fn outcome(&mut self, input: &InputFile, outcome: Outcome) -> io::Result<()> {
-        let (report, mended, offer) = match outcome {
-            Outcome::Checked(report, mended, offer) => (report, mended, offer),
+        let (report, mending, offer) = match outcome {
+            Outcome::Checked(report, mending, offer) => (report, mending, offer),
             Outcome::Skipped(reason, mended) => {
                 let is_told = input.is_explicit && self.talk >= Talk::Normal;
                 if is_told || self.talk == Talk::Verbose {
@@ -207,7 +214,8 @@ impl Printer<'_> {
         if self.talk == Talk::Verbose {
             self.tell(&verbose::read(input, &report, self.configs))?;
         }
-        if let Some(mended) = mended {
+        self.proofs(&input.name, &mending.proofs)?;
+        if let Some(mended) = mending.mended {
             self.mended(input, mended)?;
         }
         self.report(input, *report, offer)
@@ -220,6 +228,14 @@ impl Printer<'_> {
             complain(message);
         }
         Ok(())
+    }
+
+    /// Says how it is known that what was fixed keeps the picture.
+    fn proofs(&mut self, name: &str, proofs: &[Proof]) -> io::Result<()> {
+        match verbose::proofs(proofs) {
+            Some(said) if self.talk == Talk::Verbose => self.tell(&format!("{name}: {said}")),
+            _ => Ok(()),
+        }
     }
 
     fn mended(&mut self, input: &InputFile, mended: Mended) -> io::Result<()> {
@@ -242,6 +258,10 @@ impl Printer<'_> {
         mut report: Report,
         mut offer: Offer,
     ) -> io::Result<()> {
+        if let Some(left) = self.left.get(&input.name) {
+            report.leave_alone(left);
+            offer = Offer::of(&report);
+        }
         let options = self.configs.options(Path::new(&input.name)).ok();
         let settings = options.as_ref().map(|o| &o.settings);
         let found = &mut report.diagnostics;
@@ -304,39 +324,51 @@ fn scope_of(shaders: &[Shader]) -> Scope {
     scope
 }
 
-/// Mends all inputs that are files. Gives how many findings are fixed, and what could not be written.
-fn mend_all(
-    inputs: &[InputFile],
-    configs: &Configs,
-    mend: Mend,
-) -> io::Result<(usize, Vec<String>)> {
+/// What became of the fixes of all inputs.
+#[derive(Default)]
+struct AllMended {
+    /// How many findings are fixed.
+    fixed: usize,
+    /// What could not be written.
+    refused: Vec<String>,
+    /// By input: what is known of the pictures.
+    proofs: BTreeMap<String, Vec<Proof>>,
+    /// By input: the findings whose fixes were left alone.
+    left: BTreeMap<String, Vec<Diagnostic>>,
+}
+
+/// Mends all inputs that are files.
+fn mend_all(inputs: &[InputFile], configs: &Configs, mend: Mend) -> io::Result<AllMended> {
     /// A file that is mended may let more be mended in those that include it.
     const ROUNDS: usize = 3;
-    let mut fixed = 0;
-    let mut refused = Vec::new();
+    let mut all = AllMended::default();
     for round in 0..ROUNDS {
-        let before = fixed;
+        let before = all.fixed;
         let work = ExtraWork {
             mend: Some(mend),
             ..ExtraWork::default()
         };
         let mut includes = false;
         examine_all(inputs, configs, work, &mut |input, outcome| {
-            if let Outcome::Checked(report, mended, _) = outcome {
+            if let Outcome::Checked(report, mending, _) = outcome {
                 includes |= report.includes();
-                match mended {
-                    Some(Mended::Written(count)) => fixed += count,
+                let proofs = all.proofs.entry(input.name.clone()).or_default();
+                proofs.extend(mending.proofs);
+                all.left.insert(input.name.clone(), mending.left);
+                match mending.mended {
+                    Some(Mended::Written(count)) => all.fixed += count,
                     Some(Mended::Refused(message)) if round == 0 => {
-                        refused.push(format!("{}: {message}", input.name));
+                        all.refused.push(format!("{}: {message}", input.name));
                     }
                     _ => {}
                 }
             }
             Ok(())
         })?;
-        if fixed == before || !includes {
+        if all.fixed == before || !includes {
             break;
         }
     }
-    Ok((fixed, refused))
+    all.left.retain(|_, left| !left.is_empty());
+    Ok(all)
 }

@@ -4,7 +4,7 @@ use super::super::config::Configs;
 use super::super::input::{InputFile, PassedOver};
 use super::complain;
 use crate::engine::{Report, Shader, Wholeness};
-use crate::lint::Unrun;
+use crate::lint::{Proof, Unrun};
 use crate::semantic::Stage;
 use std::path::Path;
 
@@ -91,6 +91,19 @@ fn completed(shader: &Shader) -> String {
         }
     }
     told
+}
+
+/// How it is known that what was fixed keeps the picture; nothing where nothing was fixed.
+pub fn proofs(proofs: &[Proof]) -> Option<String> {
+    let ways = [
+        (Proof::SameCode, "by the same code"),
+        (Proof::SameBits, "by the same bits wherever it was looked"),
+        (Proof::Unknown, "not drawn to be compared"),
+    ];
+    let counts = ways.map(|(way, words)| (proofs.iter().filter(|p| **p == way).count(), words));
+    let told = counts.iter().filter(|(count, _)| *count > 0);
+    let told = told.map(|(count, words)| format!("{count} {words}"));
+    (!proofs.is_empty()).then(|| format!("fixed: {}", told.collect::<Vec<_>>().join(", ")))
 }
 
 /// What folders hold that was not looked at.

@@ -4,7 +4,6 @@
 //! what stands behind the `=` of `--channel`. Paths start at the file's folder and stay in it, since
 //! whoever ports a stranger's shader did not write them.
 
-use super::PortArgs;
 use super::beside::folder_of;
 use super::read::{read_text, shown};
 use crate::port::{ChannelOrder, ChannelSource};
@@ -22,13 +21,13 @@ pub(super) struct GivenOrder {
     pub(super) order: ChannelOrder,
 }
 
-/// All orders; the later ones win.
-pub(super) fn orders(args: &PortArgs) -> Result<Vec<GivenOrder>, String> {
-    let mut orders = match file_of(args) {
+/// All orders for the channels of an input, those of `--channel` included; the later ones win.
+pub(super) fn orders(input: Option<&Path>, channels: &[String]) -> Result<Vec<GivenOrder>, String> {
+    let mut orders = match file_of(input) {
         Some(path) => of_file(&path)?,
         None => Vec::new(),
     };
-    for text in &args.channel {
+    for text in channels {
         let by = "--channel".to_string();
         let order = ChannelOrder::read(text).map_err(|e| format!("{by}: {e}"))?;
         orders.push(GivenOrder { by, order });
@@ -38,8 +37,8 @@ pub(super) fn orders(args: &PortArgs) -> Result<Vec<GivenOrder>, String> {
 
 /// The file beside the code, where there may be one: for a file `ocean.glsl` its own
 /// `ocean.channels.toml` comes first.
-pub(super) fn file_of(args: &PortArgs) -> Option<PathBuf> {
-    let first = args.input.first().filter(|p| p.as_os_str() != "-")?;
+pub(super) fn file_of(input: Option<&Path>) -> Option<PathBuf> {
+    let first = input.filter(|p| p.as_os_str() != "-")?;
     if first.is_dir() {
         return Some(first.join(FILE));
     }
@@ -119,7 +118,6 @@ fn placed(mut order: ChannelOrder, by: &Path) -> Result<ChannelOrder, String> {
 mod tests {
     use super::*;
     use crate::port::{ChannelName, PassRole};
-    use clap::Parser;
     use std::fs;
 
     /// The orders that a file gives, or what is wrong with it, behind the file's name.
@@ -127,8 +125,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join(FILE), text).unwrap();
         fs::write(folder.path().join("photo.jpg"), "").unwrap();
-        let args = PortArgs::parse_from([Path::new("shaderport"), folder.path()]);
-        let orders = orders(&args).map_err(|e| e.split_once(FILE).unwrap().1.to_string())?;
+        let orders = orders(Some(folder.path()), &[])
+            .map_err(|e| e.split_once(FILE).unwrap().1.to_string())?;
         Ok(orders.into_iter().map(|o| o.order).collect())
     }
 

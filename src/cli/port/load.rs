@@ -24,6 +24,8 @@ pub(super) struct Loaded {
     pub(super) composed: Composed,
     /// What was repaired in it.
     pub(super) repairs: Repairs,
+    /// Its passes as they were before that, where something was.
+    pub(super) given: Option<Composed>,
     /// The files that were read, which nothing may be written over.
     pub(super) read: Vec<PathBuf>,
     /// What there is to say of the files on channels.
@@ -32,7 +34,7 @@ pub(super) struct Loaded {
 
 /// Reads what the arguments name.
 pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
-    let orders = orders(args)?;
+    let orders = args.orders()?;
     let mode = if args.repair || args.diff {
         Mode::Repair
     } else {
@@ -41,6 +43,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     let Drafted {
         mut project,
         mut repairs,
+        mut given,
         beside,
     } = match &args.input[..] {
         [] if args.pass.is_empty() => {
@@ -54,19 +57,12 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     let name = name_of(args);
     let wrong = |e: ShaderError| format!("{name}: {e}");
     let mut composed = project.resolve(&name).map_err(wrong)?;
-    // What a page or a desktop took and WebGL2 does not is mended unasked, where that is all.
-    let is_asked = mode == Mode::Repair;
-    let is_refused = composed.has_errors();
-    if (is_asked || project.dialect.is_some() && is_refused) && repairs.is_empty() {
-        let mut mended = project.clone();
-        let repaired = repair(&mut mended, &composed, &name);
-        let repaired = repaired.ok_or(wrong(ShaderError::TooLarge))?;
-        if !repaired.is_empty() {
-            let renewed = mended.resolve(&name).map_err(wrong)?;
-            if is_asked || !renewed.has_errors() {
-                (project, composed, repairs) = (mended, renewed, repaired);
-            }
-        }
+    if (mode == Mode::Repair || project.dialect.is_some() && composed.has_errors())
+        && repairs.is_empty()
+        && let Some((mended, renewed, repaired)) = mend(&project, &composed, &name, mode)?
+    {
+        given = Some(std::mem::replace(&mut composed, renewed));
+        (project, repairs) = (mended, repaired);
     }
     if project
         .passes
@@ -75,7 +71,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     {
         return Err(format!("{name}: there is no pass of type `image`"));
     }
-    let mut carried = Carried::new(args.max_media);
+    let mut carried = Carried::new(args.max_media, ", more with `--max-media SIZE`");
     if let Some(folder) = &args.media {
         carried.find(&mut project, folder)?;
     }
@@ -106,9 +102,30 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
         project,
         composed,
         repairs,
+        given,
         read,
         notes,
     })
+}
+
+/// A project with its repairs, where there are any. What a page or a desktop took and WebGL2 does not
+/// is mended unasked, where that is all.
+fn mend(
+    project: &Project,
+    composed: &Composed,
+    name: &str,
+    mode: Mode,
+) -> Result<Option<(Project, Composed, Repairs)>, String> {
+    let wrong = |e: ShaderError| format!("{name}: {e}");
+    let mut mended = project.clone();
+    let repaired = repair(&mut mended, composed, name);
+    let repaired = repaired.ok_or(wrong(ShaderError::TooLarge))?;
+    if repaired.is_empty() {
+        return Ok(None);
+    }
+    let renewed = mended.resolve(name).map_err(wrong)?;
+    let is_wanted = mode == Mode::Repair || !renewed.has_errors();
+    Ok(is_wanted.then_some((mended, renewed, repaired)))
 }
 
 /// A file as a project, as it is, with the files that it is made of. `from` is the dialect that the
@@ -149,6 +166,28 @@ const USAGE: &str = "give a shader file, a ShaderToy export (.json) or a folder 
                      `shaderport ocean.glsl -o ocean.html`; `-` is standard input, and `--help` tells \
                      the rest";
 
+impl PortArgs {
+    /// What the user puts onto channels.
+    pub(super) fn orders(&self) -> Result<Vec<GivenOrder>, String> {
+        orders(self.input.first().map(PathBuf::as_path), &self.channel)
+    }
+}
+
+/// Puts onto the channels of a project what the user says, or a file beside the input. Gives the
+/// files that were read for it, and what there is to say of them.
+pub(in crate::cli) fn put_channels(
+    project: &mut Project,
+    input: &Path,
+    channels: &[String],
+) -> Result<(Vec<PathBuf>, Vec<String>), String> {
+    let orders = orders(Some(input), channels)?;
+    let mut carried = Carried::new(MOST_MEDIA, "");
+    put(project, &orders, &mut carried)?;
+    let mut read: Vec<PathBuf> = file_of(Some(input)).into_iter().collect();
+    read.extend(carried.paths().cloned());
+    Ok((read, carried.remarks().to_vec()))
+}
+
 /// Carries the orders for channels out.
 fn put(project: &mut Project, orders: &[GivenOrder], carried: &mut Carried) -> Result<(), String> {
     for GivenOrder { by, order } in orders {
@@ -170,7 +209,8 @@ fn put(project: &mut Project, orders: &[GivenOrder], carried: &mut Carried) -> R
 
 /// The files of code, and of orders, that the arguments name.
 pub(super) fn files_of(args: &PortArgs) -> Result<Vec<PathBuf>, String> {
-    let mut files: Vec<PathBuf> = file_of(args).into_iter().collect();
+    let input = args.input.first().map(PathBuf::as_path);
+    let mut files: Vec<PathBuf> = file_of(input).into_iter().collect();
     for path in &args.input {
         match path.is_dir() {
             true => files.extend(in_folder(path)?.into_iter().map(|(_, path)| path)),
@@ -181,6 +221,9 @@ pub(super) fn files_of(args: &PortArgs) -> Result<Vec<PathBuf>, String> {
     files.extend(named.map(|(_, path)| PathBuf::from(path)));
     Ok(files)
 }
+
+/// Largest file that is put onto a channel, in bytes, where nothing is written.
+const MOST_MEDIA: u64 = 64 << 20;
 
 /// What is done with code that does not compile.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -206,6 +249,8 @@ struct Drafted {
     project: Project,
     /// What was repaired in it already.
     repairs: Repairs,
+    /// Its passes as they were before that.
+    given: Option<Composed>,
     /// The texts beside its own that it is made of.
     beside: TextsBeside,
 }
@@ -216,6 +261,7 @@ impl Drafted {
         Drafted {
             project,
             repairs: Repairs::default(),
+            given: None,
             beside: TextsBeside::new(),
         }
     }
@@ -249,7 +295,7 @@ fn one_file(
             Project::draft_beside(&title, text, from, beside).map_err(|e| wrong(e.to_string()))
         })
     };
-    let project = draft(&text)?;
+    let mut project = draft(&text)?;
     let modern = project.modernized(&text);
     let Some(mut modern) = modern.filter(|_| mode == Mode::Repair) else {
         return Ok(Drafted {
@@ -259,11 +305,13 @@ fn one_file(
     };
     let repairs = repair_webgl1(&mut modern, &name, &text)
         .ok_or_else(|| wrong("this is too large".to_string()))?;
+    let given = project.resolve(&name).map_err(|e| wrong(e.to_string()))?;
     let code = modern.passes.first().map_or("", |p| &*p.code);
     let project = draft(code)?;
     Ok(Drafted {
         project,
         repairs,
+        given: Some(given),
         beside,
     })
 }
@@ -317,7 +365,7 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
 
 /// The passes that lie in a folder. Links that lead out of it are refused, since whoever ports a
 /// stranger's folder did not make them.
-fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
+pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
     let wrong = |e: std::io::Error| format!("{}: {}", shown(folder), plain_error(&e));
     let root = folder.canonicalize().map_err(wrong)?;
     let mut found = Vec::new();

@@ -12,6 +12,8 @@ use std::path::{Path, PathBuf};
 pub(super) struct Carried {
     /// Largest file, in bytes.
     limit: u64,
+    /// How it can be larger, behind what is said of one that is.
+    advice: &'static str,
     /// The files, with how many bytes each adds.
     files: Vec<(PathBuf, u64)>,
     /// What there is to say of them.
@@ -20,9 +22,10 @@ pub(super) struct Carried {
 
 impl Carried {
     /// Nothing yet.
-    pub(super) fn new(limit: u64) -> Carried {
+    pub(super) fn new(limit: u64, advice: &'static str) -> Carried {
         Carried {
             limit,
+            advice,
             files: Vec::new(),
             notes: Vec::new(),
         }
@@ -31,6 +34,11 @@ impl Carried {
     /// The files that were read.
     pub(super) fn paths(&self) -> impl Iterator<Item = &PathBuf> {
         self.files.iter().map(|(path, _)| path)
+    }
+
+    /// What there is to say of the files.
+    pub(super) fn remarks(&self) -> &[String] {
+        &self.notes
     }
 
     /// What there is to say of the files, and how much they add.
@@ -72,7 +80,7 @@ impl Carried {
     /// What a file is, and what it holds as a `data:` address.
     fn face(&mut self, path: &Path) -> Result<(InputKind, String), String> {
         let name = shown(path);
-        let bytes = read_media(path, self.limit)?;
+        let bytes = read_media(path, self.limit, self.advice)?;
         let (kind, media_type) =
             kind_of_bytes(&bytes).ok_or_else(|| format!("{name}: {}", why_not(&bytes)))?;
         if kind_of_name(&name).is_some_and(|told| told != media_type) {

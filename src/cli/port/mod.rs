@@ -14,18 +14,16 @@ mod whole;
 use super::output::{Overwrite, diff};
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::engine::{Repairs, Verified, repairable, verify};
+use crate::engine::{Original, Repairs, Verified, repairable, verify};
 use crate::exec::Equality;
 #[cfg(feature = "naga")]
 use crate::port::naga::FirstRow;
-use crate::port::{
-    Composed, Destination, File, MainChoice, Order, Project, Remark, Target, build, missing,
-};
+use crate::port::{Composed, Destination, File, MainChoice, Order, Remark, Target, build, missing};
 use crate::report::{Format, Reporter, Summary};
 use crate::text::Sources;
 use clap::Parser;
 use load::Loaded;
-pub(super) use load::draft;
+pub(super) use load::{draft, in_folder, put_channels};
 pub(super) use read::{read_text, shown};
 use save::Place;
 pub(super) use save::save;
@@ -154,6 +152,7 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
         project,
         composed,
         repairs,
+        given,
         read,
         notes,
     } = load::load(args)?;
@@ -199,8 +198,11 @@ fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
         }
     }
     let mut code = if summary.errors > 0 { FINDINGS } else { CLEAN };
-    if args.verify && !is_verified(&project, &composed, target, &made.files)? {
-        code = FINDINGS;
+    if args.verify {
+        let passes = verify(&project, &composed, given.as_ref(), target, &made.files)?;
+        if !is_verified(passes) {
+            code = FINDINGS;
+        }
     }
     Ok(Made {
         files: made.files,
@@ -264,15 +266,14 @@ fn print(text: &[u8]) -> Result<(), String> {
 }
 
 /// Tells by pass whether what is to be written draws what the original draws.
-fn is_verified(
-    project: &Project,
-    composed: &Composed,
-    target: Target,
-    files: &[File],
-) -> Result<bool, String> {
-    let all = verify(project, composed, target, files)?;
+fn is_verified(passes: Vec<Verified>) -> bool {
     let mut is_so = true;
-    for Verified { pass, outcome } in all {
+    for verified in passes {
+        let Verified {
+            pass,
+            original,
+            outcome,
+        } = verified;
         let said = match &outcome {
             Ok(Equality::Proved) => "the same code".to_string(),
             Ok(Equality::Seen { pixels }) => format!("the same bits on {pixels} pixels"),
@@ -283,9 +284,13 @@ fn is_verified(
             Err(why) => format!("not compared: {why}"),
         };
         is_so &= matches!(outcome, Ok(Equality::Proved | Equality::Seen { .. }));
-        let _ = writeln!(io::stderr(), "{pass}: {said}");
+        let since = match original {
+            Original::Given => "",
+            Original::Repaired => " as the repaired text; what was given does not compile",
+        };
+        let _ = writeln!(io::stderr(), "{pass}: {said}{since}");
     }
-    Ok(is_so)
+    is_so
 }
 
 /// All repairs, as a diff.

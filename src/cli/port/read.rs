@@ -54,8 +54,8 @@ pub(in crate::cli) fn read_text(path: &Path) -> Result<String, String> {
     }
 }
 
-/// The bytes of a regular file of at most `limit` bytes.
-pub(super) fn read_media(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
+/// The bytes of a regular file of at most `limit` bytes. `advice` is how more can be had.
+pub(super) fn read_media(path: &Path, limit: u64, advice: &str) -> Result<Vec<u8>, String> {
     let wrong = |e: String| format!("{}: {e}", shown(path));
     let data = fs::metadata(path).map_err(|e| wrong(plain_error(&e)))?;
     if !data.is_file() {
@@ -64,7 +64,7 @@ pub(super) fn read_media(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
     if data.len() > limit {
         let (size, most) = (size_words(data.len()), size_words(limit));
         return Err(wrong(format!(
-            "the file has {size}; at most {most} are put into a page, more with `--max-media SIZE`"
+            "the file has {size}; at most {most} are put onto a channel{advice}"
         )));
     }
     fs::read(path).map_err(|e| wrong(plain_error(&e)))

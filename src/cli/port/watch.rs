@@ -1,6 +1,5 @@
 //! `--watch` and `--serve`: what was made is made again at each change, and shown on a page.
 
-use super::channels::orders;
 use super::load::files_of;
 use super::serve::Server;
 use super::{PortArgs, make, save};
@@ -104,7 +103,7 @@ pub(super) fn tell(message: &str) {
 /// that the arguments name and that may come.
 fn look(args: &PortArgs, read: &[PathBuf]) -> Stamp {
     let named = files_of(args).unwrap_or_default();
-    let orders = orders(args).unwrap_or_default().into_iter();
+    let orders = args.orders().unwrap_or_default().into_iter();
     let media = orders.filter_map(|o| match o.order.source {
         ChannelSource::File(path) => Some(PathBuf::from(path)),
         _ => None,

@@ -1,7 +1,9 @@
 //! The arguments of `shaderlint run`.
 
 use super::super::lint::ColorChoice;
+use super::load::ShotSetting;
 use crate::engine::play::{Button, Moment, Mouse};
+use crate::exec::Watch;
 use clap::ValueEnum;
 use std::path::PathBuf;
 
@@ -33,6 +35,10 @@ pub struct RunArgs {
     /// tells
     #[arg(long, value_name = "DIALECT", help_heading = "Moment")]
     pub from: Option<String>,
+    /// What a channel reads, like `0=photo.jpg`, `image.1=keyboard`, `buffer_a.0=buffer_a` or, by the
+    /// name of a sampler, `u_tex0=photo.png`; behind it may stand how, like `,nearest,clamp,noflip`
+    #[arg(long, value_name = "[PASS.]N=SOURCE", help_heading = "Moment")]
+    pub channel: Vec<String>,
     /// The pass to show, like `image` or `buffer_a`
     #[arg(long, value_name = "PASS", help_heading = "Moment")]
     pub pass: Option<String>,
@@ -43,7 +49,8 @@ pub struct RunArgs {
     /// Write over a file that is there already
     #[arg(long, help_heading = "Output")]
     pub force: bool,
-    /// Draw how much work each pixel is, or where numbers are not finite: steps, cost, nan
+    /// Draw how much work each pixel is (steps, cost), which share of the work of its 8x4 pixels it
+    /// only waits for (overdraw), or where numbers are not finite (nan)
     #[arg(long, value_enum, value_name = "WHAT", help_heading = "Output")]
     #[arg(hide_possible_values = true)]
     pub heatmap: Option<Heat>,
@@ -60,7 +67,8 @@ pub struct RunArgs {
     #[arg(long, value_name = "T", default_value = "1", value_parser = time_of)]
     #[arg(help_heading = "Output")]
     pub every: f64,
-    /// Say of each loop how often it may turn and how often it did
+    /// Say of each loop how often it may turn and how often it did, what each function cost, and where
+    /// numbers went wrong
     #[arg(long, help_heading = "Output")]
     pub report: bool,
     /// Compare the pictures with those of another shader, bit for bit; exits with 1 where they differ
@@ -109,6 +117,8 @@ pub enum Heat {
     Steps,
     /// Operations
     Cost,
+    /// The share of the work of its group of pixels that it has no part in
+    Overdraw,
     /// Numbers that are not finite
     Nan,
 }
@@ -140,20 +150,32 @@ impl RunArgs {
         }
     }
 
-    /// How many threads draw.
-    pub fn threads(&self) -> usize {
+    /// What is drawn, and how.
+    pub fn setting(&self) -> ShotSetting<'_> {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-        self.threads.map_or_else(cores, usize::from)
+        ShotSetting {
+            size: self.size,
+            threads: self.threads.map_or_else(cores, usize::from),
+            pass: self.pass.as_deref(),
+            show: self.show.as_ref(),
+            uniforms: self.uniforms.as_deref(),
+            // Nobody asks for the cost of pictures that are only compared, or put on a sheet.
+            watch: match self.compare.is_some() || self.sheet.is_some() {
+                true => Watch::Nothing,
+                false if self.report => Watch::Numbers,
+                false => Watch::Flow,
+            },
+        }
     }
 }
 
 /// Longest side of a picture.
 const MAX_SIDE: u32 = 16_384;
 /// Most pixels of a picture.
-const MAX_PIXELS: u64 = 1 << 26;
+pub const MAX_PIXELS: u64 = 1 << 26;
 
 /// A size like `640x360`.
-fn size_of(text: &str) -> Result<[u32; 2], String> {
+pub fn size_of(text: &str) -> Result<[u32; 2], String> {
     let side = |text: &str| text.trim().parse::<u32>().ok().filter(|n| *n > 0);
     let (width, height) = text.split_once(['x', 'X']).ok_or(SIZE)?;
     let (width, height) = (side(width).ok_or(SIZE)?, side(height).ok_or(SIZE)?);
@@ -169,7 +191,7 @@ fn size_of(text: &str) -> Result<[u32; 2], String> {
 const SIZE: &str = "write a size like 640x360";
 
 /// Seconds.
-fn time_of(text: &str) -> Result<f64, String> {
+pub fn time_of(text: &str) -> Result<f64, String> {
     let time = text.parse::<f64>().ok();
     let time = time.filter(|t| t.is_finite() && (0.0..1e9).contains(t));
     time.ok_or_else(|| "write seconds like 2.5".to_string())

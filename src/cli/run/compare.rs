@@ -60,9 +60,7 @@ pub fn compare(
     let mut told = Vec::new();
     let mut worst: Option<(u64, Vec<f64>)> = None;
     for moment in moments {
-        let drawn = shots
-            .each_mut()
-            .map(|shot| shot.drawn(args, &moment, &progress));
+        let drawn = shots.each_mut().map(|shot| shot.drawn(&moment, &progress));
         let [a, b] = drawn;
         let found = difference(
             [&a?, &b?],

@@ -1,6 +1,8 @@
 //! What is said of a picture, for people and for programs.
 
-use super::loops::{LoopRow, table};
+use super::functions::{self, FunctionRow};
+use super::loops::{self, LoopRow};
+use super::numbers::{self, NumberRow};
 use crate::engine::play::{Button, Moment, PictureFacts};
 use crate::exec::Seen;
 use serde::Serialize;
@@ -29,6 +31,12 @@ pub struct RunFacts {
     /// The loops, where they were asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub loops: Option<Vec<LoopRow>>,
+    /// What each function cost, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub functions: Option<Vec<FunctionRow>>,
+    /// The numbers that went wrong, where the loops were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub numbers: Option<Vec<NumberRow>>,
     /// What was made up or left out.
     pub notes: Vec<String>,
 }
@@ -169,7 +177,13 @@ impl RunFacts {
             "cost"
         ));
         if let Some(loops) = &self.loops {
-            text.push_str(&table(loops));
+            text.push_str(&loops::table(loops));
+        }
+        if let Some(numbers) = &self.numbers {
+            text.push_str(&numbers::table(numbers));
+        }
+        if let Some(functions) = &self.functions {
+            text.push_str(&functions::table(functions));
         }
         if let Some(output) = &self.output {
             text.push_str(&format!("  {:9} {output}\n", "written"));

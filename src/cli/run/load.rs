@@ -1,14 +1,14 @@
 //! From the arguments to what is drawn: the text, its errors, and what its uniforms are set to.
 
-use super::args::RunArgs;
+use super::args::{RunArgs, Show};
 use super::progress::Progress;
-use super::{show, uniforms};
+use super::{picture, show, uniforms};
 use crate::cli::disk::Disk;
 use crate::cli::port;
 use crate::diagnostic::Severity;
 use crate::engine::play::{Moment, PlayOptions, Player, Scene, Unfit};
 use crate::engine::{Options, check};
-use crate::exec::{Code, CompileOptions, Drawn, Refusal, Stop, draw};
+use crate::exec::{Code, CompileOptions, Drawn, Refusal, Stop, Watch, draw};
 use crate::ir::{Module, Provenance, lower};
 use crate::port::{Composed, PassUnit, Project, Wrapper, add_stand_ins, missing};
 use crate::report::{Format, Reporter};
@@ -39,6 +39,30 @@ impl From<io::Error> for Trouble {
     }
 }
 
+/// Why a file is no shader that can be drawn.
+pub enum Undrawable {
+    /// Its passes have errors.
+    Errors(Box<Composed>),
+    /// Something else, in words.
+    Words(String),
+}
+
+/// What is drawn of a shader, and how.
+pub struct ShotSetting<'a> {
+    /// Size of the picture in pixels.
+    pub size: [u32; 2],
+    /// How many threads draw.
+    pub threads: usize,
+    /// The pass to show; without it the picture.
+    pub pass: Option<&'a str>,
+    /// A variable of a line.
+    pub show: Option<&'a Show>,
+    /// A file with what uniforms are set to.
+    pub uniforms: Option<&'a Path>,
+    /// What is watched.
+    pub watch: Watch,
+}
+
 /// A shader that was read and has no errors.
 pub struct Loaded {
     /// How it is called.
@@ -61,6 +85,8 @@ pub struct Shot {
     unit: usize,
     /// Its number in the project.
     pass: usize,
+    size: [u32; 2],
+    threads: usize,
 }
 
 /// What draws a pass.
@@ -84,16 +110,11 @@ impl Shot {
     }
 
     /// The picture of a moment.
-    pub fn drawn(
-        &mut self,
-        args: &RunArgs,
-        moment: &Moment,
-        progress: &Progress,
-    ) -> Result<Drawn, String> {
+    pub fn drawn(&mut self, moment: &Moment, progress: &Progress) -> Result<Drawn, String> {
         match &mut self.play {
             Play::Alone(scene) => {
-                let own = scene.draw(args.size, moment);
-                draw(&own, args.threads()).map_err(|stop| stopped(&stop))
+                let own = scene.draw(self.size, moment);
+                draw(&own, self.threads).map_err(|stop| stopped(&stop))
             }
             Play::Project(player) => {
                 let mut tell = |frame| progress.frame(frame, moment.frame);
@@ -120,7 +141,13 @@ impl Shot {
                         quoted(&zeros)
                     ));
                 }
-                let guessed: Vec<&str> = scene.bound.guessed.iter().map(String::as_str).collect();
+                let guessed: Vec<&str> = scene
+                    .given
+                    .bound
+                    .guessed
+                    .iter()
+                    .map(String::as_str)
+                    .collect();
                 if !guessed.is_empty() {
                     notes.push(format!(
                         "nothing gives these varyings, so they hold the place in the picture: {}",
@@ -166,32 +193,45 @@ impl Loaded {
 /// Reads a shader. Its errors are told as the linter tells them.
 pub fn load(path: &Path, args: &RunArgs, format: Format) -> Result<Loaded, Trouble> {
     let name = port::shown(path);
-    let drafted = port::draft(path, args.from.as_deref());
-    let resolved = drafted.and_then(|(mut project, read)| {
-        let wrong = |e| format!("{name}: {e}");
-        let composed = project.resolve(&name).map_err(wrong)?;
-        add_stand_ins(&mut project);
-        let composed = project.renew(composed, &name).map_err(wrong)?;
-        Ok((project, read, composed))
-    });
-    match resolved {
-        Ok((project, read, composed)) if !composed.has_errors() => Ok(Loaded {
-            name,
-            project,
-            composed,
-            read,
-        }),
-        Ok((_, _, composed)) => {
+    match read(path, args.from.as_deref(), &args.channel) {
+        Ok(loaded) => Ok(loaded),
+        Err(Undrawable::Errors(composed)) => {
             if !tell_errors(path, &name, args, format)? {
                 tell_composed(&composed, args, format)?;
             }
             Err(Trouble::Errors)
         }
-        Err(words) => match path.is_file() && tell_errors(path, &name, args, format)? {
-            true => Err(Trouble::Errors),
-            false => Err(Trouble::Words(words)),
-        },
+        Err(Undrawable::Words(words)) => {
+            match path.is_file() && tell_errors(path, &name, args, format)? {
+                true => Err(Trouble::Errors),
+                false => Err(Trouble::Words(words)),
+            }
+        }
     }
+}
+
+/// Reads a shader, written in the dialect `from` where the user says so, with what is to be on its
+/// channels.
+pub fn read(path: &Path, from: Option<&str>, channels: &[String]) -> Result<Loaded, Undrawable> {
+    let name = port::shown(path);
+    let wrong = |e| Undrawable::Words(format!("{name}: {e}"));
+    let (mut project, mut read) = port::draft(path, from).map_err(Undrawable::Words)?;
+    let composed = project.resolve(&name).map_err(wrong)?;
+    let put = port::put_channels(&mut project, path, channels);
+    let (files, remarks) = put.map_err(Undrawable::Words)?;
+    read.extend(files);
+    project.notes.extend(remarks);
+    add_stand_ins(&mut project);
+    let composed = project.renew(composed, &name).map_err(wrong)?;
+    if composed.has_errors() {
+        return Err(Undrawable::Errors(Box::new(composed)));
+    }
+    Ok(Loaded {
+        name,
+        project,
+        composed,
+        read,
+    })
 }
 
 /// Prints what the linter calls errors; says whether there are any.
@@ -226,9 +266,9 @@ fn tell_composed(composed: &Composed, args: &RunArgs, format: Format) -> Result<
 }
 
 /// Makes the pass ready that is to be shown.
-pub fn shot(loaded: &Loaded, args: &RunArgs, options: &CompileOptions) -> Result<Shot, Trouble> {
+pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, Trouble> {
     let Loaded { name, composed, .. } = loaded;
-    let (at, unit) = chosen(loaded, args.pass.as_deref())?;
+    let (at, unit) = chosen(loaded, setting.pass)?;
     let program = &composed.analysis(unit).program;
     let pass = loaded.project.passes.get(unit.pass);
     if unit.stage != Stage::Fragment || pass.is_some_and(|p| p.draw.has_vertices) {
@@ -236,18 +276,24 @@ pub fn shot(loaded: &Loaded, args: &RunArgs, options: &CompileOptions) -> Result
         return Err(Trouble::Words(words));
     }
     let module = lower(program);
-    let probe = match &args.show {
+    let probe = match setting.show {
         Some(show) => Some(show::probe(show, composed, unit, program, &module)?),
         None => None,
     };
-    let options = &CompileOptions { probe, ..*options };
-    let play = match alone(loaded, unit, &module, options)? {
+    let compile = CompileOptions {
+        watch: setting.watch,
+        probe,
+        ..CompileOptions::default()
+    };
+    let (size, threads) = (setting.size, setting.threads);
+    let play = match alone(loaded, unit, &module, &compile)? {
         Some(scene) => Play::Alone(Box::new(scene)),
         None => {
             let options = PlayOptions {
-                size: args.size,
-                threads: args.threads(),
-                compile: *options,
+                size,
+                threads,
+                compile,
+                decode: Some(picture::decode),
             };
             let player = Player::new(&loaded.project, composed, &options);
             Play::Project(Box::new(player.map_err(|e| format!("{name}: {e}"))?))
@@ -258,8 +304,10 @@ pub fn shot(loaded: &Loaded, args: &RunArgs, options: &CompileOptions) -> Result
         module,
         unit: at,
         pass: unit.pass,
+        size,
+        threads,
     };
-    if let Some(path) = &args.uniforms {
+    if let Some(path) = setting.uniforms {
         set_uniforms(&mut shot, program, path)?;
     }
     Ok(shot)

@@ -1,5 +1,6 @@
 //! What was seen of loops beside what is known of them.
 
+use super::columns::columns;
 use super::load::{Shot, position, span};
 use crate::exec::{LoopSeen, Seen};
 use crate::flow::Bound;
@@ -101,27 +102,7 @@ pub fn table(rows: &[LoopRow]) -> String {
             row.exhausted.map_or("-".to_string(), super::facts::percent),
         ]
     }));
-    let mut widths = [0; 7];
-    for row in &cells {
-        for (width, cell) in widths.iter_mut().zip(row) {
-            *width = cell.chars().count().max(*width);
-        }
-    }
-    let mut text = String::new();
-    for row in &cells {
-        let mut line = String::from(" ");
-        for ((cell, width), column) in row.iter().zip(widths).zip(0..) {
-            // Words begin, and numbers end, below one another.
-            let cell = match column < 3 {
-                true => format!(" {cell:width$} "),
-                false => format!(" {cell:>width$} "),
-            };
-            line.push_str(&cell);
-        }
-        text.push_str(line.trim_end());
-        text.push('\n');
-    }
-    text
+    columns(&cells, 3)
 }
 
 #[cfg(test)]

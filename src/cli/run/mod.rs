@@ -1,12 +1,16 @@
 //! `shaderlint run`: a shader is drawn without a GPU, and what was seen is said.
 
 mod args;
+mod columns;
 mod compare;
 mod facts;
 mod font;
+mod functions;
 mod heat;
 mod load;
 mod loops;
+mod numbers;
+mod picture;
 mod png;
 mod progress;
 mod sheet;
@@ -15,19 +19,23 @@ mod terminal;
 mod uniforms;
 
 pub use args::RunArgs;
+pub(super) use args::{size_of, time_of};
+pub(super) use facts::{percent, seconds};
+pub(super) use heat::{map, short};
+pub(super) use load::{Shot, ShotSetting, Trouble, Undrawable, position, read, shot};
+pub(super) use png::Bitmap;
+pub(super) use progress::Progress;
 
 use super::output::Overwrite;
 use super::port::save;
 use super::{CLEAN, FAILED, FINDINGS};
 use crate::engine::play::Picture;
-use crate::exec::{CompileOptions, Drawn, Watch};
+use crate::exec::Drawn;
 use crate::port::File;
 use crate::report::Format;
 use args::{Heat, RunFormat};
 use facts::{CostFacts, OutputFacts, RunFacts};
-use load::{Loaded, Shot, Trouble, load, shot};
-use png::Bitmap;
-use progress::Progress;
+use load::{Loaded, load};
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use terminal::Palette;
@@ -54,10 +62,10 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
         RunFormat::Json => Format::Json,
     };
     let loaded = load(&args.file, args, format)?;
-    let mut own = shot(&loaded, args, &options(args))?;
+    let mut own = shot(&loaded, &args.setting())?;
     if let Some(path) = &args.compare {
         let other = load(path, args, format)?;
-        let mut other_shot = shot(&other, args, &options(args))?;
+        let mut other_shot = shot(&other, &args.setting())?;
         return compared(args, [(&loaded, &mut own), (&other, &mut other_shot)]);
     }
     let notes = own.notes(&loaded.project);
@@ -73,7 +81,7 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     }
     let moment = args.moment();
     let progress = Progress::new(1);
-    let drawn = own.drawn(args, &moment, &progress)?;
+    let drawn = own.drawn(&moment, &progress)?;
     drop(progress);
     let bitmap = match (args.heatmap, &args.show) {
         (Some(heat), _) => heat_map(heat, &own, &drawn),
@@ -93,18 +101,6 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     ))
 }
 
-/// How the shader is compiled for what is asked.
-fn options(args: &RunArgs) -> CompileOptions {
-    CompileOptions {
-        // Nobody asks for the cost of pictures that are only compared, or put on a sheet.
-        watch: match args.compare.is_some() || args.sheet.is_some() {
-            true => Watch::Nothing,
-            false => Watch::Flow,
-        },
-        ..CompileOptions::default()
-    }
-}
-
 /// What the screen shows of a draw.
 fn bitmap(shot: &Shot, drawn: &Drawn) -> Bitmap {
     Bitmap {
@@ -118,6 +114,14 @@ fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
     let (values, title) = match heat {
         Heat::Steps => (counts(&drawn.turns), "STEPS"),
         Heat::Cost => (counts(&drawn.cost), "OPERATIONS"),
+        Heat::Overdraw => {
+            let waited = |(own, all): (&u32, &u32)| match *all {
+                0 => 0.0,
+                all => 100.0 * f64::from(all - own.min(&all)) / f64::from(all),
+            };
+            let pairs = drawn.cost.iter().zip(&drawn.ran);
+            (pairs.map(waited).collect(), "WORK OF OTHERS IN 8X4, %")
+        }
         Heat::Nan => {
             let picture = Picture::of(shot.code(), drawn, 0);
             let is_bad = |pixel: &[f32; 4]| pixel.iter().any(|lane| !lane.is_finite());
@@ -141,7 +145,7 @@ fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunF
         OutputFacts::of(&slot.name, (ty, lanes), &facts, drawn.covered.len())
     });
     let moment = args.moment();
-    let loops = program.filter(|_| args.report);
+    let reported = program.filter(|_| args.report);
     RunFacts {
         schema: 1,
         file: loaded.name.clone(),
@@ -152,7 +156,9 @@ fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunF
         output: None,
         outputs: outputs.collect(),
         cost: CostFacts::of(&drawn.seen, &drawn.cost),
-        loops: loops.map(|program| loops::rows(program, shot, &drawn.seen)),
+        loops: reported.map(|program| loops::rows(program, shot, &drawn.seen)),
+        functions: reported.map(|program| functions::rows(program, &drawn.seen)),
+        numbers: reported.map(|program| numbers::rows(program, shot, &drawn.seen)),
         notes: Vec::new(),
     }
 }

@@ -1,5 +1,9 @@
 //! Pictures as PNG files.
 
+use super::args::MAX_PIXELS;
+use super::picture::of_png;
+use crate::engine::play::Decoded;
+
 /// A picture of three bytes a pixel, the uppermost row first.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Bitmap {
@@ -71,6 +75,19 @@ impl Bitmap {
         }
     }
 
+    /// What the bytes of a PNG file show; what is transparent as it would be without that.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    pub fn of_png(bytes: &[u8]) -> Result<Bitmap, String> {
+        let Decoded { size, colors } = of_png(bytes, MAX_PIXELS)?;
+        let opaque = colors.into_iter().flat_map(|[r, g, b, _]| [r, g, b]);
+        Ok(Bitmap {
+            size,
+            bytes: opaque.collect(),
+        })
+    }
+
     /// As the bytes of a PNG file.
     ///
     /// # Errors
@@ -81,6 +98,8 @@ impl Bitmap {
         let mut encoder = png::Encoder::new(&mut bytes, width, height);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
+        // Whoever waits for a picture wants it now; a tenth of the time went into a smaller file.
+        encoder.set_compression(png::Compression::Fast);
         let written = encoder.write_header().and_then(|mut writer| {
             writer.write_image_data(&self.bytes)?;
             writer.finish()
@@ -99,13 +118,8 @@ mod tests {
         bitmap.set(2, 1, [250, 0, 9]);
         bitmap.set(3, 0, [9; 3]);
         let file = bitmap.png().unwrap();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(file))
-            .read_info()
-            .unwrap();
-        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut bytes).unwrap();
-        assert_eq!((info.width, info.height), (3, 2));
-        assert_eq!(bytes, bitmap.bytes);
+        assert_eq!(Bitmap::of_png(&file), Ok(bitmap));
+        assert!(Bitmap::of_png(&file[..20]).is_err());
     }
 
     #[test]

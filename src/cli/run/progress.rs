@@ -29,17 +29,25 @@ struct Shared {
 impl Progress {
     /// Shows how many of some pictures are drawn, where standard error is a terminal.
     pub fn new(total: u32) -> Progress {
+        Progress::of(total, io::stderr().is_terminal())
+    }
+
+    fn of(total: u32, is_shown: bool) -> Progress {
         let shared = Arc::new(Shared {
             done: AtomicU32::new(0),
             frames: [AtomicU32::new(0), AtomicU32::new(0)],
             is_over: AtomicBool::new(false),
         });
         let own = shared.clone();
-        let is_shown = io::stderr().is_terminal();
         Progress {
             shared,
             thread: is_shown.then(|| thread::spawn(move || show(&own, total))),
         }
+    }
+
+    /// Shows nothing.
+    pub fn unseen() -> Progress {
+        Progress::of(0, false)
     }
 
     /// Tells which frame is drawn of those that a picture depends on.

@@ -30,7 +30,7 @@ pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, Strin
             mouse: first.mouse,
             ..Moment::at(first.time + f64::from(i) * args.every)
         };
-        let drawn = shot.drawn(args, &moment, &progress)?;
+        let drawn = shot.drawn(&moment, &progress)?;
         let picture = Bitmap {
             size: drawn.size,
             bytes: Picture::of(shot.code(), &drawn, 0).bytes(),

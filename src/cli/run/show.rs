@@ -31,7 +31,7 @@ pub fn probe(
     let found = lines.iter().find(|(line, _)| *line == show.line);
     let within = file.and_then(|file| whole_line(file, show.line));
     if let (Some((_, variable)), Some(within)) = (found, within) {
-        return Ok(Probe {
+        return Ok(Probe::Variable {
             variable: *variable,
             within,
         });
@@ -92,7 +92,8 @@ fn whole_line(file: &SourceFile, number: u32) -> Option<Span> {
 /// where they do not lie between 0 and 1.
 pub fn picture(show: &Show, shot: &Shot, drawn: &Drawn) -> Bitmap {
     let code = shot.code();
-    let at = code.outputs.len().saturating_sub(1);
+    // Behind it stands whether the line was run.
+    let at = code.outputs.len().saturating_sub(2);
     let lanes = code.outputs.get(at).map_or(0, |slot| slot.ty.components());
     let picture = Picture::of(code, drawn, at);
     if lanes == 1 {

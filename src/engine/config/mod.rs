@@ -9,6 +9,7 @@ pub use read::{ConfigError, parse, schema};
 use super::options::{Desktop, DialectChoice, HostNames, Options};
 use super::path::plain;
 use crate::diagnostic::Severity;
+use crate::lint::trial::TrialLimit;
 use crate::lint::{Failing, OptionValue, Renderer, Rule, Settings, UnknownRule};
 use crate::rules::RULES;
 use globset::GlobSet;
@@ -20,6 +21,8 @@ use std::sync::Arc;
 pub struct Layer {
     /// What draws the shaders.
     pub target: Option<Renderer>,
+    /// How many pixels of each shader are run.
+    pub run_samples: Option<u32>,
     /// What the shaders are written for.
     pub dialect: Option<DialectChoice>,
     /// What the host declares.
@@ -48,6 +51,9 @@ impl Layer {
     fn apply(&self, settings: &mut Settings) {
         if let Some(target) = self.target {
             settings.set_target(RULES, target);
+        }
+        if let Some(pixels) = self.run_samples {
+            settings.set_trial_limit(TrialLimit::of(pixels));
         }
         for (rule, adjustment) in &self.rules {
             match *adjustment {
@@ -123,6 +129,8 @@ pub struct Selection {
     pub ignore: Vec<String>,
     /// The only rules and groups that run, and compile errors that are reported, where there are any.
     pub only: Vec<String>,
+    /// How many pixels of each shader are run, where that is said.
+    pub run_samples: Option<u32>,
 }
 
 impl Selection {
@@ -164,6 +172,9 @@ pub fn options(
         }
     }
     given.adjust(&mut settings)?;
+    if let Some(pixels) = given.run_samples {
+        settings.set_trial_limit(TrialLimit::of(pixels));
+    }
     if given.dialect != DialectChoice::Auto {
         options.dialect = given.dialect;
     }

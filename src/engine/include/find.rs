@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// Largest `package.json` that is read, in bytes.
 const MAX_PACKAGE: usize = 1024 * 1024;
 /// What bundlers put behind a name without an ending.
-const ENDINGS: [&str; 5] = ["glsl", "vert", "frag", "vs", "fs"];
+pub const ENDINGS: [&str; 5] = ["glsl", "vert", "frag", "vs", "fs"];
 /// The folder that packages lie in.
 const PACKAGES: &str = "node_modules";
 

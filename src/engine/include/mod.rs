@@ -6,6 +6,7 @@ mod find;
 mod module;
 pub(super) mod passes;
 pub(super) mod scan;
+mod subject;
 
 pub use common::is_common;
 pub use find::Absence;
@@ -88,8 +89,8 @@ impl Hushed {
     }
 }
 
-/// Puts files in the place of the directives that name them, and the Common file of a ShaderToy
-/// project before its passes.
+/// Puts files in the place of the directives that name them, the Common file of a ShaderToy project
+/// before its passes, and what tests in a file of their own are for before them.
 pub(super) fn spread(
     sources: &mut Arc<Sources>,
     name: &str,
@@ -97,8 +98,13 @@ pub(super) fn spread(
     text: &str,
     world: World,
 ) -> Option<Spread> {
-    let common = common::common_of(name, text, world);
-    let common = common.and_then(|path| world.load(&path).ok());
+    let found = |path: Option<PathBuf>| path.and_then(|path| world.load(&path).ok());
+    let subject = found(subject::subject_of(name, text, world));
+    let common = match &subject {
+        Some(subject) => common::common_of(&subject.name, &subject.file.text, world),
+        None => common::common_of(name, text, world),
+    };
+    let before = found(common).into_iter().chain(subject);
     let words = ["include", "import", "glslify"];
     let own = words.iter().any(|w| text.contains(w));
     let own = own.then(|| Arc::new(IncludedFile::new(text.into())));
@@ -122,8 +128,8 @@ pub(super) fn spread(
         is_in_package: is_of_package(Path::new(name)),
         budget: MAX_INCLUDES,
     };
-    if let Some(found) = common {
-        spreader.common(found)?;
+    for found in before {
+        spreader.put_before(found)?;
     }
     match own {
         None => spreader.found.files.push(file),
@@ -198,9 +204,15 @@ enum Way {
 }
 
 impl Spreader<'_, '_> {
-    /// Puts the Common file in. What is wrong with it is told of itself where it is checked too.
-    fn common(&mut self, found: Found) -> Option<()> {
+    /// Puts a file before the shader. What is wrong with it is told of itself where it is checked too.
+    fn put_before(&mut self, found: Found) -> Option<()> {
         let text = found.file.text.clone();
+        let seen = Seen {
+            is_conditional: false,
+            is_inside: false,
+            number: self.seen.len(),
+        };
+        self.seen.insert(found.real.clone(), seen);
         let id = self.add(&found.name, text)?;
         if self.world.options.checked.contains(&found.name) {
             self.found.hushed.0.insert(id, Hush::All);

@@ -2,11 +2,17 @@
 
 mod moment;
 mod picture;
+mod player;
 mod project;
 mod scene;
+mod supply;
+mod test;
 mod varyings;
 
 pub use moment::{Button, Moment, Mouse};
 pub use picture::{Picture, PictureFacts};
-pub use project::{PlayOptions, PlayProblem, Played, Player, SOUND_RATE};
-pub use scene::{Scene, Unfit};
+pub use player::{player_draw, player_gives};
+pub use project::{Decode, Decoded, PlayOptions, PlayProblem, Played, Player, SOUND_RATE};
+pub use scene::{Given, Scene, Unfit};
+pub(in crate::engine) use supply::Supply;
+pub use test::{SeenCondition, SeenValue, TestFailure, TestVerdict, run_test, tests};

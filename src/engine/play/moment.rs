@@ -1,5 +1,6 @@
 //! When a picture is drawn, and where the mouse is then.
 
+use crate::math::sine;
 use crate::port::Feed;
 
 /// Samples of sound a second, as ShaderToy's player has them.
@@ -133,10 +134,10 @@ impl Moment {
 
 /// How loud low, middle and high sounds are that nobody plays, as the page makes them up.
 fn made_up_spectrum(time: f64) -> [f64; 3] {
-    let sine = |factor: f64| (factor * time).sin();
-    let beat = (0.5 + 0.5 * sine(TURN)).powi(4);
+    let sine = |factor: f64| sine(factor * time);
+    let half = (0.5 + 0.5 * sine(TURN)) * (0.5 + 0.5 * sine(TURN));
     let middle = 0.4 + 0.3 * sine(13.0) * sine(1.7);
-    [beat, middle, 0.2 + 0.15 * sine(23.0)]
+    [half * half, middle, 0.2 + 0.15 * sine(23.0)]
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! What a draw gives, as a picture and in numbers.
 
 use crate::exec::{Code, Drawn};
-use crate::semantic::{Scalar, Type};
 
 /// A picture. Its rows begin at the bottom.
 #[derive(Clone, PartialEq, Debug)]
@@ -44,27 +43,20 @@ fn byte(number: f32) -> u8 {
 impl Picture {
     /// The picture of an output of a draw. What was discarded is black.
     pub fn of(code: &Code, drawn: &Drawn, output: usize) -> Picture {
-        let ty = code.outputs.get(output).map_or(Type::FLOAT, |slot| slot.ty);
-        let scalar = ty.scalar_kind().unwrap_or(Scalar::Float);
-        let lanes = ty.element().components().min(4) as usize;
-        let bits = drawn.outputs.get(output).map_or(&[][..], Vec::as_slice);
-        let all = bits.iter().zip(&drawn.covered);
-        let pixels = all.map(|(bits, is_covered)| {
-            let mut pixel = [0.0, 0.0, 0.0, 1.0];
-            for (lane, bits) in pixel.iter_mut().zip(bits).take(lanes) {
-                *lane = match (is_covered, scalar) {
-                    (false, _) => 0.0,
-                    (true, Scalar::Float) => f32::from_bits(*bits),
-                    (true, Scalar::Int) => *bits as i32 as f32,
-                    (true, Scalar::Uint) => *bits as f32,
-                    (true, Scalar::Bool) => f32::from(u8::from(*bits != 0)),
-                };
-            }
-            pixel
-        });
+        let mut pixels = Vec::new();
+        if let (Some(slot), Some(bits)) = (code.outputs.get(output), drawn.outputs.get(output)) {
+            let all = bits.iter().zip(&drawn.covered);
+            pixels.extend(all.map(|(bits, is_covered)| {
+                let mut pixel = [0.0, 0.0, 0.0, 1.0];
+                for (lane, bits) in pixel.iter_mut().zip(bits).take(slot.lanes()) {
+                    *lane = if *is_covered { slot.number(*bits) } else { 0.0 };
+                }
+                pixel
+            }));
+        }
         Picture {
             size: drawn.size,
-            pixels: pixels.collect(),
+            pixels,
         }
     }
 

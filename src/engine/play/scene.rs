@@ -12,13 +12,19 @@ use crate::semantic::{Program, Storage, Type};
 pub struct Scene {
     /// The shader.
     pub code: Code,
+    /// What it is given.
+    pub given: Given,
+    /// The uniforms that the text declares, those that change nothing included.
+    declared: Vec<String>,
+}
+
+/// What a shader is given that brings its own uniforms.
+pub struct Given {
     /// What its names mean.
     pub bound: Bindings,
     varyings: Option<Varyings>,
     /// What uniforms are set to whatever the moment.
     fixed: Vec<(String, Vec<f64>)>,
-    /// The uniforms that the text declares, those that change nothing included.
-    declared: Vec<String>,
 }
 
 /// Why a uniform cannot be set as the user asks for.
@@ -65,9 +71,7 @@ impl Scene {
         let uniforms = uniforms.filter(|v| v.storage == Storage::Uniform);
         Ok(Scene {
             code: compile(program, module, options)?,
-            varyings: Varyings::of(&bound.varyings),
-            bound,
-            fixed: Vec::new(),
+            given: Given::of(bound),
             declared: uniforms
                 .map(|v| program.names.text(v.name).to_string())
                 .collect(),
@@ -77,7 +81,7 @@ impl Scene {
     /// Sets controls to the values that the text itself describes.
     pub fn set_controls(&mut self, controls: &[UniformControl]) {
         let set = controls.iter().map(|c| (c.name.clone(), c.value.clone()));
-        self.fixed.extend(set);
+        self.given.fixed.extend(set);
     }
 
     /// Sets a uniform for all moments, as [`Draw::set`] does; one that changes nothing is as well as
@@ -90,7 +94,7 @@ impl Scene {
         if !draw.set(name, scalars) {
             self.unfit(name)?;
         }
-        self.fixed.push((name.to_string(), scalars.to_vec()));
+        self.given.fixed.push((name.to_string(), scalars.to_vec()));
         Ok(())
     }
 
@@ -123,10 +127,10 @@ impl Scene {
     pub fn zeros(&self) -> Vec<&str> {
         let is_fixed = |name: &str| {
             let whole = |fixed: &str| fixed.split(['.', '[']).next() == Some(name);
-            self.fixed.iter().any(|(fixed, _)| whole(fixed))
+            self.given.fixed.iter().any(|(fixed, _)| whole(fixed))
         };
-        let controls = self.bound.controls.iter().map(|c| c.name.as_str());
-        let zeros = self.bound.zeros.iter().map(String::as_str);
+        let controls = self.given.bound.controls.iter().map(|c| c.name.as_str());
+        let zeros = self.given.bound.zeros.iter().map(String::as_str);
         let all = controls.chain(zeros).filter(|name| !is_fixed(name));
         let is_needed = |name: &&str| {
             let root = |slot: &UniformSlot| slot.name.split(['.', '[']).next() == Some(*name);
@@ -137,9 +141,25 @@ impl Scene {
 
     /// A draw of a moment, all but its textures set.
     pub fn draw(&self, size: [u32; 2], moment: &Moment) -> Draw<'_> {
-        let mut draw = Draw::new(&self.code, size);
+        self.given.draw(&self.code, size, moment)
+    }
+}
+
+impl Given {
+    /// What names mean, and nothing that the user sets.
+    pub fn of(bound: Bindings) -> Given {
+        Given {
+            varyings: Varyings::of(&bound.varyings),
+            bound,
+            fixed: Vec::new(),
+        }
+    }
+
+    /// A draw of the shader's code at a moment, all but its textures set.
+    pub fn draw<'c>(&self, code: &'c Code, size: [u32; 2], moment: &Moment) -> Draw<'c> {
+        let mut draw = Draw::new(code, size);
         for given in &self.bound.uniforms {
-            let slot = self.code.uniforms.iter().find(|s| s.name == given.name);
+            let slot = code.uniforms.iter().find(|s| s.name == given.name);
             let Some(ty) = slot.map(|s| s.ty) else {
                 continue;
             };

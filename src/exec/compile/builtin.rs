@@ -27,6 +27,7 @@ impl Compiler<'_> {
                 let a = self.operand(*operands.first()?);
                 let made = self.each(a.len, |c, n| {
                     let a = c.reg(a, n);
+                    c.check(id, Checked::Neighbours, a, &[a]);
                     c.derivative(axis, a)
                 });
                 return self.given(made);
@@ -43,10 +44,30 @@ impl Compiler<'_> {
             Some(made) => made,
             None => self.whole(id, function, operands, &arguments)?,
         };
-        if self.watches(Watch::Numbers) && ty.scalar_kind() == Some(Scalar::Float) {
-            self.watch_results(id, &made, &arguments);
+        if self.watches(Watch::Comparisons) {
+            self.watch_threshold(id, function, &arguments);
+        }
+        if self.watches(Watch::Faults) {
+            for n in 0..made.len() as u32 {
+                let operands: Vec<Reg> = arguments.iter().map(|a| self.spread(*a, n)).collect();
+                self.watch_operands(id, function.undefined(), scalar, &operands);
+            }
+            if ty.scalar_kind() == Some(Scalar::Float) {
+                self.watch_results(id, &made, &arguments);
+            }
         }
         self.given(made)
+    }
+
+    /// Has what `step` and `smoothstep` of a scalar compare looked at: whether it is past the edge.
+    fn watch_threshold(&mut self, id: OpId, function: BuiltinId, arguments: &[Regs]) {
+        if let Some((value, edge)) = function.comparison(arguments)
+            && (edge.len, value.len) == (1, 1)
+        {
+            let (edge, value) = (self.reg(edge, 0), self.reg(value, 0));
+            let result = self.s2(F2::Less, edge, value);
+            self.watch_comparison(id, result, [value, edge], Scalar::Float);
+        }
     }
 
     /// Has what a function gives looked at.

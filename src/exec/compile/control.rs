@@ -4,7 +4,7 @@ use super::Watch;
 use super::emit::Frame;
 use super::emit::{Compiler, Value};
 use super::plan::GLOBALS;
-use crate::exec::code::{EMPTY, F1, F2, Instr, Reg, Slot, Target};
+use crate::exec::code::{CallPath, EMPTY, F1, F2, Instr, Reg, Slot, Target};
 use crate::ir::{CaseLabel, LoopId, Module, OpId, Region, Step, SwitchId};
 use crate::semantic::FunctionRef;
 
@@ -13,7 +13,8 @@ impl Compiler<'_> {
     pub fn run(&mut self, entry: FunctionRef) {
         self.clear_outer();
         self.open_probe();
-        self.frames.push(self.frame(GLOBALS));
+        let globals = self.frame(GLOBALS);
+        self.frames.push(globals);
         self.region(self.module.globals);
         self.frames.pop();
         if self.entry_parameters(entry).is_none() {
@@ -50,7 +51,9 @@ impl Compiler<'_> {
                 return;
             }
             if let (Step::Run(run), true) = (step, self.watches(Watch::Flow)) {
-                self.push(Instr::Spend(run.len));
+                let by = self.frames.last().map_or(0, |f| f.path);
+                let cost = run.len;
+                self.push(Instr::Spend { cost, by });
             }
             self.step(step);
             let is_last = at + 1 == steps.len();
@@ -76,7 +79,7 @@ impl Compiler<'_> {
                     }
                     self.probe(op);
                     self.tidy();
-                    if self.failure.is_some() {
+                    if self.has_failed() {
                         return;
                     }
                 }
@@ -322,9 +325,10 @@ impl Compiler<'_> {
     }
 
     /// What stands for a function.
-    pub fn frame(&self, function: FunctionRef) -> Frame {
+    pub fn frame(&mut self, function: FunctionRef) -> Frame {
         Frame {
             function,
+            path: self.call_path(function),
             clock: self.plan.start(function),
             ended: 0,
             result: None,
@@ -333,6 +337,23 @@ impl Compiler<'_> {
             returned: Value::Nothing,
             waiting: Vec::new(),
         }
+    }
+
+    /// The number of the calls that lead to a function, called from where code is being made.
+    fn call_path(&mut self, function: FunctionRef) -> u32 {
+        if !self.watches(Watch::Flow) {
+            return 0;
+        }
+        let path = CallPath {
+            function: (function != GLOBALS).then_some(function),
+            caller: self.frames.last().map(|f| f.path),
+        };
+        let known = self.code.calls.len() as u32;
+        let number = *self.call_paths.entry(path).or_insert(known);
+        if number == known {
+            self.code.calls.push(path);
+        }
+        number
     }
 }
 

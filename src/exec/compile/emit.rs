@@ -1,9 +1,10 @@
 //! Values, registers and instructions.
 
 use super::plan::{Held, Plan};
+use super::probe::Probed;
 use super::registers::Registers;
 use super::{CompileOptions, Persona, Refusal, Watch};
-use crate::exec::code::{CheckSite, Code, F1, F2, F3, Inexact, Instr, Reg, Slot, Target};
+use crate::exec::code::{CallPath, CheckSite, Code, F1, F2, F3, Inexact, Instr, Reg, Slot, Target};
 use crate::ir::{Module, OpId, Provenance};
 use crate::semantic::{FunctionRef, Program, VariableId};
 use rustc_hash::FxHashMap;
@@ -46,6 +47,8 @@ pub(super) enum Value {
 /// A function whose code is being made.
 pub(super) struct Frame {
     pub function: FunctionRef,
+    /// The number of the calls that lead here, where these are watched.
+    pub path: u32,
     pub clock: u32,
     /// How many of the plan's ends are behind.
     pub ended: usize,
@@ -87,10 +90,12 @@ pub(super) struct Compiler<'p> {
     pub check_sites: FxHashMap<CheckSite, u32>,
     /// By comparison: its number.
     pub compared_sites: FxHashMap<OpId, u32>,
+    /// By function and caller: the number of the path.
+    pub call_paths: FxHashMap<CallPath, u32>,
     /// By construct: the number of its branch.
     pub branch_sites: FxHashMap<Provenance, u32>,
-    /// Where the variable goes that is looked at.
-    pub probed: Option<Regs>,
+    /// Where goes what is looked at.
+    pub probed: Option<Probed>,
     next_slot: Slot,
     /// Intermediate results of a built-in function.
     pub scratch: Vec<Reg>,
@@ -124,6 +129,7 @@ impl<'p> Compiler<'p> {
             tables: FxHashMap::default(),
             check_sites: FxHashMap::default(),
             compared_sites: FxHashMap::default(),
+            call_paths: FxHashMap::default(),
             branch_sites: FxHashMap::default(),
             probed: None,
             // The first is always empty.
@@ -141,7 +147,10 @@ impl<'p> Compiler<'p> {
         }
         match self.failure {
             Some(failure) => Err(failure),
-            None => Ok(self.code),
+            None => Ok(Code {
+                registers: self.registers.count(),
+                ..self.code
+            }),
         }
     }
 
@@ -158,8 +167,9 @@ impl<'p> Compiler<'p> {
 
     /// Whether it makes no sense to go on.
     pub fn has_failed(&mut self) -> bool {
-        if self.code.body.len() + self.code.prologue.len() > MAX_INSTRS {
-            let _: Made<()> = self.refuse("a shader of more than 400,000 instructions");
+        let most = self.options.most.map_or(MAX_INSTRS, |n| n.min(MAX_INSTRS));
+        if self.code.body.len() + self.code.prologue.len() > most {
+            let _: Made<()> = self.refuse(format!("a shader of more than {most} instructions"));
         }
         self.failure.is_some() || self.registers.is_full
     }

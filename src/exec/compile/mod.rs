@@ -19,7 +19,7 @@ mod probe;
 mod registers;
 
 use super::code::Code;
-use crate::ir::{Module, OpKind, Provenance};
+use crate::ir::{Module, OpId, OpKind, Provenance};
 use crate::semantic::{FunctionRef, Program, VariableId};
 use crate::text::Span;
 use emit::Compiler;
@@ -31,12 +31,14 @@ pub struct CompileOptions {
     pub watch: Watch,
     /// The function that runs; that of the shader, unless one is named.
     pub entry: Option<FunctionRef>,
-    /// A variable that is given out beside what the shader gives.
+    /// What is given out beside what the shader gives.
     pub probe: Option<Probe>,
     /// The bits of what was never written: zero in the browser.
     pub undefined: u32,
     /// The GPU that is played.
     pub persona: Persona,
+    /// How many instructions it may become, where that is fewer than 400,000.
+    pub most: Option<usize>,
 }
 
 /// A GPU as exact as the conformance suite asks, and no more (VK-GL-CTS, glsBuiltinPrecisionTests).
@@ -62,14 +64,19 @@ pub enum Lean {
     Either,
 }
 
-/// A variable that is looked at where it is read or written: the last such moment of a pixel counts.
-/// It becomes the last of [`Code::outputs`], with the first four scalars of it.
+/// What is looked at while a shader runs: the last moment of a pixel counts. The first four scalars of
+/// it become the last but one of [`Code::outputs`]; the last is whether there was such a moment.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Probe {
-    /// The variable.
-    pub variable: VariableId,
-    /// The text in which it is looked at, such as a line.
-    pub within: Span,
+pub enum Probe {
+    /// A variable where it is read or written.
+    Variable {
+        /// The variable.
+        variable: VariableId,
+        /// The text in which it is looked at, such as a line.
+        within: Span,
+    },
+    /// What an operation gives.
+    Value(OpId),
 }
 
 /// What is watched while a shader runs; each holds what stands before it.
@@ -80,6 +87,10 @@ pub enum Watch {
     Nothing,
     /// Turns of loops, which branches are taken, and what pixels cost.
     Flow,
+    /// Divisors that are zero, operands that leave a result undefined, and indices outside.
+    Faults,
+    /// The ends of comparisons.
+    Comparisons,
     /// Numbers that go wrong.
     Numbers,
 }

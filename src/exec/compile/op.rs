@@ -4,7 +4,7 @@ use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
 use super::{Persona, Watch};
 use crate::exec::code::{CheckSite, Checked, Comparison, F1, F2, F3, Instr, Look, Reg};
 use crate::ir::{Binary, OpId, OpKind, Precision, Unary};
-use crate::semantic::{Base, Scalar, Type, Value as Constant};
+use crate::semantic::{Base, Scalar, Type, Undefined, Value as Constant};
 
 impl Compiler<'_> {
     /// Code for an operation; gives its value, held once.
@@ -47,7 +47,7 @@ impl Compiler<'_> {
                 then,
                 otherwise,
             } => Some(self.select(condition, then, otherwise)),
-            OpKind::Convert(a) => self.convert(a, ty),
+            OpKind::Convert(a) => self.convert(id, a, ty),
             OpKind::Splat(a) => {
                 let regs = self.operand(a);
                 let reg = self.reg(regs, 0);
@@ -186,10 +186,10 @@ impl Compiler<'_> {
             std::mem::swap(&mut left, &mut right);
         }
         let made = self.each_two(f, left, right)?;
-        if self.watches(Watch::Numbers)
+        if self.watches(Watch::Faults)
             && let Value::Regs(made) = made
         {
-            if binary.compares() && made.len == 1 {
+            if self.watches(Watch::Comparisons) && binary.compares() && made.len == 1 {
                 let sides = if turned { [right, left] } else { [left, right] };
                 let [left, right] = sides.map(|side| self.reg(side, 0));
                 self.watch_comparison(id, self.reg(made, 0), [left, right], scalar);
@@ -198,6 +198,7 @@ impl Compiler<'_> {
                 let operands = [self.spread(left, n), self.spread(right, n)];
                 let result = self.reg(made, n);
                 self.watch_number(id, f, result, operands);
+                self.watch_operands(id, undefined_of(binary, scalar), scalar, &operands);
             }
         }
         Some(made)
@@ -207,17 +208,29 @@ impl Compiler<'_> {
     fn watch_number(&mut self, id: OpId, f: F2, result: Reg, operands: [Reg; 2]) {
         let what = match f {
             F2::Divide => Checked::Quotient,
-            F2::IntDivide | F2::IntRemainder | F2::UintDivide | F2::UintRemainder => {
-                Checked::WholeQuotient
-            }
+            F2::IntDivide | F2::IntRemainder => Checked::Divisor(Scalar::Int),
+            F2::UintDivide | F2::UintRemainder => Checked::Divisor(Scalar::Uint),
             F2::Add | F2::Subtract | F2::Multiply => Checked::Float,
             _ => return,
         };
         self.check(id, what, result, &operands);
     }
 
+    /// Has operands looked at for which a result is undefined.
+    pub fn watch_operands(
+        &mut self,
+        id: OpId,
+        undefined: Undefined,
+        scalar: Scalar,
+        operands: &[Reg],
+    ) {
+        if let (Some(first), true) = (operands.first(), undefined != Undefined::NEVER) {
+            self.check(id, Checked::Operands(undefined, scalar), *first, operands);
+        }
+    }
+
     /// Has a comparison looked at.
-    fn watch_comparison(&mut self, op: OpId, result: Reg, sides: [Reg; 2], scalar: Scalar) {
+    pub fn watch_comparison(&mut self, op: OpId, result: Reg, sides: [Reg; 2], scalar: Scalar) {
         let known = self.code.compared.len() as u32;
         let site = *self.compared_sites.entry(op).or_insert(known);
         if site == known {
@@ -237,9 +250,15 @@ impl Compiler<'_> {
 
     /// Has a result looked at.
     pub fn check(&mut self, op: OpId, checked: Checked, result: Reg, operands: &[Reg]) {
-        if !self.watches(Watch::Numbers) {
-            return;
-        }
+        let checked = match checked {
+            _ if self.watches(Watch::Numbers) => checked,
+            _ if !self.watches(Watch::Faults) => return,
+            Checked::Float => return,
+            Checked::Quotient => Checked::Divisor(Scalar::Float),
+            Checked::Divisor(_) | Checked::Index | Checked::Neighbours | Checked::Operands(..) => {
+                checked
+            }
+        };
         let known = self.code.checks.len() as u32;
         let what = CheckSite { op, checked };
         let site = *self.check_sites.entry(what).or_insert(known);
@@ -352,10 +371,18 @@ impl Compiler<'_> {
         }
     }
 
-    fn convert(&mut self, a: OpId, ty: Type) -> Made<Value> {
+    fn convert(&mut self, id: OpId, a: OpId, ty: Type) -> Made<Value> {
         let from = self.module.scalar(a).unwrap_or(Scalar::Float);
         let to = ty.scalar_kind().unwrap_or(Scalar::Float);
         let regs = self.operand(a);
+        let undefined = match (from, to) {
+            (Scalar::Float, Scalar::Int) => Undefined::NO_INT,
+            (Scalar::Float, Scalar::Uint) => Undefined::NO_UINT,
+            _ => Undefined::NEVER,
+        };
+        for n in 0..regs.len {
+            self.watch_operands(id, undefined, from, &[self.reg(regs, n)]);
+        }
         let made: Vec<Reg> = (0..regs.len)
             .map(|n| {
                 let reg = self.reg(regs, n);
@@ -467,6 +494,15 @@ fn binary_of(binary: Binary, scalar: Scalar) -> (F2, bool) {
         (Binary::GreaterEqual, _) => (less(scalar, true), true),
     };
     (f, turned)
+}
+
+/// For which operands an operator's result is undefined.
+const fn undefined_of(binary: Binary, scalar: Scalar) -> Undefined {
+    match (binary, scalar) {
+        (Binary::Remainder, Scalar::Int) => Undefined::NEGATIVE_REMAINDER,
+        (Binary::ShiftLeft | Binary::ShiftRight, _) => Undefined::BEYOND_BITS,
+        _ => Undefined::NEVER,
+    }
 }
 
 /// The comparison of a kind of scalar.

@@ -1,10 +1,11 @@
 //! Reads and writes of variables and of parts of values.
 
-use super::emit::{Compiler, Made, Regs, Value};
+use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
 use super::layout::{part, scalars};
 use crate::exec::code::{ArraySite, Checked, F2, Instr, Reg};
 use crate::ir::{Access, Lanes, OpId, PlaceId, Root};
 use crate::semantic::{Base, Scalar, Type, VariableId};
+use rustc_hash::FxHashSet;
 
 /// Where a place lies in its variable, in scalars.
 struct Spot {
@@ -108,10 +109,7 @@ impl Compiler<'_> {
             return;
         }
         // Overlapping parts of one variable, such as `v.xy = v.yx`, are read before they are written.
-        let overlaps = (0..from.len).any(|n| {
-            let reg = self.reg(from, n);
-            (0..n).any(|m| self.reg(to, m) == reg)
-        });
+        let overlaps = self.overlaps(to, from);
         let from = match overlaps {
             true => self.copied(from),
             false => from,
@@ -128,6 +126,22 @@ impl Compiler<'_> {
         if overlaps {
             self.release(Value::Regs(from));
         }
+    }
+
+    /// Whether a register is read behind the moves that write to it.
+    fn overlaps(&self, to: Regs, from: Regs) -> bool {
+        if from.len <= MAX_KEPT as u32 {
+            return (0..from.len).any(|n| {
+                let reg = self.reg(from, n);
+                (0..n).any(|m| self.reg(to, m) == reg)
+            });
+        }
+        let mut written = FxHashSet::default();
+        (0..from.len).any(|n| {
+            let is_written = written.contains(&self.reg(from, n));
+            written.insert(self.reg(to, n));
+            is_written
+        })
     }
 
     fn forwarded(&mut self, value: OpId, to: Regs, from: Regs) -> bool {

@@ -5,6 +5,7 @@
 //! for a tick happens at it.
 
 use crate::ir::{Function, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step};
+use crate::semantic::BuiltinId as B;
 use crate::semantic::{FunctionRef, VariableId};
 use rustc_hash::FxHashMap;
 
@@ -185,6 +186,14 @@ fn is_alias(kind: OpKind) -> bool {
             | OpKind::Compose(_)
             | OpKind::Extract(..)
             | OpKind::Convert(_)
+            | OpKind::Builtin(
+                B::Transpose
+                    | B::FloatBitsToInt
+                    | B::FloatBitsToUint
+                    | B::IntBitsToFloat
+                    | B::UintBitsToFloat,
+                _
+            )
     )
 }
 

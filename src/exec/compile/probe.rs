@@ -1,48 +1,70 @@
-//! A variable that is given out beside what the shader gives.
+//! What is given out beside what the shader gives.
 
-use super::emit::{Compiler, Made, Value};
-use crate::exec::code::{Instr, OutputSlot};
+use super::Probe;
+use super::emit::{Compiler, Made, Regs, Value};
+use crate::exec::code::{Instr, OutputSlot, Reg};
 use crate::ir::{OpId, OpKind};
+use crate::semantic::Type;
 use crate::text::Span;
 
-/// How many of its scalars are given out.
+/// How many scalars are given out.
 const SHOWN: u32 = 4;
 
+/// Where it goes.
+#[derive(Clone, Copy)]
+pub(super) struct Probed {
+    ty: Type,
+    scalars: Regs,
+    /// All bits set where there was something to look at.
+    reached: Reg,
+}
+
 impl Compiler<'_> {
-    /// Makes room for the variable that is looked at.
+    /// Makes room for what is looked at.
     pub fn open_probe(&mut self) -> Made<()> {
-        let probe = self.options.probe?;
-        let ty = self.module.variable(probe.variable)?.ty;
+        let ty = match self.options.probe? {
+            Probe::Variable { variable, .. } => self.module.variable(variable)?.ty,
+            Probe::Value(op) => self.module.ty(op),
+        };
         let count = self.scalars_of(ty)?.min(SHOWN);
-        let fresh: Vec<_> = (0..count).map(|_| self.registers.fresh()).collect();
-        let regs = self.listed(fresh);
-        self.zero(regs);
-        self.probed = Some(regs);
+        let fresh: Vec<_> = (0..count + 1).map(|_| self.registers.fresh()).collect();
+        let reached = *fresh.last()?;
+        let all = self.listed(fresh);
+        self.zero(all);
+        self.probed = Some(Probed {
+            ty,
+            scalars: Compiler::part(all, 0, count),
+            reached,
+        });
         Some(())
     }
 
-    /// Gives out the variable if an operation reads or writes it where it is looked at.
+    /// Gives out what is looked at, if this operation is the place.
     pub fn probe(&mut self, op: OpId) -> Made<()> {
-        let probe = self.options.probe?;
-        let place = match self.module.op(op).kind {
-            OpKind::Load(place) | OpKind::Store(place, _) => place,
-            _ => return None,
-        };
-        if self.module.place(place).variable != probe.variable {
-            return None;
-        }
-        let at = self.place_in_text(op)?;
-        let is_within = probe.within.start <= at.start && at.start < probe.within.end;
-        let (Value::Regs(from), Some(to)) = (self.variable_value(probe.variable), self.probed)
-        else {
-            return None;
-        };
-        for n in 0..to.len.min(from.len) {
-            if is_within {
-                let (to, from) = (self.reg(to, n), self.reg(from, n));
-                self.push(Instr::MoveActive(to, from));
+        let value = match self.options.probe? {
+            Probe::Value(probed) if probed == op => self.value(op),
+            Probe::Value(_) => return None,
+            Probe::Variable { variable, within } => {
+                let place = match self.module.op(op).kind {
+                    OpKind::Load(place) | OpKind::Store(place, _) => place,
+                    _ => return None,
+                };
+                let is_it = self.module.place(place).variable == variable;
+                let at = self.place_in_text(op).filter(|_| is_it)?;
+                let is_within = within.start <= at.start && at.start < within.end;
+                is_within.then(|| self.variable_value(variable))?
             }
+        };
+        let (Value::Regs(from), Some(probed)) = (value, self.probed) else {
+            return None;
+        };
+        let to = probed.scalars;
+        for n in 0..to.len.min(from.len) {
+            let (to, from) = (self.reg(to, n), self.reg(from, n));
+            self.push(Instr::MoveActive(to, from));
         }
+        let holds = self.constant(u32::MAX);
+        self.push(Instr::MoveActive(probed.reached, holds));
         Some(())
     }
 
@@ -53,17 +75,25 @@ impl Compiler<'_> {
 
     /// Tells where it went.
     pub fn close_probe(&mut self) {
-        let (Some(probe), Some(regs)) = (self.options.probe, self.probed) else {
+        let Some(probed) = self.probed else {
             return;
         };
-        let Some(variable) = self.module.variable(probe.variable) else {
-            return;
+        let name = match self.options.probe {
+            Some(Probe::Variable { variable, .. }) => self.program.variable(variable),
+            _ => None,
         };
-        let name = self.program.variable(probe.variable).map(|v| v.name);
-        self.code.outputs.push(OutputSlot {
-            name: name.map_or("", |n| self.program.names.text(n)).to_string(),
-            ty: variable.ty,
-            regs: self.list(regs).to_vec(),
-        });
+        let name = name.map_or("", |v| self.program.names.text(v.name));
+        let (name, regs) = (name.to_string(), self.list(probed.scalars).to_vec());
+        let value = OutputSlot {
+            name,
+            ty: probed.ty,
+            regs,
+        };
+        let reached = OutputSlot {
+            name: "reached".to_string(),
+            ty: Type::BOOL,
+            regs: vec![probed.reached],
+        };
+        self.code.outputs.extend([value, reached]);
     }
 }

@@ -85,6 +85,11 @@ impl Registers {
         self.holders.get(reg as usize) == Some(&1)
     }
 
+    /// How many there are.
+    pub const fn count(&self) -> usize {
+        self.holders.len()
+    }
+
     fn set_holders(&mut self, reg: Reg, holders: u32) {
         if let Some(slot) = self.holders.get_mut(reg as usize) {
             *slot = holders;

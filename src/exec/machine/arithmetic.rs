@@ -4,8 +4,9 @@
 
 use super::{Bank, Machine};
 use crate::exec::code::{F1, F2, F3, Instr, Reg};
-use crate::exec::math;
+use crate::exec::inexact;
 use crate::exec::row::{PARTS, Row, floats, of_floats, of_unsigned, unsigned};
+use crate::math;
 use wide::{f32x8, i32x8};
 
 /// A comparison's answer for eight lanes.
@@ -115,9 +116,10 @@ impl Machine<'_> {
                 let came = self.active & self.wanted;
                 self.watched.branch(number, came & holds, came & !holds);
             }
-            Instr::Spend(cost) => {
+            Instr::Spend { cost, by } => {
                 let lanes = self.spread();
-                self.watched.spend(cost, &lanes);
+                let pixels = (self.active & self.wanted).count_ones();
+                self.watched.spend([cost, by], pixels, &lanes);
             }
             Instr::Check(look) => self.look(look),
             Instr::Compare(number) => self.compare(number),
@@ -255,7 +257,7 @@ fn apply_two(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
         F2::IntMax => two(bank, to, a, b, |a, b| a.max(b)),
         F2::UintMin => two(bank, to, a, b, |a, b| turned(turned(a).min(turned(b)))),
         F2::UintMax => two(bank, to, a, b, |a, b| turned(turned(a).max(turned(b)))),
-        F2::Off(what, lean) => float_two(bank, to, a, b, |x, y| m::off(what, lean, x, y)),
+        F2::Off(what, lean) => float_two(bank, to, a, b, |x, y| inexact::off(what, lean, x, y)),
         F2::PackHalf => two(bank, to, a, b, |a, b| {
             of_unsigned(m::pack_half(floats(a), floats(b)))
         }),

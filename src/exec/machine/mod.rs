@@ -8,14 +8,15 @@ mod array;
 mod texture;
 mod watch;
 
-use super::code::{Code, EMPTY, Instr, MAX_REGISTERS, Reg, Target};
+use super::code::{Code, EMPTY, Instr, Reg, Target};
 use super::draw::{Draw, Stop};
 use super::row::{LANES, PARTS, Row};
+use crate::semantic::Scalar;
 use watch::Watched;
 use wide::i32x8;
 
-/// All registers. The number of a register is never outside.
-type Bank = [[i32x8; PARTS]; MAX_REGISTERS];
+/// All registers of a shader. The number of a register is never outside.
+type Bank = [[i32x8; PARTS]];
 
 /// The pixels of 32 lanes.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +42,8 @@ pub(super) struct Machine<'d> {
     /// A mask, and the register that has all bits set in its lanes.
     spread: (u32, [i32x8; PARTS]),
     fuel: u64,
+    /// How many instructions were run in all.
+    pub spent: u64,
     tile: Tile,
     pub watched: Watched,
 }
@@ -67,13 +70,14 @@ impl<'d> Machine<'d> {
         let mut machine = Machine {
             draw,
             code,
-            bank: bytemuck::zeroed_box(),
+            bank: vec![Row::ZERO.0; code.registers].into_boxed_slice(),
             masks: vec![0; code.slots.max(1) as usize],
             active: u32::MAX,
             live: u32::MAX,
             wanted: 0,
             spread: (u32::MAX, spread(u32::MAX)),
             fuel: 0,
+            spent: code.prologue.len() as u64,
             tile: Tile {
                 pixels: [[0; 2]; LANES],
                 wanted: 0,
@@ -96,12 +100,18 @@ impl<'d> Machine<'d> {
     pub fn run(&mut self, tile: &Tile) -> Result<u32, Stop> {
         self.open(tile);
         (self.active, self.live) = (u32::MAX, u32::MAX);
-        self.fuel = self.draw.fuel;
         self.inputs();
         let out_of_fuel = |m: &Machine<'_>| Stop::OutOfFuel {
             pixel: m.tile.pixels.first().copied().unwrap_or_default(),
         };
         let code = self.code;
+        // Each instruction runs once, those in loops again.
+        let once = self.spent.saturating_add(code.body.len() as u64);
+        let Some(left) = self.draw.budget.checked_sub(once) else {
+            return Err(out_of_fuel(self));
+        };
+        let allowed = left.min(self.draw.fuel);
+        self.fuel = allowed;
         let mut at: Target = 0;
         while let Some(instr) = code.body.get(at as usize) {
             at += 1;
@@ -118,6 +128,7 @@ impl<'d> Machine<'d> {
                 None => {}
             }
         }
+        self.spent = once.saturating_add(allowed - self.fuel);
         self.watched.close(self.wanted);
         Ok(self.live & self.wanted)
     }
@@ -125,6 +136,15 @@ impl<'d> Machine<'d> {
     /// What was seen in all tiles.
     pub fn finish(self) -> super::seen::Seen {
         self.watched.finish(self.code)
+    }
+
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "there is a register for every number"
+    )]
+    #[inline(always)]
+    fn bits(&self, reg: Reg) -> &[i32x8; PARTS] {
+        &self.bank[reg as usize]
     }
 
     /// What a register holds.
@@ -159,9 +179,13 @@ impl<'d> Machine<'d> {
                     .tile
                     .pixels
                     .map(|[x, y]| base + across * (x as f32 + 0.5) + up * (y as f32 + 0.5));
-                let row = match slot.is_bool() {
-                    true => Row::of_bits(values.map(|v| if v == 0.0 { 0 } else { u32::MAX })),
-                    false => Row::of_floats(values),
+                let row = match slot.ty.scalar_kind() {
+                    Some(Scalar::Bool) => {
+                        Row::of_bits(values.map(|v| if v == 0.0 { 0 } else { u32::MAX }))
+                    }
+                    Some(Scalar::Int) => Row::of_bits(values.map(|v| v as i32 as u32)),
+                    Some(Scalar::Uint) => Row::of_bits(values.map(|v| v as u32)),
+                    Some(Scalar::Float) | None => Row::of_floats(values),
                 };
                 self.set(*reg, row);
             }

@@ -1,14 +1,14 @@
 //! What is watched while a shader runs.
 
 use super::{Machine, Tile, mask_of};
-use crate::exec::code::{Checked, Code, Look, Reg};
-use crate::exec::math;
-use crate::exec::row::{LANES, PARTS, Row, floats, unsigned};
+use crate::exec::code::{CallPath, Checked, Code, Look, Reg};
+use crate::exec::row::{LANES, PARTS, Row, floats, of_floats, unsigned};
 use crate::exec::seen::{
-    BranchSeen, ComparedSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness,
+    BranchSeen, ComparedSeen, FunctionSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness,
 };
 use crate::ir::{LoopId, OpId, Provenance};
-use crate::semantic::Scalar;
+use crate::math;
+use crate::semantic::{ComparedWith, Comparing, FunctionRef, OperandTest, Scalar, Undefined};
 use wide::{f32x8, i32x8};
 
 /// Turns from which on loops are counted alike.
@@ -20,6 +20,10 @@ pub(in crate::exec) struct Watched {
     cost: [i32x8; PARTS],
     /// By lane: the turns of all loops in the tile.
     turns: [i32x8; PARTS],
+    /// What any pixel of the tile paid, those at the same time counted once.
+    ran: u32,
+    /// By path of calls: what all pixels paid.
+    paid: Vec<u64>,
     loops: Vec<LoopCount>,
     /// By check: how often pixels came to it.
     visits: Vec<u64>,
@@ -60,6 +64,8 @@ impl Watched {
         Watched {
             cost: Row::ZERO.0,
             turns: Row::ZERO.0,
+            ran: 0,
+            paid: vec![0; code.calls.len()],
             loops: loops.collect(),
             visits: vec![0; code.checks.len()],
             compared: code.compared.iter().map(|_| Ends::default()).collect(),
@@ -87,6 +93,7 @@ impl Watched {
         let compared = code.compared.iter().zip(&self.compared);
         seen.compared = compared.map(|(op, ends)| ends.seen(*op)).collect();
         seen.numbers.sort_by_key(|n| (n.op, n.kind));
+        seen.functions = functions_seen(&code.calls, &self.paid);
         self.seen
     }
 
@@ -153,7 +160,19 @@ impl Watched {
         }
     }
 
-    pub fn spend(&mut self, cost: u32, lanes: &[i32x8; PARTS]) {
+    /// What the tile took as a whole: more than a pixel of it did, where pixels went other ways.
+    pub const fn ran(&self) -> u32 {
+        self.ran
+    }
+
+    /// Some lanes pay, so many of them for pixels that are counted, for what a path of calls leads to.
+    pub fn spend(&mut self, [cost, by]: [u32; 2], pixels: u32, lanes: &[i32x8; PARTS]) {
+        if pixels > 0 {
+            self.ran = self.ran.saturating_add(cost);
+        }
+        if let Some(paid) = self.paid.get_mut(by as usize) {
+            *paid += cost as u64 * pixels as u64;
+        }
         let cost = i32x8::splat(cost as i32);
         for (paid, lanes) in self.cost.iter_mut().zip(lanes) {
             *paid += *lanes & cost;
@@ -164,6 +183,7 @@ impl Watched {
     pub fn open(&mut self) {
         self.cost = Row::ZERO.0;
         self.turns = Row::ZERO.0;
+        self.ran = 0;
         for count in &mut self.loops {
             (count.came, count.exhausted) = (0, 0);
             count.most = [0; LANES];
@@ -202,6 +222,35 @@ impl Watched {
             witness: witness(),
         });
     }
+}
+
+/// What each function cost, by what was paid on the paths that lead to it and through it.
+fn functions_seen(calls: &[CallPath], paid: &[u64]) -> Vec<FunctionSeen> {
+    let mut seen: Vec<FunctionSeen> = Vec::new();
+    let mut add = |function: Option<FunctionRef>, own: u64, whole: u64| {
+        let at = seen.iter().position(|f| f.function == function);
+        let at = at.unwrap_or_else(|| {
+            let (own, whole) = (0, 0);
+            seen.push(FunctionSeen {
+                function,
+                own,
+                whole,
+            });
+            seen.len() - 1
+        });
+        if let Some(known) = seen.get_mut(at) {
+            (known.own, known.whole) = (known.own + own, known.whole + whole);
+        }
+    };
+    for (path, &paid) in calls.iter().zip(paid) {
+        add(path.function, paid, paid);
+        // No function calls itself, so that each is on the way once.
+        let next = |path: &CallPath| calls.get(path.caller? as usize).copied();
+        for caller in std::iter::successors(next(path), next) {
+            add(caller.function, 0, paid);
+        }
+    }
+    seen
 }
 
 impl LoopSeen {
@@ -280,8 +329,9 @@ impl Checked {
         match self {
             Checked::Float => &[Kind::Nan, Kind::Infinite],
             Checked::Quotient => &[Kind::DivisionByZero, Kind::Nan, Kind::Infinite],
-            Checked::WholeQuotient => &[Kind::DivisionByZero],
+            Checked::Divisor(_) => &[Kind::DivisionByZero],
             Checked::Index => &[Kind::OutOfRange],
+            Checked::Operands(..) | Checked::Neighbours => &[Kind::Undefined],
         }
     }
 }
@@ -302,10 +352,35 @@ impl ComparedSeen {
     }
 }
 
+/// Eight lanes as the numbers that they stand for. Integers beyond 2^24 are rounded, so that one that
+/// is greater than another may seem as great.
+fn numbers(part: i32x8, scalar: Scalar) -> f32x8 {
+    match scalar {
+        Scalar::Int => math::float_of_int(part),
+        Scalar::Uint => math::float_of_uint(unsigned(part)),
+        Scalar::Float | Scalar::Bool => floats(part),
+    }
+}
+
+/// The lanes of a mask whose neighbours are in it, too: all four of a quad.
+const fn whole_quads(lanes: u32) -> u32 {
+    let first = lanes & lanes >> 1 & lanes >> 2 & lanes >> 3 & 0x1111_1111;
+    first | first << 1 | first << 2 | first << 3
+}
+
 /// The lanes whose float is infinite or a NaN: all bits of its exponent are set.
-fn unusual(row: Row) -> u32 {
+fn unusual(bits: &[i32x8; PARTS]) -> u32 {
     let exponent = i32x8::splat(0x7f80_0000);
-    mask_of(&row.0.map(|part| (part & exponent).simd_eq(exponent)))
+    lanes_of(bits, |part| (part & exponent).simd_eq(exponent))
+}
+
+/// The lanes in which a test, eight of them at a time, sets the highest bit.
+#[inline(always)]
+fn lanes_of(bits: &[i32x8; PARTS], test: impl Fn(i32x8) -> i32x8) -> u32 {
+    let parts = bits.iter().enumerate();
+    parts.fold(0, |mask, (part, bits)| {
+        mask | test(*bits).to_bitmask() << (8 * part)
+    })
 }
 
 /// The lanes whose float is one of some.
@@ -328,26 +403,44 @@ impl Machine<'_> {
         if let Some(visits) = self.watched.visits.get_mut(look.site as usize) {
             *visits += came.count_ones() as u64;
         }
-        let is_float = matches!(what.checked, Checked::Float | Checked::Quotient);
-        if is_float && came & unusual(self.row(look.result)) == 0 {
+        let suspects = match what.checked {
+            Checked::Float | Checked::Quotient => unusual(self.bits(look.result)),
+            Checked::Divisor(scalar) => self.zeros(look, scalar),
+            Checked::Index | Checked::Operands(..) | Checked::Neighbours => u32::MAX,
+        };
+        if came & suspects == 0 {
             return;
         }
         for &kind in what.checked.kinds() {
-            let wrong = self.wrong(kind, look) & came;
+            let wrong = self.wrong(kind, what.checked, look) & came;
             if wrong != 0 {
-                let witness = self.witness(kind, look, wrong.trailing_zeros() as usize);
+                let lane = wrong.trailing_zeros() as usize;
+                let witness = self.witness(what.checked.scalar(), look, lane);
                 let times = wrong.count_ones() as u64;
                 self.watched.number(what.op, kind, times, || witness);
             }
         }
     }
 
+    /// The lanes whose last operand, the divisor, is zero: if a float, of either sign.
+    fn zeros(&self, look: &Look, scalar: Scalar) -> u32 {
+        let Some(divisor) = look.operands.last() else {
+            return 0;
+        };
+        let sign = i32::from(scalar == Scalar::Float);
+        lanes_of(self.bits(*divisor), |part| {
+            (part << sign).simd_eq(i32x8::ZERO)
+        })
+    }
+
     /// The pixel of a lane, and what the operation worked on there.
-    fn witness(&self, kind: Kind, look: &Look, lane: usize) -> Witness {
+    fn witness(&self, scalar: Scalar, look: &Look, lane: usize) -> Witness {
         let bits = |reg: &Reg| self.row(*reg).bits().get(lane).copied().unwrap_or(0);
-        let number = |bits: u32| match kind {
-            Kind::OutOfRange => bits as i32 as f64,
-            _ => f32::from_bits(bits) as f64,
+        let number = |bits: u32| match scalar {
+            Scalar::Int => bits as i32 as f64,
+            Scalar::Uint => bits as f64,
+            Scalar::Bool => (bits != 0) as u8 as f64,
+            Scalar::Float => f32::from_bits(bits) as f64,
         };
         Witness {
             pixel: self.tile.pixels.get(lane).copied().unwrap_or_default(),
@@ -374,11 +467,7 @@ impl Machine<'_> {
         for ((lows, highs), side) in rows {
             let parts = lows.iter_mut().zip(highs).zip(side).zip(lanes);
             for (((low, high), part), lanes) in parts {
-                let values = match comparison.scalar {
-                    Scalar::Int => math::float_of_int(part),
-                    Scalar::Uint => math::float_of_uint(unsigned(part)),
-                    _ => floats(part),
-                };
+                let values = numbers(part, comparison.scalar);
                 // A comparison with a NaN is false, so that it changes neither end.
                 let counts = floats(lanes);
                 *low = (values.simd_lt(*low) & counts).bitselect(values, *low);
@@ -387,7 +476,42 @@ impl Machine<'_> {
         }
     }
 
-    fn wrong(&self, kind: Kind, look: &Look) -> u32 {
+    /// The lanes in which a test of operands holds; of one that is not there, none.
+    fn holds(&self, test: &OperandTest, scalar: Scalar, look: &Look) -> u32 {
+        let operand = |number: usize| {
+            let row = self.row(*look.operands.get(number)?);
+            Some(row.0.map(|part| numbers(part, scalar)))
+        };
+        let with = match test.with {
+            ComparedWith::Number(number) => Some([f32x8::splat(number as f32); PARTS]),
+            ComparedWith::Operand(number) => operand(number),
+        };
+        let (Some(left), Some(right)) = (operand(test.operand), with) else {
+            return 0;
+        };
+        let mut lanes = Row::ZERO.0;
+        for ((lanes, a), b) in lanes.iter_mut().zip(left).zip(right) {
+            *lanes = of_floats(match test.relation {
+                Comparing::Less => a.simd_lt(b),
+                Comparing::LessEqual => a.simd_le(b),
+                Comparing::Equal => a.simd_eq(b),
+                Comparing::Greater => a.simd_gt(b),
+                Comparing::GreaterEqual => a.simd_ge(b),
+            });
+        }
+        mask_of(&lanes)
+    }
+
+    /// The lanes whose operands leave a result undefined.
+    fn undefined(&self, Undefined(cases): Undefined, scalar: Scalar, look: &Look) -> u32 {
+        cases.iter().fold(0, |any, case| {
+            let tests = case.iter().map(|test| self.holds(test, scalar, look));
+            any | tests.fold(u32::MAX, |all, lanes| all & lanes)
+        })
+    }
+
+    /// The lanes in which something went wrong.
+    fn wrong(&self, kind: Kind, checked: Checked, look: &Look) -> u32 {
         let result = self.row(look.result);
         let operands = || look.operands.iter().map(|reg| self.row(*reg));
         match kind {
@@ -405,12 +529,7 @@ impl Machine<'_> {
                     _ => operands().fold(made, |m, row| m & lanes_where(row, f32::is_finite)),
                 }
             }
-            Kind::DivisionByZero => {
-                let divisor = look.operands.last().map_or(Row::ZERO, |r| self.row(*r));
-                // Zero of either sign, and no other bits: a float or an integer.
-                let zeros = Row(divisor.0.map(|p| (p << 1_i32).simd_eq(i32x8::ZERO)));
-                mask_of(&zeros.0)
-            }
+            Kind::DivisionByZero => self.zeros(look, checked.scalar()),
             Kind::OutOfRange => {
                 let limit = look.operands.last().map_or(Row::ZERO, |r| self.row(*r));
                 let lanes = result.bits().into_iter().zip(limit.bits()).enumerate();
@@ -418,7 +537,11 @@ impl Machine<'_> {
                     m | ((at >= limit) as u32) << lane
                 })
             }
-            Kind::Uninitialized => 0,
+            Kind::Undefined => match checked {
+                Checked::Operands(undefined, scalar) => self.undefined(undefined, scalar, look),
+                Checked::Neighbours => !whole_quads(self.active),
+                _ => 0,
+            },
         }
     }
 
@@ -432,7 +555,7 @@ impl Machine<'_> {
 
 impl Seen {
     /// Adds what was seen elsewhere in the same draw.
-    pub(in crate::exec) fn add(&mut self, other: Seen) {
+    pub fn add(&mut self, other: Seen) {
         if self.pixels == 0 {
             *self = other;
             return;
@@ -456,6 +579,9 @@ impl Seen {
         for (own, other) in self.branches.iter_mut().zip(other.branches) {
             own.taken += other.taken;
             own.skipped += other.skipped;
+        }
+        for (own, other) in self.functions.iter_mut().zip(other.functions) {
+            (own.own, own.whole) = (own.own + other.own, own.whole + other.whole);
         }
         for (own, other) in self.watched.iter_mut().zip(other.watched) {
             own.visits += other.visits;

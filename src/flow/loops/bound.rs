@@ -54,8 +54,11 @@ impl Found {
         for goes in &self.goes {
             self.take(query, &mut made, *goes);
         }
-        if let (Bound::Exact(turns), true) = (made.bound, made.ends_early) {
-            made.bound = Bound::AtMost(turns);
+        match made.bound {
+            Bound::Exact(turns) if made.ends_early => made.bound = Bound::AtMost(turns),
+            Bound::Exact(_) => {}
+            // What the loop itself does not count is up to its body.
+            _ => made.ends_early |= module.steps(looped.step).is_empty(),
         }
         Some(made)
     }
@@ -135,9 +138,12 @@ impl Found {
         if !is_there || !is_still(query, self.id, limit) {
             return None;
         }
+        let tests_first = query.module.looped(self.id)?.tests_first;
+        let least = u64::from(!tests_first);
         let turns = start(query, init, turn.pace)
             .zip(end(query, limit, relation, turn.pace))
-            .and_then(|(start, end)| turns(start, relation, end, turn.pace));
+            .and_then(|(start, end)| turns(start, relation, end, turn.pace))
+            .map(|turns| turns.max(least));
         let is_exact = || {
             let is_known = query.lane(limit, 0).single().is_some();
             is_known && query.def(init).single().is_some() && tracer.jumps.is_empty()

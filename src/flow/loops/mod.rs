@@ -193,8 +193,7 @@ impl Finder<'_> {
             id,
             function,
             goes,
-            // A loop without a step does not count its turns by itself.
-            ends_early: module.steps(looped.step).is_empty(),
+            ends_early: false,
         });
         self.region(function, looped.test);
         self.region(function, looped.body);

@@ -37,9 +37,14 @@ fn counters_end_loops() {
         "for (float t = 0.0; t < 1.0; t += 0.25) { x += t; }",
         "Exact(4)",
     );
-    check("int i = 0; while (i < 3) { i++; }", "AtMost(3)");
-    check("int i = 0; do { i++; } while (i < 3);", "AtMost(3)");
-    check("for (int i = 6; i-- > 0;) { x += 1.0; }", "AtMost(6)");
+    check("int i = 0; while (i < 3) { i++; }", "Exact(3)");
+    check("int i = 0; do { i++; } while (i < 3);", "Exact(3)");
+    check("int i = 5; do { i++; } while (i < 3);", "Exact(1)");
+    check("for (int i = 6; i-- > 0;) { x += 1.0; }", "Exact(6)");
+    check(
+        "int i = 0; while (i < 3) { if (x > 1.0) continue; i++; }",
+        "Open",
+    );
     check("for (int i = 0; i < n; i++) { x += 1.0; }", "AtMost(9)");
     check(
         "for (ivec2 p = ivec2(0); p.x < 4; p.x++) { x += 1.0; }",

@@ -61,7 +61,7 @@ fn stand_in(input: &Input) -> Option<StandIn> {
 }
 
 /// Whether the player keeps one component of an input's texture.
-pub(super) fn is_gray(input: &Input) -> bool {
+pub fn is_gray(input: &Input) -> bool {
     let known = stock::find(input).map(|file| file.stand_in);
     known.or(input.stand_in).is_some_and(|s| s.is_gray)
 }

@@ -9,8 +9,9 @@ pub use row::{Axis, BuiltinKind, Level, Lookup, Transfer};
 pub use table::BuiltinId;
 
 use super::constant::Value;
-use super::fold::Folding;
+use super::fold::set_undefined_to_zero;
 use super::types::Type;
+use super::undefined::Undefined;
 use crate::syntax::Version;
 use crate::syntax::ast::QualifierKind;
 use prototype::Declared;
@@ -26,6 +27,16 @@ pub enum Stage {
     Vertex,
     /// Fragment shader.
     Fragment,
+}
+
+impl Stage {
+    /// The stage that a program needs besides.
+    pub fn other(self) -> Stage {
+        match self {
+            Stage::Vertex => Stage::Fragment,
+            Stage::Fragment => Stage::Vertex,
+        }
+    }
 }
 
 impl BuiltinId {
@@ -50,9 +61,27 @@ impl BuiltinId {
         self.row().transfer
     }
 
-    /// How it is computed of constants.
-    pub const fn folding(self) -> Folding {
-        self.row().fold
+    /// For which arguments its result is undefined.
+    pub const fn undefined(self) -> Undefined {
+        self.row().undefined
+    }
+
+    /// Its result of constant arguments, given as scalars, the first of a type; zero where it is
+    /// undefined, as in the browser. `None` where it is not known.
+    pub fn fold(self, first: Type, args: &[&[Value]]) -> Option<Vec<Value>> {
+        let mut made = self.row().fold.fold(first, args)?;
+        set_undefined_to_zero(&mut made, self.undefined(), args);
+        Some(made)
+    }
+
+    /// Which of its operands it compares, and with which threshold: the lowest where there are two.
+    pub fn comparison<T: Copy>(self, operands: &[T]) -> Option<(T, T)> {
+        match (self, operands) {
+            (BuiltinId::Step, &[edge, value]) | (BuiltinId::Smoothstep, &[edge, _, value]) => {
+                Some((value, edge))
+            }
+            _ => None,
+        }
     }
 
     /// Whether shaders in GLSL ES 3.00 may define it anew all the same: extensions that the
@@ -131,7 +160,7 @@ impl Overload {
     /// Its result of constant arguments, given as scalars; `None` where it is not known.
     pub fn fold(&self, args: &[&[Value]]) -> Option<Vec<Value>> {
         let first = self.params().first().copied().unwrap_or(Type::VOID);
-        self.function.folding().fold(first, args)
+        self.function.fold(first, args)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The columns of the table of built-in functions.
 
 use crate::semantic::fold::Folding;
+use crate::semantic::undefined::Undefined;
 
 /// What the table says of a built-in function.
 #[derive(Debug)]
@@ -13,6 +14,8 @@ pub(super) struct Row {
     pub cost: u8,
     /// What is known of its result's range.
     pub transfer: Transfer,
+    /// For which arguments its result is undefined.
+    pub undefined: Undefined,
     /// How it is computed of constants.
     pub fold: Folding,
 }

@@ -91,6 +91,18 @@ pub struct Parsed {
     pub version: Version,
     /// Whether errors were found before.
     pub has_errors: bool,
+    /// Whether errors come with advice.
+    pub advice: Advice,
+}
+
+/// Whether errors come with advice, such as the name that was probably meant: to look for it among all
+/// names takes longer than the check itself.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Advice {
+    /// They do.
+    Given,
+    /// They are only counted.
+    LeftOut,
 }
 
 /// Checks a parsed shader. `channels` overrides the types of `iChannel0` to `iChannel3`.
@@ -102,18 +114,18 @@ pub fn check(
     dialect: Dialect,
     channels: Channels,
 ) -> (Program, Vec<Diagnostic>) {
-    let run = |doubts: Doubts| look(&parsed, stage, dialect, channels, doubts);
-    let mut checker = run(Doubts::default());
+    let run = |doubts, advice| look(&parsed, stage, dialect, channels, doubts, advice);
+    let mut checker = run(Doubts::default(), parsed.advice);
     if !checker.doubts.met.is_empty() {
         let met = std::mem::take(&mut checker.doubts.met);
         let doubts = settle(
             checker.diagnostics.len(),
             &met,
             parsed.tree.exprs.len(),
-            |d| run(d.clone()).diagnostics.len(),
+            |d| run(d.clone(), Advice::LeftOut).diagnostics.len(),
         );
         if !doubts.retyped.is_empty() {
-            checker = run(doubts);
+            checker = run(doubts, parsed.advice);
         }
     }
     let mut diagnostics = std::mem::take(&mut checker.diagnostics);
@@ -136,6 +148,7 @@ pub fn check(
         tree,
         version,
         has_errors,
+        ..
     } = parsed;
     let program = Program {
         sources,
@@ -165,6 +178,7 @@ fn look(
     dialect: Dialect,
     channels: Channels,
     doubts: Doubts,
+    advice: Advice,
 ) -> Checker<'_> {
     let (tree, version) = (&parsed.tree, parsed.version);
     let mut checker = Checker {
@@ -199,7 +213,10 @@ fn look(
         flow: Vec::new(),
         undeclared: FxHashMap::default(),
         reported_names: FxHashSet::default(),
-        advice: Cell::new(MAX_ADVICE),
+        advice: Cell::new(match advice {
+            Advice::Given => MAX_ADVICE,
+            Advice::LeftOut => 0,
+        }),
         comparable: MAX_COMPARED,
         missing_precision: Vec::new(),
         deep_reported: None,

@@ -68,8 +68,10 @@ fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
         names: read.names,
         tree: parse.tree,
         version: read.version,
+        advice: Advice::Given,
     };
-    let checker = look(&parsed, stage, dialect, [None; 4], Doubts::default());
+    let doubts = Doubts::default();
+    let checker = look(&parsed, stage, dialect, [None; 4], doubts, parsed.advice);
     (checker.rejected, checker.diagnostics)
 }
 

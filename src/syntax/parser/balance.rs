@@ -59,8 +59,10 @@ impl Parser<'_> {
             let Some((first, end, net)) = self.unbalanced_piece() else {
                 return;
             };
-            // What is too long to be tried is left as it is.
-            if end - first > MAX_PIECE || !self.balance_piece(first, end, net) {
+            // What is too long to be tried, or lacks more than can be put right, is left as it is.
+            let is_hopeless = net.unsigned_abs() as usize > MAX_PIECES * MAX_ROUNDS;
+            let is_long = end - first > MAX_PIECE;
+            if is_long || is_hopeless || !self.balance_piece(first, end, net) {
                 return;
             }
         }

@@ -23,6 +23,8 @@ use toml::Spanned;
 pub struct ConfigFile {
     /// What draws the shaders in the end
     pub target: Option<Renderer>,
+    /// How many pixels of each shader are run, whatever that takes; none where it is 0
+    pub run_samples: Option<u32>,
     /// What the shaders are written for
     pub dialect: Option<DialectChoice>,
     /// What is said of shaders for OpenGL, Vulkan and other hosts than WebGL
@@ -51,6 +53,8 @@ pub struct Override {
     pub paths: Patterns,
     /// What draws the shaders in the end
     pub target: Option<Renderer>,
+    /// How many pixels of each shader are run, whatever that takes; none where it is 0
+    pub run_samples: Option<u32>,
     /// What the shaders are written for
     pub dialect: Option<DialectChoice>,
     /// What is said of shaders for OpenGL, Vulkan and other hosts than WebGL

@@ -41,6 +41,7 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
     let overrides = file.overrides.into_iter().map(|own| {
         let layer = Layer {
             target: own.target,
+            run_samples: own.run_samples,
             dialect: own.dialect,
             desktop: own.desktop,
             host: own.host.map(HostEntry::names).transpose()?,
@@ -53,6 +54,7 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
         overrides: overrides.collect::<Result<_, Mistake>>()?,
         base: Layer {
             target: file.target,
+            run_samples: file.run_samples,
             dialect: file.dialect,
             desktop: file.desktop,
             host: file.host.map(HostEntry::names).transpose()?,
@@ -84,8 +86,8 @@ mod tests {
             "x = 1",
             1,
             1,
-            "unknown key `x`; there are `target`, `dialect`, `desktop`, `host`, `rules`, `include`, \
-             `include_roots`, `exclude`, `overrides`",
+            "unknown key `x`; there are `target`, `run_samples`, `dialect`, `desktop`, `host`, `rules`, \
+             `include`, `include_roots`, `exclude`, `overrides`",
         );
         wrong(
             "\ntaget = \"gpu\"",

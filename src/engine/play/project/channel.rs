@@ -3,6 +3,7 @@
 use super::shader::Shader;
 use super::signal::Signal;
 use super::stand_in::{Film, StandIns};
+use super::still::{Decode, Stills};
 use super::target::Target;
 use super::{PlayProblem, Player};
 use crate::engine::play::Moment;
@@ -103,22 +104,34 @@ impl Channel {
 }
 
 /// Opens what all passes read.
-pub(super) fn open(player: &mut Player, project: &Project) -> Result<(), PlayProblem> {
+pub(super) fn open(
+    player: &mut Player,
+    project: &Project,
+    decode: Option<Decode>,
+) -> Result<(), PlayProblem> {
     let mut stand_ins = StandIns::new(player.threads);
+    let mut stills = Stills::new(decode);
     let mut opened = Vec::new();
     let mut notes = Vec::new();
     for pass in &player.passes {
         let found = project.passes.get(pass.number);
         let mut channels = Vec::new();
         for input in found.map_or(&[][..], |p| &p.inputs) {
-            if let (Some(found), false) = (found, input.urls.is_empty()) {
-                let title = found.title(pass.number);
-                notes.push(format!(
-                    "{title}: the file of channel {} is not read, so nothing is on it",
-                    input.channel
-                ));
-            }
-            let source = source(player, project, input, &mut stand_ins)?;
+            let source = match input.urls.is_empty() {
+                true => source(player, project, input, &mut stand_ins)?,
+                false => match stills.get(input) {
+                    Ok(image) => Source::Still(image),
+                    Err(why) => {
+                        let title = found.map_or(String::new(), |f| f.title(pass.number));
+                        let (source, instead) = in_place_of_file(input);
+                        let number = input.channel;
+                        notes.push(format!(
+                            "{title}: the file of channel {number} is not read, so {instead}: {why}"
+                        ));
+                        source
+                    }
+                },
+            };
             channels.push(channel(input, source));
         }
         opened.push(channels);
@@ -128,6 +141,17 @@ pub(super) fn open(player: &mut Player, project: &Project) -> Result<(), PlayPro
         pass.channels = channels;
     }
     Ok(())
+}
+
+/// What a channel reads whose file cannot be read, and how that is told.
+fn in_place_of_file(input: &Input) -> (Source, &'static str) {
+    match input.kind {
+        InputKind::Music | InputKind::MusicStream => (
+            Source::Signal(Box::new(Signal::new(input))),
+            "a made-up spectrum and wave stand for it",
+        ),
+        _ => (Source::Nothing, "nothing is on it"),
+    }
 }
 
 fn channel(input: &Input, source: Source) -> Channel {
@@ -179,7 +203,7 @@ fn source(
         }
         _ => {}
     }
-    let Some(stand_in) = input.stand_in.filter(|_| input.urls.is_empty()) else {
+    let Some(stand_in) = input.stand_in else {
         return Ok(Source::Nothing);
     };
     if input.kind == InputKind::Video {

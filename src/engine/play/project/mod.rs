@@ -7,6 +7,7 @@ mod shader;
 mod signal;
 mod sound;
 mod stand_in;
+mod still;
 mod target;
 #[cfg(test)]
 mod tests;
@@ -23,6 +24,7 @@ use target::{CUBE_SIDE, Target};
 
 pub use problem::PlayProblem;
 pub use sound::SOUND_RATE;
+pub use still::{Decode, Decoded};
 
 /// A project that is being run.
 pub struct Player {
@@ -69,6 +71,8 @@ pub struct PlayOptions {
     pub threads: usize,
     /// How passes are compiled.
     pub compile: CompileOptions,
+    /// What reads the pictures that the project brings with it.
+    pub decode: Option<Decode>,
 }
 
 impl Player {
@@ -105,7 +109,7 @@ impl Player {
             });
         }
         target::make(&mut player, project)?;
-        channel::open(&mut player, project)?;
+        channel::open(&mut player, project, options.decode)?;
         Ok(player)
     }
 

@@ -1,23 +1,11 @@
 //! The shader of a pass, and what is the same for all its channels.
 
 use super::PlayProblem;
-use crate::engine::play::{Moment, Scene, Unfit};
+use crate::engine::play::{Moment, Scene, Unfit, player_draw};
 use crate::exec::{Code, CompileOptions, Draw, compile};
 use crate::ir::lower;
 use crate::port::{Bindings, Composed, Feed, PassUnit, Project, ProjectPass, SizeTerm, Wrapper};
 use crate::semantic::Stage;
-
-/// What the uniforms of ShaderToy's player are given.
-const PLAYER: [(&str, Feed); 8] = [
-    ("iResolution", Feed::Resolution),
-    ("iTime", Feed::Time),
-    ("iTimeDelta", Feed::Delta),
-    ("iFrameRate", Feed::FrameRate),
-    ("iFrame", Feed::Frame),
-    ("iMouse", Feed::Mouse),
-    ("iDate", Feed::Date),
-    ("iSampleRate", Feed::SampleRate),
-];
 
 /// The shader of a pass.
 pub(super) enum Shader {
@@ -83,17 +71,7 @@ impl Shader {
     pub fn draw(&self, size: [u32; 2], moment: &Moment) -> Draw<'_> {
         match self {
             Shader::Own(scene) => scene.draw(size, moment),
-            Shader::Player(code) => {
-                let mut draw = Draw::new(code, size);
-                for (name, feed) in PLAYER {
-                    let mut lanes = moment.lanes(feed, size);
-                    if feed == Feed::Resolution {
-                        lanes.truncate(3);
-                    }
-                    draw.set(name, &lanes);
-                }
-                draw
-            }
+            Shader::Player(code) => player_draw(code, size, moment),
         }
     }
 
@@ -101,7 +79,7 @@ impl Shader {
     pub fn sizes_of<'s>(&'s self, sampler: &'s str) -> impl Iterator<Item = &'s str> {
         let uniforms = match self {
             Shader::Player(_) => &[][..],
-            Shader::Own(scene) => &scene.bound.uniforms,
+            Shader::Own(scene) => &scene.given.bound.uniforms,
         };
         let told = uniforms
             .iter()

@@ -30,7 +30,7 @@ impl Key {
             stand_in: *stand_in,
             kind: input.kind,
             vflip: input.sampler.vflip,
-            has_levels: input.sampler.filter == "mipmap",
+            has_levels: input.sampler.has_mipmaps(),
         }
     }
 }

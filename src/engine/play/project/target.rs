@@ -204,7 +204,7 @@ fn is_mipmapped(project: &Project, id: &OutputId, shape: ImageShape) -> bool {
         _ => InputKind::Buffer,
     };
     let mut inputs = project.passes.iter().flat_map(|p| &p.inputs);
-    inputs.any(|i| i.kind == kind && i.id == id.0 && i.sampler.filter == "mipmap")
+    inputs.any(|i| i.kind == kind && i.id == id.0 && i.sampler.has_mipmaps())
 }
 
 #[cfg(test)]

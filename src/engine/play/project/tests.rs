@@ -33,6 +33,7 @@ fn player(passes: &[Value], size: [u32; 2]) -> Result<Player, PlayProblem> {
         size,
         threads: 1,
         compile: CompileOptions::default(),
+        decode: None,
     };
     Player::new(&project, &composed, &options)
 }

@@ -1,0 +1,91 @@
+//! Surfaces of which none is lit.
+
+use crate::diagnostic::Severity;
+use crate::exec::Seen;
+use crate::lint::trial::{SampledPixel, Trial};
+use crate::lint::{Check, Context, Group, Rule};
+use std::collections::BTreeMap;
+
+pub static RULE: Rule = Rule {
+    name: "black-silhouette",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("black_silhouette.md"),
+    checks: &[Check::Run(check)],
+};
+
+/// What is no brighter than this is black.
+const BLACK: f32 = 3.0 / 255.0;
+/// How much of the picture has to be black, and how much not.
+const SHARES: [f64; 2] = [0.03, 0.03];
+/// How many black pixels have to hit something, how many others nothing, and how many of those that
+/// hit have to be black.
+const NEARLY_ALL: f64 = 0.99;
+
+fn check(cx: &mut Context) {
+    let Some(trial) = cx.facts.picture() else {
+        return;
+    };
+    if cx.facts.hits().is_empty() {
+        return;
+    }
+    let Some([black, lit]) = halves(cx, trial) else {
+        return;
+    };
+    for hit in cx.facts.hits() {
+        let (Some(black), Some(lit)) = (hit.seen(&black), hit.seen(&lit)) else {
+            continue;
+        };
+        let shares = [
+            share(black.0, black.1),
+            share(lit.1, lit.0),
+            share(black.0, lit.0),
+        ];
+        if shares.iter().all(|share| *share >= NEARLY_ALL) {
+            let told = trial.told();
+            let finding = cx.report_op(hit.condition, "everything that rays hit is black");
+            finding.note(told).help("add light from everywhere, such as an ambient term of 0.2, or turn the sun to the side that is seen");
+            return;
+        }
+    }
+}
+
+/// The share that some have beside others; of nothing, none.
+fn share(some: u64, others: u64) -> f64 {
+    some as f64 / (some + others).max(1) as f64
+}
+
+/// What is seen in a run of the quads that are black, and in one of those that are not; nothing where
+/// there are too few of either at an instant.
+fn halves(cx: &Context, trial: &Trial) -> Option<[Seen; 2]> {
+    let (bench, supplier) = cx.facts.bench()?;
+    let mut seen = [Seen::default(), Seen::default()];
+    for shot in &trial.shots {
+        let mut quads: BTreeMap<[u32; 2], [u32; 2]> = BTreeMap::new();
+        for pixel in shot.drawn() {
+            let [lit, black] = quads.entry(pixel.at.map(|at| at & !1)).or_default();
+            match is_black(&pixel) {
+                true => *black += 1,
+                false => *lit += 1,
+            }
+        }
+        let all = quads.len().max(1) as f64;
+        let sides = [[0, 4], [4, 0]];
+        for ((seen, side), least) in seen.iter_mut().zip(sides).zip(SHARES) {
+            let chosen = quads.iter().filter(|(_, counts)| **counts == side);
+            let chosen: Vec<[u32; 2]> = chosen.map(|(quad, _)| *quad).collect();
+            if (chosen.len() as f64) < least * all {
+                return None;
+            }
+            let sampled = bench.sample(bench.watched(), supplier, &shot.instant, &chosen)?;
+            seen.add(sampled.seen);
+        }
+    }
+    Some(seen)
+}
+
+fn is_black(pixel: &SampledPixel) -> bool {
+    pixel.shown().iter().all(|lane| *lane <= BLACK)
+}

@@ -1,0 +1,29 @@
+//! Rays that end where they begin.
+
+use crate::diagnostic::Severity;
+use crate::lint::{Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "camera-inside",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("camera_inside.md"),
+    checks: &[Check::Run(check)],
+};
+
+fn check(cx: &mut Context) {
+    let Some(told) = cx.facts.picture().map(|trial| trial.told()) else {
+        return;
+    };
+    for stmt in cx.facts.stuck_marches() {
+        let extent = cx.program.tree.stmt(stmt).extent;
+        cx.facts.tell_blank();
+        let head = cx.program.token(extent.first).map(|t| t.span);
+        let message = "the rays end at their first step: the camera stands inside of something";
+        let finding = cx.report_span(head.unwrap_or_default(), message);
+        let finding = finding.note(told.clone());
+        finding.help("move the camera to where the scene is empty");
+    }
+}

@@ -1,0 +1,70 @@
+//! Pictures in which hardly anything can be seen.
+
+use crate::diagnostic::Severity;
+use crate::lint::trial::{Trial, TrialShot, luminance, percent, share};
+use crate::lint::{Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "dark-frame",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("dark_frame.md"),
+    checks: &[Check::Run(check)],
+};
+
+/// What is no brighter than this cannot be told from black on most screens.
+const DARK: f32 = 12.0 / 255.0;
+/// The share of the pixels that may be brighter without anything to be seen in them.
+const LIT: f64 = 0.001;
+/// The share where much is hit by rays, and dark all the same.
+const LIT_SURFACE: f64 = 0.03;
+/// The share of the rays that hit something there.
+const SURFACE: f64 = 0.25;
+
+fn check(cx: &mut Context) {
+    let Some(trial) = cx.facts.picture() else {
+        return;
+    };
+    // A constant is meant to be what it is.
+    if trial.shows_a_number() || !cx.facts.is_computed() {
+        return;
+    }
+    let surfaces = |trial: &Trial| {
+        let seen = cx
+            .facts
+            .hits()
+            .iter()
+            .filter_map(|hit| hit.seen(&trial.seen));
+        let most = seen.map(|(hits, _)| hits as f64 / trial.pixels.max(1) as f64);
+        most.fold(0.0, f64::max)
+    };
+    let lit = |trial: &Trial| match surfaces(trial) >= SURFACE {
+        true => LIT_SURFACE,
+        false => LIT,
+    };
+    if !cx.facts.is_seen(|trial| is_dark(trial, lit(trial))) {
+        return;
+    }
+    cx.facts.tell_blank();
+    let brightest = trial
+        .drawn()
+        .map(|l| luminance(l.shown()))
+        .fold(0.0, f32::max);
+    let told = trial.told();
+    let brightest = (brightest * 255.0).round();
+    let lit = share(trial.drawn(), |l| luminance(l.shown()) > DARK);
+    let message = match brightest {
+        0.0 => "the picture is black".to_string(),
+        _ if lit > LIT => format!("{} of the picture is as good as black", percent(1.0 - lit)),
+        _ => format!("the picture is as good as black: {brightest} of 255 at the brightest"),
+    };
+    let finding = cx.report_picture(message).note(told);
+    finding.help("look for a light that reaches nothing, a colour that is multiplied by zero, or a camera that looks away");
+}
+
+/// Whether no more than a share of the pixels is lit at any instant.
+fn is_dark(trial: &Trial, lit: f64) -> bool {
+    trial.all(|shot: &TrialShot| share(shot.drawn(), |l| luminance(l.shown()) > DARK) <= lit)
+}

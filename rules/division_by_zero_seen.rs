@@ -1,0 +1,46 @@
+//! Divisions that were seen to divide by zero.
+
+use crate::diagnostic::Severity;
+use crate::exec::Kind;
+use crate::lint::trial::{Trial, Untold};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::Scalar;
+
+pub static RULE: Rule = Rule {
+    name: "division-by-zero-seen",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("division_by_zero_seen.md"),
+    checks: &[Check::Run(check)],
+};
+
+/// A share of the divisions that no bad luck explains.
+const OFTEN: f64 = 0.01;
+
+fn check(cx: &mut Context) {
+    let told = cx.facts.trial().map_or(String::new(), Trial::told);
+    for fault in cx.facts.untold(Kind::DivisionByZero) {
+        let op = fault.number.op;
+        let is_float = cx.facts.module().scalar(op) == Some(Scalar::Float);
+        if is_float && !is_often(&fault) {
+            continue;
+        }
+        let is_nothing = fault.number.witness.operands.first() == Some(&0.0);
+        let what = match (is_float, is_nothing) {
+            (false, _) => "the divisor is zero, and the result undefined",
+            (true, true) => "zero is divided by zero, which is a NaN",
+            (true, false) => "the divisor is zero, and the result infinite",
+        };
+        let finding = cx.report_op(op, what).note(fault.words).note(told.clone());
+        if is_float && !is_nothing {
+            finding.lower();
+        }
+    }
+}
+
+/// Whether it is more than a line or a point of the picture, which the code may be made for.
+fn is_often(fault: &Untold) -> bool {
+    fault.number.times as f64 / fault.visits.max(1) as f64 >= OFTEN
+}

@@ -1,0 +1,53 @@
+//! Pictures that hang on the last digits of a sine, a root or a division.
+
+use crate::diagnostic::Severity;
+use crate::exec::{CompileOptions, Lean, Persona};
+use crate::ir::OpKind;
+use crate::lint::trial::percent;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::BuiltinId;
+
+pub static RULE: Rule = Rule {
+    name: "gpu-dependent-picture",
+    group: Group::Runtime,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("gpu_dependent_picture.md"),
+    checks: &[Check::Run(check)],
+};
+
+/// The share of the picture that has to look otherwise.
+const SEEN: f64 = 0.2;
+/// How many quads are run at each instant.
+const QUADS: usize = 32;
+
+fn check(cx: &mut Context) {
+    let Some(trial) = cx.facts.picture() else {
+        return;
+    };
+    let module = cx.facts.module();
+    let hashes = |(op, number): (&crate::ir::Op, u32)| {
+        let is_fract = matches!(op.kind, OpKind::Builtin(BuiltinId::Fract, _));
+        is_fract && cx.facts.is_told(crate::ir::OpId(number))
+    };
+    if module.ops.iter().zip(0..).any(hashes) {
+        return;
+    }
+    let inexact = CompileOptions {
+        persona: Persona::Inexact(Lean::Either),
+        ..CompileOptions::default()
+    };
+    let (Some(exact), Some(inexact)) = (cx.facts.unwatched(), cx.facts.compiled(&inexact)) else {
+        return;
+    };
+    let changed = cx.facts.difference([exact, &inexact], QUADS);
+    let Some(changed) = changed.filter(|share| *share >= SEEN) else {
+        return;
+    };
+    let told = trial.told();
+    let changed = percent(changed);
+    let finding = cx.report_picture("the picture hangs on digits that GPUs do not share");
+    finding.note(format!("{changed} of the pixels look otherwise on a GPU that is as inexact as the conformance suite allows")).note(told)
+        .help("hash integers, and keep the arguments of sines small");
+}

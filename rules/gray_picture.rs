@@ -1,0 +1,61 @@
+//! Colours that do not show.
+
+use crate::diagnostic::Severity;
+use crate::lint::trial::{SampledPixel, Trial, luminance, share};
+use crate::lint::{Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "gray-picture",
+    group: Group::Runtime,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("gray_picture.md"),
+    checks: &[Check::Run(check)],
+};
+
+/// Colours of less saturation pixel gray.
+const GRAY: f32 = 0.08;
+/// The share of the pixels that have to.
+const MOST: f64 = 0.995;
+/// Darker pixels show no colour.
+const DARK: f32 = 12.0 / 255.0;
+
+fn check(cx: &mut Context) {
+    let Some(trial) = cx.facts.picture() else {
+        return;
+    };
+    if !cx.facts.is_seen(is_gray) {
+        return;
+    }
+    let told = trial.told();
+    let finding =
+        cx.report_picture("the picture is gray although its channels are computed one by one");
+    finding.note(told).help(
+        "colours whose channels differ by a few hundredths look gray: set them further apart",
+    );
+}
+
+/// Whether nothing has a colour that could be seen, although the channels differ.
+fn is_gray(trial: &Trial) -> bool {
+    let lit = || trial.drawn().filter(|l| luminance(l.shown()) > DARK);
+    let is_white = |pixel: &SampledPixel| pixel.shown().iter().all(|lane| *lane >= 1.0);
+    let colored = || lit().filter(|l| !is_white(l));
+    let has_two = colored().nth(16).is_some();
+    // The same number in all channels is meant to be gray.
+    let tinted = share(colored(), |l| !l.is_even());
+    has_two && tinted > 0.5 && share(colored(), |l| saturation(l.shown()) <= GRAY) >= MOST
+}
+
+/// How far the channels of a colour lie from one another, in parts of the largest.
+fn saturation(color: [f32; 3]) -> f32 {
+    let (least, most) = (
+        color.iter().fold(1.0, |a, b| b.min(a)),
+        color.iter().fold(0.0, |a, b| b.max(a)),
+    );
+    if most > 0.0 {
+        (most - least) / most
+    } else {
+        0.0
+    }
+}

@@ -1,0 +1,21 @@
+//! Pixels that come out as no number.
+
+use crate::diagnostic::Severity;
+use crate::exec::Kind;
+use crate::lint::trial::report_broken;
+use crate::lint::{Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "nan-pixels",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("nan_pixels.md"),
+    checks: &[Check::Run(check)],
+};
+
+fn check(cx: &mut Context) {
+    let what = "NaN, which some GPUs draw black and others white";
+    report_broken(cx, Kind::Nan, f32::is_nan, what);
+}

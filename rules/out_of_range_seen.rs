@@ -1,0 +1,28 @@
+//! Indices that were seen outside of their array.
+
+use crate::diagnostic::Severity;
+use crate::exec::Kind;
+use crate::lint::trial::Trial;
+use crate::lint::{Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "out-of-range-seen",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("out_of_range_seen.md"),
+    checks: &[Check::Run(check)],
+};
+
+fn check(cx: &mut Context) {
+    let told = cx.facts.trial().map_or(String::new(), Trial::told);
+    for fault in cx.facts.untold(Kind::OutOfRange) {
+        let message = match fault.number.witness.operands.first() {
+            Some(index) => format!("the index lies outside: {index}"),
+            None => "the index lies outside".to_string(),
+        };
+        let finding = cx.report_op(fault.number.op, message);
+        finding.note(fault.words).note(told.clone());
+    }
+}

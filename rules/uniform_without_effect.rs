@@ -1,0 +1,133 @@
+//! Uniforms that are read and change nothing.
+
+use crate::diagnostic::Severity;
+use crate::exec::{Code, UniformSlot, quads_all_over};
+use crate::lint::trial::{Instant, Press, SIZE};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::{Storage, VariableId};
+
+pub static RULE: Rule = Rule {
+    name: "uniform-without-effect",
+    group: Group::Runtime,
+    severity: Severity::Info,
+    default: true,
+    options: &[],
+    page: include_str!("uniform_without_effect.md"),
+    checks: &[Check::Run(check)],
+};
+
+/// What a uniform of the shader's own is set to, in all its components.
+const VALUES: [f64; 7] = [0.0, 1.0, 0.5, -1.0, 2.0, 10.0, 100.0];
+/// When the picture is looked at.
+const TIMES: [f64; 2] = [2.3, 10.7];
+/// How many quads are looked at: a few first, since most uniforms change much.
+const QUADS: [usize; 2] = [8, 256];
+
+fn check(cx: &mut Context) {
+    if cx.facts.is_blank() || cx.facts.picture().is_none() {
+        return;
+    }
+    let Some(code) = cx.facts.unwatched() else {
+        return;
+    };
+    for slot in &code.uniforms {
+        let Some(way) = way(cx, code, slot) else {
+            continue;
+        };
+        if changes(cx, code, slot, way) != Some(false) {
+            continue;
+        }
+        let name = &slot.name;
+        let Some(mention) = mention(cx, name) else {
+            continue;
+        };
+        let values = match way {
+            Way::Mouse => "with the mouse here and there, its button up and down".to_string(),
+            Way::Values => format!("with {}", VALUES.map(|v| v.to_string()).join(", ")),
+        };
+        let finding = cx.report_expr(
+            mention,
+            format!("`{name}` is read and changes nothing in the picture"),
+        );
+        let pixels = QUADS[1] * 4;
+        finding.note(format!("{pixels} pixels are the same {values}"));
+    }
+}
+
+/// How a uniform is tried.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    /// By moving the mouse.
+    Mouse,
+    /// By setting it.
+    Values,
+}
+
+/// Time and size are none of a user's choice.
+fn way(cx: &Context, code: &Code, slot: &UniformSlot) -> Option<Way> {
+    let (_, supplier) = cx.facts.bench()?;
+    let draw = |instant: &Instant| supplier.draw(code, SIZE, instant);
+    let [still, late] = [0.0, 10.7].map(Instant::at);
+    let names =
+        |a: &Instant, b: &Instant| draw(a).differences(&draw(b)).any(|u| u.name == slot.name);
+    if names(&still, &late) {
+        return None;
+    }
+    if names(&still, &pressed(0.0, 100.0)) {
+        return Some(Way::Mouse);
+    }
+    (!supplier.knows(&slot.name)).then_some(Way::Values)
+}
+
+fn pressed(time: f64, place: f64) -> Instant {
+    let press = Press {
+        at: [place, place * 0.7],
+        is_down: true,
+    };
+    Instant {
+        time,
+        mouse: Some(press),
+    }
+}
+
+/// Whether some value of a uniform changes some pixel.
+fn changes(cx: &Context, code: &Code, slot: &UniformSlot, way: Way) -> Option<bool> {
+    let (bench, supplier) = cx.facts.bench()?;
+    let count = (slot.ty.element().components() * slot.ty.array.max(1)) as usize;
+    for quads in QUADS {
+        let quads = quads_all_over(SIZE, quads, 0);
+        for time in TIMES {
+            let shot = |number: usize| {
+                let instant = match (way, number) {
+                    (Way::Mouse, 1..) => pressed(time, 90.0 * number as f64),
+                    _ => Instant::at(time),
+                };
+                let mut draw = supplier.draw(code, SIZE, &instant);
+                if let (Way::Values, Some(value)) = (way, VALUES.get(number)) {
+                    draw.set(&slot.name, &vec![*value; count]);
+                }
+                let sampled = bench.sample_draw(draw, &quads)?;
+                Some((sampled.outputs, sampled.covered))
+            };
+            let first = shot(0)?;
+            for number in 1..VALUES.len() {
+                if shot(number)? != first {
+                    return Some(true);
+                }
+            }
+        }
+    }
+    Some(false)
+}
+
+/// Where the user names a uniform first.
+fn mention(cx: &Context, name: &str) -> Option<crate::syntax::ast::ExprId> {
+    let program = cx.program;
+    let root = name.split(['.', '[']).next()?;
+    let mut variables = program.variables.iter().zip(0..);
+    let (_, number) = variables
+        .find(|(v, _)| v.storage == Storage::Uniform && program.names.text(v.name) == root)?;
+    let mentions = cx.facts.mentions().all(VariableId(number)).iter();
+    let mut own = mentions.filter(|e| program.is_user(program.expr_span(**e)));
+    own.next().copied()
+}

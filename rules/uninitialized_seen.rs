@@ -1,0 +1,73 @@
+//! Pictures that hang on what was never written.
+
+use crate::diagnostic::Severity;
+use crate::exec::CompileOptions;
+use crate::flow::Unset;
+use crate::lint::trial::percent;
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::FunctionRef;
+
+pub static RULE: Rule = Rule {
+    name: "uninitialized-seen",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("uninitialized_seen.md"),
+    checks: &[Check::Run(check)],
+};
+
+/// What may lie where nothing was written: 7.25, which is no number that shaders start from.
+const RUBBISH: u32 = 0x40e8_0000;
+
+fn check(cx: &mut Context) {
+    let Some(trial) = cx.facts.picture() else {
+        return;
+    };
+    let Some(unset) = suspect(cx) else { return };
+    let options = CompileOptions {
+        undefined: RUBBISH,
+        ..CompileOptions::default()
+    };
+    let (Some(zeros), Some(rubbish)) = (cx.facts.unwatched(), cx.facts.compiled(&options)) else {
+        return;
+    };
+    let quads = cx
+        .facts
+        .bench()
+        .map_or(0, |(bench, _)| bench.quads.div_ceil(4));
+    let changed = cx.facts.difference([zeros, &rubbish], quads);
+    let Some(changed) = changed.filter(|share| *share > 0.0) else {
+        return;
+    };
+    let told = trial.told();
+    let variable = cx.program.variable(unset.variable);
+    let name = variable.map_or("", |v| cx.program.names.text(v.name));
+    let message = format!("`{name}` is read before it has a value, and the picture shows it");
+    let finding = cx.report(unset.at, message);
+    finding
+        .note(format!(
+            "{} of the picture look otherwise if 7.25 lies there instead of 0.0",
+            percent(changed)
+        ))
+        .note(told);
+}
+
+/// The first variable that may lack its value, of those of which no other rule tells; nothing where
+/// the entry adds to what the player hands to it, which is zero in all browsers.
+fn suspect(cx: &Context) -> Option<Unset> {
+    let functions = (0..cx.program.functions.len() as u32).map(FunctionRef);
+    let outputs = cx.facts.outputs();
+    let reads = functions
+        .filter_map(|f| cx.facts.paths().get(f))
+        .flat_map(|found| &found.reads);
+    let reads: Vec<&Unset> = reads.collect();
+    if reads.iter().any(|u| outputs.contains(&u.variable)) {
+        return None;
+    }
+    let is_told = |u: &Unset| u.always || !u.guarded;
+    if reads.iter().any(|u| is_told(u)) {
+        return None;
+    }
+    reads.first().map(|u| **u)
+}

@@ -1,0 +1,176 @@
+//! Thresholds that a height, or another quantity, never reaches.
+
+use crate::diagnostic::Severity;
+use crate::exec::{ComparedSeen, Watch};
+use crate::ir::{Module, Op, OpId, OpKind};
+use crate::lint::trial::{Trial, TrialShot};
+use crate::lint::{Check, Context, Group, Rule};
+use crate::semantic::Type;
+
+pub static RULE: Rule = Rule {
+    name: "unreachable-height",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("unreachable_height.md"),
+    checks: &[Check::Run(check)],
+};
+
+/// Fewer comparisons than these tell nothing.
+const LEAST: u64 = 125;
+
+/// Comparisons with constants beyond these are not looked at: each is held against all others.
+const MOST: usize = 200;
+
+/// Comparisons of one value with one constant after another, as the bands of a mountain are told
+/// apart.
+struct Bands {
+    /// What is compared.
+    value: OpId,
+    /// With the largest constant.
+    last: OpId,
+    /// That constant.
+    limit: f32,
+    /// With others.
+    others: Vec<OpId>,
+}
+
+fn check(cx: &mut Context) {
+    let bands = bands(cx);
+    let Some(trial) = cx.facts.picture().filter(|_| !bands.is_empty()) else {
+        return;
+    };
+    let mut runs = cx.facts.smaller_runs(Watch::Comparisons);
+    let Some(Some(usual)) = runs.next() else {
+        return;
+    };
+    let missed = |bands: Bands| Some((Reached::of(&usual, &bands)?, bands));
+    let missed = bands
+        .into_iter()
+        .filter_map(missed)
+        .filter(|(seen, bands)| {
+            let is_known = cx.facts.is_known(bands.first());
+            is_known && seen.tells && seen.is_below() && !grows(&usual, bands)
+        });
+    let missed: Vec<(Reached, Bands)> = missed.collect();
+    if missed.is_empty() {
+        return;
+    }
+    let others: Vec<Trial> = runs.flatten().collect();
+    for (seen, bands) in missed {
+        let is_same = |trial: &Trial| Reached::of(trial, &bands).is_none_or(|r| r.is_below());
+        if !others.iter().all(is_same) {
+            continue;
+        }
+        let Reached {
+            most, limit, times, ..
+        } = seen;
+        let told = trial.told();
+        let message =
+            format!("this is {most:.3} at most, so that what lies beyond {limit} is never drawn");
+        let finding = cx.report_op(bands.value, message);
+        finding
+            .note(format!("in {times} comparisons"))
+            .note(told)
+            .help("divide by the largest value that is really reached, or lower the thresholds");
+    }
+}
+
+/// All bands that a shader tells apart.
+fn bands(cx: &Context) -> Vec<Bands> {
+    let module = cx.facts.module();
+    let numbered = module.ops.iter().zip(0..);
+    let compared = numbered.filter_map(|(op, number)| {
+        let (value, limit) = threshold(module, op)?;
+        let [limit] = module.constant(limit) else {
+            return None;
+        };
+        let is_float = module.ty(value) == Type::FLOAT;
+        is_float.then_some((OpId(number), value, limit.as_float()))
+    });
+    let compared: Vec<(OpId, OpId, f32)> = compared.take(MOST).collect();
+    let mut all = Vec::new();
+    for &(last, value, limit) in &compared {
+        let same = compared
+            .iter()
+            .filter(|(op, other, _)| *op != last && cx.facts.is_same_value(value, *other));
+        let others: Vec<&(OpId, OpId, f32)> = same.collect();
+        if !others.is_empty() && others.iter().all(|(.., other)| *other < limit) {
+            let others = others.iter().map(|(op, ..)| *op).collect();
+            all.push(Bands {
+                value,
+                last,
+                limit,
+                others,
+            });
+        }
+    }
+    all
+}
+
+/// What an operation compares, and with what.
+fn threshold(module: &Module, op: &Op) -> Option<(OpId, OpId)> {
+    match op.kind {
+        OpKind::Binary(binary, value, limit) if binary.compares() => Some((value, limit)),
+        OpKind::Builtin(function, list) => function.comparison(module.operands(list)),
+        _ => None,
+    }
+}
+
+impl Bands {
+    /// The comparison that all others may stand behind.
+    fn first(&self) -> OpId {
+        self.others.iter().copied().fold(self.last, OpId::min)
+    }
+}
+
+/// How far the value of some bands was seen to reach.
+struct Reached {
+    /// The largest value.
+    most: f64,
+    /// What it has to reach for what lies beyond the last band.
+    limit: f32,
+    /// How often it was compared where most pixels compare it.
+    times: u64,
+    /// Whether bands are told apart by it.
+    tells: bool,
+}
+
+impl Reached {
+    fn of(trial: &Trial, bands: &Bands) -> Option<Reached> {
+        let ops = bands.others.iter().chain([&bands.last]);
+        let seen = |op: &OpId| trial.seen.compared.iter().find(|c| c.op == *op);
+        let seen: Vec<&ComparedSeen> = ops.filter_map(seen).collect();
+        let times = seen.iter().map(|c| c.held + c.failed).max()?;
+        (times >= LEAST).then(|| Reached {
+            most: seen
+                .iter()
+                .map(|c| c.left[1])
+                .fold(f64::NEG_INFINITY, f64::max),
+            limit: bands.limit,
+            times,
+            tells: seen.iter().any(|c| c.held > 0 && c.failed > 0),
+        })
+    }
+
+    /// Whether it stays clear of the last band.
+    fn is_below(&self) -> bool {
+        let limit = f64::from(self.limit);
+        self.most + 0.01 * limit.abs() < limit
+    }
+}
+
+/// Whether the value is largest at the last instant by far: it may go on to grow.
+fn grows(trial: &Trial, bands: &Bands) -> bool {
+    let most = |shot: &TrialShot| {
+        let compared = shot.sampled.seen.compared.iter();
+        let own = compared.filter(|c| c.op == bands.last || bands.others.contains(&c.op));
+        own.map(|c| c.left[1]).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let Some((last, earlier)) = trial.shots.split_last() else {
+        return false;
+    };
+    let earlier = earlier.iter().map(most).fold(f64::NEG_INFINITY, f64::max);
+    most(last) > earlier + 0.1 * earlier.abs()
+}

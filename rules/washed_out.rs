@@ -1,0 +1,36 @@
+//! Pictures that are brighter than white nearly everywhere.
+
+use crate::diagnostic::Severity;
+use crate::lint::trial::{Trial, is_too_bright, share};
+use crate::lint::{Check, Context, Group, Rule};
+
+pub static RULE: Rule = Rule {
+    name: "washed-out",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    default: true,
+    options: &[],
+    page: include_str!("washed_out.md"),
+    checks: &[Check::Run(check)],
+};
+
+/// The share of the pixels that have to be too bright.
+const MOST: f64 = 0.9;
+
+fn check(cx: &mut Context) {
+    let Some(trial) = cx.facts.picture() else {
+        return;
+    };
+    let is_washed = |trial: &Trial| trial.all(|shot| share(shot.drawn(), is_too_bright) >= MOST);
+    if trial.shows_a_number() || !cx.facts.is_seen(is_washed) {
+        return;
+    }
+    let percent = (share(trial.drawn(), is_too_bright) * 100.0).floor();
+    let told = trial.told();
+    let finding = cx.report_picture(format!(
+        "{percent} % of the picture is brighter than white, so that nothing is seen there"
+    ));
+    finding.note(told).help(
+        "make lights and colours weaker, or bring the colours together: `color / (1.0 + color)`",
+    );
+}

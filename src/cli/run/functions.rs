@@ -1,0 +1,69 @@
+//! What each function cost.
+
+use super::columns::columns;
+use super::facts::percent;
+use super::load::position;
+use crate::exec::{FunctionSeen, Seen};
+use crate::semantic::Program;
+use serde::Serialize;
+
+/// A function, and its share of the cost.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct FunctionRow {
+    /// Its name; empty for the initial values of globals.
+    pub name: String,
+    /// Where it is defined: `file:line:column`.
+    pub at: Option<String>,
+    /// What it did itself, in operations of all pixels.
+    pub own_operations: u64,
+    /// The share of all that was done.
+    pub own: f64,
+    /// The share that it did together with the functions that it called.
+    pub with_callees: f64,
+}
+
+/// All functions that did something, those that did the most themselves first.
+pub fn rows(program: &Program, seen: &Seen) -> Vec<FunctionRow> {
+    let mut seen_functions: Vec<&FunctionSeen> = seen.functions.iter().collect();
+    seen_functions.retain(|f| f.whole > 0);
+    seen_functions.sort_by_key(|f| {
+        (
+            std::cmp::Reverse((f.own, f.whole)),
+            f.function.map(|id| id.0),
+        )
+    });
+    let share = |operations: u64| operations as f64 / seen.operations.max(1) as f64;
+    let rows = seen_functions.into_iter().map(|own| {
+        let function = own.function.and_then(|id| program.function(id));
+        let tree = &program.tree;
+        let definition = function.and_then(|f| tree.function(f.definition?));
+        let token = definition.and_then(|d| program.token(d.ident.token));
+        FunctionRow {
+            name: function.map_or(String::new(), |f| program.names.text(f.name).to_string()),
+            at: token.and_then(|t| position(&program.sources, t.span)),
+            own_operations: own.own,
+            own: share(own.own),
+            with_callees: share(own.whole),
+        }
+    });
+    rows.collect()
+}
+
+/// The table for people.
+pub fn table(rows: &[FunctionRow]) -> String {
+    let head = ["function", "at", "own", "with callees"];
+    let mut cells = vec![head.map(str::to_string)];
+    cells.extend(rows.iter().map(|row| {
+        let name = match row.name.as_str() {
+            "" => "(initial values)",
+            name => name,
+        };
+        [
+            name.to_string(),
+            row.at.clone().unwrap_or_default(),
+            percent(row.own),
+            percent(row.with_callees),
+        ]
+    }));
+    columns(&cells, 2)
+}

@@ -1,0 +1,105 @@
+//! How much two pictures differ for the eye.
+//!
+//! Colours are taken into the space Oklab (Björn Ottosson, 2020), in which equal distances look about
+//! equally large. Two pixels differ visibly where theirs is more than [`VISIBLE`], the distance from
+//! which on a difference is just seen side by side.
+
+use super::super::run::Bitmap;
+use serde::Serialize;
+
+/// The least distance that is seen.
+const VISIBLE: f64 = 0.02;
+
+/// How much two pictures of a size differ.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct PictureDifference {
+    /// The share of the pixels that differ visibly.
+    pub visible: f64,
+    /// The distance of the pixels in the mean, in Oklab.
+    pub mean: f64,
+    /// The largest distance; that of black and white is 1.
+    pub most: f64,
+    /// The pixel with the largest distance, from the left and from below.
+    pub worst: [u32; 2],
+}
+
+/// Compares two pictures of one size. Gives also the distance of each pixel, the lowest row first.
+pub fn difference(a: &Bitmap, b: &Bitmap) -> (PictureDifference, Vec<f64>) {
+    let [width, height] = a.size;
+    let mut distances = Vec::with_capacity(width as usize * height as usize);
+    let (mut most, mut worst) = (0.0, [0, 0]);
+    for y in 0..height {
+        for x in 0..width {
+            let [one, two] = [a, b].map(|bitmap| bitmap.pixel(x, height - 1 - y));
+            let distance = distance(one, two);
+            if distance > most {
+                (most, worst) = (distance, [x, y]);
+            }
+            distances.push(distance);
+        }
+    }
+    let count = distances.len().max(1) as f64;
+    let visible = distances.iter().filter(|d| **d > VISIBLE).count();
+    let told = PictureDifference {
+        visible: visible as f64 / count,
+        mean: distances.iter().sum::<f64>() / count,
+        most,
+        worst,
+    };
+    (told, distances)
+}
+
+/// How far two colours of the screen are from each other.
+fn distance(a: [u8; 3], b: [u8; 3]) -> f64 {
+    if a == b {
+        return 0.0;
+    }
+    let lanes = oklab(a).into_iter().zip(oklab(b));
+    lanes.map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+}
+
+/// A colour of the screen in Oklab: how light it is, how red or green, how yellow or blue.
+fn oklab(color: [u8; 3]) -> [f64; 3] {
+    let linear = |byte: u8| match f64::from(byte) / 255.0 {
+        c if c <= 0.040_45 => c / 12.92,
+        c => ((c + 0.055) / 1.055).powf(2.4),
+    };
+    let [r, g, b] = color.map(linear);
+    let l = (0.412_221_470_8 * r + 0.536_332_536_3 * g + 0.051_445_992_9 * b).cbrt();
+    let m = (0.211_903_498_2 * r + 0.680_699_545_1 * g + 0.107_396_956_6 * b).cbrt();
+    let s = (0.088_302_461_9 * r + 0.281_718_837_6 * g + 0.629_978_700_5 * b).cbrt();
+    [
+        0.210_454_255_3 * l + 0.793_617_785_0 * m - 0.004_072_046_8 * s,
+        1.977_998_495_1 * l - 2.428_592_205_0 * m + 0.450_593_709_9 * s,
+        0.025_904_037_1 * l + 0.782_771_766_2 * m - 0.808_675_766_0 * s,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_have_the_numbers_that_are_published() {
+        let near = |color: [u8; 3], expected: [f64; 3]| {
+            let found = oklab(color);
+            let gaps = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
+            assert!(gaps.fold(0.0, f64::max) < 1e-4, "{color:?}: {found:?}");
+        };
+        near([255; 3], [1.0, 0.0, 0.0]);
+        near([255, 0, 0], [0.627_955, 0.224_863, 0.125_846]);
+        near([0, 0, 255], [0.452_014, -0.032_457, -0.311_528]);
+    }
+
+    #[test]
+    fn the_least_steps_of_the_screen_are_not_seen() {
+        let mut picture = Bitmap::filled([4, 2], [100, 150, 200]);
+        let other = Bitmap::filled([4, 2], [101, 149, 201]);
+        let (told, _) = difference(&picture, &other);
+        assert!(told.visible == 0.0 && told.mean > 0.0, "{told:?}");
+        picture.set(3, 1, [100, 170, 200]);
+        let (told, distances) = difference(&picture, &other);
+        assert_eq!((told.visible, told.worst), (0.125, [3, 0]));
+        assert_eq!(distances[3], told.most);
+    }
+}

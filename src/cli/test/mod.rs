@@ -1,0 +1,304 @@
+//! `shaderlint test`: tests that are written in GLSL are run, and pictures are compared with those that
+//! were blessed.
+
+mod args;
+mod difference;
+mod functions;
+mod golden;
+mod outcome;
+
+pub use args::TestArgs;
+
+use super::config::{ConfigArgs, Configs, Exclusion, Source};
+use super::disk::Disk;
+use super::input::{InputFile, collect, read};
+use super::parallel::{in_order, threads};
+use super::port::in_folder;
+use super::{CLEAN, FAILED, FINDINGS};
+use crate::diagnostic::Severity;
+use crate::engine::config::Selection;
+use crate::engine::{Analysis, Options, Report, Wholeness, analyze};
+use crate::port::PassRole;
+use crate::semantic::{Dialect, Pass, Stage};
+use crate::text::kind::{Claim, FileKind, decide};
+use args::TestFormat;
+use golden::{GoldenSubject, Pictures};
+use outcome::{Tally, TestRow};
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What stands in the names of files with tests of others, behind the name of the other.
+const TESTS: &str = ".test";
+
+/// Runs the command and gives the exit code.
+pub fn run(args: &TestArgs) -> io::Result<u8> {
+    let paths = match args.paths.as_slice() {
+        [] => vec![PathBuf::from(".")],
+        paths => paths.to_vec(),
+    };
+    let configs = Configs::new(ConfigArgs {
+        given: Selection::default(),
+        source: Source::Nearest,
+        exclusion: Exclusion::Found,
+        paths: paths.clone(),
+    });
+    let collected = collect(&paths, None, &configs);
+    let mut problems = collected.problems;
+    problems.iter().for_each(|problem| complain(problem));
+    let inputs = with_neighbours(collected.inputs);
+    let run = Run {
+        args,
+        configs: &configs,
+        checked: Arc::new(inputs.iter().map(|i| i.name.clone()).collect()),
+        disk: Disk::new(),
+        threads: if inputs.len() > 1 { 1 } else { threads() },
+    };
+    let mut tally = Tally {
+        schema: 1,
+        ..Tally::default()
+    };
+    let test = |number: usize| inputs.get(number).map(|input| test_file(input, &run));
+    in_order(inputs.len(), &test, &mut |done| {
+        let Some(done) = done else {
+            return Ok(());
+        };
+        if args.format == TestFormat::Human {
+            let lines: String = done.rows.iter().map(TestRow::line).collect();
+            io::stdout().lock().write_all(lines.as_bytes())?;
+            done.notes
+                .iter()
+                .for_each(|note| tell(&format!("note: {note}")));
+        }
+        done.problem.iter().for_each(|problem| complain(problem));
+        problems.extend(done.problem);
+        tally.without_picture.extend(done.unblessed);
+        tally.notes.extend(done.notes);
+        tally.add(done.rows);
+        Ok(())
+    })?;
+    io::stdout()
+        .lock()
+        .write_all(tally.text(args.format).as_bytes())?;
+    if tally.tests.is_empty() && problems.is_empty() {
+        complain("there is nothing to test: no `bool test_*()`, and no picture that was blessed");
+    }
+    Ok(match () {
+        () if !problems.is_empty() || tally.tests.is_empty() => FAILED,
+        () if tally.failed > 0 => FINDINGS,
+        () => CLEAN,
+    })
+}
+
+fn complain(message: &str) {
+    tell(&format!("shaderlint: {message}"));
+}
+
+fn tell(message: &str) {
+    let _ = writeln!(io::stderr(), "{message}");
+}
+
+/// The files, and those with tests of files that are named.
+fn with_neighbours(inputs: Vec<InputFile>) -> Vec<InputFile> {
+    let mut known: BTreeSet<String> = inputs.iter().map(|i| i.name.clone()).collect();
+    let mut all = Vec::new();
+    for input in inputs {
+        let neighbours = input.path.as_deref().filter(|_| input.is_explicit);
+        let neighbours = neighbours.map_or(Vec::new(), |path| tests_beside(path, &input.name));
+        all.push(input);
+        for neighbour in neighbours {
+            if known.insert(neighbour.name.clone()) {
+                all.push(neighbour);
+            }
+        }
+    }
+    all
+}
+
+/// The files with the tests of a file.
+fn tests_beside(path: &Path, name: &str) -> Vec<InputFile> {
+    let (Some(stem), Some(ending)) = (path.file_stem(), path.extension()) else {
+        return Vec::new();
+    };
+    let (stem, ending) = (stem.to_string_lossy(), ending.to_string_lossy());
+    let mut names = vec![
+        format!("{stem}{TESTS}.{ending}"),
+        format!("{stem}{TESTS}.glsl"),
+    ];
+    names.dedup();
+    let folder = name.rsplit_once('/').map(|(folder, _)| folder);
+    let found = names.into_iter().filter_map(|own| {
+        let path = path.with_file_name(&own);
+        path.is_file().then(|| InputFile {
+            name: folder.map_or(own.clone(), |folder| format!("{folder}/{own}")),
+            path: Some(path),
+            is_explicit: true,
+            claim: Claim::None,
+        })
+    });
+    found.collect()
+}
+
+/// What all files of a run have in common.
+struct Run<'a> {
+    args: &'a TestArgs,
+    configs: &'a Configs,
+    /// The names of all files.
+    checked: Arc<BTreeSet<String>>,
+    disk: Disk,
+    /// How many threads draw a picture.
+    threads: usize,
+}
+
+/// What came of a file.
+#[derive(Default)]
+struct Done {
+    rows: Vec<TestRow>,
+    /// The file, where nobody blessed its picture.
+    unblessed: Option<String>,
+    notes: Vec<String>,
+    /// Why it was not read.
+    problem: Option<String>,
+}
+
+fn test_file(input: &InputFile, run: &Run) -> Done {
+    // A fault of this program costs one file its answer, never the others theirs.
+    let done = catch_unwind(AssertUnwindSafe(|| judge(input, run)));
+    let why = match done {
+        Ok(Ok(done)) => return done,
+        Ok(Err(why)) => why,
+        Err(_) => "shaderlint itself failed on this file; please report it".to_string(),
+    };
+    Done {
+        problem: Some(format!("{}: {why}", input.name)),
+        ..Done::default()
+    }
+}
+
+fn judge(input: &InputFile, run: &Run) -> Result<Done, String> {
+    let name = &input.name;
+    let options = run
+        .configs
+        .options(Path::new(name))
+        .map_err(|e| e.to_string())?;
+    let options = Options {
+        checked: run.checked.clone(),
+        claim: input.claim,
+        ..Options::clone(&options)
+    };
+    let text = read(input)?.text;
+    let kind = decide(name, &text, input.claim).kind;
+    if !matches!(kind, FileKind::Shader | FileKind::Export) {
+        return Ok(Done::default());
+    }
+    let report = analyze(name, &text, &options, &run.disk);
+    if report.unread.is_some() {
+        return Ok(Done::default());
+    }
+    let filter = run.args.filter.as_deref().unwrap_or("");
+    let is_wanted = |name: &str| name.contains(filter);
+    let mut done = Done::default();
+    let error = first_error(&report);
+    if let Some(file) = report.file {
+        match &error {
+            Some(error) if text.contains("bool test_") => {
+                let message = format!("it has errors: {error}");
+                done.rows.push(TestRow::failed(name, "", message));
+            }
+            Some(_) => {}
+            None => {
+                done.rows = functions::run(&report, file, name, &is_wanted);
+                let misfits = report.analyses.iter();
+                done.notes = misfits.flat_map(|a| functions::misfits(a, file)).collect();
+            }
+        }
+    }
+    pictures(input, &text, &report, run, &is_wanted, &mut done);
+    Ok(done)
+}
+
+/// Compares the pictures of a file.
+fn pictures(
+    input: &InputFile,
+    text: &str,
+    report: &Report,
+    run: &Run,
+    is_wanted: &dyn Fn(&str) -> bool,
+    done: &mut Done,
+) {
+    let name = &input.name;
+    let Some(path) = input.path.as_deref() else {
+        return;
+    };
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    if stem.ends_with(TESTS) {
+        return;
+    }
+    let wish = match report.file.map_or(Ok(None), |_| golden::wish(text)) {
+        Ok(wish) => wish,
+        Err(why) => {
+            done.rows.push(TestRow::failed(name, "picture", why));
+            return;
+        }
+    };
+    let is_whole = first_error(report).is_none() && report.analyses.iter().any(is_drawable);
+    let subject = GoldenSubject {
+        name,
+        path,
+        project: is_whole.then(|| project_of(path)).flatten(),
+        wish,
+        threads: run.threads,
+    };
+    match golden::run(&subject, run.args, is_wanted) {
+        Pictures::None => {}
+        Pictures::Unblessed => done.unblessed = Some(name.clone()),
+        Pictures::Compared(rows) => done.rows.extend(rows),
+    }
+}
+
+/// The first error of a file: its place and what it says.
+fn first_error(report: &Report) -> Option<String> {
+    let mut found = report.diagnostics.iter();
+    let error = found.find(|d| d.severity == Severity::Error)?;
+    let at = super::run::position(&report.sources, error.span);
+    Some(match at {
+        Some(at) => format!("{at}: {}", error.message),
+        None => error.message.clone(),
+    })
+}
+
+/// Whether a picture is drawn by a shader alone.
+fn is_drawable(analysis: &Analysis) -> bool {
+    let program = &analysis.program;
+    let is_whole = analysis.wholeness == Wholeness::Whole && !analysis.has_errors;
+    is_whole
+        && program.stage == Stage::Fragment
+        && match program.dialect {
+            Dialect::ShaderToy(pass) => pass == Pass::Image,
+            Dialect::WebGl => analysis.module().entry.is_some(),
+        }
+}
+
+/// What is drawn of a file: the folder that it is the picture of, or the file; nothing where it is
+/// another pass of a project.
+fn project_of(path: &Path) -> Option<PathBuf> {
+    let alone = Some(path.to_path_buf());
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let Some(role) = PassRole::of_name(&stem) else {
+        return alone;
+    };
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let passes = in_folder(folder).unwrap_or_default();
+    let has_image = passes.iter().any(|(role, _)| *role == PassRole::Image);
+    match role {
+        PassRole::Image if passes.len() > 1 => Some(folder.to_path_buf()),
+        PassRole::Image => alone,
+        _ if has_image => None,
+        _ => alone,
+    }
+}

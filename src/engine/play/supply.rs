@@ -1,0 +1,105 @@
+//! What a shader is given when it is tried without a page around it.
+
+use super::moment::{Button, Moment, Mouse};
+use super::player::{player_draw, player_gives};
+use super::scene::Given;
+use crate::exec::{Code, Draw};
+use crate::lint::trial::{Instant, Supplier};
+use crate::port::{Feed, bindings};
+use crate::semantic::Program;
+use std::cell::OnceCell;
+
+/// What a checked shader is given, found out when that is asked for.
+pub(in crate::engine) struct Supply<'p> {
+    program: &'p Program,
+    given: OnceCell<Given>,
+}
+
+impl<'p> Supply<'p> {
+    pub fn of(program: &'p Program) -> Supply<'p> {
+        Supply {
+            program,
+            given: OnceCell::new(),
+        }
+    }
+
+    fn given(&self) -> &Given {
+        self.given.get_or_init(|| Given::of(bindings(self.program)))
+    }
+}
+
+impl Supplier for Supply<'_> {
+    fn draw<'c>(&self, code: &'c Code, size: [u32; 2], instant: &Instant) -> Draw<'c> {
+        let moment = moment(instant);
+        if !self.program.dialect.is_shadertoy() {
+            return self.given().draw(code, size, &moment);
+        }
+        player_draw(code, size, &moment)
+    }
+
+    fn knows(&self, name: &str) -> bool {
+        if self.program.dialect.is_shadertoy() {
+            return player_gives(name) || is_built_in(name);
+        }
+        let bound = &self.given().bound;
+        let mut fed = bound.uniforms.iter().filter(|u| u.name == name);
+        let is_guessed = bound.guessed.iter().any(|guessed| guessed == name);
+        let mut varyings = bound.varyings.iter();
+        fed.any(|u| is_certain(u.source))
+            || is_built_in(name)
+            || !is_guessed && varyings.any(|v| v.place == name)
+    }
+}
+
+/// Whether the language fills something in under this name.
+fn is_built_in(name: &str) -> bool {
+    matches!(name, "gl_FragCoord" | "gl_FrontFacing")
+}
+
+/// Whether every page gives this the same, or nearly so.
+fn is_certain(feed: Feed) -> bool {
+    match feed {
+        Feed::Time
+        | Feed::Milliseconds
+        | Feed::Delta
+        | Feed::Frame
+        | Feed::FrameFromOne
+        | Feed::FrameRate
+        | Feed::Date
+        | Feed::DateFromOne
+        | Feed::Resolution
+        | Feed::ResolutionAndPixel
+        | Feed::Pixel
+        | Feed::Aspect
+        | Feed::PixelRatio
+        | Feed::SurfaceSize
+        | Feed::Mouse
+        | Feed::Pointer
+        | Feed::PointerUnit
+        | Feed::PointerUnitDown
+        | Feed::PointerUnitZero
+        | Feed::PointerSigned
+        | Feed::Button => true,
+        Feed::SampleRate
+        | Feed::TextureSize
+        | Feed::Spectrum
+        | Feed::Volume
+        | Feed::HistorySize
+        | Feed::Camera
+        | Feed::Identity
+        | Feed::Control
+        | Feed::Nothing => false,
+    }
+}
+
+fn moment(instant: &Instant) -> Moment {
+    let mut moment = Moment::at(instant.time);
+    moment.mouse = instant.mouse.map(|press| Mouse {
+        at: press.at,
+        button: match press.is_down {
+            true => Button::Down,
+            false => Button::Up,
+        },
+    });
+    moment
+}

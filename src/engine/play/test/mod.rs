@@ -1,0 +1,151 @@
+//! Tests written in GLSL: functions `bool test_*()`, which pass where they return true for every pixel
+//! that is asked.
+
+mod condition;
+
+pub use condition::{SeenCondition, SeenValue};
+
+use super::{Moment, Scene};
+use crate::engine::Analysis;
+use crate::exec::{
+    Code, CompileOptions, Draw, OutputSlot, Refusal, Sampled, Stop, quads_all_over, sample,
+};
+use crate::semantic::{FunctionRef, Type};
+use crate::text::{FileId, Span};
+
+/// The picture that tests are run in.
+const SIZE: [u32; 2] = [1280, 720];
+/// How many quads of it are run, across and up.
+const QUADS: usize = 48 * 48;
+/// The times at which a test is run that uniforms may decide.
+const TIMES: [f64; 3] = [0.0, 1.0, 10.0];
+
+/// What came of a test.
+#[derive(Clone, PartialEq, Debug)]
+pub enum TestVerdict {
+    /// It returned true, wherever it was run.
+    Passed,
+    /// It did not.
+    Failed(TestFailure),
+    /// It cannot be run.
+    Refused {
+        /// What cannot, and why.
+        what: String,
+        /// Where that stands.
+        at: Option<Span>,
+    },
+    /// It took too many operations.
+    TooLong,
+}
+
+/// A test that did not return true.
+#[derive(Clone, PartialEq, Debug)]
+pub struct TestFailure {
+    /// How many pixels were asked.
+    pub pixels: u64,
+    /// How many of them were false, or discarded.
+    pub failed: u64,
+    /// The first of these, where pixels may differ: `gl_FragCoord.xy`, less the half.
+    pub pixel: Option<[u32; 2]>,
+    /// The size of the picture that it is a pixel of.
+    pub size: [u32; 2],
+    /// Seconds since the start, where uniforms may decide.
+    pub time: Option<f64>,
+    /// The comparisons and questions of the test that the pixel came to, in the order of the text.
+    pub conditions: Vec<SeenCondition>,
+}
+
+/// The tests that a file of a shader defines, in the order of the text, with the places of their names.
+pub fn tests(analysis: &Analysis, file: FileId) -> Vec<(FunctionRef, Span)> {
+    let program = &analysis.program;
+    let own = program.sources.file(file).map(|f| f.span());
+    let functions = (0..).map(FunctionRef).zip(&program.functions);
+    let tests = functions.filter(|(_, function)| function.is_test(&program.names));
+    let named = tests.filter_map(|(id, function)| {
+        let definition = program.tree.function(function.definition?)?;
+        let span = program.token(definition.ident.token)?.span;
+        own?.contains(span).then_some((id, span))
+    });
+    let mut named: Vec<_> = named.collect();
+    named.sort_by_key(|(_, span)| span.start);
+    named
+}
+
+/// Runs a test. Uniforms are given what their names mean; textures are black.
+pub fn run_test(analysis: &Analysis, test: FunctionRef) -> TestVerdict {
+    let options = CompileOptions {
+        entry: Some(test),
+        ..CompileOptions::default()
+    };
+    let scene = match Scene::of(&analysis.program, analysis.module(), &options) {
+        Ok(scene) => scene,
+        Err(refusal) => return refused(analysis, &refusal),
+    };
+    // What nothing can part is the same for all.
+    let quads = match scene.code.inputs.is_empty() {
+        true => vec![[0; 2]],
+        false => quads_all_over(SIZE, QUADS, 0),
+    };
+    let times = match scene.code.uniforms.is_empty() {
+        true => TIMES.get(..1),
+        false => TIMES.get(..),
+    };
+    for &time in times.into_iter().flatten() {
+        let draw = scene.draw(SIZE, &Moment::at(time));
+        let sampled = match sample(&draw, &quads) {
+            Ok(sampled) => sampled,
+            Err(Stop::OutOfFuel { .. }) => return TestVerdict::TooLong,
+        };
+        if let Some(failure) = failure(&scene.code, &sampled) {
+            return TestVerdict::Failed(TestFailure {
+                pixel: failure.pixel.filter(|_| !scene.code.inputs.is_empty()),
+                time: (!scene.code.uniforms.is_empty()).then_some(time),
+                conditions: match failure.pixel {
+                    Some(pixel) => condition::seen(analysis, test, time, pixel),
+                    None => Vec::new(),
+                },
+                ..failure
+            });
+        }
+    }
+    TestVerdict::Passed
+}
+
+fn refused(analysis: &Analysis, refusal: &Refusal) -> TestVerdict {
+    let program = &analysis.program;
+    let extent = refusal.at.extent(&program.tree);
+    let what = match analysis.has_errors {
+        // What stands for an expression of which nothing is known.
+        false if refusal.what == "an expression with an error" => "what a host declares",
+        _ => refusal.what.as_str(),
+    };
+    TestVerdict::Refused {
+        what: what.to_string(),
+        at: extent.map(|extent| program.span(extent)),
+    }
+}
+
+/// What is wrong in a run of a test, if anything is: which pixels are not true.
+fn failure(code: &Code, sampled: &Sampled) -> Option<TestFailure> {
+    let is_answer = |slot: &OutputSlot| slot.name.is_empty() && slot.ty == Type::BOOL;
+    let at = code.outputs.iter().position(is_answer)?;
+    let answers = sampled.outputs.get(at)?;
+    let all = answers.iter().zip(&sampled.covered).zip(&sampled.pixels);
+    let mut wrong = all.filter(|((answer, is_covered), _)| answer[0] == 0 || !*is_covered);
+    let (_, first) = wrong.next()?;
+    Some(TestFailure {
+        pixels: answers.len() as u64,
+        failed: wrong.count() as u64 + 1,
+        pixel: Some(*first),
+        size: SIZE,
+        time: None,
+        conditions: Vec::new(),
+    })
+}
+
+/// A draw of one quad, at a moment; the index of a pixel in it.
+fn draw_quad(draw: &Draw<'_>, pixel: [u32; 2]) -> Option<(Sampled, usize)> {
+    let sampled = sample(draw, &[pixel.map(|lane| lane & !1)]).ok()?;
+    let at = sampled.pixels.iter().position(|p| *p == pixel)?;
+    Some((sampled, at))
+}

@@ -1,0 +1,58 @@
+//! Results as far off as a GPU may be (VK-GL-CTS, glsBuiltinPrecisionTests): a quotient by 2.5 units
+//! in the last place, `inversesqrt` by 2, `exp` by 3 + 2|x|, `log` by 3, sines by 2^-11 within -pi to
+//! pi and by |x| * 2^-12 outside, arc tangents by 4096.
+
+use super::code::Inexact;
+use super::compile::Lean;
+use super::row::{floats, of_floats};
+use std::f32::consts::PI;
+use wide::{f32x8, i32x8};
+
+/// All bits set.
+const ALL: f32x8 = f32x8::new([f32::from_bits(u32::MAX); 8]);
+
+/// A unit in the last place of a number between 1 and 2.
+const UNIT: f32 = 1.0 / 8_388_608.0;
+
+/// A result, off by all that is allowed for its operand.
+#[inline]
+pub(super) fn off(what: Inexact, lean: Lean, result: f32x8, operand: f32x8) -> f32x8 {
+    let size = operand.abs();
+    let side = match lean {
+        Lean::Out => f32x8::ONE,
+        Lean::In => -f32x8::ONE,
+        Lean::Either => {
+            // The upper bits of a product with an odd number look as if thrown.
+            let thrown = of_floats(result) * i32x8::splat(0x9e37_79b1_u32 as i32);
+            let sign = thrown & i32x8::splat(i32::MIN);
+            floats(sign | of_floats(f32x8::ONE))
+        }
+    };
+    let units = |count: f32x8| result * (f32x8::ONE + side * count * UNIT);
+    let made = match what {
+        Inexact::Quotient => units(f32x8::splat(2.5)),
+        Inexact::InverseRoot => units(f32x8::splat(2.0)),
+        Inexact::Exponential => units(size * 2.0 + 3.0),
+        Inexact::Logarithm => {
+            let is_near_one = operand.simd_ge(f32x8::HALF) & operand.simd_le(f32x8::splat(2.0));
+            let near = result + side * f32x8::splat(4.0 * UNIT);
+            is_near_one.bitselect(near, units(f32x8::splat(3.0)))
+        }
+        Inexact::Sine => {
+            let within = f32x8::splat(1.0 / 2048.0);
+            let error = size
+                .simd_le(f32x8::splat(PI))
+                .bitselect(within, size * (1.0 / 4096.0));
+            let made = result + side * error;
+            made.fast_max(-f32x8::ONE).fast_min(f32x8::ONE)
+        }
+        Inexact::ArcTangent => units(f32x8::splat(4096.0)),
+    };
+    // What is exact in every case stays: zero, and what is no number.
+    let is_usual = (result.simd_eq(f32x8::ZERO) | result.is_nan() | result.is_inf()) ^ ALL;
+    let keeps_zero = !matches!(what, Inexact::Sine);
+    match keeps_zero {
+        true => is_usual.bitselect(made, result),
+        false => (result.is_nan() ^ ALL).bitselect(made, result),
+    }
+}

@@ -1,0 +1,173 @@
+//! What edits do to the places and errors of a text.
+
+use super::Look;
+use crate::diagnostic::{Diagnostic, Severity, error};
+use crate::text::{Edit, Span};
+
+/// Where places behind edits come from; there may be very many of both.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Moves(Vec<Move>);
+
+/// What one edit does to places.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Move {
+    /// Where what it put in stands behind all edits.
+    inserted: Span,
+    /// Where what it took away stood before them.
+    from: u32,
+    /// Bytes that it and all before it took away, and put in.
+    removed: u32,
+    added: u32,
+}
+
+impl Moves {
+    /// Those of edits that are in order.
+    pub fn of(edits: &[Edit]) -> Moves {
+        let (mut removed, mut added) = (0, 0);
+        let one = |edit: &Edit| {
+            let start = edit.span.start + added - removed;
+            let length = edit.text.len() as u32;
+            (removed, added) = (removed + edit.span.len(), added + length);
+            Move {
+                inserted: Span::new(start, start + length),
+                from: edit.span.start,
+                removed,
+                added,
+            }
+        };
+        Moves(edits.iter().map(one).collect())
+    }
+
+    /// The offset before the edits of one behind them. What was put in comes from the start of what
+    /// it took the place of.
+    pub fn before(&self, offset: u32) -> u32 {
+        let behind = self.0.partition_point(|m| m.inserted.start <= offset);
+        match behind.checked_sub(1).and_then(|i| self.0.get(i)) {
+            None => offset,
+            Some(last) if offset < last.inserted.end => last.from,
+            Some(last) => offset + last.removed - last.added,
+        }
+    }
+
+    /// Whether an offset behind the edits lies in what they put in.
+    fn has_inserted(&self, offset: u32) -> bool {
+        let behind = self.0.partition_point(|m| m.inserted.start <= offset);
+        let last = behind.checked_sub(1).and_then(|i| self.0.get(i));
+        last.is_some_and(|m| offset < m.inserted.end)
+    }
+}
+
+/// The errors of a text.
+pub(super) fn errors(look: &Look) -> impl Iterator<Item = &Diagnostic> {
+    let all = look.diagnostics.iter();
+    all.filter(|d| d.severity == Severity::Error)
+}
+
+/// What edits do to the errors of a text.
+pub(super) struct Change<'a> {
+    seen: &'a Look,
+    after: &'a Look,
+    moves: Moves,
+    mended: &'a [&'a Diagnostic],
+}
+
+impl<'a> Change<'a> {
+    pub fn new(
+        seen: &'a Look,
+        after: &'a Look,
+        edits: &[Edit],
+        mended: &'a [&'a Diagnostic],
+    ) -> Change<'a> {
+        let mut edits: Vec<Edit> = edits.to_vec();
+        for edit in &mut edits {
+            edit.span.start -= seen.span.start;
+            edit.span.end -= seen.span.start;
+        }
+        edits.sort_by_key(|e| e.span);
+        Change {
+            seen,
+            after,
+            moves: Moves::of(&edits),
+            mended,
+        }
+    }
+
+    /// The place before the edits of an error behind them.
+    fn origin(&self, d: &Diagnostic) -> Span {
+        let of = |address: u32| {
+            let offset = address.saturating_sub(self.after.span.start);
+            self.seen.span.start + self.moves.before(offset)
+        };
+        Span::new(of(d.span.start), of(d.span.end))
+    }
+
+    /// Whether an error was there before at the same place, and was not one to mend.
+    fn is_known(&self, d: &Diagnostic, place: Span) -> bool {
+        let is_same = |s: &Diagnostic| {
+            s.span.start == place.start && s.rule == d.rule && s.message == d.message
+        };
+        errors(self.seen).any(|s| is_same(s) && !self.mended.iter().any(|m| std::ptr::eq(*m, s)))
+    }
+
+    /// Whether the errors that the edits are for are gone, and have not only moved.
+    pub fn mends(&self) -> bool {
+        let remains = |d: &Diagnostic| {
+            let place = self.origin(d);
+            let is_at = |m: &&Diagnostic| {
+                let mut edits = m.fix.iter().flat_map(|f| &f.edits);
+                let whole = edits.clone().fold(m.span, |all, e| all.to(e.span));
+                let is_error = m.severity == Severity::Error && m.rule == d.rule;
+                let is_inside = whole.start <= place.start && place.start < whole.end;
+                is_error && (is_inside || edits.any(|e| e.span.start == place.start))
+            };
+            self.mended.iter().any(is_at) && !self.is_known(d, place)
+        };
+        !errors(self.after).any(remains)
+    }
+
+    /// Whether the errors that are there besides were hidden before: each stands where the code
+    /// could not be judged, and not in what was put in.
+    pub fn only_reveals(&self) -> bool {
+        let Some(judged) = &self.seen.judged else {
+            return false;
+        };
+        errors(self.after).all(|d| {
+            let place = self.origin(d);
+            let offset = d.span.start.saturating_sub(self.after.span.start);
+            let is_hidden = !self.moves.has_inserted(offset) && !judged.has_seen(place);
+            self.is_known(d, place) || (is_hidden && !SYNTAX.contains(&d.rule))
+        })
+    }
+}
+
+/// What the parser and the preprocessor say. They judge all that they read.
+const SYNTAX: &[&str] = &[
+    error::SYNTAX_ERROR,
+    error::MISSING_SEMICOLON,
+    error::UNCLOSED_DELIMITER,
+    error::STRAY_SEMICOLON,
+    error::UNBALANCED_CONDITIONAL,
+    error::UNTERMINATED_COMMENT,
+    error::INVALID_CHARACTER,
+    error::BAD_DIRECTIVE,
+    error::MACRO_ARGUMENTS,
+    error::LOCAL_FUNCTION,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn offsets_go_back_through_edits() {
+        let edits = [
+            Edit::insert(2, "xx"),
+            Edit::replace(Span::new(4, 6), "y"),
+            Edit::delete(Span::new(8, 10)),
+        ];
+        let moves = Moves::of(&edits);
+        // "0123456789ab" became "01xx23y67ab".
+        let back: Vec<u32> = (0..11).map(|i| moves.before(i)).collect();
+        assert_eq!(back, [0, 1, 2, 2, 2, 3, 4, 6, 7, 10, 11]);
+    }
+}

@@ -1,0 +1,231 @@
+//! Powers, logarithms and roots (GLSL ES 3.00 section 8.2), and the hyperbolic functions, which are
+//! made of them.
+
+use super::common::{max, min};
+use super::double::{self, exp2 as power_of_2, log2 as logarithm, narrow, widen};
+use super::sign_of;
+use super::single::{polynomial, round, scale, split};
+use std::f64::consts::{LN_2, LOG2_E};
+use wide::{f32x8, f64x8};
+
+/// `pow(x, y)`; undefined below 0, where the browser leaves the sign out.
+#[inline]
+pub(crate) fn pow(x: f32x8, y: f32x8) -> f32x8 {
+    let size = x.abs();
+    let power = narrow(power_of_2(widen(y) * logarithm(widen(size))));
+    let usual =
+        size.simd_ge(f32x8::splat(f32::MIN_POSITIVE)) & size.simd_lt(f32x8::splat(f32::INFINITY));
+    if usual.all() {
+        power
+    } else {
+        usual.bitselect(power, special_power(x, y))
+    }
+}
+
+/// The power of what is 0 or nearly so, infinite, or no number.
+#[cold]
+fn special_power(x: f32x8, y: f32x8) -> f32x8 {
+    exp2(y * log2(x))
+}
+
+/// `exp(x)`
+#[inline]
+pub(crate) fn exp(x: f32x8) -> f32x8 {
+    // Beyond, the result is infinite or 0.
+    let x = min(f32x8::splat(128.0), max(f32x8::splat(-128.0), x));
+    let (whole, bits) = round(x * f32x8::splat(std::f32::consts::LOG2_E));
+    // The first part of the logarithm of 2 has 14 digits, so that its product is exact.
+    let r = x - whole * f32x8::splat(LN_2_HIGH) - whole * f32x8::splat(LN_2_LOW);
+    let series = [
+        0.5,
+        1.666_657_6e-1,
+        4.166_655_2e-2,
+        8.363_233e-3,
+        1.392_625e-3,
+    ];
+    let power = r + r * r * polynomial(r, series) + f32x8::splat(1.0);
+    scale(power, bits)
+}
+
+/// `exp2(x)`
+#[inline]
+pub(crate) fn exp2(x: f32x8) -> f32x8 {
+    // Beyond, the result is infinite or 0.
+    let x = min(f32x8::splat(180.0), max(f32x8::splat(-180.0), x));
+    let (whole, bits) = round(x);
+    let r = x - whole;
+    let series = [
+        6.931_472e-1,
+        2.402_265e-1,
+        5.550_357e-2,
+        9.618_082e-3,
+        1.339_097_9e-3,
+        1.545_326_2e-4,
+    ];
+    scale(r * polynomial(r, series) + f32x8::splat(1.0), bits)
+}
+
+/// The first 14 digits of the logarithm of 2.
+const LN_2_HIGH: f32 = 0.693_115_23;
+/// The others.
+const LN_2_LOW: f32 = 3.194_618_3e-5;
+
+/// `log(x)`; undefined below 0, where the browser leaves the sign out, and of 0, which it takes for
+/// 2^-127.
+#[inline]
+pub(crate) fn log(x: f32x8) -> f32x8 {
+    let (exponent, r) = split(x);
+    let small = exponent * f32x8::splat(LN_2_LOW) + behind_the_first(r);
+    unless_special(x, exponent * f32x8::splat(LN_2_HIGH) + (r + small))
+}
+
+/// `log2(x)`; undefined where `log` is.
+#[inline]
+pub(crate) fn log2(x: f32x8) -> f32x8 {
+    let (exponent, r) = split(x);
+    let small = behind_the_first(r);
+    // `log2(e) - 1`, so that `r` itself is added without a rounding.
+    let more = f32x8::splat(0.442_695_05);
+    unless_special(x, exponent + (r + (small + (r * more + small * more))))
+}
+
+/// `log(1 + r) - r`, for `1 + r` between the roots of 1/2 and 2.
+#[inline(always)]
+fn behind_the_first(r: f32x8) -> f32x8 {
+    let series = [
+        3.333_333e-1,
+        -2.499_999_7e-1,
+        2.000_072e-1,
+        -1.666_781e-1,
+        1.424_887_6e-1,
+        -1.242_536e-1,
+        1.168_702_5e-1,
+        -1.148_308_2e-1,
+        6.971_346_6e-2,
+    ];
+    let square = r * r;
+    square * r * polynomial(r, series) - square * f32x8::splat(0.5)
+}
+
+/// The logarithm that was found; that of infinity and NaN is the number itself.
+#[inline(always)]
+fn unless_special(x: f32x8, found: f32x8) -> f32x8 {
+    let usual = x.simd_lt(f32x8::splat(f32::INFINITY));
+    usual.bitselect(found, x)
+}
+
+/// `sqrt(x)`
+#[inline(always)]
+pub(crate) fn sqrt(x: f32x8) -> f32x8 {
+    x.sqrt()
+}
+
+/// `inversesqrt(x)`
+#[inline(always)]
+pub(crate) fn inverse_sqrt(x: f32x8) -> f32x8 {
+    f32x8::splat(1.0) / x.sqrt()
+}
+
+/// `e^x` with the digits of a double.
+#[inline(always)]
+fn exp_wide(x: f64x8) -> f64x8 {
+    power_of_2(x * f64x8::splat(LOG2_E))
+}
+
+/// The natural logarithm of what is above 0.
+#[inline(always)]
+fn log_wide(x: f64x8) -> f64x8 {
+    logarithm(x) * f64x8::splat(LN_2)
+}
+
+/// The hyperbolic sine of at most 1, which a difference of powers would lose.
+#[inline(always)]
+fn small_sinh(x: f64x8) -> f64x8 {
+    let square = x * x;
+    let series = [
+        1.0 / 6.0,
+        1.0 / 120.0,
+        1.0 / 5040.0,
+        1.0 / 362_880.0,
+        1.0 / 39_916_800.0,
+    ];
+    x + x * square * double::polynomial(square, series)
+}
+
+/// The hyperbolic sine of what is at least 0.
+#[inline(always)]
+fn sinh_wide(x: f64x8) -> f64x8 {
+    let half = f64x8::splat(0.5);
+    let large = half * exp_wide(x) - half * exp_wide(-x);
+    x.simd_lt(f64x8::splat(1.0)).bitselect(small_sinh(x), large)
+}
+
+/// The hyperbolic cosine.
+#[inline(always)]
+fn cosh_wide(x: f64x8) -> f64x8 {
+    let half = f64x8::splat(0.5);
+    half * exp_wide(x) + half * exp_wide(-x)
+}
+
+/// `sinh(x)`
+#[inline]
+pub(crate) fn sinh(x: f32x8) -> f32x8 {
+    narrow(sinh_wide(widen(x.abs()))) | sign_of(x)
+}
+
+/// `cosh(x)`
+#[inline]
+pub(crate) fn cosh(x: f32x8) -> f32x8 {
+    narrow(cosh_wide(widen(x)))
+}
+
+/// `tanh(x)`
+#[inline]
+pub(crate) fn tanh(x: f32x8) -> f32x8 {
+    let size = widen(x.abs());
+    // Above, the nearest float is 1.
+    let within = size
+        .simd_gt(f64x8::splat(20.0))
+        .bitselect(f64x8::splat(20.0), size);
+    narrow(sinh_wide(within) / cosh_wide(within)) | sign_of(x)
+}
+
+/// `asinh(x)`
+#[inline]
+pub(crate) fn asinh(x: f32x8) -> f32x8 {
+    let size = widen(x.abs());
+    let large = log_wide(size + (size * size + f64x8::splat(1.0)).sqrt());
+    let result = size.simd_lt(f64x8::splat(TINY)).bitselect(size, large);
+    (keep_special(x.abs(), narrow(result))) | sign_of(x)
+}
+
+/// `acosh(x)`; no number below 1.
+#[inline]
+pub(crate) fn acosh(x: f32x8) -> f32x8 {
+    let wide = widen(x);
+    let root = (wide * wide - f64x8::splat(1.0)).sqrt();
+    let result = narrow(log_wide(wide + root));
+    let below = x.simd_lt(f32x8::splat(1.0));
+    below.bitselect(f32x8::splat(f32::NAN), keep_special(x, result))
+}
+
+/// `atanh(x)`; undefined outside of -1 to 1, where the browser gives half the logarithm all the same.
+#[inline]
+pub(crate) fn atanh(x: f32x8) -> f32x8 {
+    let (one, size) = (f64x8::splat(1.0), widen(x.abs()));
+    let large = f64x8::splat(0.5) * log_wide((one + size) / (one - size));
+    let result = narrow(size.simd_lt(f64x8::splat(TINY)).bitselect(size, large)) | sign_of(x);
+    let one = f32x8::splat(1.0);
+    let beyond = f32x8::splat(0.5) * log((one + x) / (one - x));
+    x.abs().simd_lt(one).bitselect(result, beyond)
+}
+
+/// Below, a number is the nearest float to its inverse hyperbolic sine and tangent.
+const TINY: f64 = 1.0 / 8192.0;
+
+/// Infinity and NaN stay as they are.
+#[inline(always)]
+fn keep_special(x: f32x8, result: f32x8) -> f32x8 {
+    let finite = x.abs().simd_lt(f32x8::splat(f32::INFINITY));
+    finite.bitselect(result, x)
+}

@@ -1,0 +1,334 @@
+//! Against the numbers that double precision gives.
+
+use super::common::clamp;
+use super::*;
+use wide::{f32x8, i32x8, u32x8};
+
+/// Numbers of all sizes and both signs: every exponent, and digits that a generator of random numbers
+/// chooses, always the same ones.
+fn numbers(count: usize) -> impl Iterator<Item = f32> {
+    let mut state = 0x9e37_79b9_u32;
+    std::iter::repeat_with(move || {
+        state ^= state << 13;
+        state ^= state >> 17;
+        state ^= state << 5;
+        f32::from_bits(state)
+    })
+    .filter(|x| x.is_finite())
+    .take(count)
+}
+
+/// How many floats lie between two numbers, at most.
+fn ulps(found: f32, expected: f64) -> f64 {
+    let nearest = expected as f32;
+    if found == nearest || found.is_nan() && nearest.is_nan() {
+        return 0.0;
+    }
+    let next = f64::from(nearest.abs().next_up().min(f32::MAX));
+    let unit = (next - f64::from(nearest.abs())).max(f64::from(f32::MIN_POSITIVE) / 8_388_608.0);
+    (f64::from(found) - expected).abs() / unit
+}
+
+/// A function of one number keeps within so many units in the last place of what doubles give.
+#[track_caller]
+fn check(
+    f: impl Fn(f32x8) -> f32x8,
+    exact: impl Fn(f64) -> f64,
+    within: impl Fn(f32) -> bool,
+    bound: f64,
+) {
+    let mut worst = (0.0, 0.0);
+    for x in numbers(400_000).filter(|x| within(*x)) {
+        let found = f(f32x8::splat(x)).to_array()[0];
+        let error = ulps(found, exact(f64::from(x)));
+        if error.is_nan() || error > worst.0 {
+            worst = (error, x);
+        }
+    }
+    assert!(worst.0 <= bound, "{} units at {:e}", worst.0, worst.1);
+}
+
+/// A function of one number at chosen places, bit for bit but for the bits of NaN.
+#[track_caller]
+fn exactly(f: impl Fn(f32x8) -> f32x8, pairs: &[(f32, f32)]) {
+    for (x, expected) in pairs {
+        let found = f(f32x8::splat(*x)).to_array()[7];
+        let same = found.to_bits() == expected.to_bits() || found.is_nan() && expected.is_nan();
+        assert!(same, "{x:?}: {found:?}, not {expected:?}");
+    }
+}
+
+const INF: f32 = f32::INFINITY;
+const NAN: f32 = f32::NAN;
+
+#[test]
+fn sines_are_right_for_angles_of_any_size() {
+    let below = |most: f32| move |x: f32| x.abs() < most;
+    let above = |least: f32| move |x: f32| x.abs() >= least;
+    check(sin, f64::sin, below(8192.0), 2.0);
+    check(cos, f64::cos, below(8192.0), 2.0);
+    check(tan, f64::tan, below(8192.0), 3.5);
+    check(sin, f64::sin, above(8192.0), 0.6);
+    check(cos, f64::cos, above(8192.0), 0.6);
+    check(tan, f64::tan, above(8192.0), 0.6);
+    exactly(sin, &[(0.0, 0.0), (INF, NAN), (NAN, NAN)]);
+    exactly(cos, &[(0.0, 1.0), (-0.0, 1.0), (-INF, NAN), (NAN, NAN)]);
+    exactly(tan, &[(0.0, 0.0), (INF, NAN), (NAN, NAN)]);
+}
+
+#[test]
+fn a_lane_does_not_depend_on_its_neighbours() {
+    let mixed = [0.5, 1e30, -7.25, 3e5, 0.0, 1e-40, INF, NAN];
+    let other = [0.0, 1e30, 2.0, -1.0, 0.0, 3.0, INF, 2.0];
+    let functions: [fn(f32x8) -> f32x8; 12] = [
+        sin, cos, tan, asin, acos, atan, exp, exp2, log, log2, sqrt, floor,
+    ];
+    let pairs: [fn(f32x8, f32x8) -> f32x8; 3] = [pow, atan2, modulo];
+    let bits = |x: f32x8| {
+        x.to_array()
+            .map(|x| if x.is_nan() { 0 } else { x.to_bits() })
+    };
+    for at in 0..8 {
+        let (x, y) = (f32x8::splat(mixed[at]), f32x8::splat(other[at]));
+        for f in functions {
+            assert_eq!(bits(f(x))[0], bits(f(f32x8::from(mixed)))[at]);
+        }
+        for f in pairs {
+            let beside = f(f32x8::from(mixed), f32x8::from(other));
+            assert_eq!(bits(f(x, y))[0], bits(beside)[at]);
+        }
+    }
+}
+
+#[test]
+fn angles_are_found_again() {
+    check(asin, f64::asin, |_| true, 2.5);
+    check(acos, f64::acos, |_| true, 2.0);
+    check(atan, f64::atan, |_| true, 2.5);
+    exactly(
+        asin,
+        &[(1.0, std::f32::consts::FRAC_PI_2), (-0.0, -0.0), (1.5, NAN)],
+    );
+    exactly(
+        acos,
+        &[(1.0, 0.0), (-1.0, std::f32::consts::PI), (-1.5, NAN)],
+    );
+    exactly(
+        atan,
+        &[(INF, std::f32::consts::FRAC_PI_2), (-0.0, -0.0), (NAN, NAN)],
+    );
+    let values = [0.0, -0.0, 1.0, -1.0, -1e-35, 1e35, INF, -INF];
+    for y in values {
+        for x in values {
+            let expected = match x == 0.0 && y == 0.0 {
+                true => f64::from(y),
+                false => f64::from(y).atan2(f64::from(x)),
+            };
+            exactly(|y| atan2(y, f32x8::splat(x)), &[(y, expected as f32)]);
+        }
+    }
+    let y = numbers(200_000);
+    for (y, x) in y.zip(numbers(200_100).skip(100)) {
+        let found = atan2(f32x8::splat(y), f32x8::splat(x)).to_array()[0];
+        let error = ulps(found, f64::from(y).atan2(f64::from(x)));
+        assert!(error <= 2.5, "{error} at {y:e}, {x:e}");
+    }
+}
+
+#[test]
+fn powers_and_logarithms_are_right_but_for_the_last_digit() {
+    check(exp, f64::exp, |_| true, 1.5);
+    check(exp2, f64::exp2, |_| true, 1.5);
+    check(log, f64::ln, |x| x >= f32::MIN_POSITIVE, 1.0);
+    check(log2, f64::log2, |x| x >= f32::MIN_POSITIVE, 1.5);
+    exactly(exp, &[(0.0, 1.0), (INF, INF), (-INF, 0.0), (NAN, NAN)]);
+    exactly(
+        exp2,
+        &[(10.0, 1024.0), (-1.0, 0.5), (-INF, 0.0), (200.0, INF)],
+    );
+    exactly(log, &[(1.0, 0.0), (INF, INF), (NAN, NAN)]);
+    exactly(log2, &[(8.0, 3.0), (0.25, -2.0), (INF, INF), (NAN, NAN)]);
+}
+
+/// What Chromium computes, drawing by software, where the specification leaves the result undefined.
+#[test]
+fn what_is_undefined_is_what_the_browser_makes_of_it() {
+    exactly(log2, &[(-8.0, 3.0), (0.0, -127.0), (-0.0, -127.0)]);
+    exactly(log, &[(0.0, -88.029_69), (-1.0, 0.0), (-INF, 88.722_84)]);
+    let two = f32x8::splat(2.0);
+    exactly(
+        |x| pow(x, two),
+        &[(-1.75, 3.0625), (-1.0, 1.0), (-0.5, 0.25)],
+    );
+    exactly(|x| pow(x, f32x8::ZERO), &[(0.0, 1.0), (-0.0, 1.0)]);
+    exactly(|x| pow(x, -two), &[(-2.0, 0.25), (0.0, INF)]);
+    exactly(
+        |x| pow(x, f32x8::splat(-1.0)),
+        &[(0.0, 2f32.powi(127)), (-0.0, 2f32.powi(127))],
+    );
+    exactly(sqrt, &[(-1.0, NAN), (-0.0, -0.0)]);
+    exactly(inverse_sqrt, &[(0.0, INF), (-0.0, -INF), (-4.0, NAN)]);
+    exactly(atanh, &[(1.0, INF), (-1.0, -44.014_847)]);
+    exactly(
+        |x| round_even(atanh(x) * f32x8::splat(1e4)),
+        &[(2.0, 5493.0), (-7.0, -1438.0)],
+    );
+}
+
+#[test]
+fn powers_of_whole_numbers_are_exact() {
+    for x in 0..=4000 {
+        let x = x as f32;
+        exactly(|x| pow(x, f32x8::splat(2.0)), &[(x, x * x)]);
+    }
+    for y in -126..=127 {
+        exactly(|y| pow(f32x8::splat(2.0), y), &[(y as f32, 2f32.powi(y))]);
+    }
+    let bases = numbers(400_000).filter(|x| x.is_normal());
+    for (x, y) in bases.zip(numbers(400_100).skip(100)) {
+        let found = pow(f32x8::splat(x.abs()), f32x8::splat(y)).to_array()[0];
+        let error = ulps(found, f64::from(x.abs()).powf(f64::from(y)));
+        assert!(error <= 1.0, "{error} at {x:e}, {y:e}");
+    }
+    exactly(
+        |x| pow(x, f32x8::splat(2.0)),
+        &[(INF, INF), (0.0, 0.0), (NAN, NAN)],
+    );
+    exactly(|x| pow(x, f32x8::ZERO), &[(3.0, 1.0)]);
+    exactly(|x| pow(x, f32x8::splat(-1.0)), &[(INF, 0.0)]);
+}
+
+#[test]
+fn hyperbolic_functions_keep_the_digits_of_small_numbers() {
+    check(sinh, f64::sinh, |_| true, 0.6);
+    check(cosh, f64::cosh, |_| true, 0.6);
+    check(tanh, f64::tanh, |_| true, 0.6);
+    check(asinh, f64::asinh, |x| x.abs() < 1e9, 0.6);
+    check(acosh, f64::acosh, |_| true, 0.6);
+    check(atanh, f64::atanh, |x| x.abs() < 1.0, 0.6);
+    exactly(tanh, &[(INF, 1.0), (-INF, -1.0), (-0.0, -0.0), (NAN, NAN)]);
+    exactly(asinh, &[(INF, INF), (-INF, -INF), (-0.0, -0.0), (NAN, NAN)]);
+    exactly(acosh, &[(1.0, 0.0), (0.5, NAN), (INF, INF), (NAN, NAN)]);
+    exactly(atanh, &[(-0.0, -0.0), (NAN, NAN)]);
+}
+
+#[test]
+fn rounding_is_that_of_ieee_754_at_every_size() {
+    let signed = [
+        0.0, 0.5, 1.5, 2.5, 0.99999994, 8388607.5, 8388609.0, 3e9, INF, 1e-40,
+    ];
+    let signed = signed.into_iter().flat_map(|x| [x, -x]);
+    for x in numbers(100_000).chain(signed).chain([NAN]) {
+        exactly(floor, &[(x, x.floor())]);
+        exactly(ceil, &[(x, x.ceil())]);
+        exactly(trunc, &[(x, x.trunc())]);
+        exactly(round_even, &[(x, x.round_ties_even())]);
+        let rest = x - x.floor();
+        exactly(fract, &[(x, if rest >= 1.0 { 0.999_999_94 } else { rest })]);
+    }
+}
+
+#[test]
+fn blends_are_those_of_the_language() {
+    let three = |f: fn(f32x8, f32x8, f32x8) -> f32x8, x, y, z| {
+        f(f32x8::splat(x), f32x8::splat(y), f32x8::splat(z)).to_array()[0]
+    };
+    assert_eq!(three(clamp, 5.0, 0.0, 1.0), 1.0);
+    assert_eq!(three(mix, 2.0, 4.0, 0.25), 2.5);
+    assert_eq!(three(smoothstep, 0.0, 2.0, 1.0), 0.5);
+    assert_eq!(three(smoothstep, 0.0, 2.0, 9.0), 1.0);
+    exactly(sign, &[(-0.0, 0.0), (-3.0, -1.0), (1e-30, 1.0)]);
+    exactly(|x| modulo(x, f32x8::splat(3.0)), &[(-1.0, 2.0), (7.0, 1.0)]);
+    exactly(|x| step(f32x8::splat(1.0), x), &[(1.0, 1.0), (0.5, 0.0)]);
+}
+
+#[test]
+fn integers_wrap_and_never_trap() {
+    let two = |f: fn(i32x8, i32x8) -> i32x8, x: i32, y: i32| {
+        f(i32x8::splat(x), i32x8::splat(y)).to_array()[0]
+    };
+    assert_eq!(two(divide_int, -7, 2), -3);
+    assert_eq!(two(divide_int, i32::MIN, -1), 1);
+    assert_eq!(two(divide_int, 7, 0), -7);
+    assert_eq!(two(remainder_int, -7, 2), 1);
+    assert_eq!(two(remainder_int, 7, -2), -1);
+    assert_eq!(two(remainder_int, 7, 0), 0);
+    assert_eq!(two(remainder_int, i32::MIN, -1), 0);
+    let two = |f: fn(u32x8, u32x8) -> u32x8, x: u32, y: u32| {
+        f(u32x8::splat(x), u32x8::splat(y)).to_array()[0]
+    };
+    assert_eq!(two(divide_uint, u32::MAX, 2), 0x7fff_ffff);
+    assert_eq!(two(divide_uint, 3, 0), 0);
+    assert_eq!(two(remainder_uint, 3, 0), 3);
+    assert_eq!(two(remainder_uint, u32::MAX, 10), 5);
+    assert_eq!(two(shift_left, 3, 33), 6);
+    assert_eq!(two(shift_right_uint, 0x8000_0000, 31), 1);
+    let shifted = shift_right_int(i32x8::splat(-8), u32x8::splat(34));
+    assert_eq!(shifted.to_array()[0], -2);
+}
+
+#[test]
+fn numbers_change_their_type_as_in_the_browser() {
+    let numbers = numbers(100_000).chain([0.0, -0.0, NAN, INF, -INF, 2147483648.0, -2147483648.0]);
+    for x in numbers {
+        let lanes = f32x8::splat(x);
+        let truncated = match x {
+            -2147483648.0..2147483648.0 => x as i32,
+            _ => i32::MIN,
+        };
+        assert_eq!(int_of_float(lanes).to_array()[3], truncated, "{x:e}");
+        let unsigned = uint_of_float(lanes).to_array()[3];
+        let within = (0.0..4_294_967_296.0).contains(&x);
+        assert_eq!(
+            unsigned,
+            if within {
+                x as u32
+            } else {
+                u32::from(x.is_nan()) << 31
+            },
+            "{x:e}"
+        );
+        let bits = x.to_bits();
+        let found = float_of_uint(u32x8::splat(bits)).to_array()[3];
+        assert_eq!(found, bits as f32);
+        let found = float_of_int(i32x8::splat(bits as i32)).to_array()[3];
+        assert_eq!(found, bits as i32 as f32);
+    }
+}
+
+#[test]
+fn what_is_packed_is_unpacked() {
+    let (x, y) = (f32x8::splat(0.25), f32x8::splat(-1.5));
+    assert_eq!(pack_half(x, y).to_array()[0], 0xbe00_3400);
+    assert_eq!(
+        unpack_half(pack_half(x, y)).map(|x| x.to_array()[0]),
+        [0.25, -1.5]
+    );
+    assert_eq!(pack_snorm(x, y).to_array()[0], 0x8001_2000);
+    assert_eq!(pack_unorm(x, y).to_array()[0], 0x0000_4000);
+    let found = unpack_snorm(u32x8::splat(0x8000_7fff)).map(|x| x.to_array()[0]);
+    assert_eq!(found, [1.0, -1.0]);
+    let found = unpack_unorm(u32x8::splat(0xffff_0000)).map(|x| x.to_array()[0]);
+    assert_eq!(found, [0.0, 1.0]);
+}
+
+#[test]
+fn halves_are_packed_as_ieee_754_says() {
+    for (number, bits) in [
+        (1.0, 0x3c00),
+        (-2.5, 0xc100),
+        (65504.0, 0x7bff),
+        (5.960_464_5e-8, 1),
+        (f32::INFINITY, 0x7c00),
+    ] {
+        assert_eq!((half_bits(number), half_value(bits)), (bits, number));
+    }
+}
+
+#[test]
+fn sines_of_doubles_are_those_of_the_library() {
+    for n in -2000..2000 {
+        let angle = f64::from(n) * 0.37;
+        assert!((sine(angle) - angle.sin()).abs() < 1e-12, "{angle}");
+    }
+}
