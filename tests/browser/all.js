@@ -35,6 +35,9 @@ const tests = [
 ];
 const wanted = tests.filter((t) => words.length === 0 || words.some((w) => t.name.includes(w)));
 
+/** Seconds that a test may take which does not say so itself: many times what it takes on an idle machine. */
+const PATIENCE = 180;
+
 class Late extends Error {}
 
 /** Gives what a promise gives, unless that takes too long. */
@@ -58,7 +61,8 @@ async function attempt(browser, test) {
     permissions: ['camera', 'microphone'],
     ...test.context,
   });
-  context.setDefaultTimeout(1000 * (test.seconds ?? 60));
+  // What is waited for in vain is told by the test, not by its end.
+  context.setDefaultTimeout(900 * (test.seconds ?? PATIENCE));
   await test.run(context);
   await context.close();
 }
@@ -86,7 +90,7 @@ async function worker() {
     const since = Date.now();
     let wrong = null;
     try {
-      await within(test.seconds ?? 60, attempt(running.browser, test));
+      await within(test.seconds ?? PATIENCE, attempt(running.browser, test));
     } catch (error) {
       wrong = error instanceof Error ? error : new Error(String(error));
       // Whatever the test has left behind ends with its browser.

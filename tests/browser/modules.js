@@ -130,7 +130,7 @@ async function three(context) {
     gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     globalThis.drawn = Array.from(bytes);
     shader.dispose();`);
-  await page.waitForFunction(() => globalThis.drawn, null, { timeout: 20000 }).catch(() => {});
+  await page.waitForFunction(() => globalThis.drawn).catch(() => {});
   assert.deepEqual(complaints, []);
   const drawn = await page.evaluate(() => globalThis.drawn);
   const expected = await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5 });
@@ -175,7 +175,7 @@ async function threeStandIns(context) {
     const other = document.createElement('canvas');
     await mount(other, { size: [64, 36], paused: true }).renderFrame(0);
     globalThis.both = [drawn, read(other.getContext('webgl2'))];`);
-  await page.waitForFunction(() => globalThis.both, null, { timeout: 30000 }).catch(() => {});
+  await page.waitForFunction(() => globalThis.both).catch(() => {});
   assert.deepEqual(complaints, []);
   const [drawn, expected] = await page.evaluate(() => globalThis.both);
   assert.equal(differences(drawn, expected), 0);
@@ -221,7 +221,7 @@ async function drawBoth(context, file, frames, change = '') {
     const drawn = read(renderer.getContext());
     await player.renderFrame(${frames} - 1);
     globalThis.both = [drawn, read(other.getContext('webgl2')), player.errors];`);
-  await page.waitForFunction(() => globalThis.both, null, { timeout: 30000 }).catch(() => {});
+  await page.waitForFunction(() => globalThis.both).catch(() => {});
   const both = await page.evaluate(() => globalThis.both);
   await page.close();
   return { three: both?.[0] ?? [], module: both?.[1] ?? [], errors: both?.[2], complaints };
@@ -236,15 +236,13 @@ const OWN = [
   'shadered/feedback.sprj', 'twigl/mrt.glsl', 'vertexshaderart/strip.vert', 'vertexshaderart/rings.vert',
 ];
 
-async function threeOwn(context) {
-  for (const file of OWN) {
-    const { three: drawn, module, errors, complaints } = await drawBoth(context, path.join(DIALECTS, file), 4);
-    assert.deepEqual(complaints, [], file);
-    assert.deepEqual(errors, [], file);
-    assert.ok(file.includes('samplers') || colors(drawn) > 1, `${file}: one colour`);
-    const worst = drawn.reduce((most, value, i) => Math.max(most, Math.abs(value - module[i])), 0);
-    assert.ok(drawn.length === module.length && worst <= 1, `${file}: ${worst}`);
-  }
+async function threeOwn(context, file) {
+  const { three: drawn, module, errors, complaints } = await drawBoth(context, path.join(DIALECTS, file), 4);
+  assert.deepEqual(complaints, []);
+  assert.deepEqual(errors, []);
+  assert.ok(file.includes('samplers') || colors(drawn) > 1, 'one colour');
+  const worst = drawn.reduce((most, value, i) => Math.max(most, Math.abs(value - module[i])), 0);
+  assert.ok(drawn.length === module.length && worst <= 1, `${worst}`);
 }
 
 /** Uniforms that a shader brings are properties in both modules, and what they are set to is drawn. */
@@ -289,7 +287,7 @@ async function react(context) {
     globalThis.show = show;
     globalThis.unmount = () => root.unmount();
     show({ paused: false });`);
-  await page.waitForFunction(() => globalThis.mounted?.time > 0.05, null, { timeout: 20000 }).catch(() => {});
+  await page.waitForFunction(() => globalThis.mounted?.time > 0.05).catch(() => {});
   assert.deepEqual(complaints, []);
   const states = await page.evaluate(async () => {
     const wait = () => new Promise((resolve) => { setTimeout(resolve, 150); });
@@ -349,7 +347,7 @@ export const moduleTests = [
   { name: 'module: what cannot be done says so or does nothing', run: misuse },
   { name: 'module: three.js draws the same pixels', run: three },
   { name: 'module: three.js draws the same stand-ins', run: threeStandIns },
-  { name: 'module: three.js draws shaders that bring their own uniforms', run: threeOwn },
+  ...OWN.map((file) => ({ name: `module: three.js draws ${file}`, run: (context) => threeOwn(context, file) })),
   { name: 'module: uniforms of the user are properties', run: ownProperties },
   { name: 'module: a React component plays, pauses and goes', run: react },
 ];
