@@ -23,6 +23,7 @@ pub mod diagnostic;
 pub mod engine;
 pub mod exec;
 pub mod flow;
+pub mod format;
 pub mod host;
 pub mod ir;
 pub mod lint;

@@ -9,12 +9,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each layer may name, besides itself.
-const LAYERS: [(&str, &[&str]); 15] = [
+const LAYERS: [(&str, &[&str]); 16] = [
     ("text", &[]),
     ("math", &[]),
     ("host", &[]),
     ("diagnostic", &["text"]),
     ("syntax", &["text", "diagnostic"]),
+    ("format", &["text", "syntax"]),
     ("semantic", &["text", "math", "diagnostic", "syntax"]),
     ("ir", &["text", "diagnostic", "syntax", "semantic"]),
     ("flow", &["text", "diagnostic", "syntax", "semantic", "ir"]),
@@ -76,12 +77,14 @@ const LAYERS: [(&str, &[&str]); 15] = [
             "lint",
             "rules",
             "port",
+            "format",
         ],
     ),
     (
         "cli",
         &[
             "engine",
+            "format",
             "text",
             "host",
             "diagnostic",

@@ -7,6 +7,7 @@ use shaderlint::diagnostic::{Diagnostic, Severity};
 use shaderlint::engine::{
     Analysis, DialectChoice, NoFiles, Options, Report, Wholeness, analyze, check, mend,
 };
+use shaderlint::format::{Brace, Indentation, Lines, Style, TextExtent, format};
 use shaderlint::ir::{print, verify};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::port::{Project, compose, glsl, html};
@@ -14,7 +15,7 @@ use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
 use shaderlint::semantic::Stage;
 use shaderlint::syntax::{ParseOptions, parse, preprocess, tokenize};
-use shaderlint::text::{FileId, Role, Sources};
+use shaderlint::text::{FileId, Role, Sources, apply_edits};
 
 /// Something to throw shaders at.
 pub struct Target {
@@ -38,7 +39,7 @@ pub enum Texts {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 10] = [
+pub const TARGETS: [Target; 11] = [
     Target {
         name: "lex",
         texts: Texts::Broken,
@@ -48,6 +49,11 @@ pub const TARGETS: [Target; 10] = [
         name: "parse",
         texts: Texts::Broken,
         run: parse_only,
+    },
+    Target {
+        name: "format",
+        texts: Texts::Broken,
+        run: format_twice,
     },
     Target {
         name: "check",
@@ -114,6 +120,36 @@ fn lex(text: &str) {
             sources.file_at(token.span.start).is_some(),
             "a token outside the files"
         );
+    }
+}
+
+/// The formatter: the compiler reads the same, and what is formatted stays as it is.
+fn format_twice(text: &str) {
+    let styles = [
+        Style::default(),
+        Style {
+            indent: Indentation::Tab(3),
+            width: 40,
+            brace: Brace::Next,
+        },
+    ];
+    for style in styles {
+        let formatted = |text: &str| {
+            let edits = format(text, &style, TextExtent::File, Lines::Free).ok()?;
+            Some(apply_edits(text, 0, &edits).expect("edits that overlap"))
+        };
+        let Some(once) = formatted(text) else {
+            continue;
+        };
+        let read = |text: &str| {
+            let (sources, files) = sources(text);
+            let read = preprocess(&sources, &files, true);
+            let tokens = read.tokens.tokens.iter();
+            let tokens = tokens.map(|t| (t.kind, t.value));
+            tokens.collect::<Vec<_>>()
+        };
+        assert!(read(text) == read(&once), "other tokens");
+        assert_eq!(formatted(&once).as_ref(), Some(&once), "not stable");
     }
 }
 

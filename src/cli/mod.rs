@@ -7,6 +7,7 @@
 
 mod config;
 mod disk;
+mod fmt;
 mod input;
 mod lint;
 mod output;

@@ -5,6 +5,7 @@ mod baselines;
 mod commands;
 mod config;
 mod fixes;
+mod formatting;
 mod includes;
 mod kinds;
 mod links;

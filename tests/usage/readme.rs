@@ -184,7 +184,7 @@ fn every_command_runs_in_an_empty_home() {
 fn every_option_and_path_of_the_text_exists() {
     let place = Place::new();
     let (_, lint) =
-        place.run("shaderlint --help; shaderlint rules --help; shaderlint reduce --help; shaderlint run --help; shaderlint test --help");
+        place.run("shaderlint --help; shaderlint rules --help; shaderlint reduce --help; shaderlint run --help; shaderlint test --help; shaderlint fmt --help");
     let (_, port) = place.run("shaderport --help");
     let is_end = |c: char| !c.is_ascii_alphanumeric() && c != '-';
     for code in place.readme.split('`').skip(1).step_by(2) {

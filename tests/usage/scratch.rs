@@ -10,7 +10,8 @@ use std::process::{Command, Stdio};
 pub struct Scratch(tempfile::TempDir);
 
 /// The commands that check no files, or run them in any case.
-const OTHER_COMMANDS: [&str; 9] = [
+const OTHER_COMMANDS: [&str; 10] = [
+    "fmt",
     "run",
     "test",
     "explain",

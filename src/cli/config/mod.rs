@@ -1,10 +1,12 @@
 //! `shaderlint.toml`: which one holds for a file.
 
+mod editor;
 mod project;
 
-use crate::engine::config::{Config, Selection, options, parse};
+use crate::engine::config::{Config, Selection, options, parse, style};
 use crate::engine::path::plain;
 use crate::engine::{HostNames, Memo, Options};
+use crate::format::Style;
 use crate::host::read as read_host;
 use crate::lint::{Settings, UnknownRule};
 use crate::rules::RULES;
@@ -167,6 +169,16 @@ impl Configs {
         let options = Arc::new(options);
         self.lock().options.insert(key, options.clone());
         Ok(options)
+    }
+
+    /// How the code of a file is set: as its configuration says, and of the rest as `.editorconfig`
+    /// says.
+    pub fn style(&self, path: &Path) -> Result<Style, Arc<str>> {
+        let config = self.config(path)?;
+        let path = absolute(path);
+        let others = editor::choice(&path);
+        let said = config.map(|c| style(&c, &c.layers(&path), others));
+        Ok(said.unwrap_or(others).style())
     }
 
     /// The project that a file belongs to.

@@ -174,6 +174,8 @@ pub enum Command {
         #[arg(hide_possible_values = true)]
         format: ListFormat,
     },
+    /// Set the code of shaders in one style; only white space changes
+    Fmt(super::super::fmt::FormatArgs),
     /// Draw a shader without a GPU, and say what was seen
     Run(Box<super::super::run::RunArgs>),
     /// Run the tests that are written in GLSL, and compare pictures with those that were blessed

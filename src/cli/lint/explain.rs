@@ -19,6 +19,7 @@ pub fn run(command: &Command) -> io::Result<u8> {
     let mut text = Vec::new();
     match command {
         Command::Explain { name } => return explain(name),
+        Command::Fmt(args) => return super::super::fmt::run(args),
         Command::Run(args) => return super::super::run::run(args),
         Command::Test(args) => return super::super::test::run(args),
         Command::Reduce(args) => return super::reduce::run(args),

@@ -9,6 +9,7 @@ pub use read::{ConfigError, parse, schema};
 use super::options::{Desktop, DialectChoice, HostNames, Options};
 use super::path::plain;
 use crate::diagnostic::Severity;
+use crate::format::StyleChoice;
 use crate::lint::trial::TrialLimit;
 use crate::lint::{Failing, OptionValue, Renderer, Rule, Settings, UnknownRule};
 use crate::rules::RULES;
@@ -31,6 +32,8 @@ pub struct Layer {
     pub desktop: Option<Desktop>,
     /// Folders that `#include` searches behind that of the file, from the configuration's own.
     pub include_roots: Option<Vec<String>>,
+    /// How code is set.
+    pub format: StyleChoice,
     /// What it says of rules; the later holds.
     pub rules: Vec<(&'static Rule, Adjustment)>,
 }
@@ -116,6 +119,15 @@ impl Config {
         let matching = overrides.filter(|(_, (globs, _))| globs.is_match(path));
         matching.map(|(i, _)| i).collect()
     }
+}
+
+/// How the code of files is set for which a configuration and some of its overrides, by their
+/// numbers, hold; of what they do not say `others` holds.
+pub fn style(config: &Config, layers: &[usize], others: StyleChoice) -> StyleChoice {
+    let matching = layers.iter().rev().filter_map(|i| config.overrides.get(*i));
+    let layers = matching.map(|(_, layer)| layer).chain([&config.base]);
+    let said = layers.fold(StyleChoice::default(), |said, layer| said.or(layer.format));
+    said.or(others)
 }
 
 /// What a user says for one run, which goes before every configuration.

@@ -4,6 +4,7 @@ use super::mistake::{Mistake, none_of};
 use super::rules::Rules;
 use super::word_or::WordOr;
 use crate::engine::options::{Desktop, DialectChoice, HostNames, HostUniform};
+use crate::format::{Brace, Indentation, StyleChoice};
 use crate::host::{PRESETS, Preset, preset};
 use crate::lint::Renderer;
 use crate::syntax::{Version, WordClass, classify};
@@ -31,6 +32,9 @@ pub struct ConfigFile {
     pub desktop: Option<Desktop>,
     /// What the host declares for the shaders
     pub host: Option<HostEntry>,
+    /// How `shaderlint fmt` sets code
+    #[serde(default)]
+    pub format: FormatEntry,
     /// Levels and options of rules and groups
     #[serde(default)]
     pub rules: Rules,
@@ -63,9 +67,64 @@ pub struct Override {
     pub host: Option<HostEntry>,
     /// Folders that #include searches behind that of the file, from the folder of this file
     pub include_roots: Option<Vec<String>>,
+    /// How `shaderlint fmt` sets code
+    #[serde(default)]
+    pub format: FormatEntry,
     /// Levels and options of rules and groups
     #[serde(default)]
     pub rules: Rules,
+}
+
+/// How code is set
+#[derive(Deserialize, JsonSchema, Default)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct FormatEntry {
+    /// What a level is indented by: a number of blanks, or "tab"
+    #[schemars(with = "Option<IndentValue>")]
+    indent: Option<Spanned<toml::Value>>,
+    /// How many characters a line should have at most
+    #[schemars(with = "Option<u32>", range(min = 20, max = 1000))]
+    width: Option<Spanned<u32>>,
+    /// Where the brace of a block stands: in the line of what it belongs to, or in the next
+    brace: Option<Brace>,
+}
+
+/// The forms of `indent`, for the schema
+#[derive(JsonSchema)]
+#[schemars(untagged)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum IndentValue {
+    Blanks(#[schemars(range(min = 1, max = 16))] u32),
+    Tab(#[schemars(extend("const" = "tab"))] String),
+}
+
+impl FormatEntry {
+    /// As the formatter takes it.
+    pub fn choice(self) -> Result<StyleChoice, Mistake> {
+        let width = self.width.map(|width| match *width.get_ref() {
+            20..=1000 => Ok(*width.get_ref()),
+            _ => Err(Mistake::at(&width, "this must be 20 to 1000".to_string())),
+        });
+        Ok(StyleChoice {
+            indent: self.indent.as_ref().map(indent).transpose()?,
+            width: width.transpose()?,
+            brace: self.brace,
+        })
+    }
+}
+
+/// Columns of a tab, where nothing is said of it.
+const TAB: u32 = 4;
+
+fn indent(value: &Spanned<toml::Value>) -> Result<Indentation, Mistake> {
+    match value.get_ref() {
+        toml::Value::Integer(blanks @ 1..=16) => Ok(Indentation::Spaces(*blanks as u32)),
+        toml::Value::String(word) if word == "tab" => Ok(Indentation::Tab(TAB)),
+        _ => Err(Mistake::at(
+            value,
+            "this must be 1 to 16, or `\"tab\"`".to_string(),
+        )),
+    }
 }
 
 /// What the host declares.

@@ -46,6 +46,7 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
             desktop: own.desktop,
             host: own.host.map(HostEntry::names).transpose()?,
             include_roots: own.include_roots,
+            format: own.format.choice()?,
             rules: own.rules.adjustments()?,
         };
         Ok((own.paths.globs()?, layer))
@@ -59,6 +60,7 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
             desktop: file.desktop,
             host: file.host.map(HostEntry::names).transpose()?,
             include_roots: file.include_roots,
+            format: file.format.choice()?,
             rules: file.rules.adjustments()?,
         },
         include: file.include.map(Patterns::globs).transpose()?,
@@ -69,8 +71,9 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Adjustment;
+    use super::super::{Adjustment, style};
     use super::*;
+    use crate::format::{Brace, Indentation, StyleChoice};
     use crate::lint::Renderer;
 
     #[track_caller]
@@ -86,7 +89,7 @@ mod tests {
             "x = 1",
             1,
             1,
-            "unknown key `x`; there are `target`, `run_samples`, `dialect`, `desktop`, `host`, `rules`, \
+            "unknown key `x`; there are `target`, `run_samples`, `dialect`, `desktop`, `host`, `format`, `rules`, \
              `include`, `include_roots`, `exclude`, `overrides`",
         );
         wrong(
@@ -191,6 +194,47 @@ mod tests {
                 "this must be a number, 0 or more",
             );
         }
+    }
+
+    #[test]
+    fn styles_are_read() {
+        let text = "[format]\nindent = 2\nbrace = \"next\"\n[[overrides]]\npaths = [\"a\"]\nformat.indent = \"tab\"";
+        let config = parse(text).unwrap();
+        let brace = Some(Brace::Next);
+        let nothing = StyleChoice::default();
+        let base = StyleChoice {
+            indent: Some(Indentation::Spaces(2)),
+            brace,
+            ..nothing
+        };
+        assert_eq!(style(&config, &[], nothing), base);
+        let other = StyleChoice {
+            width: Some(80),
+            brace: Some(Brace::Same),
+            ..nothing
+        };
+        let tab = Some(Indentation::Tab(4));
+        assert_eq!(
+            style(&config, &[0], other),
+            StyleChoice {
+                indent: tab,
+                brace,
+                width: Some(80)
+            }
+        );
+        wrong(
+            "format.indent = 0",
+            1,
+            17,
+            "this must be 1 to 16, or `\"tab\"`",
+        );
+        wrong("format.width = 5", 1, 16, "this must be 20 to 1000");
+        wrong(
+            "format.brace = \"nxt\"",
+            1,
+            16,
+            "`nxt` is none of `same`, `next`; did you mean `next`?",
+        );
     }
 
     #[test]

@@ -1,0 +1,189 @@
+//! `shaderlint fmt`.
+
+mod args;
+
+pub use args::FormatArgs;
+
+use super::config::Configs;
+use super::input::{InputFile, collect, read};
+use super::output::{diff, replace};
+use super::parallel::in_order;
+use super::{CLEAN, FAILED, FINDINGS};
+use crate::engine::{Formatting, format};
+use crate::text::{Encoding, LineIndex, apply_edits};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Formats the paths and gives the exit code.
+pub fn run(args: &FormatArgs) -> io::Result<u8> {
+    let configs = Configs::new(args.asked());
+    if let Some(message) = configs.problem() {
+        complain(&message);
+        return Ok(FAILED);
+    }
+    let collected = collect(&args.paths(), args.stdin_filename.as_deref(), &configs);
+    collected.problems.iter().for_each(|p| complain(p));
+    let inputs = &collected.inputs;
+    let mut tally = Tally {
+        has_failed: !collected.problems.is_empty(),
+        ..Tally::default()
+    };
+    let work = |index: usize| {
+        inputs
+            .get(index)
+            .map(|input| (input, examine(input, &configs)))
+    };
+    in_order(inputs.len(), &work, &mut |done| match done {
+        Some((input, outcome)) => tally.outcome(args, input, outcome),
+        None => Ok(()),
+    })?;
+    if !args.quiet {
+        tally.sum_up(args);
+    }
+    Ok(match (tally.has_failed, args.check && tally.changed > 0) {
+        (true, _) => FAILED,
+        (false, true) => FINDINGS,
+        (false, false) => CLEAN,
+    })
+}
+
+fn complain(message: &str) {
+    let _ = writeln!(io::stderr(), "shaderlint fmt: {message}");
+}
+
+/// What is known of one input.
+enum Outcome {
+    /// Its text, and what it becomes.
+    Formatted {
+        old: String,
+        new: String,
+        problems: Vec<String>,
+    },
+    /// It holds no shader, as is known from this; and its text.
+    Skipped(String, String),
+    Failed(String),
+}
+
+/// How many inputs became what.
+#[derive(Default)]
+struct Tally {
+    changed: usize,
+    unchanged: usize,
+    has_failed: bool,
+}
+
+/// Formats an input, without writing it.
+fn examine(input: &InputFile, configs: &Configs) -> Outcome {
+    let style = match configs.style(Path::new(&input.name)) {
+        Ok(style) => style,
+        Err(message) => return Outcome::Failed(message.to_string()),
+    };
+    let content = match read(input) {
+        Ok(content) if content.encoding == Encoding::Utf8 => content,
+        Ok(_) => return Outcome::Failed("the file is not UTF-8".to_string()),
+        Err(message) => return Outcome::Failed(message),
+    };
+    let old = content.text;
+    let Formatting { edits, left } = match format(&input.name, &old, input.claim, &style) {
+        Ok(formatting) => formatting,
+        Err(decision) => return Outcome::Skipped(decision.to_string(), old),
+    };
+    let Ok(new) = apply_edits(&old, 0, &edits) else {
+        return Outcome::Failed("what was changed overlaps; nothing is written".to_string());
+    };
+    let lines = LineIndex::new(&old);
+    let problems = left.iter().map(|why| {
+        let place = lines.position(&old, why.span.start);
+        format!(
+            "{}:{}:{}: not formatted: {}",
+            input.name, place.line, place.column, why.message
+        )
+    });
+    Outcome::Formatted {
+        problems: problems.collect(),
+        old,
+        new,
+    }
+}
+
+impl Tally {
+    fn outcome(
+        &mut self,
+        args: &FormatArgs,
+        input: &InputFile,
+        outcome: Outcome,
+    ) -> io::Result<()> {
+        match outcome {
+            Outcome::Formatted { old, new, problems } => {
+                problems.iter().for_each(|p| complain(p));
+                match (old == new, problems.is_empty()) {
+                    (false, _) => self.changed += 1,
+                    (true, true) => self.unchanged += 1,
+                    (true, false) => {}
+                }
+                self.has_failed |= !problems.is_empty();
+                self.formatted(args, input, &old, &new)
+            }
+            Outcome::Skipped(reason, text) => {
+                if input.is_explicit && !args.quiet {
+                    complain(&format!("{}: skipped: {reason}", input.name));
+                }
+                // Standard input goes through as it is.
+                match input.path.is_none() && !args.check && !args.diff {
+                    true => io::stdout().lock().write_all(text.as_bytes()),
+                    false => Ok(()),
+                }
+            }
+            Outcome::Failed(message) => {
+                self.has_failed = true;
+                complain(&format!("{}: {message}", input.name));
+                Ok(())
+            }
+        }
+    }
+
+    fn formatted(
+        &mut self,
+        args: &FormatArgs,
+        input: &InputFile,
+        old: &str,
+        new: &str,
+    ) -> io::Result<()> {
+        let mut out = io::stdout().lock();
+        if args.check && old != new {
+            let same = old.lines().zip(new.lines()).take_while(|(a, b)| a == b);
+            writeln!(out, "{}:{}: not formatted", input.name, same.count() + 1)?;
+        }
+        if args.diff && old != new {
+            out.write_all(diff(&input.name, old, new).as_bytes())?;
+        }
+        match &input.path {
+            _ if args.check || args.diff => Ok(()),
+            None => out.write_all(new.as_bytes()),
+            Some(path) if old != new => {
+                if let Err(error) = replace(path, old.as_bytes(), new.as_bytes()) {
+                    self.has_failed = true;
+                    self.changed -= 1;
+                    complain(&format!("{}: cannot be written: {error}", input.name));
+                }
+                Ok(())
+            }
+            Some(_) => Ok(()),
+        }
+    }
+
+    fn sum_up(&self, args: &FormatArgs) {
+        let files = |n: usize| format!("{n} file{}", if n == 1 { "" } else { "s" });
+        let would = match args.check || args.diff {
+            true => "would be formatted",
+            false => "formatted",
+        };
+        let message = match (self.changed, self.unchanged) {
+            (0, 0) => return,
+            (0, n) => format!("{} formatted already", files(n)),
+            (n, 0) => format!("{} {would}", files(n)),
+            (n, m) => format!("{} {would}, {m} already", files(n)),
+        };
+        complain(&message);
+    }
+}

@@ -1,0 +1,181 @@
+//! The formatter for every kind of file: a shader, an export of ShaderToy, shaders inside others.
+
+use crate::format::{Lines, Style, TextExtent, Unformatted, counts_lines, format as format_code};
+use crate::port::Project;
+use crate::text::embed::{DocumentLanguage, Embedded, extract_named};
+use crate::text::json::{JsonString, strings_in};
+use crate::text::kind::{Claim, Decision, Evidence, FileKind, Tongue, decide};
+use crate::text::{Edit, Span};
+
+/// What formatting a file comes to.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Formatting {
+    /// What changes, in the order of the text. Spans count from its start.
+    pub edits: Vec<Edit>,
+    /// The shaders that are left as they are, and why.
+    pub left: Vec<Unformatted>,
+}
+
+/// Formats the shaders of a file.
+///
+/// # Errors
+/// Where the file holds no shader, with how that is known.
+pub fn format(name: &str, text: &str, claim: Claim, style: &Style) -> Result<Formatting, Decision> {
+    let decision = decide(name, text, claim);
+    let mut formatting = Formatting::default();
+    match decision.kind {
+        FileKind::Shader | FileKind::Foreign(Tongue::Desktop) => {
+            formatting.whole(text, style);
+        }
+        FileKind::Holds(language) => formatting.inside(name, language, text, style),
+        FileKind::Export if Project::from_json(text).is_ok() => formatting.export(text, style),
+        FileKind::Export => return Err(Decision::no_export()),
+        FileKind::Foreign(_) | FileKind::Other => return Err(decision),
+    }
+    Ok(formatting)
+}
+
+/// What stands before the text of some files.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+impl Formatting {
+    fn whole(&mut self, text: &str, style: &Style) {
+        let code = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+        let before = (text.len() - code.len()) as u32;
+        match format_code(code, style, TextExtent::File, Lines::Free) {
+            Ok(edits) => self
+                .edits
+                .extend(edits.into_iter().map(|e| moved(e, before))),
+            Err(why) => self.left.push(Unformatted {
+                span: moved_span(why.span, before),
+                ..why
+            }),
+        }
+    }
+
+    fn inside(&mut self, name: &str, language: DocumentLanguage, text: &str, style: &Style) {
+        for embedded in extract_named(name, language, text) {
+            let tongue = Evidence::of(&embedded.code).foreign();
+            if tongue.is_none_or(|tongue| tongue == Tongue::Desktop) {
+                self.embedded(&embedded, text, style);
+            }
+        }
+    }
+
+    fn embedded(&mut self, embedded: &Embedded, text: &str, style: &Style) {
+        let start = embedded.start as u32;
+        match format_code(&embedded.code, style, TextExtent::Inside, Lines::Free) {
+            Ok(edits) => {
+                let edits: Vec<Edit> = edits.into_iter().map(|e| moved(e, start)).collect();
+                // All or nothing: what the language around it would read otherwise is left.
+                if edits.iter().all(|e| embedded.admits(text, e)) {
+                    self.edits.extend(edits);
+                }
+            }
+            Err(why) => self.left.push(Unformatted {
+                span: moved_span(why.span, start),
+                ..why
+            }),
+        }
+    }
+
+    fn export(&mut self, text: &str, style: &Style) {
+        let codes = strings_in(text, "renderpass", "code").unwrap_or_default();
+        // A macro of one pass may ask for the number of a line of another.
+        let lines = match codes.iter().any(|(_, code)| counts_lines(&code.value)) {
+            true => Lines::Kept,
+            false => Lines::Free,
+        };
+        for (_, code) in &codes {
+            match format_code(&code.value, style, TextExtent::File, lines) {
+                Ok(edits) => {
+                    let edits: Option<Vec<Edit>> = edits.iter().map(|e| in_json(e, code)).collect();
+                    self.edits.extend(edits.unwrap_or_default());
+                }
+                Err(why) => {
+                    let (from, to) = (why.span.start as usize, why.span.end as usize);
+                    let place = code.place(from, to);
+                    self.left.push(Unformatted {
+                        span: place.map_or(Span::at(0), |p| Span::new(p.start, p.end)),
+                        ..why
+                    });
+                }
+            }
+        }
+        self.edits.sort_by_key(|e| e.span);
+    }
+}
+
+fn moved_span(span: Span, by: u32) -> Span {
+    Span::new(span.start + by, span.end + by)
+}
+
+fn moved(edit: Edit, by: u32) -> Edit {
+    Edit {
+        span: moved_span(edit.span, by),
+        ..edit
+    }
+}
+
+/// An edit of a text as one of the string that holds it.
+fn in_json(edit: &Edit, code: &JsonString) -> Option<Edit> {
+    let place = code.place(edit.span.start as usize, edit.span.end as usize)?;
+    Some(Edit::replace(
+        Span::new(place.start, place.end),
+        code.escape(&edit.text),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::apply_edits;
+
+    fn formatted(name: &str, text: &str) -> String {
+        let formatting = format(name, text, Claim::None, &Style::default()).unwrap();
+        assert_eq!(formatting.left, []);
+        apply_edits(text, 0, &formatting.edits).unwrap()
+    }
+
+    #[test]
+    fn shaders_inside_a_script_keep_to_their_place() {
+        let text = "const a = `\n    void main(){\n  gl_FragColor=vec4( 1.0 ) ;\n  }\n  `;\n\
+                    const b = 'void main(){gl_FragColor=vec4(1.0);}';\n";
+        let expected = "const a = `\n    void main() {\n        gl_FragColor = vec4(1.0);\n    }\n  `;\n\
+                        const b = 'void main() { gl_FragColor = vec4(1.0); }';\n";
+        assert_eq!(formatted("a.js", text), expected);
+    }
+
+    #[test]
+    fn exports_are_strings_all_the_same() {
+        let text = r#"{"info":{},"renderpass":[{"type":"image","code":"void mainImage(out vec4 c,in vec2 p)\n{\n\tc=vec4(1);\n}\n"}]}"#;
+        let expected = r#"{"info":{},"renderpass":[{"type":"image","code":"void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1);\n}\n"}]}"#;
+        assert_eq!(formatted("a.json", text), expected);
+    }
+
+    #[test]
+    fn a_byte_order_mark_stays() {
+        let text = "\u{feff}\n#version 300 es\nvoid main(){}";
+        let expected = "\u{feff}#version 300 es\nvoid main() {}\n";
+        assert_eq!(formatted("a.frag", text), expected);
+    }
+
+    #[test]
+    fn what_is_no_glsl_is_left_alone() {
+        assert!(format("a.json", "{\"a\": 1}", Claim::None, &Style::default()).is_err());
+        let wgsl = "@fragment fn main() -> vec4<f32> {return vec4<f32>(1.0);}";
+        assert!(format("a.wgsl", wgsl, Claim::None, &Style::default()).is_err());
+    }
+
+    #[test]
+    fn brackets_that_do_not_match_have_places() {
+        let text = "\nvoid main() {\n  if (a[0) {}\n}\n";
+        let formatting = format("a.frag", text, Claim::None, &Style::default()).unwrap();
+        assert_eq!(formatting.edits, []);
+        let [left] = &formatting.left[..] else {
+            panic!("one bracket")
+        };
+        assert_eq!(left.span, Span::new(22, 23));
+        assert_eq!(left.message, "this bracket is never closed");
+    }
+}

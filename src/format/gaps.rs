@@ -1,0 +1,79 @@
+//! From the places of items to edits of the white space between them.
+
+use super::TextExtent;
+use super::item::FormatItem;
+use super::layout::ItemPlace;
+use super::style::{Indentation, Style};
+use crate::text::{Edit, Span};
+
+/// The edits that bring every item to its place.
+pub fn edits(
+    text: &str,
+    items: &[FormatItem],
+    places: &[ItemPlace],
+    style: &Style,
+    extent: TextExtent,
+) -> Vec<Edit> {
+    let line_break = line_break(text);
+    let mut edits = Vec::new();
+    let mut end = 0;
+    let mut column = 0;
+    for (item, place) in items.iter().zip(places) {
+        let gap = Span::new(end, item.span.start);
+        if !place.keeps {
+            let blanks = match place.breaks {
+                0 => " ".repeat(place.column.saturating_sub(column) as usize),
+                _ => indentation(place, style),
+            };
+            let wanted = line_break.repeat(place.breaks as usize) + &blanks;
+            replace(text, gap, &wanted, &mut edits);
+        }
+        end = item.span.end;
+        column = match item.is_tall {
+            true => item.width,
+            false => place.column + item.width,
+        };
+    }
+    // A line break behind a backslash would be none.
+    let is_open = text.get(..end as usize).is_some_and(|t| t.ends_with('\\'));
+    if extent == TextExtent::File && !items.is_empty() && !is_open {
+        replace(
+            text,
+            Span::new(end, text.len() as u32),
+            line_break,
+            &mut edits,
+        );
+    }
+    edits
+}
+
+/// What most lines of a text end with.
+fn line_break(text: &str) -> &'static str {
+    let count = |of: char| text.bytes().filter(|b| *b == of as u8).count();
+    let both = text.matches("\r\n").count();
+    let (feeds, returns) = (count('\n') - both, count('\r') - both);
+    match () {
+        () if both > feeds && both >= returns => "\r\n",
+        () if returns > feeds => "\r",
+        () => "\n",
+    }
+}
+
+/// The blanks that a line starts with. Tabs stand for levels; what is lined up is so by blanks.
+fn indentation(place: &ItemPlace, style: &Style) -> String {
+    let (tabs, blanks) = match style.indent {
+        Indentation::Spaces(_) => (0, place.column),
+        Indentation::Tab(width) => {
+            let tabs = place.level.min(place.column / width.max(1));
+            (tabs, place.column - tabs * width)
+        }
+    };
+    "\t".repeat(tabs as usize) + &" ".repeat(blanks as usize)
+}
+
+fn replace(text: &str, gap: Span, wanted: &str, edits: &mut Vec<Edit>) {
+    let found = text.get(gap.start as usize..gap.end as usize).unwrap_or("");
+    if found != wanted {
+        edits.push(Edit::replace(gap, wanted));
+    }
+}

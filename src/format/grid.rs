@@ -1,0 +1,100 @@
+//! Tables of numbers inside brackets, which stay as their author has set them.
+
+use super::item::{FormatItem, ItemKind};
+use super::structure::ItemRole;
+use crate::syntax::TokenKind as T;
+use crate::syntax::set::TokenSet;
+
+/// What a table is made of, besides calls of constructors.
+const IN_TABLE: TokenSet = TokenSet::of(&[
+    T::Int,
+    T::Float,
+    T::True,
+    T::False,
+    T::Comma,
+    T::LeftParen,
+    T::RightParen,
+    T::LeftBrace,
+    T::RightBrace,
+]);
+/// What the last row may lack, or have more than others.
+const ENDS_ROW: TokenSet = TokenSet::of(&[T::Comma, T::RightParen, T::RightBrace]);
+
+/// Keeps the blanks inside tables; their rows go where their brackets go.
+pub fn keep(items: &mut [FormatItem], roles: &[ItemRole]) {
+    let mut at = 0;
+    while at < items.len() {
+        match table(items, roles, at) {
+            Some(close) => {
+                keep_table(items, at, close);
+                at = close;
+            }
+            None => at += 1,
+        }
+    }
+}
+
+/// The bracket that ends the table which a bracket opens.
+fn table(items: &[FormatItem], roles: &[ItemRole], open: usize) -> Option<usize> {
+    let role = roles.get(open)?;
+    let close = role.partner? as usize;
+    let first = items.get(open)?;
+    let is_list = first.is(T::LeftParen) || first.is(T::LeftBrace);
+    let is_value = roles.get(close)?.bracket == Some(open as u32);
+    let is_tall = close > open + 1 && items.get(close)?.line > first.line;
+    if !(is_list && is_value && is_tall) {
+        return None;
+    }
+    let inner = items.get(open + 1..close)?;
+    let pairs = inner.iter().zip(items.get(open + 2..=close)?);
+    let fits = |(item, next): (&FormatItem, &FormatItem)| match item.kind {
+        ItemKind::LineComment | ItemKind::BlockComment => true,
+        ItemKind::Token(T::Plus | T::Minus) => item.is_prefix,
+        ItemKind::Token(T::Identifier | T::Type) => next.is(T::LeftParen),
+        ItemKind::Token(kind) => IN_TABLE.contains(kind),
+        ItemKind::Directive(_) | ItemKind::Idle => false,
+    };
+    (pairs.into_iter().all(fits) && has_rows(inner)).then_some(close)
+}
+
+/// Whether items stand in rows: of numbers alone, or each like the one before it.
+fn has_rows(items: &[FormatItem]) -> bool {
+    let rows = items.chunk_by(|a, b| a.line == b.line);
+    let rows: Vec<Vec<T>> = rows.map(row).filter(|row| !row.is_empty()).collect();
+    let is_number = |kind: &T| matches!(kind, T::Int | T::Float | T::True | T::False);
+    let has_numbers = |row: &Vec<T>| row.iter().filter(|k| is_number(k)).count() >= 2;
+    let is_plain = rows
+        .iter()
+        .flatten()
+        .all(|k| is_number(k) || *k == T::Comma);
+    let are_alike = rows.windows(2).all(|pair| pair.first() == pair.last());
+    rows.iter().filter(|row| has_numbers(row)).count() >= 2 && (is_plain || are_alike)
+}
+
+/// The tokens of a row that tell rows apart.
+fn row(items: &[FormatItem]) -> Vec<T> {
+    let tokens = items
+        .iter()
+        .filter(|i| !i.is_prefix)
+        .filter_map(FormatItem::token);
+    let mut row: Vec<T> = tokens
+        .map(|kind| if kind == T::Int { T::Float } else { kind })
+        .collect();
+    while row.last().is_some_and(|kind| ENDS_ROW.contains(*kind)) {
+        row.pop();
+    }
+    row
+}
+
+fn keep_table(items: &mut [FormatItem], open: usize, close: usize) {
+    let line = items.get(open).map(|i| i.line);
+    let before = items.iter().take(open).rev();
+    let before = before.take_while(|i| Some(i.line) == line).count();
+    let is_last = items.get(open + 1).is_some_and(|i| Some(i.line) != line);
+    // Where a bracket ends its line, the rows go with the line.
+    let anchor = if is_last { open - before } else { open };
+    for item in items.iter_mut().take(close + 1).skip(open + 1) {
+        item.anchor = Some(anchor as u32);
+        item.keeps |= item.breaks == 0;
+    }
+}

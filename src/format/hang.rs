@@ -1,0 +1,85 @@
+//! Where a line starts that goes on with a statement.
+
+use super::item::FormatItem;
+use super::layout::LineLayout;
+use super::overflow::precedence;
+use crate::syntax::TokenKind as T;
+
+impl LineLayout<'_> {
+    /// Column of a line that goes on with a statement, and what it is lined up with.
+    pub(super) fn continuation(&mut self, at: usize, item: &FormatItem) -> (u32, Option<u32>) {
+        if let Some(anchor) = item.anchor {
+            let moved = self.item(anchor as usize).map_or(0, |i| i.column);
+            let column = item.column + self.placed(anchor as usize).column;
+            return (column.saturating_sub(moved), Some(anchor));
+        }
+        let closes = self.role(at).partner.is_some_and(|p| (p as usize) < at);
+        match self.lined_up(at, item).filter(|_| !closes) {
+            Some(other) => (self.placed(other).column, Some(other as u32)),
+            None => self.hanging(at),
+        }
+    }
+
+    /// Column of a line that goes on with a statement by its brackets.
+    pub(super) fn hanging(&self, at: usize) -> (u32, Option<u32>) {
+        let indent = self.style.indent.width();
+        let Some(open) = self.role(at).bracket.map(|b| b as usize) else {
+            return (self.statement_column + indent, None);
+        };
+        let bracket = self.placed(open);
+        let line = self.starts.get(bracket.line as usize).copied().unwrap_or(0);
+        let column = self.placed(line).column;
+        // A bracket that ends its line leaves nothing to line up with.
+        let is_last = open + 1 == at || self.placed(open + 1).line != bracket.line;
+        let is_far = bracket.column > self.style.width * 2 / 5;
+        let closes = self.role(at).partner == Some(open as u32);
+        match (is_last || is_far, closes) {
+            (true, true) => (column, None),
+            (true, false) => (column + indent, None),
+            (false, _) => (bracket.column + 1, Some(open as u32)),
+        }
+    }
+
+    /// What the author has lined the item up with: in the line above, or the start of the last line
+    /// like it.
+    fn lined_up(&mut self, at: usize, item: &FormatItem) -> Option<usize> {
+        if let Some(sibling) = self.sibling(at).and_then(|s| *s)
+            && self
+                .item(sibling)
+                .is_some_and(|i| i.column == item.column && i.breaks > 0)
+        {
+            return Some(sibling);
+        }
+        let line = self.before(at)?.line;
+        let above = self.items.iter().enumerate().take(at).skip(self.statement);
+        let above = above.rev().take_while(|(_, i)| i.line == line);
+        let mut above = above.filter(|(i, _)| *i != self.statement);
+        let found = above.find(|(_, i)| i.column == item.column && !i.is_comment());
+        // Where the line above was broken, it may stand further above now.
+        let last = self.starts.len().saturating_sub(1) as u32;
+        found
+            .map(|(i, _)| i)
+            .filter(|i| self.placed(*i).line == last)
+    }
+
+    /// The last item that started a line as this one does.
+    pub(super) fn sibling(&mut self, at: usize) -> Option<&mut Option<usize>> {
+        let bracket = self.role(at).bracket.map_or(0, |b| b as usize + 1);
+        let sort = self.sort_of_line(at);
+        self.siblings.get_mut(bracket)?.get_mut(sort)
+    }
+
+    /// What a line inside a statement starts with: an operator, an operand behind one, or one more
+    /// of a list.
+    fn sort_of_line(&self, at: usize) -> usize {
+        let token = |i: Option<&FormatItem>| i.and_then(FormatItem::token);
+        let before = token(self.before(at));
+        let is_first = matches!(before, Some(T::Comma | T::LeftParen | T::LeftBrace));
+        let is_operator = token(self.item(at)).is_some_and(|kind| precedence(kind).is_some());
+        match (is_first, is_operator) {
+            (true, _) => 0,
+            (false, true) => 1,
+            (false, false) => 2,
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Whether a line ends before an item.
+
+use super::Lines;
+use super::item::{FormatItem, ItemKind};
+use super::layout::LineLayout;
+use super::structure::{ItemRole, StatementStart};
+use super::style::Brace;
+use super::{TextExtent, columns};
+use crate::syntax::TokenKind as T;
+use std::ops::Range;
+
+/// What stands between an item and the one before it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Gap {
+    /// No line break.
+    Line,
+    /// A line break; the line starts at the level of the item.
+    Level,
+    /// A line break inside a statement.
+    Inside,
+    /// What stood there.
+    Kept,
+}
+
+impl LineLayout<'_> {
+    /// What stands before an item.
+    pub(super) fn gap(&self, at: usize, item: &FormatItem) -> Gap {
+        let Some(before) = self.before(at) else {
+            return match (self.extent, item.breaks) {
+                (TextExtent::Inside, 0) => Gap::Kept,
+                _ => Gap::Level,
+            };
+        };
+        if item.keeps {
+            return Gap::Kept;
+        }
+        let start = self.role(at).start;
+        let inside = match start {
+            StatementStart::Nothing => Gap::Inside,
+            _ => Gap::Level,
+        };
+        if matches!(item.kind, ItemKind::Directive(_) | ItemKind::Idle) {
+            return Gap::Level;
+        }
+        if before.ends_line() {
+            return inside;
+        }
+        if self.lines == Lines::Kept {
+            return match item.breaks {
+                0 => Gap::Line,
+                _ => inside,
+            };
+        }
+        if item.is_comment() {
+            return match item.breaks {
+                0 => Gap::Line,
+                _ => inside,
+            };
+        }
+        if self.inline.is_some_and(|end| at <= end) {
+            return Gap::Line;
+        }
+        // A comment in front of what it is about, in one line with it.
+        if before.is_comment() && item.breaks == 0 && self.begins_line(at - 1) {
+            return Gap::Line;
+        }
+        match start {
+            StatementStart::Nothing => self.gap_inside(at, item, before),
+            StatementStart::Comment => Gap::Level,
+            StatementStart::Statement | StatementStart::Label => self.gap_statement(at, item),
+            StatementStart::Body => match item.breaks == 0 && self.ends_here(at) {
+                true => Gap::Line,
+                false => Gap::Level,
+            },
+            StatementStart::Tail => self.gap_tail(at, item, before),
+            StatementStart::Open => match self.style.brace {
+                Brace::Same => Gap::Line,
+                Brace::Next if self.stays_inline(at, self.end + 1) => Gap::Line,
+                Brace::Next => Gap::Level,
+            },
+            StatementStart::Close => Gap::Level,
+        }
+    }
+
+    /// Whether what starts here ends in this line, as far as the author set it in one.
+    fn ends_here(&self, at: usize) -> bool {
+        let end = self.role(at).end.map_or(at, |end| end as usize);
+        // A body that is of several lines anyway is measured up to the first.
+        let items = self.items.iter().enumerate().take(end + 1).skip(at + 1);
+        let mut lines = items.take(self.style.width as usize);
+        let broken = lines.find(|(_, item)| item.breaks > 0).map(|(i, _)| i - 1);
+        self.fits(at, broken.unwrap_or(end), self.end + 1)
+    }
+
+    fn gap_inside(&self, at: usize, item: &FormatItem, before: &FormatItem) -> Gap {
+        let is_else_if = item.is(T::If) && before.is(T::Else);
+        let is_behind_block = self.role(at - 1).start == StatementStart::Close;
+        let breaks = item.breaks > 0 && !is_else_if && !is_behind_block;
+        match breaks {
+            true => Gap::Inside,
+            false => Gap::Line,
+        }
+    }
+
+    fn gap_statement(&self, at: usize, item: &FormatItem) -> Gap {
+        let is_behind_label = || self.labelled == Some(item.line) && self.line_fits(at, item);
+        match item.breaks == 0 && (self.is_in_row(at) || is_behind_label()) {
+            true => Gap::Line,
+            false => Gap::Level,
+        }
+    }
+
+    fn gap_tail(&self, at: usize, item: &FormatItem, before: &FormatItem) -> Gap {
+        let is_do = item.is(T::While);
+        let was_inline = self
+            .role(at - 1)
+            .partner
+            .is_some_and(|open| self.placed(open as usize).line == self.placed(at - 1).line);
+        let stays = item.breaks == 0 && self.ends_here(at);
+        let is_joined = match (before.is(T::RightBrace), was_inline) {
+            (true, false) => self.style.brace == Brace::Same || is_do,
+            (true, true) => stays || is_do,
+            // Behind a body without braces, in the line of its `if`.
+            (false, _) => stays && self.statement_starts_line_with_head(),
+        };
+        match is_joined {
+            true => Gap::Line,
+            false => Gap::Level,
+        }
+    }
+
+    /// Whether the last statement stands in the line of what controls it.
+    fn statement_starts_line_with_head(&self) -> bool {
+        !self.begins_line(self.statement)
+            || self.role(self.statement).start == StatementStart::Statement
+    }
+
+    /// Remembers what stays in one line.
+    pub(super) fn note(&mut self, at: usize, item: &FormatItem, gap: Gap) {
+        if let Some(end) = self.inline.filter(|end| at > *end) {
+            self.inline = None;
+            // What was set in one line is not broken for what follows it.
+            self.scanned = self.scanned.max(end);
+        }
+        let start = self.role(at).start;
+        let starts_line = gap != Gap::Line && start != StatementStart::Nothing;
+        if starts_line || start == StatementStart::Close {
+            self.labelled = None;
+        }
+        if self.role(at).is_label {
+            self.labelled = Some(item.line);
+        }
+        let column = match gap {
+            Gap::Line => self.end + 1,
+            _ => self.base + self.role(at).level * self.style.indent.width(),
+        };
+        if item.is(T::LeftBrace) && self.inline.is_none() && self.stays_inline(at, column) {
+            self.inline = self.role(at).partner.map(|end| end as usize);
+        }
+    }
+
+    /// Whether the block that opens here stays in one line that has come to `column`.
+    fn stays_inline(&self, at: usize, column: u32) -> bool {
+        let role = self.role(at);
+        let (Some(open), Some(partner)) = (self.item(at), role.partner) else {
+            return false;
+        };
+        let partner = partner as usize;
+        let is_block = matches!(
+            role.start,
+            StatementStart::Open | StatementStart::Statement | StatementStart::Body
+        );
+        if !is_block {
+            return false;
+        }
+        if partner == at + 1 {
+            return self.lines == Lines::Free || self.item(partner).is_some_and(|p| p.breaks == 0);
+        }
+        let is_one_line = self.item(partner).is_some_and(|p| p.line == open.line);
+        is_one_line && self.fits(at, partner, column)
+    }
+
+    /// Whether a line of the source is of statements that may stand in one line.
+    pub(super) fn is_row(&self, line: Range<usize>) -> bool {
+        let role = self.role(line.start);
+        let roles = self.roles.get(line.clone()).unwrap_or(&[]);
+        let starts = |r: &&ItemRole| {
+            r.start != StatementStart::Nothing && r.start != StatementStart::Comment
+        };
+        let statements = roles.iter().filter(starts);
+        let are_plain = statements
+            .clone()
+            .all(|r| r.start == StatementStart::Statement && r.level == role.level);
+        let comment = |i: usize| self.item(i).is_some_and(FormatItem::is_comment);
+        let last = line.clone().rev().find(|i| !comment(*i));
+        let column = self.base + role.level * self.style.indent.width();
+        // A blank more stands between statements than is counted.
+        let apart = statements.count() as u32;
+        role.start == StatementStart::Statement
+            && are_plain
+            && !columns::goes_on(self.items, self.roles, line.end)
+            && last.is_some_and(|last| self.fits(line.start, last, column + apart))
+    }
+
+    /// Whether an item starts a statement that stays behind another, as a part of a table.
+    pub(super) fn is_in_row(&self, at: usize) -> bool {
+        self.in_rows.get(at) == Some(&true)
+    }
+
+    /// Whether what the author set into the rest of the line fits into this one.
+    fn line_fits(&self, at: usize, item: &FormatItem) -> bool {
+        let items = self.items.iter().enumerate().skip(at);
+        let line = items.take_while(|(_, i)| i.line == item.line && !i.ends_line());
+        let line = line.take(self.style.width as usize + 1);
+        self.fits(at, line.last().map_or(at, |(i, _)| i), self.end + 1)
+    }
+
+    /// Whether the items stand in one line without more ado and end within the width, where the first
+    /// starts at `column`.
+    fn fits(&self, from: usize, to: usize, column: u32) -> bool {
+        let parts = |i: &FormatItem| i.parts_lines() || i.keeps;
+        let items = self.items.get(from..=to).unwrap_or(&[]);
+        let end = |i: usize| self.ends.get(i).copied().unwrap_or(0);
+        let first = self.item(from).map_or(0, |i| i.width);
+        let width = end(to) - end(from) + first;
+        // What is too wide need not be looked at, which keeps the work linear.
+        column + width <= self.style.width && !items.iter().any(parts)
+    }
+}

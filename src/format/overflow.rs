@@ -1,0 +1,113 @@
+//! Where a line is broken that is too long.
+
+use super::Lines;
+use super::layout::{ItemPlace, LineLayout};
+use super::spacing::is_assignment;
+use super::structure::StatementStart;
+use crate::syntax::TokenKind as T;
+
+impl LineLayout<'_> {
+    /// Breaks the line that has become too long with an item.
+    pub(super) fn fit(&mut self, at: usize) {
+        if self.end <= self.style.width || self.lines == Lines::Kept || self.inline.is_some() {
+            return;
+        }
+        if self.item(at).is_none_or(|i| i.is_comment()) {
+            return;
+        }
+        while self.end > self.style.width {
+            let Some(from) = self.best_break(at) else {
+                self.scanned = at;
+                return;
+            };
+            self.break_before(from);
+            for i in from + 1..=at {
+                if let Some(item) = self.items.get(i) {
+                    self.go_on(i, item);
+                }
+            }
+        }
+    }
+
+    /// Starts a new line with an item that the author has not set into one.
+    fn break_before(&mut self, at: usize) {
+        let Some(item) = self.items.get(at) else {
+            return;
+        };
+        let (column, hangs_on) = self.hanging(at);
+        let level = self.role(at).level;
+        let place = ItemPlace {
+            breaks: 1,
+            column,
+            level,
+            hangs_on,
+            ..ItemPlace::default()
+        };
+        self.put(at, place);
+        self.new_line(at);
+        self.finish(item, column);
+    }
+
+    /// The outermost place, and the last of those, where the line may be broken before `at` ends so
+    /// that what stands before fits and is no mere stub; else the first place.
+    fn best_break(&self, at: usize) -> Option<usize> {
+        let start = self.line_column();
+        let width = self.style.width;
+        let candidates = (self.scanned + 1..=at).filter_map(|i| {
+            let before = self.item(i - 1).map_or(0, |i| i.width);
+            let end = self.placed(i - 1).column + before;
+            let is_stub = 3 * end.saturating_sub(start) < width.saturating_sub(start);
+            let cost = self.cost(i)?;
+            Some(match end <= width {
+                true => ((0, is_stub, cost, usize::MAX - i), i),
+                false => ((1, false, 0, i), i),
+            })
+        });
+        candidates.min().map(|(_, i)| i)
+    }
+
+    /// How bad it is to break a line before an item; `None` where it may not be.
+    fn cost(&self, at: usize) -> Option<u32> {
+        let (item, before, role) = (self.item(at)?, self.before(at)?, self.role(at));
+        let (kind, before_kind) = (item.token()?, before.token()?);
+        if role.start != StatementStart::Nothing || item.keeps || self.labels(at) {
+            return None;
+        }
+        /// More than any other; a statement has at most 200 brackets inside one another.
+        const LAST: u32 = 1 << 16;
+        let inner = match before_kind {
+            _ if kind == T::Semicolon => return None,
+            T::Semicolon => 0,
+            T::Comma => 1,
+            before if is_assignment(before) => LAST,
+            T::LeftParen if kind != T::RightParen => return Some(2 * LAST - role.depth),
+            _ if item.is_prefix => return None,
+            _ => precedence(kind)?,
+        };
+        Some(role.depth * 32 + inner)
+    }
+
+    /// Whether the item belongs to a label.
+    fn labels(&self, at: usize) -> bool {
+        self.role(at).is_label || self.role(self.statement).start == StatementStart::Label
+    }
+}
+
+/// How tightly an operator binds, the loosest first (section 5.1).
+pub fn precedence(kind: T) -> Option<u32> {
+    Some(match kind {
+        T::Question | T::Colon => 4,
+        T::OrOr => 5,
+        T::XorXor => 6,
+        T::AndAnd => 7,
+        T::Or => 8,
+        T::Xor => 9,
+        T::And => 10,
+        T::EqualEqual | T::NotEqual => 11,
+        T::Less | T::Greater | T::LessEqual | T::GreaterEqual => 12,
+        T::ShiftLeft | T::ShiftRight => 13,
+        T::Plus | T::Minus => 14,
+        T::Star | T::Slash | T::Percent => 15,
+        _ => return None,
+    })
+}

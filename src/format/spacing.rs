@@ -1,0 +1,109 @@
+//! Whether a blank stands between two items of one line.
+
+use super::item::{FormatItem, ItemKind};
+use super::structure::ItemRole;
+use crate::syntax::TokenKind as T;
+use crate::syntax::set::{ASSIGNMENTS, TokenSet};
+
+/// What sticks to what stands before it.
+const STICKS: TokenSet = TokenSet::of(&[
+    T::Semicolon,
+    T::Comma,
+    T::RightParen,
+    T::RightBracket,
+    T::Dot,
+    T::LeftBracket,
+]);
+/// What the next sticks to.
+const HOLDS: TokenSet = TokenSet::of(&[T::LeftParen, T::LeftBracket, T::Dot]);
+/// Words that a blank parts from the parentheses behind them.
+const BEFORE_BLANK: TokenSet = TokenSet::of(&[
+    T::If,
+    T::For,
+    T::While,
+    T::Switch,
+    T::Return,
+    T::Case,
+    T::Else,
+    T::Do,
+    T::In,
+    T::Out,
+    T::Inout,
+    T::Const,
+]);
+
+/// Whether a blank stands between an item and the one before it. `text` is that of the file.
+pub fn has_blank(text: &str, before: &FormatItem, item: &FormatItem, role: &ItemRole) -> bool {
+    let fuses = || item.breaks + item.blanks > 0 && may_fuse(text, before, item);
+    match (before.kind, item.kind) {
+        (ItemKind::Token(before_kind), ItemKind::Token(kind)) => {
+            if kind == T::Bad || before_kind == T::Bad {
+                return item.breaks + item.blanks > 0;
+            }
+            between(before, before_kind, item, kind, role) || fuses()
+        }
+        (ItemKind::Token(kind), _) => !HOLDS.contains(kind),
+        (ItemKind::BlockComment, ItemKind::Token(kind)) => {
+            !STICKS.contains(kind) || kind == T::LeftBracket
+        }
+        _ => true,
+    }
+}
+
+fn between(
+    before: &FormatItem,
+    before_kind: T,
+    item: &FormatItem,
+    kind: T,
+    role: &ItemRole,
+) -> bool {
+    if before.is_prefix || HOLDS.contains(before_kind) {
+        return false;
+    }
+    match kind {
+        // `for (;;)`
+        T::Semicolon | T::RightParen if before_kind == T::Semicolon => false,
+        _ if STICKS.contains(kind) => false,
+        T::LeftParen => !is_called(before_kind),
+        T::Colon => !role.is_label,
+        T::Increment | T::Decrement => item.is_prefix,
+        T::RightBrace => before_kind != T::LeftBrace,
+        _ => true,
+    }
+}
+
+/// Whether parentheses behind a token belong to it.
+fn is_called(before: T) -> bool {
+    let is_operator = before.is_binary_operator()
+        || is_assignment(before)
+        || matches!(before, T::Question | T::Colon | T::Comma | T::Semicolon);
+    let is_brace = matches!(before, T::LeftBrace | T::RightBrace);
+    !is_operator && !is_brace && !BEFORE_BLANK.contains(before)
+}
+
+/// Whether a token assigns.
+pub fn is_assignment(kind: T) -> bool {
+    ASSIGNMENTS.contains(kind)
+        || matches!(
+            kind,
+            T::PercentEqual
+                | T::ShiftLeftEqual
+                | T::ShiftRightEqual
+                | T::AndEqual
+                | T::OrEqual
+                | T::XorEqual
+        )
+}
+
+/// Whether two items without anything between them might be read as another token.
+fn may_fuse(text: &str, before: &FormatItem, item: &FormatItem) -> bool {
+    let bytes = text.as_bytes();
+    let last = before.span.end.checked_sub(1);
+    let last = last.and_then(|i| bytes.get(i as usize));
+    let (Some(&a), Some(&b)) = (last, bytes.get(item.span.start as usize)) else {
+        return false;
+    };
+    let is_word = |b: u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'.' | 0x80..);
+    let is_operator = |b: u8| b"+-*/%<>=!&|^~?:#".contains(&b);
+    (is_word(a) && is_word(b)) || (is_operator(a) && is_operator(b))
+}

@@ -1,0 +1,630 @@
+//! Where statements begin, and how deep: read off brackets, semicolons and the words of control
+//! flow, of all branches of the preprocessor.
+
+use super::Unformatted;
+use super::item::{BranchDirective, FormatItem, ItemKind};
+use crate::syntax::TokenKind as T;
+
+/// Most brackets, bodies without braces and conditions of the preprocessor inside one another.
+const MAX_DEPTH: usize = 200;
+
+/// What an item is to the statement that it belongs to.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ItemRole {
+    pub start: StatementStart,
+    /// Levels that a line is indented by that starts with it.
+    pub level: u32,
+    /// Brackets around it inside its statement, braces of blocks left out.
+    pub depth: u32,
+    /// The innermost of them.
+    pub bracket: Option<u32>,
+    /// Of a bracket: the one that belongs to it.
+    pub partner: Option<u32>,
+    /// Of what starts a body, of `else` and of the `while` of `do`: the last item of it.
+    pub end: Option<u32>,
+    /// Whether it is the `:` of a label.
+    pub is_label: bool,
+}
+
+/// What starts at an item.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum StatementStart {
+    /// Nothing: it goes on with its statement.
+    #[default]
+    Nothing,
+    Statement,
+    /// A label of `switch`.
+    Label,
+    /// The body of an `if` or a loop, without braces.
+    Body,
+    /// `else`, or the `while` of `do`.
+    Tail,
+    /// The brace that opens the block of what stands before it.
+    Open,
+    /// A brace that closes a block.
+    Close,
+    /// A comment between statements.
+    Comment,
+}
+
+/// What each item is.
+///
+/// # Errors
+/// Where a bracket has no partner, and where they nest too deeply.
+pub fn read(items: &[FormatItem]) -> Result<Vec<ItemRole>, Unformatted> {
+    let mut reader = Reader {
+        items,
+        roles: vec![ItemRole::default(); items.len()],
+        state: State {
+            frames: vec![Frame::Block(Block::new(None, 0))],
+        },
+        branches: Vec::new(),
+        comments: Vec::new(),
+        last: 0,
+    };
+    for (at, item) in items.iter().enumerate() {
+        let at = at as u32;
+        match item.kind {
+            ItemKind::Token(kind) => reader.token(at, kind)?,
+            ItemKind::LineComment | ItemKind::BlockComment => reader.comment(at),
+            ItemKind::Directive(directive) => reader.directive(at, directive)?,
+            ItemKind::Idle => {}
+        }
+    }
+    reader.finish()
+}
+
+#[derive(Clone)]
+struct State {
+    /// The innermost last; the first is that of the file.
+    frames: Vec<Frame>,
+}
+
+#[derive(Clone)]
+enum Frame {
+    Block(Block),
+    Bracket(Bracket),
+}
+
+#[derive(Clone)]
+struct Block {
+    open: Option<u32>,
+    /// Level of its statements.
+    level: u32,
+    is_switch: bool,
+    /// Whether statements stand behind a label of it.
+    is_labelled: bool,
+    at: At,
+    /// What controls the statement that stands here: `if (a) for (;;) ...` are two.
+    controls: Vec<Control>,
+}
+
+#[derive(Clone, Copy)]
+enum At {
+    /// Between statements.
+    Between,
+    /// In a statement; whether its braces hold declarations, and belong to it.
+    Inside { declares: bool },
+    /// Behind a word that parentheses follow.
+    Header(Head),
+    /// Where the body of the innermost control belongs.
+    Body,
+    /// In a label.
+    Label { questions: u32 },
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Head {
+    /// `if`, `for`, `while`
+    Body,
+    Switch,
+    /// `while` behind the body of `do`
+    DoWhile,
+}
+
+#[derive(Clone, Copy)]
+struct Control {
+    kind: T,
+    level: u32,
+    /// The word itself, and the first item of its body.
+    word: u32,
+    body: Option<u32>,
+}
+
+#[derive(Clone)]
+struct Bracket {
+    open: u32,
+    closer: T,
+    /// How many brackets of its statement are open, with this one.
+    depth: u32,
+    head: Option<Head>,
+}
+
+impl Block {
+    fn new(open: Option<u32>, level: u32) -> Block {
+        Block {
+            open,
+            level,
+            is_switch: false,
+            is_labelled: false,
+            at: At::Between,
+            controls: Vec::new(),
+        }
+    }
+
+    /// Level of a statement that starts here.
+    fn statement_level(&self) -> u32 {
+        self.level + u32::from(self.is_labelled)
+    }
+}
+
+/// A condition of the preprocessor that is open.
+struct Branches {
+    /// What stood before it.
+    before: State,
+    /// What stood at the end of its first branch.
+    after_first: Option<State>,
+}
+
+struct Reader<'a> {
+    items: &'a [FormatItem],
+    roles: Vec<ItemRole>,
+    state: State,
+    branches: Vec<Branches>,
+    /// Comments between statements whose level is that of what follows.
+    comments: Vec<u32>,
+    /// The last token.
+    last: u32,
+}
+
+impl Reader<'_> {
+    fn error<R>(&self, at: u32, message: impl Into<String>) -> Result<R, Unformatted> {
+        let item = self.items.get(at as usize);
+        Err(Unformatted {
+            span: item.map_or(crate::text::Span::at(0), |i| i.span),
+            message: message.into(),
+        })
+    }
+
+    fn role(&mut self, at: u32) -> &mut ItemRole {
+        let at = at as usize;
+        if self.roles.len() <= at {
+            self.roles.resize(at + 1, ItemRole::default());
+        }
+        #[expect(clippy::indexing_slicing, reason = "made as long as that above")]
+        &mut self.roles[at]
+    }
+
+    fn finish(mut self) -> Result<Vec<ItemRole>, Unformatted> {
+        let open = self
+            .state
+            .frames
+            .iter()
+            .rev()
+            .find_map(|frame| match frame {
+                Frame::Block(block) => block.open,
+                Frame::Bracket(bracket) => Some(bracket.open),
+            });
+        if let Some(open) = open {
+            return self.error(open, "this bracket is never closed");
+        }
+        self.settle_comments(0);
+        self.settle(None);
+        Ok(self.roles)
+    }
+
+    fn token(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
+        if self.state.frames.len() + self.controls() > MAX_DEPTH {
+            return self.error(at, "the code nests too deeply from here on");
+        }
+        match self.state.frames.last() {
+            Some(Frame::Bracket(_)) => self.in_bracket(at, kind),
+            _ => self.in_block(at, kind),
+        }?;
+        self.last = at;
+        Ok(())
+    }
+
+    fn controls(&self) -> usize {
+        match self.state.frames.last() {
+            Some(Frame::Block(block)) => block.controls.len(),
+            _ => 0,
+        }
+    }
+
+    fn block(&mut self) -> Option<&mut Block> {
+        let frames = self.state.frames.iter_mut().rev();
+        frames.into_iter().find_map(|frame| match frame {
+            Frame::Block(block) => Some(block),
+            Frame::Bracket(_) => None,
+        })
+    }
+
+    /// Gives an item that starts nothing its brackets.
+    fn inner(&mut self, at: u32) {
+        let (depth, innermost) = match self.state.frames.last() {
+            Some(Frame::Bracket(bracket)) => (bracket.depth, Some(bracket.open)),
+            _ => (0, None),
+        };
+        let level = self.block().map_or(0, |b| b.statement_level());
+        let role = self.role(at);
+        (role.depth, role.bracket, role.level) = (depth, innermost, level);
+    }
+
+    fn open_bracket(&mut self, at: u32, kind: T, head: Option<Head>) {
+        self.inner(at);
+        let closer = match kind {
+            T::LeftParen => T::RightParen,
+            T::LeftBracket => T::RightBracket,
+            _ => T::RightBrace,
+        };
+        self.state.frames.push(Frame::Bracket(Bracket {
+            open: at,
+            closer,
+            depth: self.roles.get(at as usize).map_or(0, |r| r.depth) + 1,
+            head,
+        }));
+    }
+
+    fn in_bracket(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
+        match kind {
+            T::LeftParen | T::LeftBracket | T::LeftBrace => self.open_bracket(at, kind, None),
+            T::RightParen | T::RightBracket | T::RightBrace => return self.close_bracket(at, kind),
+            _ => self.inner(at),
+        }
+        Ok(())
+    }
+
+    fn close_bracket(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
+        let Some(Frame::Bracket(bracket)) = self.state.frames.last() else {
+            return self.error(at, "this bracket closes nothing");
+        };
+        let (open, head) = (bracket.open, bracket.head);
+        if bracket.closer != kind {
+            return self.error(open, "this bracket is never closed");
+        }
+        self.inner(at);
+        self.role(at).partner = Some(open);
+        self.role(open).partner = Some(at);
+        self.state.frames.pop();
+        if let (Some(head), Some(block)) = (head, self.block()) {
+            block.at = match head {
+                Head::Body | Head::Switch => At::Body,
+                Head::DoWhile => At::Inside { declares: false },
+            };
+        }
+        Ok(())
+    }
+
+    fn in_block(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
+        let Some(block) = self.block() else {
+            return Ok(());
+        };
+        match block.at {
+            At::Between => self.start(at, kind),
+            At::Body => self.body(at, kind),
+            At::Header(head) if kind == T::LeftParen => {
+                self.open_bracket(at, kind, Some(head));
+                Ok(())
+            }
+            At::Header(_) => {
+                block.at = At::Inside { declares: false };
+                self.inside(at, kind, false)
+            }
+            At::Inside { declares } => self.inside(at, kind, declares),
+            At::Label { questions } => {
+                block.at = match (kind, questions) {
+                    (T::Question, n) => At::Label { questions: n + 1 },
+                    (T::Colon, 0) => {
+                        block.is_labelled = true;
+                        At::Between
+                    }
+                    (T::Colon, n) => At::Label { questions: n - 1 },
+                    _ => block.at,
+                };
+                let is_over = matches!(block.at, At::Between);
+                self.inside_label(at, kind)?;
+                self.role(at).is_label = is_over;
+                Ok(())
+            }
+        }
+    }
+
+    fn inside_label(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
+        match kind {
+            T::LeftParen | T::LeftBracket => self.open_bracket(at, kind, None),
+            T::RightBrace => return self.close_block(at),
+            _ => self.inner(at),
+        }
+        Ok(())
+    }
+
+    /// Goes on in a statement.
+    fn inside(&mut self, at: u32, kind: T, declares: bool) -> Result<(), Unformatted> {
+        match kind {
+            T::LeftParen | T::LeftBracket => self.open_bracket(at, kind, None),
+            T::LeftBrace if self.is_list() => self.open_bracket(at, kind, None),
+            T::LeftBrace => {
+                // The head of a function may declare a struct.
+                let last = self.items.get(self.last as usize);
+                if last.is_some_and(|last| last.is(T::RightParen))
+                    && let Some(block) = self.block()
+                {
+                    block.at = At::Inside { declares: false };
+                }
+                let level = self.block().map_or(0, |b| b.statement_level());
+                self.open_block(at, StatementStart::Open, level);
+            }
+            T::RightBrace => return self.close_block(at),
+            T::RightParen | T::RightBracket => {
+                return self.error(at, "this bracket closes nothing");
+            }
+            T::Semicolon => {
+                self.inner(at);
+                if let Some(block) = self.block() {
+                    block.at = At::Between;
+                }
+            }
+            _ => {
+                self.inner(at);
+                let declares = declares || matches!(kind, T::Struct | T::Uniform | T::In | T::Out);
+                if let Some(block) = self.block() {
+                    block.at = At::Inside { declares };
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a brace here holds values.
+    fn is_list(&self) -> bool {
+        let last = self
+            .items
+            .get(self.last as usize)
+            .and_then(FormatItem::token);
+        matches!(last, Some(T::Equal | T::RightBracket))
+    }
+
+    /// Starts what stands where a statement may start.
+    fn start(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
+        let tail = self.settle(Some(kind));
+        if let Some(level) = tail {
+            self.set_start(at, StatementStart::Tail, level);
+            return self.tail(at, kind, level);
+        }
+        let last = self.roles.get(self.last as usize);
+        if kind == T::LeftBrace && last.is_some_and(|last| last.is_label) {
+            // The block of a label is set as that of any other head.
+            let level = self.block().map_or(0, |b| b.level);
+            self.open_block(at, StatementStart::Open, level);
+            return Ok(());
+        }
+        let level = self.block().map_or(0, |b| b.statement_level());
+        self.statement(at, kind, StatementStart::Statement, level)
+    }
+
+    fn set_start(&mut self, at: u32, start: StatementStart, level: u32) {
+        self.inner(at);
+        let role = self.role(at);
+        (role.start, role.level) = (start, level);
+        self.settle_comments(level);
+    }
+
+    /// Gives the comments before a line its level.
+    fn settle_comments(&mut self, level: u32) {
+        for comment in std::mem::take(&mut self.comments) {
+            self.role(comment).level = level;
+        }
+    }
+
+    /// `else`, or the `while` of `do`.
+    fn tail(&mut self, at: u32, kind: T, level: u32) -> Result<(), Unformatted> {
+        let Some(block) = self.block() else {
+            return Ok(());
+        };
+        block.controls.push(Control {
+            kind,
+            level,
+            word: at,
+            body: None,
+        });
+        block.at = match kind {
+            T::Else => At::Body,
+            _ => At::Header(Head::DoWhile),
+        };
+        Ok(())
+    }
+
+    fn statement(
+        &mut self,
+        at: u32,
+        kind: T,
+        start: StatementStart,
+        level: u32,
+    ) -> Result<(), Unformatted> {
+        match kind {
+            T::RightBrace => return self.close_block(at),
+            T::Case | T::Default => return self.label(at),
+            T::RightParen | T::RightBracket => {
+                return self.error(at, "this bracket closes nothing");
+            }
+            _ => self.set_start(at, start, level),
+        }
+        match kind {
+            T::LeftBrace => self.open_block(at, start, level),
+            T::LeftParen | T::LeftBracket => {
+                if let Some(block) = self.block() {
+                    block.at = At::Inside { declares: false };
+                }
+                self.open_bracket(at, kind, None);
+                let role = self.role(at);
+                (role.start, role.level) = (start, level);
+            }
+            T::If | T::For | T::While | T::Switch | T::Do => self.control(at, kind, level),
+            T::Semicolon => {
+                if let Some(block) = self.block() {
+                    block.at = At::Between;
+                }
+            }
+            _ => {
+                let declares = matches!(kind, T::Struct | T::Uniform | T::In | T::Out);
+                if let Some(block) = self.block() {
+                    block.at = At::Inside { declares };
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn control(&mut self, at: u32, kind: T, level: u32) {
+        let Some(block) = self.block() else { return };
+        block.controls.push(Control {
+            kind,
+            level,
+            word: at,
+            body: None,
+        });
+        block.at = match kind {
+            T::Do => At::Body,
+            T::Switch => At::Header(Head::Switch),
+            _ => At::Header(Head::Body),
+        };
+    }
+
+    fn label(&mut self, at: u32) -> Result<(), Unformatted> {
+        let Some(block) = self.block() else {
+            return Ok(());
+        };
+        let level = block.level;
+        block.at = At::Label { questions: 0 };
+        self.set_start(at, StatementStart::Label, level);
+        Ok(())
+    }
+
+    /// Starts the body of a control.
+    fn body(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
+        let Some(block) = self.block() else {
+            return Ok(());
+        };
+        let Some(control) = block.controls.last_mut() else {
+            return self.statement(at, kind, StatementStart::Statement, 0);
+        };
+        control.body = Some(at);
+        let Control {
+            kind: word, level, ..
+        } = *control;
+        match (word, kind) {
+            (_, T::LeftBrace) => {
+                self.open_block(at, StatementStart::Open, level);
+                Ok(())
+            }
+            (T::Else, T::If) => {
+                self.inner(at);
+                self.control(at, kind, level);
+                Ok(())
+            }
+            _ => self.statement(at, kind, StatementStart::Body, level + 1),
+        }
+    }
+
+    fn open_block(&mut self, at: u32, start: StatementStart, level: u32) {
+        self.set_start(at, start, level);
+        let is_switch = match self.block() {
+            Some(block) => {
+                let control = block.controls.last();
+                matches!(block.at, At::Body) && control.is_some_and(|c| c.kind == T::Switch)
+            }
+            None => false,
+        };
+        let mut block = Block::new(Some(at), level + 1);
+        block.is_switch = is_switch;
+        self.state.frames.push(Frame::Block(block));
+    }
+
+    fn close_block(&mut self, at: u32) -> Result<(), Unformatted> {
+        let open = self.block().and_then(|b| b.open);
+        let Some(open) = open else {
+            return self.error(at, "this bracket closes nothing");
+        };
+        self.settle(None);
+        let inner = self.block().map_or(0, |b| b.statement_level());
+        self.settle_comments(inner);
+        self.state.frames.pop();
+        let level = self.role(open).level;
+        self.set_start(at, StatementStart::Close, level);
+        self.role(at).partner = Some(open);
+        self.role(open).partner = Some(at);
+        if let Some(block) = self.block() {
+            block.at = match block.at {
+                At::Inside { declares: true } => At::Inside { declares: true },
+                _ => At::Between,
+            };
+        }
+        Ok(())
+    }
+
+    /// Ends the controls whose statements are over before what comes next. Gives the level of the
+    /// control that goes on with it.
+    fn settle(&mut self, next: Option<T>) -> Option<u32> {
+        let owner = match next {
+            Some(T::Else) => T::If,
+            Some(T::While) => T::Do,
+            _ => T::End,
+        };
+        let last = self.last;
+        let block = self.block()?;
+        let owner = block.controls.iter().rposition(|c| c.kind == owner);
+        let keep = owner.unwrap_or(0);
+        let over = block.controls.split_off(keep.min(block.controls.len()));
+        let level = owner.and_then(|_| over.first()).map(|c| c.level);
+        for control in over {
+            if let Some(body) = control.body {
+                self.role(body).end = Some(last);
+            }
+            self.role(control.word).end = Some(last);
+        }
+        level
+    }
+
+    fn comment(&mut self, at: u32) {
+        self.inner(at);
+        let is_between = match self.state.frames.last() {
+            Some(Frame::Block(block)) => {
+                matches!(block.at, At::Between | At::Body | At::Header(_))
+            }
+            _ => false,
+        };
+        if is_between {
+            self.role(at).start = StatementStart::Comment;
+            self.comments.push(at);
+        }
+    }
+
+    fn directive(&mut self, at: u32, directive: BranchDirective) -> Result<(), Unformatted> {
+        self.inner(at);
+        let level = self.role(at).level;
+        self.settle_comments(level);
+        match directive {
+            BranchDirective::Opens if self.branches.len() > MAX_DEPTH => {
+                return self.error(at, "conditions nest too deeply from here on");
+            }
+            BranchDirective::Opens => self.branches.push(Branches {
+                before: self.state.clone(),
+                after_first: None,
+            }),
+            BranchDirective::Turns => {
+                if let Some(branches) = self.branches.last_mut() {
+                    let end = std::mem::replace(&mut self.state, branches.before.clone());
+                    branches.after_first.get_or_insert(end);
+                }
+            }
+            BranchDirective::Closes => {
+                if let Some(first) = self.branches.pop().and_then(|b| b.after_first) {
+                    self.state = first;
+                }
+            }
+            BranchDirective::Other => {}
+        }
+        Ok(())
+    }
+}

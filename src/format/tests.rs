@@ -1,0 +1,237 @@
+//! Small texts, and what becomes of them.
+
+use super::*;
+use crate::text::apply_edits;
+
+#[track_caller]
+fn formatted(text: &str, style: &Style) -> String {
+    let apply = |text: &str| {
+        let edits = format(text, style, TextExtent::File, Lines::Free).unwrap();
+        apply_edits(text, 0, &edits).unwrap()
+    };
+    let once = apply(text);
+    assert_eq!(apply(&once), once, "not stable");
+    once
+}
+
+#[track_caller]
+fn check(text: &str, expected: &str) {
+    assert_eq!(formatted(text, &Style::default()), expected);
+}
+
+/// Of the statements of a function.
+#[track_caller]
+fn body(text: &str, expected: &str) {
+    let lines: Vec<String> = expected.lines().map(|l| format!("    {l}\n")).collect();
+    let lines: String = lines.concat().replace("    \n", "\n");
+    check(
+        &format!("void f()\n{{\n{text}\n}}"),
+        &format!("void f() {{\n{lines}}}\n"),
+    );
+}
+
+#[test]
+fn blanks_stand_around_operators() {
+    body("a=b+c*-d;", "a = b + c * -d;");
+    body("a = b - - c;  d+ ++e;", "a = b - -c;\nd + ++e;");
+    body("a [ 0 ].x = f ( a , b ) ;", "a[0].x = f(a, b);");
+    body("a=b?c:d;i++;--j;", "a = b ? c : d;\ni++;\n--j;");
+    body("return( a );", "return (a);");
+    body(
+        "float[ 2 ] a=float[ ]( 1. , 2. ) ;",
+        "float[2] a = float[](1., 2.);",
+    );
+    body("a = !b && ~c==d;", "a = !b && ~c == d;");
+    body("a = vec2( 1 ) ;;", "a = vec2(1);\n;");
+}
+
+#[test]
+fn statements_have_lines() {
+    body("a;b;", "a;\nb;");
+    body("if(a)b;", "if (a) b;");
+    body("if(a)\nb;else\nc;", "if (a)\n    b;\nelse\n    c;");
+    body("if(a)b;else if(c)d;", "if (a) b; else if (c) d;");
+    body(
+        "if(a)\n{\nb;\n}\nelse\n{\nc;\n}",
+        "if (a) {\n    b;\n} else {\n    c;\n}",
+    );
+    body(
+        "if(a){b;}\nelse if(c){d;}",
+        "if (a) { b; }\nelse if (c) { d; }",
+    );
+    body(
+        "for(int i=0;i<3;i++){a;\nb;}",
+        "for (int i = 0; i < 3; i++) {\n    a;\n    b;\n}",
+    );
+    body(
+        "for(;;)\nfor(;;)\nif(a)\nb;\nelse\nc;d;",
+        "for (;;)\n    for (;;)\n        if (a)\n            b;\n        else\n            c;\nd;",
+    );
+    body("do{a;\n}\nwhile(b);", "do {\n    a;\n} while (b);");
+    body("while(a){}", "while (a) {}");
+    body("{\na;}", "{\n    a;\n}");
+    check(
+        "struct A{float a;\nvec2 b;}c;",
+        "struct A {\n    float a;\n    vec2 b;\n} c;\n",
+    );
+    check(
+        "struct S{float a;}f(){\nreturn S(1.);}void g(){}",
+        "struct S { float a; } f() {\n    return S(1.);\n}\nvoid g() {}\n",
+    );
+    check("uniform B{vec4 a;};", "uniform B { vec4 a; };\n");
+    check(
+        "float f(float x){return x*x;}",
+        "float f(float x) { return x * x; }\n",
+    );
+}
+
+#[test]
+fn labels_stand_in_their_switch() {
+    body(
+        "switch(a){case 0:b;break;\ncase 1: {\nc;\n}\ndefault:\nd;\n}",
+        "switch (a) {\n    case 0: b; break;\n    case 1: {\n        c;\n    }\n    default:\n        d;\n}",
+    );
+}
+
+#[test]
+fn comments_stay_with_what_they_are_about() {
+    body(
+        "a; // of a\n  // of b\n/* too */ b;",
+        "a; // of a\n// of b\n/* too */ b;",
+    );
+    body(
+        "if(a) // why\n{\nb;\n// last\n}",
+        "if (a) // why\n{\n    b;\n    // last\n}",
+    );
+    body("a=f(b, // first\nc);", "a = f(b, // first\n      c);");
+    body("f(/* x */a,b /* y */);", "f(/* x */ a, b /* y */);");
+}
+
+#[test]
+fn empty_lines_stay_two_at_most() {
+    check("\n\na;\n\n\n\n\nb;\n\nc;\n\n\n", "a;\n\n\nb;\n\nc;\n");
+}
+
+#[test]
+fn directives_stay_as_they_are() {
+    check(
+        "#define  A   2.0*PI  \nfloat a=A;",
+        "#define  A   2.0*PI\nfloat a = A;\n",
+    );
+    check(
+        "#define A \\\n   b ; \\\n  c\nfloat a;",
+        "#define A \\\n   b ; \\\n  c\nfloat a;\n",
+    );
+    check(
+        "void f(){\n#ifdef A\nif(a){\n#else\nif(b){\n#endif\nc;\n}\n  #undef A\n}",
+        "void f() {\n#ifdef A\n    if (a) {\n#else\n    if (b) {\n#endif\n        c;\n    }\n    #undef A\n}\n",
+    );
+}
+
+#[test]
+fn what_is_never_compiled_is_no_code() {
+    check(
+        "#if 0\n it's  text (\n#endif\nfloat a ;",
+        "#if 0\n it's  text (\n#endif\nfloat a;\n",
+    );
+}
+
+#[test]
+fn the_formatter_can_be_switched_off() {
+    check(
+        "float a ;\n// shaderlint: fmt off\nfloat  b ;\n\n\n\n  float c ;\n// shaderlint: fmt on\nfloat  d ;",
+        "float a;\n// shaderlint: fmt off\nfloat  b ;\n\n\n\n  float c ;\n// shaderlint: fmt on\nfloat d;\n",
+    );
+}
+
+#[test]
+fn tables_stay_tables() {
+    check(
+        "mat3 m=mat3( 0.00,  0.80,  0.60,\n         -0.80,  0.36, -0.48,\n         -0.60, -0.48,  0.64 );",
+        "mat3 m = mat3( 0.00,  0.80,  0.60,\n           -0.80,  0.36, -0.48,\n           -0.60, -0.48,  0.64 );\n",
+    );
+    check(
+        "const int A  =1;  // one\nconst int BCD=22; // two\n",
+        "const int A   = 1;  // one\nconst int BCD = 22; // two\n",
+    );
+    body(
+        "p.x=1.;   q.x=10.;\np.y=20.;  q.y=3.;",
+        "p.x = 1.;   q.x = 10.;\np.y = 20.;  q.y = 3.;",
+    );
+}
+
+#[test]
+fn long_lines_are_broken_at_the_outermost_place() {
+    let style = Style {
+        width: 30,
+        ..Style::default()
+    };
+    let broken = |text: &str| formatted(text, &style);
+    assert_eq!(
+        broken("float a = max(min(bb, cc), dddddd);"),
+        "float a = max(min(bb, cc),\n    dddddd);\n"
+    );
+    assert_eq!(
+        broken("a = max(min(bb, cc), dddddd + e);"),
+        "a = max(min(bb, cc),\n        dddddd + e);\n"
+    );
+    assert_eq!(
+        broken("float a = bbbbbb * cccccc + dddddd * eeeeee;"),
+        "float a = bbbbbb * cccccc\n    + dddddd * eeeeee;\n"
+    );
+}
+
+#[test]
+fn line_breaks_of_the_author_stay() {
+    body("a = b\n+ c;", "a = b\n    + c;");
+    body("a = b\n  + c;", "a = b\n  + c;");
+    body("float a = b\n        + c;", "float a = b\n        + c;");
+    body("a = f(\nb,\nc\n);", "a = f(\n    b,\n    c\n);");
+}
+
+#[test]
+fn lines_that_are_counted_stay() {
+    let text = "void f(){a;b;\n\n\n\n\nc(__LINE__);}";
+    check(text, "void f() { a; b;\n\n\n\n\n    c(__LINE__); }\n");
+}
+
+#[test]
+fn indentation_may_be_tabs() {
+    let style = Style {
+        indent: Indentation::Tab(4),
+        brace: Brace::Next,
+        ..Style::default()
+    };
+    let text = "void f(){if(a){b(c,\nd);\n}else{e;\n}}";
+    let expected =
+        "void f()\n{\n\tif (a)\n\t{\n\t\tb(c,\n\t\t  d);\n\t}\n\telse\n\t{\n\t\te;\n\t}\n}\n";
+    assert_eq!(formatted(text, &style), expected);
+}
+
+#[test]
+fn line_ends_stay_what_they_are() {
+    check("float a;float b;\r\n", "float a;\r\nfloat b;\r\n");
+}
+
+#[test]
+fn what_does_not_match_is_refused() {
+    for text in [
+        "void f() {",
+        "}",
+        "a(]",
+        "a(}",
+        "/* b",
+        "#define A /* b\n",
+        "a)",
+        "a; #b",
+        "a; /* */ #b",
+    ] {
+        assert!(
+            format(text, &Style::default(), TextExtent::File, Lines::Free).is_err(),
+            "{text}"
+        );
+    }
+    let deep = "(".repeat(300);
+    let why = format(&deep, &Style::default(), TextExtent::File, Lines::Free).unwrap_err();
+    assert_eq!(why.message, "the code nests too deeply from here on");
+}

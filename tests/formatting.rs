@@ -1,0 +1,113 @@
+//! What the formatter keeps, on whole files: the tokens, what the compiler makes of them, and its
+//! own results.
+//!
+//! `SHADERLINT_CASES=DIR cargo test --test formatting` reads the exports of ShaderToy in
+//! `DIR/shadertoy` too.
+
+use shaderlint::engine::{NoFiles, Options, analyze, format};
+use shaderlint::format::{Brace, Indentation, Style};
+use shaderlint::ir::print;
+use shaderlint::syntax::{RawKind, tokenize};
+use shaderlint::text::apply_edits;
+use shaderlint::text::kind::Claim;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// All shaders and exports in a folder.
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        match path.is_dir() {
+            true => files(&path, found),
+            false if ["glsl", "frag", "vert", "json"].contains(&ending) => found.push(path),
+            false => {}
+        }
+    }
+}
+
+/// What the compiler makes of each shader of a file; nothing of those with errors.
+fn modules(name: &str, text: &str) -> Vec<Option<String>> {
+    let report = analyze(name, text, &Options::default(), &NoFiles);
+    // Slashes stand before places, which are others.
+    let lines = |text: String| -> String {
+        let said = text.lines().map(|l| l.split(" // ").next().unwrap_or(l));
+        said.map(|l| l.trim_end().to_string() + "\n").collect()
+    };
+    let analyses = report.analyses.iter();
+    let module = analyses.map(|a| (!a.has_errors).then(|| lines(print(&a.program, a.module()))));
+    module.collect()
+}
+
+/// All that a text says besides white space.
+fn tokens(text: &str) -> Vec<&str> {
+    let raw = tokenize(text, 0);
+    let is_said = |kind| !matches!(kind, RawKind::Whitespace | RawKind::Newline);
+    let said = raw.into_iter().filter(|t| is_said(t.kind));
+    said.map(|t| &text[t.span.start as usize..t.span.end as usize])
+        .collect()
+}
+
+fn formatted(name: &str, text: &str, style: &Style) -> Option<String> {
+    let formatting = format(name, text, Claim::None, style).ok()?;
+    Some(apply_edits(text, 0, &formatting.edits).unwrap())
+}
+
+/// Checks a file in a style; gives whether it was formatted at all.
+fn check(path: &Path, style: &Style) -> bool {
+    let name = path.to_string_lossy();
+    let Ok(text) = fs::read_to_string(path) else {
+        return false;
+    };
+    let Some(once) = formatted(&name, &text, style) else {
+        return false;
+    };
+    assert_eq!(
+        formatted(&name, &once, style).as_ref(),
+        Some(&once),
+        "{name} is not stable"
+    );
+    // In an export a string holds the code, line breaks and all.
+    if !name.ends_with(".json") {
+        assert_eq!(tokens(&text), tokens(&once), "{name} has other tokens");
+    }
+    let (before, after) = (modules(&name, &text), modules(&name, &once));
+    for (before, after) in before.iter().zip(&after) {
+        // What was wrong may be right: a blank line before `#version` goes.
+        assert!(
+            before.is_none() || before == after,
+            "{name} means something else"
+        );
+    }
+    assert_eq!(before.len(), after.len(), "{name}");
+    true
+}
+
+fn check_all(folder: &Path, at_least: usize) {
+    let mut found = Vec::new();
+    files(folder, &mut found);
+    let narrow = Style {
+        indent: Indentation::Tab(8),
+        width: 60,
+        brace: Brace::Next,
+    };
+    for style in [Style::default(), narrow] {
+        let formatted = found.iter().filter(|path| check(path, &style)).count();
+        assert!(
+            formatted >= at_least,
+            "only {formatted} files are formatted"
+        );
+    }
+}
+
+#[test]
+fn the_corpus_means_the_same_when_it_is_formatted() {
+    check_all(&Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus"), 60);
+}
+
+#[test]
+fn exports_mean_the_same_when_they_are_formatted() {
+    if let Some(cases) = std::env::var_os("SHADERLINT_CASES") {
+        check_all(&Path::new(&cases).join("shadertoy"), 300);
+    }
+}
