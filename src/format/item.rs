@@ -163,9 +163,7 @@ impl Reader<'_> {
             RawKind::Whitespace | RawKind::Newline => self.gap(token),
             RawKind::Hash => {
                 let (count, span) = directive(raw, at);
-                let name = raw.iter().skip(at + 1).find(|t| t.kind == RawKind::Word);
-                let name = name.filter(|n| n.span.end <= span.end);
-                let directive = name.map_or(BranchDirective::Other, |n| of_name(self.text(n.span)));
+                let directive = self.branch(raw, at, span);
                 let is_never = directive == BranchDirective::Opens && is_never(self.text(span));
                 self.keeps_next |= !is_first;
                 self.add(ItemKind::Directive(directive), span);
@@ -182,6 +180,13 @@ impl Reader<'_> {
             }
         }
         1
+    }
+
+    /// What the directive at `at`, which takes up `span`, does to branches.
+    fn branch(&self, raw: &[RawToken], at: usize, span: Span) -> BranchDirective {
+        let name = raw.iter().skip(at + 1).find(|t| t.kind == RawKind::Word);
+        let name = name.filter(|n| n.span.end <= span.end);
+        name.map_or(BranchDirective::Other, |n| of_name(self.text(n.span)))
     }
 
     fn gap(&mut self, token: &RawToken) {
@@ -268,9 +273,7 @@ impl Reader<'_> {
             if token.kind == RawKind::Hash && is_first {
                 let span;
                 (count, span) = directive(raw, at);
-                let name = raw.iter().skip(at + 1).find(|t| t.kind == RawKind::Word);
-                let name = name.filter(|n| n.span.end <= span.end);
-                match name.map_or(BranchDirective::Other, |n| of_name(self.text(n.span))) {
+                match self.branch(raw, at, span) {
                     BranchDirective::Opens => depth += 1,
                     BranchDirective::Turns | BranchDirective::Closes if depth == 0 => break,
                     BranchDirective::Closes => depth -= 1,

@@ -45,13 +45,7 @@ impl LineLayout<'_> {
         if before.ends_line() {
             return inside;
         }
-        if self.lines == Lines::Kept {
-            return match item.breaks {
-                0 => Gap::Line,
-                _ => inside,
-            };
-        }
-        if item.is_comment() {
+        if self.lines == Lines::Kept || item.is_comment() {
             return match item.breaks {
                 0 => Gap::Line,
                 _ => inside,

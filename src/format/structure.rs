@@ -91,7 +91,6 @@ struct Block {
     open: Option<u32>,
     /// Level of its statements.
     level: u32,
-    is_switch: bool,
     /// Whether statements stand behind a label of it.
     is_labelled: bool,
     at: At,
@@ -115,9 +114,8 @@ enum At {
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Head {
-    /// `if`, `for`, `while`
+    /// `if`, `for`, `while`, `switch`
     Body,
-    Switch,
     /// `while` behind the body of `do`
     DoWhile,
 }
@@ -145,7 +143,6 @@ impl Block {
         Block {
             open,
             level,
-            is_switch: false,
             is_labelled: false,
             at: At::Between,
             controls: Vec::new(),
@@ -289,7 +286,7 @@ impl Reader<'_> {
         self.state.frames.pop();
         if let (Some(head), Some(block)) = (head, self.block()) {
             block.at = match head {
-                Head::Body | Head::Switch => At::Body,
+                Head::Body => At::Body,
                 Head::DoWhile => At::Inside { declares: false },
             };
         }
@@ -390,7 +387,12 @@ impl Reader<'_> {
         let tail = self.settle(Some(kind));
         if let Some(level) = tail {
             self.set_start(at, StatementStart::Tail, level);
-            return self.tail(at, kind, level);
+            let next = match kind {
+                T::Else => At::Body,
+                _ => At::Header(Head::DoWhile),
+            };
+            self.control(at, kind, level, next);
+            return Ok(());
         }
         let last = self.roles.get(self.last as usize);
         if kind == T::LeftBrace && last.is_some_and(|last| last.is_label) {
@@ -417,22 +419,17 @@ impl Reader<'_> {
         }
     }
 
-    /// `else`, or the `while` of `do`.
-    fn tail(&mut self, at: u32, kind: T, level: u32) -> Result<(), Unformatted> {
-        let Some(block) = self.block() else {
-            return Ok(());
-        };
-        block.controls.push(Control {
-            kind,
-            level,
-            word: at,
-            body: None,
-        });
-        block.at = match kind {
-            T::Else => At::Body,
-            _ => At::Header(Head::DoWhile),
-        };
-        Ok(())
+    /// Starts what is controlled by a word, behind which `next` is expected.
+    fn control(&mut self, at: u32, kind: T, level: u32, next: At) {
+        if let Some(block) = self.block() {
+            block.controls.push(Control {
+                kind,
+                level,
+                word: at,
+                body: None,
+            });
+            block.at = next;
+        }
     }
 
     fn statement(
@@ -460,7 +457,10 @@ impl Reader<'_> {
                 let role = self.role(at);
                 (role.start, role.level) = (start, level);
             }
-            T::If | T::For | T::While | T::Switch | T::Do => self.control(at, kind, level),
+            T::Do => self.control(at, kind, level, At::Body),
+            T::If | T::For | T::While | T::Switch => {
+                self.control(at, kind, level, At::Header(Head::Body));
+            }
             T::Semicolon => {
                 if let Some(block) = self.block() {
                     block.at = At::Between;
@@ -474,21 +474,6 @@ impl Reader<'_> {
             }
         }
         Ok(())
-    }
-
-    fn control(&mut self, at: u32, kind: T, level: u32) {
-        let Some(block) = self.block() else { return };
-        block.controls.push(Control {
-            kind,
-            level,
-            word: at,
-            body: None,
-        });
-        block.at = match kind {
-            T::Do => At::Body,
-            T::Switch => At::Header(Head::Switch),
-            _ => At::Header(Head::Body),
-        };
     }
 
     fn label(&mut self, at: u32) -> Result<(), Unformatted> {
@@ -520,7 +505,7 @@ impl Reader<'_> {
             }
             (T::Else, T::If) => {
                 self.inner(at);
-                self.control(at, kind, level);
+                self.control(at, kind, level, At::Header(Head::Body));
                 Ok(())
             }
             _ => self.statement(at, kind, StatementStart::Body, level + 1),
@@ -529,15 +514,7 @@ impl Reader<'_> {
 
     fn open_block(&mut self, at: u32, start: StatementStart, level: u32) {
         self.set_start(at, start, level);
-        let is_switch = match self.block() {
-            Some(block) => {
-                let control = block.controls.last();
-                matches!(block.at, At::Body) && control.is_some_and(|c| c.kind == T::Switch)
-            }
-            None => false,
-        };
-        let mut block = Block::new(Some(at), level + 1);
-        block.is_switch = is_switch;
+        let block = Block::new(Some(at), level + 1);
         self.state.frames.push(Frame::Block(block));
     }
 

@@ -357,8 +357,6 @@ fn integer(bytes: &[u8], len: usize) -> (RawKind, usize) {
     (RawKind::Integer, len + suffix)
 }
 
-/// An operator, by the longest match, or a character that is none.
-#[rustfmt::skip]
 /// Longest text in quotes that is taken for a string of another language.
 const MAX_QUOTED: usize = 200;
 
@@ -378,6 +376,7 @@ fn quoted_len(bytes: &[u8]) -> usize {
     1
 }
 
+/// An operator, by the longest match, or a character that is none.
 fn operator(bytes: &[u8]) -> (RawKind, usize) {
     use TokenKind::*;
     let at = |i: usize| bytes.get(i).copied().unwrap_or(0);
