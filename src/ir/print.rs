@@ -196,7 +196,11 @@ impl Printer<'_> {
 
     /// Two variables of one name are told apart by a number.
     fn name_variables(&mut self, function: FunctionRef) {
-        let mut taken: FxHashMap<&str, u32> = FxHashMap::default();
+        // A local that hides a global is another variable.
+        let globals = self.program.variables.iter().zip(&self.module.variables);
+        let globals = globals.filter(|(_, own)| own.function.is_none());
+        let names = globals.map(|(declared, _)| self.program.names.text(declared.name));
+        let mut taken: FxHashMap<&str, u32> = names.map(|name| (name, 1)).collect();
         let mut unnamed = 0;
         for (i, variable) in self.module.variables.iter().enumerate() {
             if variable.function != Some(function) {

@@ -28,6 +28,17 @@ fn check(statement: &str, expected: &str) {
     assert_eq!(all.join("; "), expected, "{statement}");
 }
 
+/// A brace that is missing has no place at which a fix could write.
+#[test]
+fn a_list_without_its_brace_is_not_rewritten() {
+    let text = format!("{HEAD}float x = {{ f\n");
+    for found in analyze_fragment(&text).diagnostics {
+        let edits = found.fix.map_or(Vec::new(), |fix| fix.edits);
+        assert!(apply_edits(&text, 0, &edits).is_ok(), "{}", found.message);
+        assert!(found.rule != "initializer-list" || edits.is_empty());
+    }
+}
+
 #[test]
 fn a_literal_changes_and_all_else_is_converted() {
     check(

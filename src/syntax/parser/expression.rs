@@ -433,7 +433,9 @@ impl Parser<'_> {
             }
         }
         let span = self.span(self.extent_from(first));
-        is_flat &= self.token(self.last() as usize).kind == TokenKind::RightBrace;
+        // A brace that was missing and is put there for the parser stands nowhere.
+        let last = self.token(self.last() as usize);
+        is_flat &= last.kind == TokenKind::RightBrace && !last.span.is_empty();
         let name = self
             .sources
             .text(self.span(self.tree.ty(ty).extent))
