@@ -25,6 +25,7 @@ pub mod exec;
 pub mod flow;
 pub mod format;
 pub mod host;
+pub mod ide;
 pub mod ir;
 pub mod lint;
 mod math;

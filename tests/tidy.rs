@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each layer may name, besides itself.
-const LAYERS: [(&str, &[&str]); 16] = [
+const LAYERS: [(&str, &[&str]); 17] = [
     ("text", &[]),
     ("math", &[]),
     ("host", &[]),
@@ -81,9 +81,25 @@ const LAYERS: [(&str, &[&str]); 16] = [
         ],
     ),
     (
+        "ide",
+        &[
+            "text",
+            "diagnostic",
+            "syntax",
+            "semantic",
+            "ir",
+            "flow",
+            "exec",
+            "lint",
+            "rules",
+            "engine",
+        ],
+    ),
+    (
         "cli",
         &[
             "engine",
+            "ide",
             "format",
             "text",
             "host",

@@ -16,6 +16,7 @@
 
 mod builtins;
 mod compute;
+mod edit;
 mod generate;
 mod metamorphic;
 mod mutate;

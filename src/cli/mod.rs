@@ -1,5 +1,5 @@
-//! The commands: arguments, files, exit codes. Together with `lsp` the only place that touches the
-//! outside.
+//! The commands: arguments, files, exit codes; and the language server. The only place that touches
+//! the outside.
 #![expect(
     clippy::disallowed_methods,
     reason = "what the rest of the house may not touch is touched here"
@@ -10,6 +10,8 @@ mod disk;
 mod fmt;
 mod input;
 mod lint;
+#[cfg(feature = "lsp")]
+mod lsp;
 mod output;
 mod parallel;
 mod port;

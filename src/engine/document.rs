@@ -37,9 +37,9 @@ pub struct Report {
     /// What is known of the shaders, where [`analyze`](super::analyze) was asked.
     pub analyses: Vec<Analysis>,
     /// The shaders inside the file, where it is a page, a script or a text.
-    embedded: Vec<Embedded>,
+    pub(super) embedded: Vec<Embedded>,
     /// Whether the file holds shaders and is none itself.
-    holds_others: bool,
+    pub(super) holds_others: bool,
     /// Where the code of the passes is written, where it is an export.
     pub(super) export: Option<Written>,
     /// What was judged, where there are errors.
@@ -55,22 +55,8 @@ impl Report {
 
     /// Whether a finding's fix can be written into the file.
     pub fn can_apply(&self, diagnostic: &Diagnostic) -> bool {
-        if let (Some(export), Some(fix)) = (&self.export, &diagnostic.fix) {
-            return export.holds(&self.sources, fix);
-        }
-        let file = self.file.and_then(|id| self.sources.file(id));
-        let (Some(file), Some(fix)) = (file, &diagnostic.fix) else {
-            return false;
-        };
-        fix.edits.iter().all(|edit| {
-            let mut inner = edit.clone();
-            inner.span.start = edit.span.start.wrapping_sub(file.base);
-            inner.span.end = edit.span.end.wrapping_sub(file.base);
-            let is_inside = file.span().contains(edit.span);
-            is_inside
-                && (!self.holds_others
-                    || self.embedded.iter().any(|e| e.admits(&file.text, &inner)))
-        })
+        let fix = diagnostic.fix.as_ref();
+        fix.is_some_and(|fix| fix.edits.iter().all(|e| self.edit_of_input(e).is_some()))
     }
 }
 

@@ -39,6 +39,21 @@ impl Written {
         Some((string, Span::new(place.start, place.end)))
     }
 
+    /// A stretch of a pass as one of the JSON text.
+    pub fn in_json(&self, sources: &Sources, span: Span) -> Option<Span> {
+        Some(self.span(sources, span)?.1)
+    }
+
+    /// The address of what is written at an offset of the JSON text.
+    pub fn address(&self, sources: &Sources, offset: u32) -> Option<u32> {
+        let mut codes = self.codes.iter();
+        let (id, code) = codes.find(|(_, code)| {
+            let place = code.place(0, code.value.len());
+            place.is_some_and(|place| place.start <= offset && offset <= place.end)
+        })?;
+        Some(sources.file(*id)?.base + code.value_at(offset)?)
+    }
+
     /// A finding as one of the JSON text: its place, and its fix.
     pub fn finding(&self, sources: &Sources, diagnostic: Diagnostic) -> Diagnostic {
         let place = self.span(sources, diagnostic.span);
@@ -57,20 +72,14 @@ impl Written {
         }
     }
 
-    /// Whether a fix can be written.
-    pub fn holds(&self, sources: &Sources, fix: &Fix) -> bool {
-        fix.edits
-            .iter()
-            .all(|e| self.span(sources, e.span).is_some())
-    }
-
     /// Stretches of passes as stretches of the JSON text.
     pub fn spans(&self, sources: &Sources, spans: &[Span]) -> Vec<Span> {
-        let place = |span: &Span| Some(self.span(sources, *span)?.1);
+        let place = |span: &Span| self.in_json(sources, *span);
         spans.iter().filter_map(place).collect()
     }
 
-    fn edit(&self, sources: &Sources, edit: &Edit) -> Option<Edit> {
+    /// An edit of a pass as one of the JSON text.
+    pub fn edit(&self, sources: &Sources, edit: &Edit) -> Option<Edit> {
         let (string, span) = self.span(sources, edit.span)?;
         let first = string
             .value

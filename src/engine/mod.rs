@@ -21,6 +21,7 @@ mod options;
 mod part;
 mod partner;
 pub mod path;
+mod place;
 pub mod play;
 mod prelude;
 mod reading;

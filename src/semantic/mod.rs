@@ -49,7 +49,7 @@ pub use program::{
 pub use reach::Reachability;
 pub use structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
 pub use target::{root, swizzled};
-pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type};
+pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type, type_name};
 pub use undefined::{ComparedWith, Comparing, OperandTest, Undefined};
 #[cfg(test)]
 pub(crate) use unit::analyze_fragment;

@@ -59,6 +59,19 @@ impl JsonString {
         is_inside.then_some(place(from)?..place(to)?)
     }
 
+    /// The place in the value of what is written at an offset of the JSON text; that before an
+    /// escape, where the offset lies inside one.
+    pub fn value_at(&self, offset: u32) -> Option<u32> {
+        let before = self.stretches.partition_point(|(_, own)| *own <= offset);
+        let (value, written) = self.stretches.get(before.checked_sub(1)?)?;
+        let end = match self.stretches.get(before) {
+            // An escape ends at the next stretch, and is one character.
+            Some((next, _)) => self.value.get(..*next as usize)?.char_indices().last()?.0 as u32,
+            None => self.value.len() as u32,
+        };
+        Some((value + (offset - written)).min(end))
+    }
+
     /// Writes a text as the string is written.
     pub fn escape(&self, text: &str) -> String {
         let mut out = String::with_capacity(text.len());

@@ -10,8 +10,9 @@ use std::process::{Command, Stdio};
 pub struct Scratch(tempfile::TempDir);
 
 /// The commands that check no files, or run them in any case.
-const OTHER_COMMANDS: [&str; 10] = [
+const OTHER_COMMANDS: [&str; 11] = [
     "fmt",
+    "lsp",
     "run",
     "test",
     "explain",

@@ -6,7 +6,7 @@ mod project;
 use crate::engine::config::{Config, Selection, options, parse, style};
 use crate::engine::path::plain;
 use crate::engine::{HostNames, Memo, Options};
-use crate::format::Style;
+use crate::format::{Style, StyleChoice};
 use crate::host::read as read_host;
 use crate::lint::{Settings, UnknownRule};
 use crate::rules::RULES;
@@ -174,9 +174,14 @@ impl Configs {
     /// How the code of a file is set: as its configuration says, and of the rest as `.editorconfig`
     /// says.
     pub fn style(&self, path: &Path) -> Result<Style, Arc<str>> {
+        self.style_or(path, StyleChoice::default())
+    }
+
+    /// The same, and of what nobody says as `last` says.
+    pub fn style_or(&self, path: &Path, last: StyleChoice) -> Result<Style, Arc<str>> {
         let config = self.config(path)?;
         let path = absolute(path);
-        let others = editor::choice(&path);
+        let others = editor::choice(&path).or(last);
         let said = config.map(|c| style(&c, &c.layers(&path), others));
         Ok(said.unwrap_or(others).style())
     }

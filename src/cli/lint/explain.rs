@@ -1,7 +1,7 @@
 //! `explain`, `rules`, `completions`, `man`, `schema`; `run`, `test`, `reduce` and `ir` have files of
 //! their own.
 
-use super::super::{CLEAN, FAILED};
+use super::super::{CLEAN, FAILED, FINDINGS};
 use super::args::{Command, LintArgs, ListFormat};
 use super::complain;
 use crate::diagnostic::{ERRORS, Severity, error_page};
@@ -24,6 +24,11 @@ pub fn run(command: &Command) -> io::Result<u8> {
         Command::Test(args) => return super::super::test::run(args),
         Command::Reduce(args) => return super::reduce::run(args),
         Command::Ir { file } => return super::middle::run(file),
+        #[cfg(feature = "lsp")]
+        Command::Lsp { .. } => {
+            let said_goodbye = super::super::lsp::serve()?;
+            return Ok(if said_goodbye { CLEAN } else { FINDINGS });
+        }
         Command::Rules { format } => match format {
             ListFormat::Human => text.extend_from_slice(rules().as_bytes()),
             ListFormat::Json => {

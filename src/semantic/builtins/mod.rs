@@ -262,6 +262,11 @@ impl Builtins {
         found.map(|(_, variable)| *variable)
     }
 
+    /// The names of all variables.
+    pub fn variable_names(&self) -> impl Iterator<Item = &'static str> {
+        self.variables.iter().map(|(name, _)| *name)
+    }
+
     /// The number of a function's first overload, and its overloads.
     pub fn overloads_of(&self, function: BuiltinId) -> (u32, &'static [Overload]) {
         let range = self.range(function);

@@ -1,0 +1,219 @@
+//! What changes texts: fixes, names, formatting.
+
+use super::super::buffers::{TextBuffer, whole};
+use super::super::capabilities::{EXPLAIN, FIX_ALL_KIND};
+use super::super::diagnostics::one;
+use super::super::snapshot::{Answer, Failure, Snapshot};
+use super::text_edits;
+use super::workspace::documents_with;
+use crate::engine;
+use crate::ide::{self, ActionKind, Document};
+use crate::text::{Edit, Span};
+use gen_lsp_types::*;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// The edits of one text, for its state that is known.
+fn workspace_edit(buffer: &TextBuffer, edits: Vec<TextEdit>) -> WorkspaceEdit {
+    WorkspaceEdit {
+        changes: Some(HashMap::from([(buffer.uri.clone(), edits)])),
+        ..WorkspaceEdit::default()
+    }
+}
+
+/// What can be done about the findings of a range.
+pub fn actions(
+    snapshot: &Snapshot,
+    params: CodeActionParams,
+) -> Answer<Option<Vec<CodeActionResponse>>> {
+    let buffer = snapshot.buffer(&params.text_document.uri)?;
+    let document = snapshot.best(buffer);
+    let only = params.context.only.as_deref();
+    let is_wanted = |kind: &CodeActionKind| {
+        let of = |asked: &CodeActionKind| {
+            let (asked, kind) = (asked.to_string(), kind.to_string());
+            asked.is_empty() || kind == asked || kind.starts_with(&format!("{asked}."))
+        };
+        only.is_none_or(|only| only.iter().any(of))
+    };
+    let mut found = Vec::new();
+    if is_wanted(&CodeActionKind::QuickFix) {
+        let span = snapshot.span(buffer, params.range);
+        let actions = ide::actions(&document, span);
+        let told = actions
+            .iter()
+            .filter_map(|action| of_finding(snapshot, buffer, &document, action));
+        found.extend(told.map(CodeActionResponse::CodeAction));
+    }
+    // All safe fixes together: where somebody asks for them, since shaders are drawn for it.
+    let asks = only.is_some_and(|only| only.iter().any(|k| k.to_string().starts_with("source")));
+    if asks && is_wanted(&FIX_ALL_KIND) {
+        found.extend(fix_all(snapshot, buffer).map(CodeActionResponse::CodeAction));
+    }
+    Ok(Some(found))
+}
+
+fn of_finding(
+    snapshot: &Snapshot,
+    buffer: &TextBuffer,
+    document: &Document,
+    action: &ide::Action,
+) -> Option<CodeAction> {
+    let diagnostic = document.report.diagnostics.get(action.finding)?;
+    let rule = diagnostic.rule.to_string();
+    let explain = (action.kind == ActionKind::Explain).then(|| Command {
+        title: action.title.clone(),
+        command: EXPLAIN.to_string(),
+        arguments: Some(vec![rule.into()]),
+        tooltip: None,
+    });
+    let edits = text_edits(buffer.lines(snapshot.columns()), &action.edits);
+    Some(CodeAction {
+        title: match action.kind {
+            ActionKind::UnsafeFix => format!("{} (may change the picture)", action.title),
+            _ => action.title.clone(),
+        },
+        kind: Some(CodeActionKind::QuickFix),
+        diagnostics: one(snapshot, document, Some(buffer), diagnostic).map(|told| vec![told]),
+        is_preferred: (action.kind == ActionKind::Fix).then_some(true),
+        edit: (!edits.is_empty()).then(|| workspace_edit(buffer, edits)),
+        command: explain,
+        ..CodeAction::default()
+    })
+}
+
+/// Mends all that is safe in a text.
+pub fn fix_all(snapshot: &Snapshot, buffer: &TextBuffer) -> Option<CodeAction> {
+    let text = ide::fix_all(&snapshot.document(buffer), &snapshot.files)?;
+    let lines = buffer.lines(snapshot.columns());
+    let edit = TextEdit {
+        range: whole(lines),
+        new_text: text,
+    };
+    Some(CodeAction {
+        title: "Fix all that keeps the picture".to_string(),
+        kind: Some(FIX_ALL_KIND),
+        edit: Some(workspace_edit(buffer, vec![edit])),
+        ..CodeAction::default()
+    })
+}
+
+/// Whether the name at a place can be changed.
+pub fn prepare_rename(
+    snapshot: &Snapshot,
+    params: PrepareRenameParams,
+) -> Answer<Option<PrepareRenameResult>> {
+    let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
+    let document = snapshot.document(buffer);
+    let (span, placeholder) =
+        ide::may_rename(&document, offset).map_err(|refusal| Failure::refused(refusal.0))?;
+    let range = buffer.lines(snapshot.columns()).range(span);
+    Ok(Some(PrepareRenameResult::PrepareRenamePlaceholder(
+        PrepareRenamePlaceholder { range, placeholder },
+    )))
+}
+
+/// Changes the name at a place, in all files of the workspace.
+pub fn rename(snapshot: &Snapshot, params: RenameParams) -> Answer<Option<WorkspaceEdit>> {
+    let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
+    let document = snapshot.document(buffer);
+    let all = documents_with(snapshot, &document, offset);
+    let all: Vec<&Document> = all.iter().map(Arc::as_ref).collect();
+    let renaming = ide::rename(&all, &document, offset, &params.new_name, &snapshot.files);
+    let renaming = renaming.map_err(|refusal| Failure::refused(refusal.0))?;
+    let mut changes = HashMap::new();
+    for (path, edits) in &renaming.edits {
+        let edits = snapshot.with_lines(path, |lines| text_edits(lines, edits));
+        let edits = edits.ok_or_else(|| Failure::refused(format!("{path} cannot be read")))?;
+        changes.insert(snapshot.uri(path), edits);
+    }
+    Ok(Some(WorkspaceEdit {
+        changes: Some(changes),
+        ..WorkspaceEdit::default()
+    }))
+}
+
+/// The edits that set a text in its style; those inside of a stretch, where one is given.
+fn formatted(
+    snapshot: &Snapshot,
+    buffer: &TextBuffer,
+    options: &FormattingOptions,
+    within: Option<Span>,
+) -> Answer<Option<Vec<TextEdit>>> {
+    let style = snapshot.style(buffer, options)?;
+    let claim = snapshot.options(&snapshot.quick, buffer).claim;
+    let Ok(formatting) = engine::format(&buffer.path, &buffer.text, claim, &style) else {
+        return Ok(None);
+    };
+    let mut edits: Vec<Edit> = formatting.edits;
+    if let Some(within) = within {
+        edits.retain(|edit| within.contains(edit.span));
+    } else if let [left, ..] = &formatting.left[..] {
+        let line = buffer.lines.line(left.span.start);
+        return Err(Failure::refused(format!("line {line}: {}", left.message)));
+    }
+    let lines = buffer.lines(snapshot.columns());
+    Ok(Some(text_edits(lines, &edits)))
+}
+
+/// Sets a text in its style.
+pub fn format(
+    snapshot: &Snapshot,
+    params: DocumentFormattingParams,
+) -> Answer<Option<Vec<TextEdit>>> {
+    let buffer = snapshot.buffer(&params.text_document.uri)?;
+    formatted(snapshot, buffer, &params.options, None)
+}
+
+/// Sets the lines of a range in their style.
+pub fn format_range(
+    snapshot: &Snapshot,
+    params: DocumentRangeFormattingParams,
+) -> Answer<Option<Vec<TextEdit>>> {
+    let buffer = snapshot.buffer(&params.text_document.uri)?;
+    let span = snapshot.span(buffer, params.range);
+    formatted(
+        snapshot,
+        buffer,
+        &params.options,
+        Some(whole_lines(buffer, span)),
+    )
+}
+
+/// Sets what a `}` closes or the line that a `;` ends.
+pub fn format_typed(
+    snapshot: &Snapshot,
+    params: DocumentOnTypeFormattingParams,
+) -> Answer<Option<Vec<TextEdit>>> {
+    let buffer = snapshot.buffer(&params.text_document.uri)?;
+    let offset = snapshot.offset(buffer, params.position);
+    let span = match params.ch.as_str() {
+        "}" => {
+            let around = ide::selection(&snapshot.document(buffer), offset.saturating_sub(1));
+            let ends_here = |span: &&Span| span.end == offset;
+            let closed = around.iter().rev().find(ends_here).copied();
+            closed.unwrap_or(Span::at(offset))
+        }
+        _ => Span::at(offset),
+    };
+    formatted(
+        snapshot,
+        buffer,
+        &params.options,
+        Some(whole_lines(buffer, span)),
+    )
+}
+
+/// A stretch with the lines that it stands on, without the last line break.
+fn whole_lines(buffer: &TextBuffer, span: Span) -> Span {
+    let length = buffer.text.len() as u32;
+    let (start, _) = buffer.lines.bounds(span.start, length);
+    // A range that ends where a line begins does not mean that line.
+    let last = if span.end > span.start {
+        span.end - 1
+    } else {
+        span.end
+    };
+    let (_, end) = buffer.lines.bounds(last, length);
+    Span::new(start, end)
+}

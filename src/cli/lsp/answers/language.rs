@@ -1,0 +1,215 @@
+//! What is known of a place and what may be written there.
+
+use super::super::pages::page;
+use super::super::snapshot::{Answer, Snapshot};
+use crate::engine::Analysis;
+use crate::engine::play::Picture;
+use crate::ide::{self, CompletionKind, Proposal, Symbol, SymbolKind, picture_of};
+use crate::lint::Page;
+use crate::text::Span;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use gen_lsp_types::*;
+
+/// What is known of what stands at a place.
+pub fn hover(snapshot: &Snapshot, params: HoverParams) -> Answer<Option<Hover>> {
+    let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
+    let document = snapshot.best(buffer);
+    if let Some(rule) = rule_at(&buffer.text, offset) {
+        return Ok(Some(told(
+            snapshot,
+            buffer.lines(snapshot.columns()).range(rule.0),
+            rule.1,
+        )));
+    }
+    let seen = snapshot.seen(buffer);
+    let shader = document.spot(offset).map(|spot| spot.shader);
+    let seen = shader.and_then(|at| seen.get(at)).and_then(Option::as_ref);
+    let Some(found) = ide::hover(&document, offset, seen) else {
+        return Ok(None);
+    };
+    let mut text = found.text;
+    if snapshot.settings.pictures && snapshot.client.markdown {
+        text.push_str(&picture(&document, offset).unwrap_or_default());
+    }
+    let range = buffer.lines(snapshot.columns()).range(found.span);
+    Ok(Some(told(snapshot, range, text)))
+}
+
+fn told(snapshot: &Snapshot, range: Range, text: String) -> Hover {
+    let kind = match snapshot.client.markdown {
+        true => MarkupKind::Markdown,
+        false => MarkupKind::PlainText,
+    };
+    Hover {
+        contents: Contents::MarkupContent(MarkupContent { kind, value: text }),
+        range: Some(range),
+    }
+}
+
+/// The rule that a comment at a place allows, and what it is about.
+fn rule_at(text: &str, offset: u32) -> Option<(Span, String)> {
+    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    let before = text.get(..offset as usize)?;
+    let start = before.trim_end_matches(is_name).len();
+    let rest = text.get(start..)?;
+    let end = start + rest.find(|c| !is_name(c)).unwrap_or(rest.len());
+    let line = before.rsplit('\n').next()?;
+    if !line.contains("shaderlint:") {
+        return None;
+    }
+    let name = text.get(start..end)?;
+    let summary = Page::new(page(name)?).summary;
+    Some((
+        Span::new(start as u32, end as u32),
+        format!("`{name}`: {summary}"),
+    ))
+}
+
+/// What the variable at a place looks like all over the picture, as an image in Markdown.
+fn picture(document: &ide::Document, offset: u32) -> Option<String> {
+    let spot = document.spot(offset)?;
+    let name = spot.name()?;
+    let Symbol::Variable(variable) = name.symbol else {
+        return None;
+    };
+    let kind = name.symbol.kind(spot.program());
+    let is_told = matches!(
+        kind,
+        SymbolKind::Local | SymbolKind::Global | SymbolKind::Parameter
+    );
+    let is_number = name.symbol.ty(spot.program())?.numeric().is_some();
+    if !is_told || !is_number {
+        return None;
+    }
+    let code = document.report.sources.file_at(name.span.start)?;
+    let at = name.span.start - code.base;
+    let (start, end) = code.lines().bounds(at, code.text.len() as u32);
+    let line = Span::new(code.base + start, code.base + end);
+    let analysis: &Analysis = spot.analysis;
+    let picture = picture_of(analysis, variable, line)?;
+    let png = png(&picture)?;
+    Some(format!(
+        "\n![what it is all over the picture](data:image/png;base64,{})\n",
+        STANDARD.encode(png)
+    ))
+}
+
+fn png(picture: &Picture) -> Option<Vec<u8>> {
+    /// A pixel of the picture is so many of the image, so that something is seen.
+    const ZOOM: usize = 3;
+    let [width, height] = picture.size.map(|n| n as usize);
+    let bytes = picture.bytes();
+    let mut out = Vec::new();
+    let mut encoder = png::Encoder::new(&mut out, (width * ZOOM) as u32, (height * ZOOM) as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    let mut writer = encoder.write_header().ok()?;
+    let mut rows = Vec::with_capacity(bytes.len() * ZOOM * ZOOM);
+    for row in bytes.chunks_exact(width * 3) {
+        for _ in 0..ZOOM {
+            for pixel in row.chunks_exact(3) {
+                (0..ZOOM).for_each(|_| rows.extend_from_slice(pixel));
+            }
+        }
+    }
+    writer.write_image_data(&rows).ok()?;
+    drop(writer);
+    Some(out)
+}
+
+/// What may be written at a place.
+pub fn completion(
+    snapshot: &Snapshot,
+    params: CompletionParams,
+) -> Answer<Option<CompletionResponse>> {
+    let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
+    let document = snapshot.document(buffer);
+    let (word, found) = ide::complete(&document, offset, &snapshot.files);
+    let range = buffer.lines(snapshot.columns()).range(word);
+    let items = found
+        .into_iter()
+        .map(|item| completion_item(snapshot, range, item));
+    Ok(Some(CompletionResponse::CompletionList(CompletionList {
+        items: items.collect(),
+        ..CompletionList::default()
+    })))
+}
+
+fn completion_item(snapshot: &Snapshot, range: Range, found: Proposal) -> CompletionItem {
+    let snippet = found.snippet.filter(|_| snapshot.client.snippets);
+    let format = snippet.as_ref().map(|_| InsertTextFormat::Snippet);
+    let new_text = snippet.unwrap_or_else(|| found.label.clone());
+    let documentation = Some(found.text).filter(|text| !text.is_empty());
+    CompletionItem {
+        kind: Some(completion_kind(found.kind)),
+        detail: Some(found.detail).filter(|detail| !detail.is_empty()),
+        documentation: documentation.map(|value| {
+            Documentation::MarkupContent(MarkupContent {
+                kind: MarkupKind::Markdown,
+                value,
+            })
+        }),
+        sort_text: Some(format!("{:02}{}", found.rank, found.label)),
+        insert_text_format: format,
+        text_edit: Some(CompletionItemTextEdit::TextEdit(TextEdit {
+            range,
+            new_text,
+        })),
+        label: found.label,
+        ..CompletionItem::default()
+    }
+}
+
+fn completion_kind(kind: CompletionKind) -> CompletionItemKind {
+    match kind {
+        CompletionKind::Symbol(kind) => match kind {
+            SymbolKind::Function => CompletionItemKind::Function,
+            SymbolKind::Struct => CompletionItemKind::Struct,
+            SymbolKind::Field => CompletionItemKind::Field,
+            SymbolKind::Macro | SymbolKind::Constant => CompletionItemKind::Constant,
+            _ => CompletionItemKind::Variable,
+        },
+        CompletionKind::Type => CompletionItemKind::Class,
+        CompletionKind::Keyword => CompletionItemKind::Keyword,
+        CompletionKind::Components => CompletionItemKind::Property,
+        CompletionKind::Snippet => CompletionItemKind::Snippet,
+        CompletionKind::File => CompletionItemKind::File,
+        CompletionKind::Rule => CompletionItemKind::Value,
+    }
+}
+
+/// What the call that is being written takes.
+pub fn signature_help(
+    snapshot: &Snapshot,
+    params: SignatureHelpParams,
+) -> Answer<Option<SignatureHelp>> {
+    let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
+    let document = snapshot.document(buffer);
+    let Some(found) = ide::signature_help(&document, offset) else {
+        return Ok(None);
+    };
+    let signatures = found.signatures.into_iter().map(|signature| {
+        // Labels are ASCII, so that bytes are units of whatever encoding.
+        let parameters = signature
+            .parameters
+            .iter()
+            .map(|span| ParameterInformation {
+                label: ParameterInformationLabel::Tuple((span.start, span.end)),
+                documentation: None,
+            });
+        SignatureInformation {
+            parameters: Some(parameters.collect()),
+            documentation: Some(Documentation::MarkupContent(MarkupContent {
+                kind: MarkupKind::Markdown,
+                value: signature.text,
+            })),
+            label: signature.label,
+            active_parameter: None,
+        }
+    });
+    Ok(Some(SignatureHelp {
+        signatures: signatures.collect(),
+        active_signature: Some(0),
+        active_parameter: Some(ActiveParameter::Int(found.argument)),
+    }))
+}

@@ -1,0 +1,129 @@
+//! What is answered to each request.
+
+mod edits;
+mod language;
+mod look;
+mod navigation;
+mod workspace;
+
+use super::snapshot::{Answer, Failure, Snapshot};
+use gen_lsp_types::*;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::HashMap;
+
+pub use edits::fix_all;
+pub use workspace::diagnostics_of;
+
+/// Where a request is answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Lane {
+    /// At once.
+    Quick,
+    /// On a thread, since it may look at many files or run a shader.
+    Slow,
+}
+
+/// What answers a request.
+pub type Job = fn(&Snapshot, Value) -> Answer<Value>;
+
+/// What answers requests, by their methods.
+pub struct Jobs {
+    all: HashMap<String, (Lane, Job)>,
+}
+
+/// Answers a request of a type by a function.
+macro_rules! jobs {
+    ($($lane:ident $request:ident $answer:path,)*) => {{
+        let mut all: HashMap<String, (Lane, Job)> = HashMap::new();
+        $(
+            let job: Job = |snapshot, params| {
+                let params = read::<<$request as Request>::Params>(params)?;
+                let answer: <$request as Request>::Result = $answer(snapshot, params)?;
+                write(&answer)
+            };
+            all.insert($request::METHOD.to_string(), (Lane::$lane, job));
+        )*
+        all
+    }};
+}
+
+fn read<T: for<'de> Deserialize<'de>>(params: Value) -> Answer<T> {
+    serde_json::from_value(params).map_err(|error| Failure::invalid(error.to_string()))
+}
+
+fn write<T: Serialize>(answer: &T) -> Answer<Value> {
+    serde_json::to_value(answer).map_err(|error| Failure::refused(error.to_string()))
+}
+
+/// The page of a text.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct PageParams {
+    text_document: TextDocumentIdentifier,
+}
+
+#[derive(Serialize)]
+struct PageResult {
+    html: String,
+}
+
+impl Jobs {
+    /// All that the server answers.
+    pub fn new() -> Jobs {
+        let mut all = jobs! {
+            Slow HoverRequest language::hover,
+            Quick CompletionRequest language::completion,
+            Quick SignatureHelpRequest language::signature_help,
+            Quick DefinitionRequest navigation::definition,
+            Quick DeclarationRequest navigation::declaration,
+            Quick TypeDefinitionRequest navigation::type_definition,
+            Slow ReferencesRequest navigation::references,
+            Quick DocumentHighlightRequest navigation::highlights,
+            Quick DocumentSymbolRequest navigation::outline,
+            Quick CallHierarchyPrepareRequest navigation::prepare_calls,
+            Slow CallHierarchyIncomingCallsRequest navigation::incoming,
+            Slow CallHierarchyOutgoingCallsRequest navigation::outgoing,
+            Slow WorkspaceSymbolRequest workspace::symbols,
+            Quick DocumentDiagnosticRequest workspace::document_diagnostics,
+            Slow WorkspaceDiagnosticRequest workspace::workspace_diagnostics,
+            Quick CodeActionRequest edits::actions,
+            Quick PrepareRenameRequest edits::prepare_rename,
+            Slow RenameRequest edits::rename,
+            Quick DocumentFormattingRequest edits::format,
+            Quick DocumentRangeFormattingRequest edits::format_range,
+            Quick DocumentOnTypeFormattingRequest edits::format_typed,
+            Quick SemanticTokensRequest look::tokens,
+            Quick SemanticTokensDeltaRequest look::tokens_delta,
+            Quick SemanticTokensRangeRequest look::tokens_range,
+            Quick InlayHintRequest look::hints,
+            Quick FoldingRangeRequest look::folds,
+            Quick SelectionRangeRequest look::selections,
+            Quick DocumentColorRequest look::colors,
+            Quick ColorPresentationRequest look::presentations,
+            Quick CodeLensRequest look::lenses,
+        };
+        let page: Job = |snapshot, params| {
+            let params = read::<PageParams>(params)?;
+            let buffer = snapshot.buffer(&params.text_document.uri)?;
+            let html = super::preview::page(snapshot, buffer)?;
+            write(&PageResult { html })
+        };
+        all.insert("shaderlint/page".to_string(), (Lane::Slow, page));
+        Jobs { all }
+    }
+
+    /// What answers a method.
+    pub fn get(&self, method: &str) -> Option<(Lane, Job)> {
+        self.all.get(method).copied()
+    }
+}
+
+/// Edits of one text.
+pub fn text_edits(lines: super::position::TextLines, edits: &[crate::text::Edit]) -> Vec<TextEdit> {
+    let edit = |edit: &crate::text::Edit| TextEdit {
+        range: lines.range(edit.span),
+        new_text: edit.text.clone(),
+    };
+    edits.iter().map(edit).collect()
+}

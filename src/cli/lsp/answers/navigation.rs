@@ -1,0 +1,293 @@
+//! Where names are declared and used.
+
+use super::super::buffers::TextBuffer;
+use super::super::snapshot::{Answer, Failure, Snapshot};
+use super::super::uri::path_of;
+use super::workspace::documents_with;
+use crate::ide::{
+    self, CallItem, CallLink, Document, FileSpan, NameUse, OutlineItem, SymbolKind as Kind,
+};
+use gen_lsp_types::*;
+use std::sync::Arc;
+
+type Find = fn(&Document, u32) -> Option<FileSpan>;
+
+fn find(
+    snapshot: &Snapshot,
+    at: &TextDocumentPositionParams,
+    find: Find,
+) -> Answer<Option<Location>> {
+    let (buffer, offset) = snapshot.place(at)?;
+    let found = find(&snapshot.document(buffer), offset);
+    Ok(found.and_then(|place| snapshot.location(&place)))
+}
+
+/// Where what stands at a place is defined.
+pub fn definition(
+    snapshot: &Snapshot,
+    params: DefinitionParams,
+) -> Answer<Option<DefinitionResponse>> {
+    if let Some(file) = included(snapshot, &params.text_document_position_params)? {
+        return Ok(Some(DefinitionResponse::Definition(Definition::Location(
+            file,
+        ))));
+    }
+    let found = find(
+        snapshot,
+        &params.text_document_position_params,
+        ide::definition,
+    )?;
+    Ok(found.map(|place| DefinitionResponse::Definition(Definition::Location(place))))
+}
+
+/// The file that the directive at a place includes.
+fn included(snapshot: &Snapshot, at: &TextDocumentPositionParams) -> Answer<Option<Location>> {
+    let (buffer, offset) = snapshot.place(at)?;
+    let text = &buffer.text;
+    let start = text
+        .get(..offset as usize)
+        .and_then(|t| t.rfind('\n'))
+        .map_or(0, |at| at + 1);
+    let line = text
+        .get(start..)
+        .and_then(|t| t.lines().next())
+        .unwrap_or("");
+    let directive = line.trim_start().strip_prefix('#').map(str::trim_start);
+    let Some(path) = directive.and_then(|d| d.strip_prefix("include")) else {
+        return Ok(None);
+    };
+    let name = path.trim().trim_matches(['"', '<', '>']);
+    let document = snapshot.document(buffer);
+    let files = document.report.sources.files().iter();
+    let mut own = files.filter(|f| f.path != document.path);
+    let file = own.find(|f| {
+        f.path
+            .ends_with(name.trim_start_matches("./").trim_start_matches("../"))
+    });
+    Ok(file.and_then(|file| {
+        snapshot.location(&FileSpan {
+            path: file.path.clone(),
+            span: crate::text::Span::at(0),
+        })
+    }))
+}
+
+/// Where what stands at a place is first declared.
+pub fn declaration(
+    snapshot: &Snapshot,
+    params: DeclarationParams,
+) -> Answer<Option<DeclarationResponse>> {
+    let found = find(
+        snapshot,
+        &params.text_document_position_params,
+        ide::declaration,
+    )?;
+    Ok(found.map(|place| DeclarationResponse::Declaration(Declaration::Location(place))))
+}
+
+/// Where the struct is declared that what stands at a place is.
+pub fn type_definition(
+    snapshot: &Snapshot,
+    params: TypeDefinitionParams,
+) -> Answer<Option<TypeDefinitionResponse>> {
+    let found = find(
+        snapshot,
+        &params.text_document_position_params,
+        ide::type_definition,
+    )?;
+    Ok(found.map(|place| TypeDefinitionResponse::Definition(Definition::Location(place))))
+}
+
+/// Where what stands at a place is named, in all files of the workspace.
+pub fn references(snapshot: &Snapshot, params: ReferenceParams) -> Answer<Option<Vec<Location>>> {
+    let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
+    let document = snapshot.document(buffer);
+    let others = documents_with(snapshot, &document, offset);
+    let all: Vec<&Document> = others.iter().map(Arc::as_ref).collect();
+    let found = ide::references(&all, &document, offset);
+    let with_declaration = params.context.include_declaration;
+    let is_told = |access: NameUse| {
+        with_declaration || !matches!(access, NameUse::Declared | NameUse::Defined)
+    };
+    let told = found.iter().filter(|(_, access)| is_told(*access));
+    Ok(Some(
+        told.filter_map(|(place, _)| snapshot.location(place))
+            .collect(),
+    ))
+}
+
+/// Where what stands at a place is named in the same text.
+pub fn highlights(
+    snapshot: &Snapshot,
+    params: DocumentHighlightParams,
+) -> Answer<Option<Vec<DocumentHighlight>>> {
+    let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
+    let found = ide::highlights(&snapshot.document(buffer), offset);
+    let lines = buffer.lines(snapshot.columns());
+    let told = found.into_iter().map(|(span, access)| DocumentHighlight {
+        range: lines.range(span),
+        kind: Some(match access {
+            NameUse::Written | NameUse::Changed | NameUse::Defined => DocumentHighlightKind::Write,
+            NameUse::Read => DocumentHighlightKind::Read,
+            NameUse::Declared | NameUse::Unseen => DocumentHighlightKind::Text,
+        }),
+    });
+    Ok(Some(told.collect()))
+}
+
+/// What the protocol calls what a name means.
+pub fn symbol_kind(kind: Kind) -> SymbolKind {
+    match kind {
+        Kind::Function => SymbolKind::Function,
+        Kind::Struct => SymbolKind::Struct,
+        Kind::Field => SymbolKind::Field,
+        Kind::Constant | Kind::Macro => SymbolKind::Constant,
+        Kind::Uniform | Kind::Input | Kind::Output => SymbolKind::Property,
+        Kind::Local | Kind::Global | Kind::Parameter => SymbolKind::Variable,
+    }
+}
+
+/// What a text declares.
+pub fn outline(
+    snapshot: &Snapshot,
+    params: DocumentSymbolParams,
+) -> Answer<Option<DocumentSymbolResponse>> {
+    let buffer = snapshot.buffer(&params.text_document.uri)?;
+    let found = ide::outline(&snapshot.document(buffer));
+    if !snapshot.client.nested_outline {
+        let uri = &buffer.uri;
+        let flat = found
+            .iter()
+            .map(|item| flat_symbol(snapshot, buffer, uri, item));
+        return Ok(Some(DocumentSymbolResponse::SymbolInformationList(
+            flat.collect(),
+        )));
+    }
+    let items = found
+        .iter()
+        .map(|item| document_symbol(snapshot, buffer, item));
+    Ok(Some(DocumentSymbolResponse::DocumentSymbolList(
+        items.collect(),
+    )))
+}
+
+#[expect(deprecated, reason = "the field has to be filled in")]
+fn flat_symbol(
+    snapshot: &Snapshot,
+    buffer: &TextBuffer,
+    uri: &Uri,
+    item: &OutlineItem,
+) -> SymbolInformation {
+    SymbolInformation {
+        location: Location {
+            uri: uri.clone(),
+            range: buffer.lines(snapshot.columns()).range(item.span),
+        },
+        base_symbol_information: BaseSymbolInformation {
+            name: item.name.clone(),
+            kind: symbol_kind(item.kind),
+            tags: None,
+            container_name: None,
+        },
+        deprecated: None,
+    }
+}
+
+#[expect(deprecated, reason = "the field has to be filled in")]
+fn document_symbol(snapshot: &Snapshot, buffer: &TextBuffer, item: &OutlineItem) -> DocumentSymbol {
+    let lines = buffer.lines(snapshot.columns());
+    let inner = item
+        .inner
+        .iter()
+        .map(|inner| document_symbol(snapshot, buffer, inner));
+    let inner: Vec<DocumentSymbol> = inner.collect();
+    DocumentSymbol {
+        name: item.name.clone(),
+        detail: Some(item.detail.clone()).filter(|d| !d.is_empty()),
+        kind: symbol_kind(item.kind),
+        range: lines.range(item.span),
+        selection_range: lines.range(item.name_span),
+        children: Some(inner).filter(|inner| !inner.is_empty()),
+        tags: None,
+        deprecated: None,
+    }
+}
+
+/// The function that is named at a place.
+pub fn prepare_calls(
+    snapshot: &Snapshot,
+    params: CallHierarchyPrepareParams,
+) -> Answer<Option<Vec<CallHierarchyItem>>> {
+    let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
+    let found = ide::call_item(&snapshot.document(buffer), offset);
+    let item = found.and_then(|item| hierarchy_item(snapshot, item));
+    Ok(item.map(|item| vec![item]))
+}
+
+fn hierarchy_item(snapshot: &Snapshot, item: CallItem) -> Option<CallHierarchyItem> {
+    let name = FileSpan {
+        path: item.place.path.clone(),
+        span: item.name_span,
+    };
+    let around = snapshot.location(&item.place)?;
+    Some(CallHierarchyItem {
+        name: item.name,
+        kind: SymbolKind::Function,
+        tags: None,
+        detail: Some(item.detail),
+        uri: around.uri,
+        range: around.range,
+        selection_range: snapshot.location(&name)?.range,
+        data: None,
+    })
+}
+
+/// The links of an item that the client gives back.
+fn links(
+    snapshot: &Snapshot,
+    item: &CallHierarchyItem,
+    find: fn(&Document, u32) -> Vec<CallLink>,
+) -> Answer<Vec<(CallHierarchyItem, Vec<Range>)>> {
+    let document = match snapshot.buffer(&item.uri) {
+        Ok(buffer) => snapshot.document(buffer),
+        // A file that is included and not open.
+        Err(failure) => {
+            let path = path_of(&item.uri).ok_or(failure)?;
+            let read = super::workspace::document_at(snapshot, &path);
+            read.ok_or_else(|| Failure::refused("the file cannot be read"))?
+        }
+    };
+    let start = item.selection_range.start;
+    let offset = snapshot.with_lines(&document.path, |lines| lines.offset(start));
+    let links = find(&document, offset.unwrap_or(0)).into_iter();
+    let each = links.filter_map(|link| {
+        let ranges = snapshot.with_lines(&document.path, |lines| {
+            link.calls
+                .iter()
+                .map(|span| lines.range(*span))
+                .collect::<Vec<_>>()
+        })?;
+        Some((hierarchy_item(snapshot, link.item)?, ranges))
+    });
+    Ok(each.collect())
+}
+
+/// Who calls a function.
+pub fn incoming(
+    snapshot: &Snapshot,
+    params: CallHierarchyIncomingCallsParams,
+) -> Answer<Option<Vec<CallHierarchyIncomingCall>>> {
+    let links = links(snapshot, &params.item, ide::incoming)?.into_iter();
+    let calls = links.map(|(from, from_ranges)| CallHierarchyIncomingCall { from, from_ranges });
+    Ok(Some(calls.collect()))
+}
+
+/// Whom a function calls.
+pub fn outgoing(
+    snapshot: &Snapshot,
+    params: CallHierarchyOutgoingCallsParams,
+) -> Answer<Option<Vec<CallHierarchyOutgoingCall>>> {
+    let links = links(snapshot, &params.item, ide::outgoing)?.into_iter();
+    let calls = links.map(|(to, from_ranges)| CallHierarchyOutgoingCall { to, from_ranges });
+    Ok(Some(calls.collect()))
+}

@@ -1,0 +1,208 @@
+//! All files of the workspace.
+
+use super::super::super::input::collect;
+use super::super::buffers::TextBuffer;
+use super::super::diagnostics::{convert, diagnostics, result_id};
+use super::super::snapshot::{Answer, Snapshot};
+use super::navigation::symbol_kind;
+use crate::engine::Files;
+use crate::ide::{self, Document};
+use gen_lsp_types::*;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Most files that are read for one question.
+const MOST_FILES: usize = 5_000;
+/// Most symbols that are listed.
+const MOST_SYMBOLS: usize = 256;
+
+/// The shader files of the workspace, and what else may hold shaders.
+fn files(snapshot: &Snapshot) -> Vec<PathBuf> {
+    let collected = collect(&snapshot.folders, None, &snapshot.quick);
+    let found = collected.inputs.into_iter().filter_map(|input| input.path);
+    let open = snapshot.files.open.keys().cloned();
+    let all: BTreeSet<PathBuf> = found.take(MOST_FILES).chain(open).collect();
+    all.into_iter().collect()
+}
+
+/// What is known of a file, open or not.
+pub fn document_at(snapshot: &Snapshot, path: &Path) -> Option<Arc<Document>> {
+    if let Some(buffer) = snapshot.files.open.get(path) {
+        return Some(snapshot.document(buffer));
+    }
+    let text = snapshot.files.load(path).ok()?;
+    let options = snapshot.quick.options(path).ok()?;
+    let name = path.to_string_lossy().replace('\\', "/");
+    Some(Arc::new(Document::new(
+        &name,
+        text,
+        options,
+        &snapshot.files,
+    )))
+}
+
+/// The documents that may name what stands at an offset of one of them; that one comes first.
+pub fn documents_with(
+    snapshot: &Snapshot,
+    document: &Arc<Document>,
+    offset: u32,
+) -> Vec<Arc<Document>> {
+    let mut found = vec![document.clone()];
+    let name = document.spot(offset).and_then(|spot| {
+        let occurrence = spot.name()?;
+        let sources = &spot.program().sources;
+        ide::is_shared(&spot, occurrence).then(|| sources.text(occurrence.span).to_string())
+    });
+    let Some(name) = name.filter(|name| !name.is_empty()) else {
+        return found;
+    };
+    for path in files(snapshot) {
+        if path == Path::new(&document.path) {
+            continue;
+        }
+        let text = snapshot.files.load(&path).ok();
+        if text.is_some_and(|text| text.contains(&name)) {
+            found.extend(document_at(snapshot, &path));
+        }
+    }
+    found
+}
+
+/// What the files of the workspace declare.
+pub fn symbols(
+    snapshot: &Snapshot,
+    params: WorkspaceSymbolParams,
+) -> Answer<Option<WorkspaceSymbolResponse>> {
+    let query = params.query.to_lowercase();
+    let mut found = Vec::new();
+    for path in files(snapshot) {
+        let Some(document) = document_at(snapshot, &path) else {
+            continue;
+        };
+        for item in ide::outline(&document) {
+            if !is_like(&item.name.to_lowercase(), &query) {
+                continue;
+            }
+            let place = ide::FileSpan {
+                path: document.path.clone(),
+                span: item.name_span,
+            };
+            let Some(location) = snapshot.location(&place) else {
+                continue;
+            };
+            found.push(WorkspaceSymbol {
+                location: WorkspaceSymbolLocation::Location(location),
+                data: None,
+                base_symbol_information: BaseSymbolInformation {
+                    name: item.name,
+                    kind: symbol_kind(item.kind),
+                    tags: None,
+                    container_name: None,
+                },
+            });
+            if found.len() >= MOST_SYMBOLS {
+                return Ok(Some(WorkspaceSymbolResponse::WorkspaceSymbolList(found)));
+            }
+        }
+    }
+    Ok(Some(WorkspaceSymbolResponse::WorkspaceSymbolList(found)))
+}
+
+/// Whether a name has the letters of a query, in their order.
+fn is_like(name: &str, query: &str) -> bool {
+    let mut letters = name.chars();
+    query
+        .chars()
+        .all(|wanted| letters.any(|letter| letter == wanted))
+}
+
+/// The findings of an open text.
+pub fn diagnostics_of(snapshot: &Snapshot, buffer: &TextBuffer) -> PublishDiagnosticsParams {
+    PublishDiagnosticsParams {
+        uri: buffer.uri.clone(),
+        version: Some(buffer.version),
+        diagnostics: diagnostics(snapshot, buffer),
+    }
+}
+
+/// The findings of a text that the client asks for.
+pub fn document_diagnostics(
+    snapshot: &Snapshot,
+    params: DocumentDiagnosticParams,
+) -> Answer<DocumentDiagnosticReport> {
+    let buffer = snapshot.buffer(&params.text_document.uri)?;
+    let items = diagnostics(snapshot, buffer);
+    let id = result_id(&items);
+    if params.previous_result_id.as_ref() == Some(&id) {
+        return Ok(RelatedUnchangedDocumentDiagnosticReport {
+            related_documents: None,
+            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport {
+                result_id: id,
+            },
+        }
+        .into());
+    }
+    Ok(RelatedFullDocumentDiagnosticReport {
+        related_documents: None,
+        full_document_diagnostic_report: FullDocumentDiagnosticReport {
+            result_id: Some(id),
+            items,
+        },
+    }
+    .into())
+}
+
+/// The findings of all files of the workspace. Those that are not open are not run.
+pub fn workspace_diagnostics(
+    snapshot: &Snapshot,
+    params: WorkspaceDiagnosticParams,
+) -> Answer<WorkspaceDiagnosticReport> {
+    let mut items = Vec::new();
+    for path in files(snapshot) {
+        let open = snapshot.files.open.get(&path);
+        let told = match open {
+            Some(buffer) => diagnostics(snapshot, buffer),
+            None => match document_at(snapshot, &path) {
+                Some(document) => convert(snapshot, &document, None),
+                None => continue,
+            },
+        };
+        let uri = snapshot.uri(&path.to_string_lossy());
+        let version = open.map(|buffer| buffer.version);
+        let id = result_id(&told);
+        let mut previous = params.previous_result_ids.iter();
+        let is_known = previous.any(|p| p.uri == uri && p.value == id);
+        items.push(match is_known {
+            true => WorkspaceUnchangedDocumentDiagnosticReport {
+                uri,
+                version,
+                unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport {
+                    result_id: id,
+                },
+            }
+            .into(),
+            false => WorkspaceFullDocumentDiagnosticReport {
+                uri,
+                version,
+                full_document_diagnostic_report: FullDocumentDiagnosticReport {
+                    result_id: Some(id),
+                    items: told,
+                },
+            }
+            .into(),
+        });
+    }
+    Ok(WorkspaceDiagnosticReport { items })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_found_by_some_of_their_letters() {
+        assert!(is_like("mapscene", "mpsc") && is_like("x", ""));
+        assert!(!is_like("map", "pam"));
+    }
+}

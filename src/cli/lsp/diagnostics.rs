@@ -1,0 +1,241 @@
+//! Findings as the protocol has them.
+
+use super::buffers::TextBuffer;
+use super::snapshot::Snapshot;
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::ide::Document;
+use crate::lint::Check;
+use crate::rules::RULES;
+use crate::text::Span;
+use gen_lsp_types::{
+    Code, CodeDescription, Diagnostic as Told, DiagnosticRelatedInformation, DiagnosticSeverity,
+    DiagnosticTag, Location, Range,
+};
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// The rules of what can go without a loss, which editors dim.
+const UNNECESSARY: [&str; 6] = [
+    "dead-code",
+    "dead-store",
+    "identity-operation",
+    "unused-function",
+    "unused-macro",
+    "unused-variable",
+];
+/// The rules of what has been replaced, which editors strike out.
+const DEPRECATED: [&str; 1] = ["legacy-extension"];
+
+/// All findings of a text: of runs, where it has been run, else those of an earlier state that still
+/// hold as far as the text around them is the same.
+pub fn diagnostics(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
+    if snapshot.leaves_out(buffer) {
+        return Vec::new();
+    }
+    let document = snapshot.best(buffer);
+    let mut told = convert(snapshot, &document, Some(buffer));
+    if buffer.ran.get().is_none() {
+        told.extend(carried(snapshot, buffer));
+        told.sort_by_key(|d| (d.range.start, d.range.end));
+    }
+    told
+}
+
+/// The findings of a document.
+pub fn convert(snapshot: &Snapshot, document: &Document, buffer: Option<&TextBuffer>) -> Vec<Told> {
+    let settings = &document.options.settings;
+    let all = document.report.diagnostics.iter();
+    let all = all.filter(|d| settings.reports(d.rule));
+    let told = all.filter_map(|d| one(snapshot, document, buffer, d));
+    told.collect()
+}
+
+/// A finding; `None` where it is of another file.
+pub fn one(
+    snapshot: &Snapshot,
+    document: &Document,
+    buffer: Option<&TextBuffer>,
+    diagnostic: &Diagnostic,
+) -> Option<Told> {
+    let range = |span: Span| match buffer {
+        Some(buffer) => Some(buffer.lines(snapshot.columns()).range(span)),
+        None => snapshot.with_lines(&document.path, |lines| lines.range(span)),
+    };
+    let mut related = related(snapshot, document, diagnostic);
+    let mut message = message(diagnostic);
+    let span = match document.report.in_input(diagnostic.span) {
+        Some(span) => span,
+        None => {
+            let place = document.place(diagnostic.span)?;
+            let location = snapshot.location(&place)?;
+            let name = place
+                .path
+                .rsplit('/')
+                .next()
+                .unwrap_or(&place.path)
+                .to_string();
+            let line = location.range.start.line + 1;
+            related.insert(0, info(location, diagnostic.message.clone()));
+            message = format!("in `{name}`, line {line}: {message}");
+            directive_of(document, &name)?
+        }
+    };
+    let related = Some(related).filter(|r| !r.is_empty() && snapshot.client.related);
+    Some(Told {
+        range: range(span)?,
+        severity: Some(match diagnostic.severity {
+            Severity::Error => DiagnosticSeverity::Error,
+            Severity::Warning => DiagnosticSeverity::Warning,
+            Severity::Info => DiagnosticSeverity::Information,
+        }),
+        code: Some(Code::String(diagnostic.rule.to_string())),
+        code_description: snapshot
+            .pages
+            .uri(diagnostic.rule)
+            .map(|href| CodeDescription { href }),
+        source: Some("shaderlint".to_string()),
+        message: message.into(),
+        tags: tags(diagnostic.rule),
+        related_information: related,
+        data: None,
+    })
+}
+
+fn tags(rule: &str) -> Option<Vec<DiagnosticTag>> {
+    if UNNECESSARY.contains(&rule) {
+        return Some(vec![DiagnosticTag::Unnecessary]);
+    }
+    DEPRECATED
+        .contains(&rule)
+        .then(|| vec![DiagnosticTag::Deprecated])
+}
+
+/// What is wrong, why, and what helps.
+fn message(diagnostic: &Diagnostic) -> String {
+    let mut text = diagnostic.message.clone();
+    if !diagnostic.label.is_empty() && !text.contains(&diagnostic.label) {
+        text.push_str(&format!(": {}", diagnostic.label));
+    }
+    for note in &diagnostic.notes {
+        text.push_str(&format!("\nnote: {note}"));
+    }
+    for help in &diagnostic.help {
+        text.push_str(&format!("\nhelp: {help}"));
+    }
+    text
+}
+
+fn info(location: Location, message: String) -> DiagnosticRelatedInformation {
+    DiagnosticRelatedInformation { location, message }
+}
+
+/// The other places that explain a finding.
+fn related(
+    snapshot: &Snapshot,
+    document: &Document,
+    diagnostic: &Diagnostic,
+) -> Vec<DiagnosticRelatedInformation> {
+    let labels = diagnostic.labels.iter();
+    let labels = labels.map(|label| (label.span, label.message.clone()));
+    let macros = diagnostic.macros.iter();
+    let macros = macros.map(|m| (m.definition, format!("`{}` is defined here", m.name)));
+    let all = labels.chain(macros).filter_map(|(span, message)| {
+        let location = snapshot.location(&document.place(span)?)?;
+        Some(info(location, message))
+    });
+    all.collect()
+}
+
+/// The directive that includes a file of this name; the start of the text where it is not found.
+fn directive_of(document: &Document, name: &str) -> Option<Span> {
+    let text = &document.text;
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        let shown = line.trim();
+        if shown.starts_with('#') && shown.contains("include") && shown.contains(name) {
+            let start = at + (line.len() - line.trim_start().len()) as u32;
+            return Some(Span::new(start, start + shown.len() as u32));
+        }
+        at += line.len() as u32;
+    }
+    Some(Span::at(0))
+}
+
+/// What runs of an earlier state have found, as far as the text around it is the same. It would come
+/// and go with each word that is typed otherwise.
+fn carried(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
+    let Some((text, ran)) = &buffer.earlier else {
+        return Vec::new();
+    };
+    let Some(ran) = ran.get() else {
+        return Vec::new();
+    };
+    let is_of_run = |rule: &str| {
+        let rule = RULES.iter().find(|r| r.name == rule);
+        rule.is_some_and(|r| r.checks.iter().any(|c| matches!(c, Check::Run(_))))
+    };
+    let (before, after) = same_ends(text, &buffer.text);
+    let document = &ran.document;
+    let settings = &document.options.settings;
+    let all = document.report.diagnostics.iter();
+    let all = all.filter(|d| is_of_run(d.rule) && settings.reports(d.rule));
+    let moved = all.filter_map(|d| {
+        let span = document.report.in_input(d.span)?;
+        let shift = buffer.text.len() as i64 - text.len() as i64;
+        let span = match span {
+            span if span.end <= before => span,
+            span if span.start >= text.len() as u32 - after => Span::new(
+                u32::try_from(i64::from(span.start) + shift).ok()?,
+                u32::try_from(i64::from(span.end) + shift).ok()?,
+            ),
+            _ => return None,
+        };
+        let told = one(snapshot, document, None, d)?;
+        let range: Range = buffer.lines(snapshot.columns()).range(span);
+        Some(Told {
+            range,
+            // Their places are those of an earlier text.
+            related_information: None,
+            ..told
+        })
+    });
+    moved.collect()
+}
+
+/// How many bytes two texts have in common at their starts and at their ends.
+fn same_ends(a: &str, b: &str) -> (u32, u32) {
+    let before = a.bytes().zip(b.bytes()).take_while(|(a, b)| a == b).count();
+    let most = a.len().min(b.len()) - before;
+    let after = a.bytes().rev().zip(b.bytes().rev()).take(most);
+    let after = after.take_while(|(a, b)| a == b).count();
+    (before as u32, after as u32)
+}
+
+/// A name for findings, by which a client knows that nothing has changed.
+pub fn result_id(told: &[Told]) -> String {
+    let mut hasher = DefaultHasher::new();
+    for one in told {
+        serde_json::to_string(one)
+            .unwrap_or_default()
+            .hash(&mut hasher);
+    }
+    format!("{:016x}", hasher.finish())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rules_with_tags_are_rules() {
+        for name in UNNECESSARY.iter().chain(&DEPRECATED) {
+            assert!(RULES.iter().any(|r| r.name == *name), "{name}");
+        }
+    }
+
+    #[test]
+    fn ends_that_are_the_same() {
+        assert_eq!(same_ends("abcd", "abXcd"), (2, 2));
+        assert_eq!(same_ends("aa", "aaa"), (2, 0));
+        assert_eq!(same_ends("", "x"), (0, 0));
+    }
+}

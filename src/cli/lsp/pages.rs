@@ -1,0 +1,67 @@
+//! The pages of rules and errors as files, so that every editor can open them.
+
+use super::uri::uri_of;
+use crate::diagnostic::error_page;
+use crate::rules::RULES;
+use gen_lsp_types::Uri;
+use std::collections::HashMap;
+use std::fs;
+use std::sync::Mutex;
+use tempfile::TempDir;
+
+/// The pages that were asked for.
+#[derive(Default)]
+pub struct PageFiles {
+    made: Mutex<Made>,
+}
+
+#[derive(Default)]
+struct Made {
+    /// Made at the first question, removed at the end.
+    folder: Option<TempDir>,
+    pages: HashMap<String, Option<Uri>>,
+}
+
+/// The page of a rule or a compile error.
+pub fn page(name: &str) -> Option<&'static str> {
+    let rule = RULES.iter().find(|r| r.name == name);
+    rule.map(|r| r.page).or_else(|| error_page(name))
+}
+
+impl PageFiles {
+    /// The address of the page of a rule; `None` where there is none, or where nothing can be written.
+    pub fn uri(&self, rule: &str) -> Option<Uri> {
+        let text = page(rule)?;
+        self.write(&format!("{rule}.md"), text)
+    }
+
+    /// Writes a file beside the pages, over one of the same name.
+    pub fn write_anew(&self, name: &str, content: &str) -> Option<Uri> {
+        self.lock().pages.remove(name);
+        self.write(name, content)
+    }
+
+    fn write(&self, name: &str, content: &str) -> Option<Uri> {
+        let mut made = self.lock();
+        if let Some(known) = made.pages.get(name) {
+            return known.clone();
+        }
+        if made.folder.is_none() {
+            made.folder = tempfile::Builder::new()
+                .prefix("shaderlint-")
+                .tempdir()
+                .ok();
+        }
+        let file = made.folder.as_ref().map(|folder| folder.path().join(name));
+        let written = file.filter(|file| fs::write(file, content).is_ok());
+        let uri = written.map(|file| uri_of(&file.to_string_lossy()));
+        made.pages.insert(name.to_string(), uri.clone());
+        uri
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Made> {
+        self.made
+            .lock()
+            .unwrap_or_else(|poisoned| poisoned.into_inner())
+    }
+}

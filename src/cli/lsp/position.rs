@@ -1,0 +1,146 @@
+//! Places as the protocol counts them: lines and columns in units that the client chooses.
+
+use crate::text::{LineIndex, Span};
+use gen_lsp_types::{Position, PositionEncodingKind, Range};
+
+/// What columns count.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Columns {
+    /// Bytes.
+    Utf8,
+    /// UTF-16 code units, unless the client asks for something else.
+    #[default]
+    Utf16,
+    /// Characters.
+    Utf32,
+}
+
+impl Columns {
+    /// The best of what a client offers: what costs least to count.
+    pub fn choose(offered: Option<&[PositionEncodingKind]>) -> Columns {
+        let offers = |kind| offered.is_some_and(|o| o.contains(&kind));
+        if offers(PositionEncodingKind::UTF8) {
+            Columns::Utf8
+        } else if offers(PositionEncodingKind::UTF32) && !offers(PositionEncodingKind::UTF16) {
+            Columns::Utf32
+        } else {
+            Columns::Utf16
+        }
+    }
+
+    /// As the protocol calls it.
+    pub fn kind(self) -> PositionEncodingKind {
+        match self {
+            Columns::Utf8 => PositionEncodingKind::UTF8,
+            Columns::Utf16 => PositionEncodingKind::UTF16,
+            Columns::Utf32 => PositionEncodingKind::UTF32,
+        }
+    }
+
+    /// How many of them a text has.
+    pub fn count(self, text: &str) -> u32 {
+        match self {
+            Columns::Utf8 => text.len() as u32,
+            Columns::Utf16 => text.encode_utf16().count() as u32,
+            Columns::Utf32 => text.chars().count() as u32,
+        }
+    }
+}
+
+/// A text with its lines.
+#[derive(Clone, Copy)]
+pub struct TextLines<'t> {
+    /// The text.
+    pub text: &'t str,
+    /// Where its lines start.
+    pub index: &'t LineIndex,
+    /// What columns count.
+    pub columns: Columns,
+}
+
+impl TextLines<'_> {
+    /// The position of an offset.
+    pub fn position(&self, offset: u32) -> Position {
+        let at = self
+            .index
+            .position(self.text, offset.min(self.text.len() as u32));
+        let start = self.index.start(at.line).unwrap_or(0);
+        let character = match self.columns {
+            Columns::Utf8 => at.byte - start,
+            Columns::Utf16 => at.utf16 - 1,
+            Columns::Utf32 => at.column - 1,
+        };
+        Position {
+            line: at.line - 1,
+            character,
+        }
+    }
+
+    /// The range of a stretch.
+    pub fn range(&self, span: Span) -> Range {
+        Range {
+            start: self.position(span.start),
+            end: self.position(span.end),
+        }
+    }
+
+    /// The offset of a position; what lies behind the end of a line or of the text counts as that end,
+    /// as the protocol has it.
+    pub fn offset(&self, position: Position) -> u32 {
+        let Some(start) = self.index.start(position.line.saturating_add(1)) else {
+            return self.text.len() as u32;
+        };
+        let (_, end) = self.index.bounds(start, self.text.len() as u32);
+        let line = self.text.get(start as usize..end as usize).unwrap_or("");
+        let line = line.trim_end_matches(['\n', '\r']);
+        let mut left = position.character;
+        for (at, c) in line.char_indices() {
+            let mut units = [0; 4];
+            let size = self.columns.count(c.encode_utf8(&mut units));
+            if left < size || left == 0 {
+                return start + at as u32;
+            }
+            left -= size;
+        }
+        start + line.len() as u32
+    }
+
+    /// The stretch of a range.
+    pub fn span(&self, range: Range) -> Span {
+        let start = self.offset(range.start);
+        Span::new(start, self.offset(range.end).max(start))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_place_has_one_position_in_each_unit() {
+        let text = "a𝄞é\r\nx\n\ty";
+        let index = LineIndex::new(text);
+        for columns in [Columns::Utf8, Columns::Utf16, Columns::Utf32] {
+            let lines = TextLines {
+                text,
+                index: &index,
+                columns,
+            };
+            let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
+            for at in ends.filter(|at| text.as_bytes().get(*at) != Some(&b'\n')) {
+                let position = lines.position(at as u32);
+                assert_eq!(lines.offset(position), at as u32, "{columns:?} {at}");
+            }
+            let beyond = Position {
+                line: 0,
+                character: 99,
+            };
+            assert_eq!(lines.offset(beyond), 7);
+            let behind = Position {
+                line: 9,
+                character: 0,
+            };
+            assert_eq!(lines.offset(behind), text.len() as u32);
+        }
+    }
+}

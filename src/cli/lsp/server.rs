@@ -1,0 +1,718 @@
+//! The loop: reads what the client says, keeps the texts, hands out work, tells findings.
+
+use super::super::config::{ConfigArgs, Configs, Exclusion, FILE, Source};
+use super::super::disk::Disk;
+use super::answers::{Jobs, Lane, diagnostics_of};
+use super::buffers::{OpenFiles, TextBuffer, changed};
+use super::capabilities::{EXPLAIN, FIX_ALL, PREVIEW, capabilities};
+use super::client::{Client, UserSettings};
+use super::pages::{PageFiles, page};
+use super::preview;
+use super::snapshot::{Answer, Failure, Snapshot};
+use super::uri::path_of;
+use super::workers::{Worker, run_buffer};
+use crate::engine::config::Selection;
+use crate::lint::Page;
+use gen_lsp_types::*;
+use lsp_server::{Connection, ErrorCode, Message, Notification as Sent, Request as Asked};
+use lsp_server::{ProtocolError, RequestId, Response};
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, HashSet, VecDeque};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+/// After so long without a change shaders are run.
+const PAUSE: Duration = Duration::from_millis(300);
+
+/// What the loop waits for.
+enum Event {
+    /// The client says something.
+    Message(Message),
+    /// A text has been run in this state.
+    Ran(PathBuf, u64),
+    /// The client is gone.
+    Gone,
+}
+
+/// The requests that a thread works on and that the client does not want any more.
+type Cancelled = Arc<Mutex<HashSet<RequestId>>>;
+
+struct Server {
+    connection: Arc<Connection>,
+    events: Receiver<Event>,
+    sender: Sender<Event>,
+    jobs: Jobs,
+    now: Snapshot,
+    /// What has been read and not been dealt with.
+    queue: VecDeque<Message>,
+    /// The texts whose findings are to be told.
+    untold: Vec<PathBuf>,
+    /// When texts are run.
+    due: BTreeMap<PathBuf, Instant>,
+    cancelled: Cancelled,
+    slow: Worker,
+    runs: Worker,
+    /// Numbers of requests to the client.
+    asked: u32,
+    /// Whether the client has said that it is done.
+    is_done: bool,
+    /// Whether the client is gone.
+    is_gone: bool,
+}
+
+/// Serves a client. Whether it said goodbye.
+///
+/// # Errors
+/// Where it does not begin as the protocol has it.
+pub fn serve(connection: Connection) -> Result<bool, ProtocolError> {
+    let (id, params) = connection.initialize_start()?;
+    let params: InitializeParams = match serde_json::from_value(params) {
+        Ok(params) => params,
+        Err(error) => {
+            let code = ErrorCode::InvalidParams as i32;
+            let answer = Response::new_err(id, code, error.to_string());
+            let _ = connection.sender.send(answer.into());
+            return Ok(false);
+        }
+    };
+    let client = Client::of(&params);
+    let result = json!({
+        "capabilities": capabilities(&client),
+        "serverInfo": { "name": "shaderlint", "version": env!("CARGO_PKG_VERSION") },
+    });
+    connection.initialize_finish(id, result)?;
+    let Ok(mut server) = Server::new(connection, client, &params) else {
+        return Ok(false);
+    };
+    server.greet();
+    Ok(server.run())
+}
+
+/// How texts are judged in some folders.
+fn configs(folders: &[PathBuf], run_samples: Option<u32>) -> Arc<Configs> {
+    Arc::new(Configs::new(ConfigArgs {
+        given: Selection {
+            run_samples,
+            ..Selection::default()
+        },
+        source: Source::Nearest,
+        exclusion: Exclusion::Named,
+        paths: folders.to_vec(),
+    }))
+}
+
+/// The folders that a client works on.
+fn folders(params: &InitializeParams) -> Vec<PathBuf> {
+    let folders = &params.workspace_folders_initialize_params.workspace_folders;
+    match folders {
+        Some(WorkspaceFolders::WorkspaceFolderList(all)) => all
+            .iter()
+            .filter_map(|folder| path_of(&folder.uri))
+            .collect(),
+        // Clients of old name one folder.
+        _ => {
+            #[expect(deprecated, reason = "clients of old send nothing else")]
+            let root = params.root_uri.as_ref();
+            root.and_then(path_of).into_iter().collect()
+        }
+    }
+}
+
+impl Server {
+    fn new(
+        connection: Connection,
+        client: Client,
+        params: &InitializeParams,
+    ) -> std::io::Result<Server> {
+        let connection = Arc::new(connection);
+        let (sender, events) = channel();
+        let (reader, from) = (sender.clone(), connection.clone());
+        std::thread::Builder::new()
+            .name("reader".to_string())
+            .spawn(move || {
+                for message in &from.receiver {
+                    if reader.send(Event::Message(message)).is_err() {
+                        return;
+                    }
+                }
+                let _ = reader.send(Event::Gone);
+            })?;
+        let folders = folders(params);
+        let options = params.initialization_options.as_ref();
+        let now = Snapshot {
+            client: Arc::new(client),
+            settings: Arc::new(options.and_then(UserSettings::read).unwrap_or_default()),
+            files: OpenFiles {
+                disk: Arc::new(Disk::new()),
+                open: Arc::default(),
+            },
+            quick: configs(&folders, Some(0)),
+            full: configs(&folders, None),
+            folders: Arc::new(folders),
+            pages: Arc::new(PageFiles::default()),
+            tokens: Arc::default(),
+            state: 0,
+            newest: Arc::new(AtomicU64::new(0)),
+        };
+        Ok(Server {
+            connection,
+            events,
+            sender,
+            jobs: Jobs::new(),
+            now,
+            queue: VecDeque::new(),
+            untold: Vec::new(),
+            due: BTreeMap::new(),
+            cancelled: Cancelled::default(),
+            slow: Worker::start("requests")?,
+            runs: Worker::start("runs")?,
+            asked: 0,
+            is_done: false,
+            is_gone: false,
+        })
+    }
+
+    /// Asks the client for what it tells only when asked.
+    fn greet(&mut self) {
+        if self.now.client.watches {
+            let all = "**/*.{glsl,vert,frag,vs,fs,vsh,fsh,glslv,glslf,shadertoy,json}";
+            let watchers = [all, "**/shaderlint.toml", "**/.editorconfig"];
+            let watchers = watchers.map(|pattern| json!({ "globPattern": pattern }));
+            let registration = json!({
+                "id": "files",
+                "method": "workspace/didChangeWatchedFiles",
+                "registerOptions": { "watchers": watchers },
+            });
+            self.ask(
+                "client/registerCapability",
+                json!({ "registrations": [registration] }),
+            );
+        }
+        self.ask_settings();
+    }
+
+    fn ask_settings(&mut self) {
+        if self.now.client.configurations {
+            let params = json!({ "items": [{ "section": "shaderlint" }] });
+            self.ask("workspace/configuration", params);
+        }
+    }
+
+    fn ask(&mut self, method: &str, params: Value) {
+        self.asked += 1;
+        // The method stands in the number, so that the answer needs no list to be known by.
+        let id = RequestId::from(format!("{method}#{}", self.asked));
+        self.send(Asked::new(id, method.to_string(), params).into());
+    }
+
+    fn send(&self, message: Message) {
+        // Where the client is gone, the loop hears of it in its own way.
+        let _ = self.connection.sender.send(message);
+    }
+
+    fn tell<N: Notification>(&self, params: &N::Params) {
+        self.send(Sent::new(N::METHOD.to_string(), params).into());
+    }
+
+    /// Runs until the client is done or gone. Whether it said that it is done.
+    fn run(&mut self) -> bool {
+        loop {
+            if self.queue.is_empty() {
+                self.tell_findings();
+                self.start_runs();
+                match self.wait() {
+                    Some(event) => self.take(event),
+                    None => continue,
+                }
+            }
+            // All that has been said by now: what is cancelled need not be answered.
+            while let Ok(event) = self.events.try_recv() {
+                self.take(event);
+            }
+            match self.queue.pop_front() {
+                Some(Message::Request(request)) => self.request(request),
+                Some(Message::Notification(notification)) => {
+                    if notification.method == "exit" {
+                        return self.is_done;
+                    }
+                    self.notification(notification);
+                }
+                Some(Message::Response(response)) => self.response(response),
+                None if self.is_gone => return self.is_done,
+                None => {}
+            }
+        }
+    }
+
+    /// The next event; `None` where it is time to run something.
+    fn wait(&self) -> Option<Event> {
+        let first = self.due.values().min();
+        match first {
+            None => Some(self.events.recv().unwrap_or(Event::Gone)),
+            Some(at) => {
+                let left = at.saturating_duration_since(Instant::now());
+                match self.events.recv_timeout(left) {
+                    Ok(event) => Some(event),
+                    Err(RecvTimeoutError::Timeout) => None,
+                    Err(RecvTimeoutError::Disconnected) => Some(Event::Gone),
+                }
+            }
+        }
+    }
+
+    fn take(&mut self, event: Event) {
+        match event {
+            Event::Message(Message::Notification(sent)) if sent.method == "$/cancelRequest" => {
+                self.cancel(&sent.params);
+            }
+            Event::Message(message) => self.queue.push_back(message),
+            Event::Ran(path, state) => self.ran(&path, state),
+            Event::Gone => self.is_gone = true,
+        }
+    }
+
+    fn cancel(&mut self, params: &Value) {
+        let id = match params.get("id") {
+            Some(Value::Number(number)) => number.as_i64().and_then(|n| i32::try_from(n).ok()),
+            Some(Value::String(text)) => {
+                return self.cancel_id(RequestId::from(text.clone()));
+            }
+            _ => None,
+        };
+        if let Some(id) = id {
+            self.cancel_id(RequestId::from(id));
+        }
+    }
+
+    fn cancel_id(&mut self, id: RequestId) {
+        let is_it = |m: &Message| matches!(m, Message::Request(r) if r.id == id);
+        match self.queue.iter().position(is_it) {
+            Some(at) => {
+                self.queue.remove(at);
+                self.send(cancelled(id).into());
+            }
+            // A thread may be at it; what is answered already will not be asked for again.
+            None => {
+                lock(&self.cancelled).insert(id);
+            }
+        }
+    }
+
+    fn request(&mut self, request: Asked) {
+        let Asked { id, method, params } = request;
+        match method.as_str() {
+            "shutdown" => {
+                self.is_done = true;
+                self.send(Response::new_ok(id, Value::Null).into());
+            }
+            _ if self.is_done => {
+                let code = ErrorCode::InvalidRequest as i32;
+                self.send(Response::new_err(id, code, "the server is shut down".into()).into());
+            }
+            "workspace/executeCommand" => self.command(id, params),
+            method => match self.jobs.get(method) {
+                Some((Lane::Quick, job)) => {
+                    let answer = guarded(|| job(&self.now, params));
+                    self.send(response(id, answer).into());
+                }
+                Some((Lane::Slow, job)) => {
+                    self.later(id, move |snapshot| job(snapshot, params));
+                }
+                None => {
+                    let code = ErrorCode::MethodNotFound as i32;
+                    let message = format!("`{method}` is not answered");
+                    self.send(Response::new_err(id, code, message).into());
+                }
+            },
+        }
+    }
+
+    /// Answers a request on a thread. Where the texts have changed before it comes to it, the client
+    /// hears that, and asks again if it still wants to know.
+    fn later(&self, id: RequestId, job: impl FnOnce(&Snapshot) -> Answer<Value> + Send + 'static) {
+        let snapshot = self.now.clone();
+        let (connection, cancels) = (self.connection.clone(), self.cancelled.clone());
+        self.slow.give(move || {
+            let answer = if lock(&cancels).remove(&id) {
+                cancelled(id)
+            } else if snapshot.is_stale() {
+                stale(id)
+            } else {
+                let answer = guarded(|| job(&snapshot));
+                match lock(&cancels).remove(&id) {
+                    true => cancelled(id),
+                    false if snapshot.is_stale() => stale(id),
+                    false => response(id, answer),
+                }
+            };
+            let _ = connection.sender.send(answer.into());
+        });
+    }
+
+    fn notification(&mut self, sent: Sent) {
+        let Sent { method, params } = sent;
+        match method.as_str() {
+            "textDocument/didOpen" => self.with(params, Server::opened),
+            "textDocument/didChange" => self.with(params, Server::changed),
+            "textDocument/didClose" => self.with(params, Server::closed),
+            "workspace/didChangeConfiguration" => self.with(params, Server::configured),
+            "workspace/didChangeWatchedFiles" => self.with(params, Server::watched),
+            "workspace/didChangeWorkspaceFolders" => self.with(params, Server::moved),
+            // What is not known is no mistake of the client's.
+            _ => {}
+        }
+    }
+
+    fn with<P: serde::de::DeserializeOwned>(&mut self, params: Value, act: fn(&mut Server, P)) {
+        match serde_json::from_value(params) {
+            Ok(params) => act(self, params),
+            Err(error) => self.log(&error.to_string()),
+        }
+    }
+
+    fn log(&self, message: &str) {
+        self.tell::<LogMessageNotification>(&LogMessageParams {
+            kind: MessageType::Warning,
+            message: message.to_string(),
+        });
+    }
+
+    fn response(&mut self, response: Response) {
+        let is_settings = response.id.to_string().contains("workspace/configuration");
+        let result = response.response_result.ok().filter(|_| is_settings);
+        if let Some(own) = result.as_ref().and_then(|all| all.get(0)) {
+            self.set(own);
+        }
+    }
+
+    fn set(&mut self, value: &Value) {
+        if let Some(settings) = UserSettings::read(value)
+            && *self.now.settings != settings
+        {
+            self.now.settings = Arc::new(settings);
+            self.renew();
+        }
+    }
+
+    fn configured(&mut self, params: DidChangeConfigurationParams) {
+        match params.settings {
+            Value::Null => self.ask_settings(),
+            settings => self.set(&settings),
+        }
+    }
+
+    /// The number of the next state.
+    fn next_state(&mut self) -> u64 {
+        self.now.state += 1;
+        self.now.newest.store(self.now.state, Ordering::Relaxed);
+        self.now.state
+    }
+
+    fn put(&mut self, buffer: TextBuffer) {
+        let path = PathBuf::from(&buffer.path);
+        Arc::make_mut(&mut self.now.files.open).insert(path.clone(), Arc::new(buffer));
+        self.tell_later(path.clone());
+        self.renew_users(&path);
+    }
+
+    fn tell_later(&mut self, path: PathBuf) {
+        self.due.insert(path.clone(), Instant::now() + PAUSE);
+        if !self.untold.contains(&path) {
+            self.untold.push(path);
+        }
+    }
+
+    /// Judges the open texts anew that were made of a file.
+    fn renew_users(&mut self, path: &Path) {
+        let changed = path.to_string_lossy().replace('\\', "/");
+        let uses = |buffer: &TextBuffer| {
+            let known = buffer.known().filter(|_| buffer.path != changed);
+            known.is_some_and(|d| d.report.sources.files().iter().any(|f| f.path == changed))
+        };
+        let open = self.now.files.open.values();
+        let users: Vec<Arc<TextBuffer>> = open.filter(|b| uses(b)).cloned().collect();
+        for user in users {
+            self.again(&user);
+        }
+    }
+
+    /// Judges an open text anew, which has not changed itself.
+    fn again(&mut self, buffer: &TextBuffer) {
+        let state = self.next_state();
+        let next = buffer.next(buffer.version, buffer.text.clone(), state);
+        let path = PathBuf::from(&buffer.path);
+        Arc::make_mut(&mut self.now.files.open).insert(path.clone(), Arc::new(next));
+        self.tell_later(path);
+    }
+
+    /// Judges all open texts anew, by configurations that are read again.
+    fn renew(&mut self) {
+        let folders = self.now.folders.clone();
+        self.now.quick = configs(&folders, Some(0));
+        self.now.full = configs(&folders, None);
+        let all: Vec<Arc<TextBuffer>> = self.now.files.open.values().cloned().collect();
+        for buffer in all {
+            self.again(&buffer);
+        }
+    }
+
+    fn opened(&mut self, params: DidOpenTextDocumentParams) {
+        let item = params.text_document;
+        let state = self.next_state();
+        let language = item.language_id.to_string();
+        self.put(TextBuffer::new(
+            item.uri,
+            language,
+            item.version,
+            item.text,
+            state,
+        ));
+    }
+
+    fn changed(&mut self, params: DidChangeTextDocumentParams) {
+        let id = params.text_document;
+        let Ok(buffer) = self.now.buffer(&id.text_document_identifier.uri).cloned() else {
+            return self.log("a text changes that is not open");
+        };
+        let text = changed(&buffer.text, params.content_changes, self.now.columns());
+        let state = self.next_state();
+        self.put(buffer.next(id.version, text.into(), state));
+    }
+
+    fn closed(&mut self, params: DidCloseTextDocumentParams) {
+        let uri = params.text_document.uri;
+        let Ok(buffer) = self.now.buffer(&uri).cloned() else {
+            return;
+        };
+        self.next_state();
+        let path = PathBuf::from(&buffer.path);
+        Arc::make_mut(&mut self.now.files.open).remove(&path);
+        self.now.sent_tokens().remove(&buffer.path);
+        self.due.remove(&path);
+        self.untold.retain(|p| *p != path);
+        if !self.now.client.pulls {
+            self.tell::<PublishDiagnosticsNotification>(&PublishDiagnosticsParams {
+                uri,
+                version: None,
+                diagnostics: Vec::new(),
+            });
+        }
+        // From now on the disk has the text.
+        self.renew_users(&path);
+    }
+
+    fn watched(&mut self, params: DidChangeWatchedFilesParams) {
+        let mut is_wide = false;
+        for event in params.changes {
+            let Some(path) = path_of(&event.uri) else {
+                continue;
+            };
+            let name = path.file_name().unwrap_or_default();
+            is_wide |= name == FILE || name == ".editorconfig";
+            // A file that is new or gone may be what another includes.
+            is_wide |= event.kind != FileChangeType::Changed;
+            if !self.now.files.open.contains_key(&path) {
+                self.renew_users(&path);
+            }
+        }
+        if is_wide {
+            self.renew();
+        }
+    }
+
+    fn moved(&mut self, params: DidChangeWorkspaceFoldersParams) {
+        let mut folders = self.now.folders.to_vec();
+        let gone = params.event.removed.iter().filter_map(|f| path_of(&f.uri));
+        let gone: Vec<PathBuf> = gone.collect();
+        folders.retain(|folder| !gone.contains(folder));
+        folders.extend(params.event.added.iter().filter_map(|f| path_of(&f.uri)));
+        self.now.folders = Arc::new(folders);
+        self.renew();
+    }
+
+    /// Tells the findings of the texts that have changed, where the client does not ask for them.
+    fn tell_findings(&mut self) {
+        let untold = std::mem::take(&mut self.untold);
+        if self.now.client.pulls {
+            return;
+        }
+        for path in untold {
+            let Some(buffer) = self.now.files.open.get(&path) else {
+                continue;
+            };
+            if let Ok(params) = guarded(|| Ok(diagnostics_of(&self.now, buffer))) {
+                self.tell::<PublishDiagnosticsNotification>(&params);
+            }
+        }
+    }
+
+    /// Runs the texts that have not changed for a while.
+    fn start_runs(&mut self) {
+        let now = Instant::now();
+        let due: Vec<PathBuf> = self
+            .due
+            .iter()
+            .filter(|(_, at)| **at <= now)
+            .map(|(path, _)| path.clone())
+            .collect();
+        for path in due {
+            self.due.remove(&path);
+            let Some(buffer) = self.now.files.open.get(&path).cloned() else {
+                continue;
+            };
+            if !self.now.settings.run || self.now.leaves_out(&buffer) {
+                continue;
+            }
+            let (snapshot, sender) = (self.now.clone(), self.sender.clone());
+            self.runs.give(move || {
+                let newest = snapshot.newest.load(Ordering::Relaxed);
+                // Of a text that has changed meanwhile, the next state is waiting.
+                if newest == snapshot.state || buffer.state == newest {
+                    run_buffer(&snapshot, &buffer);
+                }
+                let _ = sender.send(Event::Ran(path, buffer.state));
+            });
+        }
+    }
+
+    /// A text was run, or had changed before it could be.
+    fn ran(&mut self, path: &Path, state: u64) {
+        let Some(buffer) = self.now.files.open.get(path) else {
+            return;
+        };
+        if buffer.state != state {
+            return;
+        }
+        if buffer.ran.get().is_none() {
+            // Another text has changed: it is this one's turn again.
+            self.due.insert(path.to_path_buf(), Instant::now() + PAUSE);
+            return;
+        }
+        if !self.now.client.pulls {
+            if let Ok(params) = guarded(|| Ok(diagnostics_of(&self.now, buffer))) {
+                self.tell::<PublishDiagnosticsNotification>(&params);
+            }
+        } else if self.now.client.refreshes_diagnostics {
+            self.ask("workspace/diagnostic/refresh", Value::Null);
+        }
+        if self.now.client.refreshes_hints {
+            self.ask("workspace/inlayHint/refresh", Value::Null);
+            self.ask("workspace/codeLens/refresh", Value::Null);
+        }
+    }
+
+    fn command(&mut self, id: RequestId, params: Value) {
+        let command = params
+            .get("command")
+            .and_then(Value::as_str)
+            .unwrap_or("")
+            .to_string();
+        let first = params.get("arguments").and_then(|all| all.get(0)).cloned();
+        let first = first
+            .and_then(|v| v.as_str().map(str::to_string))
+            .unwrap_or_default();
+        match command.as_str() {
+            EXPLAIN => {
+                let answer = self.explain(&first);
+                self.send(response(id, answer).into());
+            }
+            PREVIEW | FIX_ALL => {
+                let connection = self.connection.clone();
+                let is_preview = command == PREVIEW;
+                self.later(id, move |snapshot| {
+                    let buffer = snapshot.buffer(&Uri(first))?;
+                    let (method, params) = match is_preview {
+                        true => show(snapshot, buffer)?,
+                        false => apply_all(snapshot, buffer)?,
+                    };
+                    let id = RequestId::from(format!("{method}#{}", buffer.state));
+                    let request = Asked::new(id, method.to_string(), params);
+                    let _ = connection.sender.send(request.into());
+                    Ok(Value::Null)
+                });
+            }
+            other => {
+                let failure = Failure::invalid(format!("there is no command `{other}`"));
+                self.send(response(id, Err(failure)).into());
+            }
+        }
+    }
+
+    /// Shows the page of a rule, and gives its text.
+    fn explain(&mut self, rule: &str) -> Answer<Value> {
+        let Some(text) = page(rule) else {
+            return Err(Failure::invalid(format!("there is no rule `{rule}`")));
+        };
+        let uri = self.now.pages.uri(rule);
+        match uri.filter(|_| self.now.client.shows_documents) {
+            Some(uri) => self.ask(
+                "window/showDocument",
+                json!({ "uri": uri, "takeFocus": true }),
+            ),
+            None => self.tell::<ShowMessageNotification>(&ShowMessageParams {
+                kind: MessageType::Info,
+                message: format!("{rule}: {}", Page::new(text).summary),
+            }),
+        }
+        Ok(text.into())
+    }
+}
+
+/// Writes the page of a text to a file, for the browser of the system.
+fn show(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<(&'static str, Value)> {
+    let html = preview::page(snapshot, buffer)?;
+    let uri = snapshot.pages.write_anew("preview.html", &html);
+    let uri = uri.ok_or_else(|| Failure::refused("the page cannot be written"))?;
+    Ok((
+        "window/showDocument",
+        json!({ "uri": uri, "external": true }),
+    ))
+}
+
+/// All safe fixes of a text.
+fn apply_all(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<(&'static str, Value)> {
+    let action = super::answers::fix_all(snapshot, buffer);
+    let action = action.ok_or_else(|| Failure::refused("there is nothing to fix"))?;
+    let params = json!({ "label": action.title, "edit": action.edit });
+    Ok(("workspace/applyEdit", params))
+}
+
+/// Does something whose faults cost one answer.
+fn guarded<T>(work: impl FnOnce() -> Answer<T>) -> Answer<T> {
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
+        Err(Failure {
+            code: ErrorCode::InternalError,
+            message: "shaderlint itself failed on this; please report it".to_string(),
+        })
+    })
+}
+
+fn response(id: RequestId, answer: Answer<Value>) -> Response {
+    match answer {
+        Ok(result) => Response::new_ok(id, result),
+        Err(failure) => Response::new_err(id, failure.code as i32, failure.message),
+    }
+}
+
+fn cancelled(id: RequestId) -> Response {
+    Response::new_err(
+        id,
+        ErrorCode::RequestCanceled as i32,
+        "cancelled".to_string(),
+    )
+}
+
+fn stale(id: RequestId) -> Response {
+    let message = "the text has changed".to_string();
+    Response::new_err(id, ErrorCode::ContentModified as i32, message)
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex
+        .lock()
+        .unwrap_or_else(|poisoned| poisoned.into_inner())
+}

@@ -1,0 +1,69 @@
+//! Paths as addresses, and the other way (RFC 8089).
+
+use gen_lsp_types::Uri;
+use std::path::{Path, PathBuf};
+
+/// The path that an address names; `None` for what is no file.
+pub fn path_of(uri: &Uri) -> Option<PathBuf> {
+    let rest = uri.0.strip_prefix("file://")?;
+    // An authority may stand before the path: `file://localhost/a`.
+    let path = rest.get(rest.find('/')?..)?;
+    let mut bytes = Vec::with_capacity(path.len());
+    let mut rest = path.as_bytes();
+    while let [first, after @ ..] = rest {
+        let escaped = match (first, after) {
+            (b'%', [high, low, behind @ ..]) => {
+                let digits = hex(*high).zip(hex(*low));
+                digits.map(|(high, low)| (high << 4 | low, behind))
+            }
+            _ => None,
+        };
+        let (byte, behind) = escaped.unwrap_or((*first, after));
+        bytes.push(byte);
+        rest = behind;
+    }
+    let path = String::from_utf8(bytes).ok()?;
+    // `/C:/a` on Windows.
+    let drive = path.get(1..3).filter(|d| d.ends_with(':') && cfg!(windows));
+    let path = match drive {
+        Some(_) => path.strip_prefix('/')?,
+        None => &path,
+    };
+    Some(crate::engine::path::plain(Path::new(path)))
+}
+
+/// The address of a path.
+pub fn uri_of(path: &str) -> Uri {
+    let mut text = String::from("file://");
+    if !path.starts_with('/') {
+        text.push('/');
+    }
+    for byte in path.replace('\\', "/").bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'-' | b'_' | b'.' | b'~' => {
+                text.push(byte as char);
+            }
+            byte => text.push_str(&format!("%{byte:02X}")),
+        }
+    }
+    Uri(text)
+}
+
+fn hex(digit: u8) -> Option<u8> {
+    (digit as char).to_digit(16).map(|d| d as u8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_come_back() {
+        for path in ["/a/b.glsl", "/a b/ü#%20.frag", "/x+y/[1].glsl"] {
+            assert_eq!(path_of(&uri_of(path)), Some(path.into()), "{path}");
+        }
+        let encoded = Uri("file:///a%3Ab/c%2520.frag".into());
+        assert_eq!(path_of(&encoded), Some("/a:b/c%20.frag".into()));
+        assert_eq!(path_of(&Uri("untitled:Untitled-1".into())), None);
+    }
+}

@@ -1,0 +1,109 @@
+//! Who calls whom, and what that costs.
+
+use super::document::{Document, FileSpan};
+use super::hover::operations;
+use super::navigate::name_at;
+use super::symbol::{Symbol, declared_at};
+use crate::lint::Facts;
+use crate::semantic::{FunctionRef, Program};
+use crate::text::Span;
+use std::collections::BTreeMap;
+
+/// A function.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct CallItem {
+    /// Its name.
+    pub name: String,
+    /// Its form and cost.
+    pub detail: String,
+    /// All of it.
+    pub place: FileSpan,
+    /// Its name.
+    pub name_span: Span,
+}
+
+/// A function, and where it is called or calls.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct CallLink {
+    /// The function.
+    pub item: CallItem,
+    /// The calls, in the text of whoever calls.
+    pub calls: Vec<Span>,
+}
+
+/// The function of the shader that is named at an offset.
+pub fn call_item(document: &Document, offset: u32) -> Option<CallItem> {
+    let (spot, name, _) = name_at(document, offset)?;
+    let Symbol::Function(function) = name.symbol else {
+        return None;
+    };
+    let facts = Facts::new(spot.program());
+    item(document, &facts, function)
+}
+
+fn item(document: &Document, facts: &Facts, function: FunctionRef) -> Option<CallItem> {
+    let program = facts.program();
+    let symbol = Symbol::Function(function);
+    let name = document.place(declared_at(program, symbol)?)?;
+    let known = program.function(function)?;
+    let decl = program
+        .tree
+        .function(known.definition.unwrap_or(known.declaration))?;
+    let around = document.place(program.span(decl.extent));
+    let around = around.filter(|a| a.path == name.path && a.span.contains(name.span));
+    let cost = operations(facts.work().operations(function));
+    Some(CallItem {
+        name: symbol.name(program).to_string(),
+        detail: format!("{} · about {cost}", symbol.declaration(program)),
+        name_span: name.span,
+        place: around.unwrap_or(name),
+    })
+}
+
+/// The functions that call the one that is named at an offset.
+pub fn incoming(document: &Document, offset: u32) -> Vec<CallLink> {
+    links(document, offset, |program, own| {
+        let calls = program.calls.iter().filter(|c| c.callee == own);
+        calls.filter_map(|c| Some((c.caller?, c.expr))).collect()
+    })
+}
+
+/// The functions that the one that is named at an offset calls.
+pub fn outgoing(document: &Document, offset: u32) -> Vec<CallLink> {
+    links(document, offset, |program, own| {
+        let calls = program.calls.iter().filter(|c| c.caller == Some(own));
+        calls.map(|c| (c.callee, c.expr)).collect()
+    })
+}
+
+type Other = (FunctionRef, crate::syntax::ast::ExprId);
+
+fn links(
+    document: &Document,
+    offset: u32,
+    others: fn(&Program, FunctionRef) -> Vec<Other>,
+) -> Vec<CallLink> {
+    let Some((spot, name, _)) = name_at(document, offset) else {
+        return Vec::new();
+    };
+    let Symbol::Function(function) = name.symbol else {
+        return Vec::new();
+    };
+    let program = spot.program();
+    let facts = Facts::new(program);
+    let mut by_function: BTreeMap<FunctionRef, Vec<Span>> = BTreeMap::new();
+    for (other, call) in others(program, function) {
+        let first = program.tree.expr(call).extent.first;
+        let span = program.token(first).map(|t| t.span);
+        let place = span.and_then(|span| document.place(span));
+        by_function
+            .entry(other)
+            .or_default()
+            .extend(place.map(|p| p.span));
+    }
+    let links = by_function.into_iter().filter_map(|(other, calls)| {
+        let item = item(document, &facts, other)?;
+        Some(CallLink { item, calls })
+    });
+    links.collect()
+}

@@ -1,0 +1,252 @@
+//! A text that is open in an editor, and what is known of it.
+
+use super::index::{Index, NameUse, Occurrence};
+use super::symbol::{Symbol, declared_at};
+use crate::engine::{Analysis, FileType, Files, LoadError, Options, Report, analyze};
+use crate::lint::Settings;
+use crate::semantic::{Dialect, Program, Stage, Storage};
+use crate::text::Span;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+/// A stretch of a file.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct FileSpan {
+    /// The path of the file.
+    pub path: String,
+    /// The stretch, from the start of its text.
+    pub span: Span,
+}
+
+/// What a name is declared by, in whatever shader it is named.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub(super) enum Origin {
+    /// The user's text.
+    Text(FileSpan),
+    /// A parameter of the macro whose name stands here.
+    MacroParameter(FileSpan, u32),
+    /// What the stages of a program share by its name; the path of the program without its ending.
+    Interface(String, String),
+    /// The language or a host.
+    Given(String),
+}
+
+/// A text, with what is known of its shaders. It never changes: a text that was edited is another.
+pub struct Document {
+    /// Its path, from the root.
+    pub path: String,
+    /// The text.
+    pub text: Arc<str>,
+    /// How it is judged.
+    pub options: Arc<Options>,
+    /// What is said of it, and what is known of its shaders.
+    pub report: Report,
+    indexes: Vec<OnceLock<Index>>,
+}
+
+/// A place in a shader of a document.
+#[derive(Clone, Copy)]
+pub struct Spot<'d> {
+    /// The document.
+    pub document: &'d Document,
+    /// The number of the shader among those of the document.
+    pub shader: usize,
+    /// What is known of the shader.
+    pub analysis: &'d Analysis,
+    /// The place.
+    pub address: u32,
+}
+
+impl Document {
+    /// Reads a text and checks it.
+    pub fn new(path: &str, text: Arc<str>, options: Arc<Options>, files: &dyn Files) -> Document {
+        let report = analyze(path, &text, &options, files);
+        let indexes = report.analyses.iter().map(|_| OnceLock::new()).collect();
+        Document {
+            path: path.to_string(),
+            text,
+            options,
+            report,
+            indexes,
+        }
+    }
+
+    /// The text read as something else, with no rule asked.
+    pub(super) fn read_as(&self, text: String, files: &dyn Files) -> Document {
+        let options = Options {
+            settings: Arc::new(Settings::of_rules(&[])),
+            ..Options::clone(&self.options)
+        };
+        Document::new(&self.path, text.into(), Arc::new(options), files)
+    }
+
+    /// The shader at an offset of the text.
+    pub fn spot(&self, offset: u32) -> Option<Spot<'_>> {
+        let address = self.report.address(offset)?;
+        let analysis = self.report.analysis_at(address)?;
+        let mut all = self.report.analyses.iter();
+        let shader = all.position(|a| std::ptr::eq(a, analysis))?;
+        Some(Spot {
+            document: self,
+            shader,
+            analysis,
+            address,
+        })
+    }
+
+    /// Its shaders, each with its names.
+    pub fn shaders(&self) -> impl Iterator<Item = (&Program, &Index)> {
+        let all = self.report.analyses.iter().zip(&self.indexes);
+        all.map(|(analysis, index)| {
+            let program: &Program = &analysis.program;
+            (program, index.get_or_init(|| Index::of(program)))
+        })
+    }
+
+    /// A stretch of one of the files that its shaders are made of.
+    pub fn place(&self, span: Span) -> Option<FileSpan> {
+        if let Some(span) = self.report.in_input(span) {
+            return Some(FileSpan {
+                path: self.path.clone(),
+                span,
+            });
+        }
+        let sources = &self.report.sources;
+        let file = sources.file_at(span.start).filter(|f| f.part.is_none())?;
+        if !sources.is_user(span.start) || span.end > file.span().end {
+            return None;
+        }
+        Some(FileSpan {
+            path: file.path.clone(),
+            span: Span::new(span.start - file.base, span.end - file.base),
+        })
+    }
+
+    /// What declares a name of one of its shaders.
+    pub(super) fn origin(&self, program: &Program, symbol: Symbol) -> Origin {
+        let given = || Origin::Given(symbol.name(program).to_string());
+        if let Symbol::MacroParameter(of, at) = symbol {
+            let place = self.place(Span::at(of));
+            return place.map_or_else(given, |place| Origin::MacroParameter(place, at));
+        }
+        let place = declared_at(program, symbol).and_then(|span| self.place(span));
+        match place {
+            Some(place) if is_linked(program, symbol) => {
+                let stem = place
+                    .path
+                    .rsplit_once('.')
+                    .map_or(&*place.path, |(stem, _)| stem);
+                Origin::Interface(stem.to_string(), symbol.name(program).to_string())
+            }
+            Some(place) => Origin::Text(place),
+            None => given(),
+        }
+    }
+
+    /// The names in its shaders that have an origin.
+    pub(super) fn named(&self, origin: &Origin) -> Vec<Named> {
+        let mut found = Vec::new();
+        for (program, index) in self.shaders() {
+            let mut known: BTreeMap<Symbol, bool> = BTreeMap::new();
+            for occurrence in index.all() {
+                let symbol = occurrence.symbol;
+                let is_it = *known
+                    .entry(symbol)
+                    .or_insert_with(|| self.origin(program, symbol) == *origin);
+                if is_it && let Some(place) = self.place(occurrence.span) {
+                    found.push(Named {
+                        place,
+                        access: occurrence.access,
+                    });
+                }
+            }
+        }
+        found
+    }
+}
+
+/// Whether stages are linked by the name of a variable: what the vertex shader hands on, and uniforms.
+fn is_linked(program: &Program, symbol: Symbol) -> bool {
+    let Symbol::Variable(id) = symbol else {
+        return false;
+    };
+    let storage = program.variable(id).map(|v| v.storage);
+    let is_handed_on = match program.stage {
+        Stage::Vertex => storage == Some(Storage::Output),
+        Stage::Fragment => storage == Some(Storage::Input),
+    };
+    let is_shared = is_handed_on || storage == Some(Storage::Uniform);
+    is_shared && program.dialect == Dialect::WebGl
+}
+
+/// A name that has the origin that was asked for.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) struct Named {
+    pub place: FileSpan,
+    pub access: NameUse,
+}
+
+impl<'d> Spot<'d> {
+    /// The shader.
+    pub fn program(&self) -> &'d Program {
+        &self.analysis.program
+    }
+
+    /// The names of the shader.
+    pub fn index(&self) -> &'d Index {
+        static EMPTY: OnceLock<Index> = OnceLock::new();
+        match self.document.indexes.get(self.shader) {
+            Some(index) => index.get_or_init(|| Index::of(self.program())),
+            None => EMPTY.get_or_init(Index::default),
+        }
+    }
+
+    /// The name that stands here.
+    pub fn name(&self) -> Option<Occurrence> {
+        self.index().at(self.address)
+    }
+}
+
+/// Files, some of which have other texts.
+pub struct Overlay<'f> {
+    /// The files.
+    pub files: &'f dyn Files,
+    /// The texts that hold in the place of those, by their paths from the root.
+    pub texts: BTreeMap<PathBuf, Arc<str>>,
+}
+
+impl Files for Overlay<'_> {
+    fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
+        match self.texts.get(path) {
+            Some(text) => Ok(text.clone()),
+            None => self.files.load(path),
+        }
+    }
+
+    fn entry(&self, path: &Path) -> Option<FileType> {
+        match self.texts.contains_key(path) {
+            true => Some(FileType::File),
+            false => self.files.entry(path),
+        }
+    }
+
+    fn names(&self, folder: &Path) -> Vec<String> {
+        self.files.names(folder)
+    }
+
+    fn here(&self) -> &Path {
+        self.files.here()
+    }
+
+    fn real(&self, path: &Path) -> Option<PathBuf> {
+        self.files.real(path)
+    }
+
+    fn version(&self, path: &Path) -> Option<u64> {
+        match self.texts.contains_key(path) {
+            true => None,
+            false => self.files.version(path),
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! What an editor writes between the words of a text without changing it.
+
+use super::document::Document;
+use super::run::RunSeen;
+use super::symbol::parameter_names;
+use crate::flow::Bound;
+use crate::lint::Facts;
+use crate::semantic::{Program, Resolution, swizzled};
+use crate::syntax::ast::{ExprId, ExprKind, StmtKind, TokenId};
+use crate::text::Span;
+
+/// A hint.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Hint {
+    /// Where it stands in the text of the document.
+    pub offset: u32,
+    /// What it says.
+    pub text: String,
+    /// What it is about.
+    pub kind: HintKind,
+}
+
+/// What hints are about.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum HintKind {
+    /// The name of a parameter, before its argument.
+    Parameter,
+    /// How often a loop turns, behind its head.
+    Turns,
+    /// The type of `?:` and of components, behind them.
+    Type,
+}
+
+/// Which hints are wanted.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct HintOptions {
+    /// Names of parameters.
+    pub parameters: bool,
+    /// SeenTurns of loops.
+    pub turns: bool,
+    /// Types.
+    pub types: bool,
+}
+
+/// The hints in a stretch of a text; `seen` is what runs of its shaders have shown, in their order.
+pub fn hints(
+    document: &Document,
+    within: Span,
+    options: HintOptions,
+    seen: &[Option<RunSeen>],
+) -> Vec<Hint> {
+    let mut found = Vec::new();
+    for (number, (program, _)) in document.shaders().enumerate() {
+        let mut finder = Finder {
+            document,
+            program,
+            within,
+            found: &mut found,
+        };
+        if options.parameters {
+            finder.parameters();
+        }
+        if options.turns {
+            finder.turns(seen.get(number).and_then(Option::as_ref));
+        }
+        if options.types {
+            finder.types();
+        }
+    }
+    found.sort_by_key(|hint| hint.offset);
+    found.dedup();
+    found
+}
+
+struct Finder<'d> {
+    document: &'d Document,
+    program: &'d Program,
+    within: Span,
+    found: &'d mut Vec<Hint>,
+}
+
+impl Finder<'_> {
+    /// Adds a hint before or behind a token that stands in the text just so.
+    fn add(&mut self, token: TokenId, is_behind: bool, text: String, kind: HintKind) {
+        let token = self.program.token(token).filter(|t| t.is_direct());
+        let place = token.map(|t| {
+            if is_behind {
+                t.span.after()
+            } else {
+                t.span.before()
+            }
+        });
+        let place = place.filter(|p| self.program.sources.is_user(p.start));
+        let offset = place.and_then(|p| self.document.report.in_input(p));
+        if let Some(offset) = offset.map(|s| s.start)
+            && (self.within.start..=self.within.end).contains(&offset)
+        {
+            self.found.push(Hint { offset, text, kind });
+        }
+    }
+
+    fn parameters(&mut self) {
+        let program = self.program;
+        for (expr, id) in program.tree.exprs.iter().zip(0..) {
+            let ExprKind::Call(_, list) = expr.kind else {
+                continue;
+            };
+            let Resolution::Function(function) = program.expr(ExprId(id)).resolution else {
+                continue;
+            };
+            let Some(function) = program.function(function).filter(|f| f.params.len() > 1) else {
+                continue;
+            };
+            let names = parameter_names(program, function);
+            for (arg, name) in program.tree.args(list).iter().zip(names) {
+                // Where a name is an argument it says as much itself, and so does a single letter.
+                let says = self.is_plain(*arg);
+                if says || name.len() < 2 {
+                    continue;
+                }
+                let first = program.tree.expr(*arg).extent.first;
+                self.add(first, false, format!("{name}:"), HintKind::Parameter);
+            }
+        }
+    }
+
+    /// Whether an expression is a name, or components of one.
+    fn is_plain(&self, expr: ExprId) -> bool {
+        match self.program.tree.expr(expr).kind {
+            ExprKind::Name(_) => true,
+            ExprKind::Member(object, _) => self.is_plain(object),
+            _ => false,
+        }
+    }
+
+    fn turns(&mut self, seen: Option<&RunSeen>) {
+        let program = self.program;
+        let facts = Facts::new(program);
+        for known in &facts.loops().all {
+            let stmt = program.tree.stmt(known.stmt);
+            let body = match stmt.kind {
+                StmtKind::For { body, .. } | StmtKind::While { body, .. } => body,
+                _ => continue,
+            };
+            let text = match known.bound {
+                Bound::Exact(n) if !known.ends_early => format!("× {n}"),
+                Bound::Exact(n) | Bound::AtMost(n) => format!("× ≤ {n}"),
+                Bound::Ends | Bound::Open => String::new(),
+            };
+            let seen = seen.and_then(|s| s.loops.get(&known.stmt));
+            let seen = seen.map(|turns| format!("seen: {}", turns.most));
+            let all: Vec<String> = [text]
+                .into_iter()
+                .filter(|t| !t.is_empty())
+                .chain(seen)
+                .collect();
+            // The head ends before the body.
+            let head = program.tree.stmt(body).extent.first.checked_sub(1);
+            if let Some(head) = head.filter(|_| !all.is_empty()) {
+                self.add(head, true, format!(" {}", all.join(", ")), HintKind::Turns);
+            }
+        }
+    }
+
+    fn types(&mut self) {
+        let program = self.program;
+        for (expr, id) in program.tree.exprs.iter().zip(0..) {
+            let is_shown = match expr.kind {
+                ExprKind::Ternary(..) => true,
+                ExprKind::Member(object, name) => swizzled(program, object, name).is_some(),
+                _ => false,
+            };
+            let ty = program.ty(ExprId(id));
+            if is_shown && !ty.is_error() && !ty.is_scalar() {
+                let text = format!(": {}", program.type_name(ty));
+                self.add(expr.extent.last, true, text, HintKind::Type);
+            }
+        }
+    }
+}

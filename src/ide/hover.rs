@@ -1,0 +1,411 @@
+//! What is known of what stands at a place, in Markdown.
+
+use super::document::{Document, Spot};
+use super::index::{NameUse, Occurrence};
+use super::library::entry;
+use super::run::RunSeen;
+use super::symbol::{Symbol, builtin_variable, declared_at};
+use crate::flow::Bound;
+use crate::flow::ranges::Interval;
+use crate::lint::Facts;
+use crate::semantic::builtins::Builtins;
+use crate::semantic::{BuiltinId, Program, Scalar, Type, Value};
+use crate::syntax::ast::{ExprId, ExprKind, StmtId, StmtKind};
+use crate::text::Span;
+
+/// What is shown beside what stands at a place.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Hover {
+    /// What it is about, in the text of the document.
+    pub span: Span,
+    /// What is known, in Markdown.
+    pub text: String,
+}
+
+/// What is known of what stands at an offset; `seen` is what runs of the shader have shown.
+pub fn hover(document: &Document, offset: u32, seen: Option<&RunSeen>) -> Option<Hover> {
+    let spot = document.spot(offset)?;
+    let facts = Facts::new(spot.program());
+    let (span, text) = match spot.name() {
+        Some(name) => (name.span, of_name(&spot, &facts, name)),
+        None => without_name(&spot, &facts, seen)?,
+    };
+    let span = document.report.in_input(span)?;
+    (!text.is_empty()).then_some(Hover { span, text })
+}
+
+/// Lines of GLSL.
+fn code(text: &str) -> String {
+    format!("```glsl\n{text}\n```\n")
+}
+
+fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
+    let program = spot.program();
+    if let Symbol::Builtin(id) = name.symbol {
+        return of_builtin(program, id, expr_at(program, name.span));
+    }
+    let own = name.symbol.name(program);
+    let declaration = match name.symbol {
+        Symbol::Variable(_) => builtin_variable(program, own),
+        _ => None,
+    };
+    let declaration = declaration.unwrap_or_else(|| name.symbol.declaration(program));
+    let mut text = code(&declaration);
+    let expr = expr_at(program, name.span).filter(|_| name.access == NameUse::Read);
+    match name.symbol {
+        Symbol::Variable(_) | Symbol::Field(..) => {
+            text.push_str(&of_value(facts, expr, Some(name)));
+        }
+        Symbol::Function(_) => text.push_str(&of_function(spot, facts, name)),
+        Symbol::Macro(_) => text.push_str(&of_macro(program, name)),
+        Symbol::Struct(_) | Symbol::MacroParameter(..) | Symbol::Builtin(_) => {}
+    }
+    let said = declared_at(program, name.symbol).filter(|_| !shares_line(program, name.symbol));
+    let said = said.and_then(|at| comment_above(program, at));
+    let is_given = declared_at(program, name.symbol).is_none_or(|at| !program.is_user(at));
+    let said = said.or_else(|| entry(own).filter(|_| is_given).map(|e| e.text.clone()));
+    if let Some(said) = said {
+        text.push_str(&format!("\n{said}\n"));
+    }
+    text
+}
+
+/// What is known of the value of an expression, or of the constant that a name stands for.
+fn of_value(facts: &Facts, expr: Option<ExprId>, name: Option<Occurrence>) -> String {
+    let program = facts.program();
+    let constant = match name.map(|n| n.symbol) {
+        Some(Symbol::Variable(id)) => {
+            let variable = program.variable(id);
+            variable.map_or(&[][..], |v| program.pool.values(v.constant))
+        }
+        _ => &[],
+    };
+    let values = match expr {
+        Some(expr) if constant.is_empty() => program.values(expr),
+        _ => constant,
+    };
+    let ty = match (expr, name) {
+        (Some(expr), _) => Some(program.ty(expr)),
+        (None, Some(name)) => name.symbol.ty(program),
+        (None, None) => None,
+    };
+    if !values.is_empty() {
+        return format!(
+            "\nconstant: {}{}\n",
+            shown_values(ty, values),
+            swatch(ty, values)
+        );
+    }
+    let ranges: Vec<Interval> = expr.into_iter().flat_map(|e| facts.range(e)).collect();
+    match shown_ranges(ty, &ranges) {
+        Some(shown) => format!("\nhere: {shown}\n"),
+        None => String::new(),
+    }
+}
+
+/// Most scalars that are shown one by one.
+const MOST_SHOWN: usize = 16;
+
+/// The scalars of a constant, as they are written.
+fn shown_values(ty: Option<Type>, values: &[Value]) -> String {
+    let scalars: Vec<String> = values.iter().take(MOST_SHOWN).map(|v| shown(*v)).collect();
+    let more = if values.len() > MOST_SHOWN {
+        ", …"
+    } else {
+        ""
+    };
+    match ty.filter(|ty| !ty.is_scalar() && values.len() > 1) {
+        Some(_) => format!("`({}{more})`", scalars.join(", ")),
+        None => format!("`{}`", scalars.join(", ")),
+    }
+}
+
+fn shown(value: Value) -> String {
+    match value {
+        Value::Bool(value) => value.to_string(),
+        Value::Int(value) => value.to_string(),
+        Value::Uint(value) => format!("{value}u"),
+        Value::Float(value) => format!("{value:?}"),
+    }
+}
+
+/// A square of a colour, where a value may be one.
+fn swatch(ty: Option<Type>, values: &[Value]) -> String {
+    let is_color = ty.is_some_and(|ty| {
+        ty.is_vector() && ty.components() >= 3 && ty.scalar_kind() == Some(Scalar::Float)
+    });
+    let lanes: Vec<f32> = values.iter().take(3).map(|v| v.as_float()).collect();
+    let is_shown = |lane: &f32| (0.0..=1.0).contains(lane);
+    let [r, g, b] = lanes[..] else {
+        return String::new();
+    };
+    if !is_color || !lanes.iter().all(is_shown) {
+        return String::new();
+    }
+    let byte = |lane: f32| (lane * 255.0).round() as u8;
+    let color = format!("%23{:02x}{:02x}{:02x}", byte(r), byte(g), byte(b));
+    format!(
+        " ![{}](data:image/svg+xml,<svg%20xmlns='http://www.w3.org/2000/svg'%20width='14'%20height='14'><rect%20width='14'%20height='14'%20fill='{color}'/></svg>)",
+        color.replace("%23", "#")
+    )
+}
+
+/// The ranges of the components of a value, where anything is known of one of them.
+fn shown_ranges(ty: Option<Type>, ranges: &[Interval]) -> Option<String> {
+    let is_integer = ty
+        .and_then(|ty| ty.scalar_kind())
+        .is_some_and(Scalar::is_integer);
+    let shown = |range: &Interval| match range {
+        range if range.is_any() => "any number".to_string(),
+        range if is_integer => range.of_integer(),
+        range => range.to_string(),
+    };
+    let is_bool = ty.and_then(|ty| ty.scalar_kind()) == Some(Scalar::Bool);
+    if is_bool || ranges.iter().all(Interval::is_any) {
+        return None;
+    }
+    let all: Vec<String> = ranges.iter().map(shown).collect();
+    let first = all.first()?;
+    Some(match all.iter().all(|s| s == first) {
+        true => first.clone(),
+        false => {
+            let named = "xyzw".chars().zip(&all);
+            let each: Vec<String> = named.map(|(lane, s)| format!("`{lane}` {s}")).collect();
+            each.join(", ")
+        }
+    })
+}
+
+fn of_function(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
+    let Symbol::Function(id) = name.symbol else {
+        return String::new();
+    };
+    let program = spot.program();
+    if program.function(id).is_none_or(|f| f.definition.is_none()) {
+        return String::new();
+    }
+    let work = facts.work();
+    let calls = facts.calls().graph().calls_of(id).len();
+    let times = match calls {
+        0 if facts.entry() == Some(id) => "runs for each pixel".to_string(),
+        0 => "nobody calls it".to_string(),
+        1 => "called at one place".to_string(),
+        n => format!("called at {n} places"),
+    };
+    format!(
+        "\nabout {} a call; {times}\n",
+        operations(work.operations(id))
+    )
+}
+
+/// A count of operations, in words.
+pub fn operations(count: f64) -> String {
+    let shown = match count {
+        n if n < 1_000.0 => format!("{n:.0}"),
+        n if n < 1e6 => format!("{:.1} thousand", n / 1e3),
+        n if n < 1e9 => format!("{:.1} million", n / 1e6),
+        n => format!("{n:.1e}"),
+    };
+    format!(
+        "{} operation{}",
+        shown.replace(".0 ", " "),
+        if count == 1.0 { "" } else { "s" }
+    )
+}
+
+/// What the call of a macro becomes.
+fn of_macro(program: &Program, name: Occurrence) -> String {
+    /// More of an expansion is not shown.
+    const MOST: usize = 400;
+    let tokens = &program.tokens;
+    let called = tokens.expansions.iter().zip(0..);
+    let mut called = called.filter(|(e, _)| e.call.start == name.span.start);
+    let Some((_, number)) = called.next() else {
+        return String::new();
+    };
+    let is_inside = |mut expansion: u32| {
+        while let Some(own) = tokens.expansions.get(expansion as usize) {
+            if expansion == number {
+                return true;
+            }
+            expansion = own.parent;
+        }
+        false
+    };
+    let mut text = String::new();
+    for token in tokens.tokens.iter().filter(|t| is_inside(t.expansion)) {
+        let spelled = program.sources.code_at(token.spelled);
+        let word = spelled.and_then(|code| {
+            let rest = code.text.get((token.spelled - code.base) as usize..)?;
+            let end = crate::syntax::Lexer::new(rest, 0).next_token().span.end;
+            rest.get(..end as usize)
+        });
+        if !text.is_empty() {
+            text.push(' ');
+        }
+        text.push_str(word.unwrap_or(""));
+        if text.len() > MOST {
+            text.push_str(" …");
+            break;
+        }
+    }
+    if text.is_empty() {
+        return String::new();
+    }
+    format!("\nhere it becomes\n{}", code(&text))
+}
+
+fn of_builtin(program: &Program, id: BuiltinId, expr: Option<ExprId>) -> String {
+    let builtins = Builtins::of(program.version, program.stage);
+    let called = expr.and_then(|e| program.overload_called(e));
+    let (_, overloads) = builtins.overloads_of(id);
+    let mut text = String::new();
+    if let Some(overload) = called.or(overloads.first()) {
+        text.push_str(&code(&super::signature::builtin_head(overload)));
+    }
+    if called.is_none() && overloads.len() > 1 {
+        text.push_str(&format!("\nand {} other forms\n", overloads.len() - 1));
+    }
+    if let Some(entry) = entry(id.name()) {
+        text.push_str(&format!("\n{}\n", entry.text));
+    }
+    text
+}
+
+/// The innermost expression whose name stands at a place.
+pub(super) fn expr_at(program: &Program, span: Span) -> Option<ExprId> {
+    let tree = &program.tree;
+    let all = tree.exprs.iter().zip(0..);
+    let mut found = all.filter(|(expr, _)| {
+        let token = match expr.kind {
+            ExprKind::Name(_) | ExprKind::Call(..) | ExprKind::Construct(..) => expr.extent.first,
+            ExprKind::Member(..) => expr.extent.last,
+            _ => return false,
+        };
+        program
+            .token(token)
+            .is_some_and(|t| t.spelled == span.start)
+    });
+    found.next().map(|(_, id)| ExprId(id))
+}
+
+/// What is known of a place that is no name: a component, a loop, an operator.
+fn without_name(spot: &Spot, facts: &Facts, seen: Option<&RunSeen>) -> Option<(Span, String)> {
+    let program = spot.program();
+    let tokens = &program.tokens.tokens;
+    let touches = |span: Span| span.start <= spot.address && spot.address <= span.end;
+    let near = tokens
+        .iter()
+        .zip(0..)
+        .filter(|(t, _)| t.is_direct() && touches(t.span));
+    let (token, id) = near.max_by_key(|(t, _)| t.span.start)?;
+    let stmts = program.tree.stmts.iter().zip(0..);
+    let mut loops = stmts.filter(|(s, _)| {
+        let is_loop = matches!(
+            s.kind,
+            StmtKind::For { .. } | StmtKind::While { .. } | StmtKind::Do { .. }
+        );
+        is_loop && s.extent.first == id
+    });
+    if let Some((_, stmt)) = loops.next() {
+        return Some((token.span, of_loop(facts, StmtId(stmt), seen)?));
+    }
+    // The smallest expression that the token stands in without being one of its operands' tokens.
+    let all = program.tree.exprs.iter().zip(0..);
+    let around = all.filter(|(e, _)| e.extent.first <= id && id <= e.extent.last);
+    let (expr, number) = around.min_by_key(|(e, _)| e.extent.last - e.extent.first)?;
+    let number = ExprId(number);
+    let ty = program.ty(number);
+    if ty.is_error() || ty.is_void() {
+        return None;
+    }
+    let text = program.expr_text(number);
+    let shown = text.lines().next().unwrap_or("");
+    let dots = if shown.len() < text.len() { " …" } else { "" };
+    let mut said = code(&format!("{} // {shown}{dots}", program.type_name(ty)));
+    if matches!(expr.kind, ExprKind::Construct(..)) && token.span == program.span(expr.extent) {
+        return None;
+    }
+    said.push_str(&of_value(facts, Some(number), None));
+    Some((program.expr_span(number), said))
+}
+
+fn of_loop(facts: &Facts, stmt: StmtId, seen: Option<&RunSeen>) -> Option<String> {
+    let known = facts.loops().get(stmt)?;
+    let mut text = match known.bound {
+        Bound::Exact(n) if known.ends_early => format!("turns at most {n} times"),
+        Bound::Exact(n) => format!("turns {n} times"),
+        Bound::AtMost(n) => format!("turns at most {n} times"),
+        Bound::Ends => "comes to an end; after how many turns is not known".to_string(),
+        Bound::Open => "nothing is known that ends it for certain".to_string(),
+    };
+    text.push('\n');
+    if let Some(seen) = seen.and_then(|s| s.loops.get(&stmt)) {
+        text.push_str(&format!("\n{seen}\n"));
+    }
+    Some(text)
+}
+
+/// Whether a member stands on the line of its struct's name, so that the comment above is about that.
+fn shares_line(program: &Program, symbol: Symbol) -> bool {
+    let Symbol::Field(of, _) = symbol else {
+        return false;
+    };
+    let line = |symbol| {
+        let at = declared_at(program, symbol)?;
+        let file = program.sources.file_at(at.start)?;
+        Some(file.lines().line(at.start - file.base))
+    };
+    line(symbol) == line(Symbol::Struct(of))
+}
+
+/// The comment that stands right above a declaration, or behind it on its line.
+fn comment_above(program: &Program, at: Span) -> Option<String> {
+    let file = program.sources.file_at(at.start)?;
+    let lines = file.lines();
+    let line = lines.line(at.start - file.base);
+    let mut said: Vec<String> = Vec::new();
+    let mut above = line;
+    let comments = &program.tokens.comments;
+    for comment in comments.iter().rev().filter(|c| c.end <= at.start) {
+        if !file.span().contains(*comment) {
+            break;
+        }
+        let first = lines.line(comment.start - file.base);
+        let last = lines.line(comment.end - file.base);
+        // It stands alone on its lines, right above what follows.
+        let start = lines.start(first)?;
+        let before = file
+            .text
+            .get(start as usize..(comment.start - file.base) as usize)?;
+        if last + 1 != above || !before.trim().is_empty() {
+            break;
+        }
+        said.push(plain(program.sources.text(*comment)));
+        above = first;
+    }
+    said.reverse();
+    let behind = comments.iter().find(|c| {
+        c.start >= at.end && file.span().contains(**c) && lines.line(c.start - file.base) == line
+    });
+    if said.is_empty()
+        && let Some(behind) = behind
+    {
+        said.push(plain(program.sources.text(*behind)));
+    }
+    let said = said.join("\n");
+    let has_words = said.chars().any(char::is_alphabetic);
+    has_words.then_some(said)
+}
+
+/// What a comment says, without its marks.
+fn plain(comment: &str) -> String {
+    let inner = comment.strip_prefix("//").or_else(|| {
+        let inner = comment.strip_prefix("/*")?;
+        Some(inner.strip_suffix("*/").unwrap_or(inner))
+    });
+    let lines = inner.unwrap_or(comment).lines();
+    let lines = lines.map(|l| l.trim().trim_start_matches(['*', '/', '!']).trim());
+    let escaped = lines.map(|l| l.replace('<', "&lt;"));
+    escaped.collect::<Vec<_>>().join("  \n").trim().to_string()
+}

@@ -1,0 +1,99 @@
+//! What is said of the functions and variables that the language and ShaderToy define:
+//! `built_ins.txt`, whose head explains its form.
+
+use rustc_hash::FxHashMap;
+use std::sync::OnceLock;
+
+/// What is said of a name.
+#[derive(Default, Debug)]
+pub struct Entry {
+    /// By number of parameters: what they are called. None for a variable.
+    pub heads: Vec<Vec<&'static str>>,
+    /// What it is, in Markdown.
+    pub text: String,
+}
+
+/// What is said of a name that the language or ShaderToy defines.
+pub fn entry(name: &str) -> Option<&'static Entry> {
+    static ENTRIES: OnceLock<FxHashMap<&'static str, Entry>> = OnceLock::new();
+    ENTRIES
+        .get_or_init(|| read(include_str!("built_ins.txt")))
+        .get(name)
+}
+
+fn read(text: &'static str) -> FxHashMap<&'static str, Entry> {
+    let mut entries: FxHashMap<&str, Entry> = FxHashMap::default();
+    let mut name = "";
+    for line in text.lines().filter(|l| !l.starts_with('#')) {
+        match line.strip_prefix("    ") {
+            Some(said) => {
+                let entry = entries.entry(name).or_default();
+                if !entry.text.is_empty() {
+                    entry.text.push(' ');
+                }
+                entry.text.push_str(said);
+            }
+            None if line.is_empty() => {}
+            None => {
+                let (head, params) = line.split_once('(').unwrap_or((line, ""));
+                name = head;
+                let entry = entries.entry(name).or_default();
+                if let Some(params) = params.strip_suffix(')') {
+                    entry.heads.push(params.split(", ").collect());
+                }
+            }
+        }
+    }
+    entries
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::semantic::builtins::Builtins;
+    use crate::semantic::{Pass, Stage};
+    use crate::syntax::Version;
+
+    #[test]
+    fn all_that_the_language_defines_is_explained() {
+        for version in [Version::Es100, Version::Es300] {
+            for stage in [Stage::Vertex, Stage::Fragment] {
+                let all = Builtins::of(version, stage);
+                for overload in all.overloads {
+                    let name = overload.function.name();
+                    let entry = entry(name).unwrap_or_else(|| panic!("{name}"));
+                    let heads = entry.heads.iter();
+                    let counts: Vec<usize> = heads.map(Vec::len).collect();
+                    assert!(
+                        counts.contains(&overload.params().len()),
+                        "{name}: {counts:?}"
+                    );
+                    assert!(entry.text.len() > 20, "{name}");
+                }
+                for name in all.variable_names() {
+                    assert!(entry(name).is_some_and(|e| e.heads.is_empty()), "{name}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn all_that_shadertoy_defines_is_explained() {
+        let mut declared = 0;
+        for pass in [Pass::Image, Pass::Buffer, Pass::Cubemap, Pass::Sound] {
+            let prelude = pass.host().prelude([None; 4]);
+            for line in prelude.split([';', '\n']) {
+                let mut words = line.trim().split([' ', '[']);
+                if words.next() == Some("uniform")
+                    && let Some(name) = words.nth(1).filter(|n| n.starts_with('i'))
+                {
+                    declared += 1;
+                    assert!(entry(name).is_some(), "{name}");
+                }
+            }
+            let main = pass.host().entry.map_or("", |e| e.name);
+            assert!(entry(main).is_some(), "{main}");
+        }
+        assert!(declared > 30, "{declared}");
+    }
+}

@@ -1,0 +1,41 @@
+//! What editors ask about a text: what a name means, where it is used, what may be written here. In
+//! offsets of the text, without lines, protocols and files: those are the fronts'.
+
+mod actions;
+mod calls;
+mod color;
+mod complete;
+mod document;
+mod folding;
+mod hints;
+mod hover;
+mod index;
+mod lens;
+mod library;
+mod navigate;
+mod outline;
+mod rename;
+mod run;
+mod selection;
+mod signature;
+mod symbol;
+mod tokens;
+
+pub use actions::{Action, ActionKind, actions, fix_all};
+pub use calls::{CallItem, CallLink, call_item, incoming, outgoing};
+pub use color::{Color, ColorSpan, colors, presentations};
+pub use complete::{CompletionKind, Proposal, complete};
+pub use document::{Document, FileSpan, Overlay, Spot};
+pub use folding::{FoldKind, FoldingSpan, folds};
+pub use hints::{Hint, HintKind, HintOptions, hints};
+pub use hover::{Hover, hover};
+pub use index::{Index, NameUse, Occurrence};
+pub use lens::{Lens, LensCommand, lenses};
+pub use navigate::{declaration, definition, highlights, is_shared, references, type_definition};
+pub use outline::{OutlineItem, outline};
+pub use rename::{RenameRefusal, Renaming, may_rename, rename};
+pub use run::{RunSeen, SeenTurns, picture_of, run};
+pub use selection::selection;
+pub use signature::{Signature, SignatureHelp, signature_help};
+pub use symbol::{Symbol, SymbolKind};
+pub use tokens::{SemanticKind, SemanticToken, TokenClass, semantic_tokens};

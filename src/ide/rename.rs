@@ -1,0 +1,294 @@
+//! Names are changed where the compiler finds every one of them to mean the same as before.
+//!
+//! There is no list of what could go wrong. The texts are changed, checked again, and each name is
+//! asked what it means: where one means something else, the renaming is refused, with the place.
+
+use super::document::{Document, FileSpan, Origin, Overlay};
+use super::index::NameUse;
+use super::navigate::name_at;
+use super::symbol::{Symbol, SymbolKind};
+use crate::diagnostic::Severity;
+use crate::engine::Files;
+use crate::semantic::{Program, Stage, starts_a_shader};
+use crate::syntax::{RawKind, WordClass, classify, tokenize};
+use crate::text::{Edit, LineIndex, Span, apply_edits};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// What a renaming changes.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Renaming {
+    /// By the path of a file: its edits, in offsets of its text.
+    pub edits: BTreeMap<String, Vec<Edit>>,
+}
+
+/// Why a name stays.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct RenameRefusal(pub String);
+
+impl fmt::Display for RenameRefusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for RenameRefusal {}
+
+fn refused<T>(why: impl Into<String>) -> Result<T, RenameRefusal> {
+    Err(RenameRefusal(why.into()))
+}
+
+/// The name at an offset, where it may be changed at all, and where it stands.
+///
+/// # Errors
+/// Where it is not the text that gives the name, with who does.
+pub fn may_rename(document: &Document, offset: u32) -> Result<(Span, String), RenameRefusal> {
+    let Some((spot, name, span)) = name_at(document, offset) else {
+        return refused("there is no name here");
+    };
+    let program = spot.program();
+    let text = program.sources.text(name.span).to_string();
+    match document.origin(program, name.symbol) {
+        Origin::Given(_)
+            if matches!(name.symbol, Symbol::Builtin(_)) || text.starts_with("gl_") =>
+        {
+            refused(format!("the language gives `{text}` its name"))
+        }
+        Origin::Given(_) => {
+            let host = program.dialect.host().called;
+            refused(format!("{host} gives `{text}` its name"))
+        }
+        _ if is_asked_for(document, program, name.symbol) => refused(format!(
+            "the script around the shader asks for `{text}` by its name"
+        )),
+        _ if is_entry(program, name.symbol) => {
+            let host = program.dialect.host().called;
+            refused(format!("{host} calls `{text}` by its name"))
+        }
+        _ => Ok((span, text)),
+    }
+}
+
+/// Whether a host calls a function by its name.
+fn is_entry(program: &Program, symbol: Symbol) -> bool {
+    matches!(symbol, Symbol::Function(_)) && starts_a_shader(symbol.name(program))
+}
+
+/// Whether what stands around the shaders of a text names what it gives to one of them.
+fn is_asked_for(document: &Document, program: &Program, symbol: Symbol) -> bool {
+    let is_given = match symbol.kind(program) {
+        SymbolKind::Uniform => true,
+        SymbolKind::Input => program.stage == Stage::Vertex,
+        _ => false,
+    };
+    let name = symbol.name(program);
+    if !is_given || document.report.file.is_none() {
+        return false;
+    }
+    let mut places = document.text.match_indices(name);
+    places.any(|(at, _)| document.spot(at as u32).is_none())
+}
+
+/// Changes the name at an offset wherever it stands in the documents; `document` is among them, and
+/// so is every other that names it.
+///
+/// # Errors
+/// Where a name would mean something else than before, with the place; where the new one is none.
+pub fn rename(
+    documents: &[&Document],
+    document: &Document,
+    offset: u32,
+    new: &str,
+    files: &dyn Files,
+) -> Result<Renaming, RenameRefusal> {
+    let (_, old) = may_rename(document, offset)?;
+    let Some((spot, name, _)) = name_at(document, offset) else {
+        return refused("there is no name here");
+    };
+    let program = spot.program();
+    is_name(program, new)?;
+    if new == old {
+        return Ok(Renaming::default());
+    }
+    let origin = document.origin(program, name.symbol);
+    let renaming = edits(documents, &origin, new)?;
+    verify(documents, &renaming, new, files)?;
+    Ok(renaming)
+}
+
+/// Whether a word can be a name.
+fn is_name(program: &Program, word: &str) -> Result<(), RenameRefusal> {
+    let is_word = matches!(&tokenize(word, 0)[..], [one] if one.kind == RawKind::Word);
+    if !is_word {
+        return refused(format!(
+            "`{word}` is no name: letters, digits and `_` make one"
+        ));
+    }
+    let is_taken = classify(word, program.version) != WordClass::Plain;
+    if is_taken {
+        return refused(format!("the language keeps the word `{word}`"));
+    }
+    if word.starts_with("gl_") || word.contains("__") {
+        return refused(format!("names like `{word}` are the language's own"));
+    }
+    Ok(())
+}
+
+/// The edits that change all names of an origin.
+fn edits(documents: &[&Document], origin: &Origin, new: &str) -> Result<Renaming, RenameRefusal> {
+    let mut places: BTreeMap<FileSpan, &Document> = BTreeMap::new();
+    for document in documents {
+        for named in document.named(origin) {
+            // What the compiler does not see may mean several things: the first will do.
+            places.entry(named.place).or_insert(document);
+        }
+    }
+    let mut renaming = Renaming::default();
+    for (place, document) in places {
+        let edit = match place.path == document.path {
+            // Inside other languages a name is written as they write it.
+            true => written(document, &place, new),
+            false => Some(Edit::replace(place.span, new)),
+        };
+        let Some(edit) = edit else {
+            return refused(format!(
+                "{} cannot be written to",
+                located(document, &place)
+            ));
+        };
+        renaming.edits.entry(place.path).or_default().push(edit);
+    }
+    Ok(renaming)
+}
+
+/// A new name for a place of a document.
+fn written(document: &Document, place: &FileSpan, new: &str) -> Option<Edit> {
+    let start = document.report.address(place.span.start)?;
+    let end = document.report.address(place.span.end)?;
+    let edit = Edit::replace(Span::new(start, end), new);
+    document.report.edit_of_input(&edit)
+}
+
+fn located(document: &Document, place: &FileSpan) -> String {
+    let name = place.path.rsplit('/').next().unwrap_or(&place.path);
+    if place.path != document.path {
+        return format!("`{name}`");
+    }
+    let line = LineIndex::new(&document.text).line(place.span.start);
+    format!("line {line} of `{name}`")
+}
+
+/// Checks the changed texts, and compares what each name means.
+fn verify(
+    documents: &[&Document],
+    renaming: &Renaming,
+    new: &str,
+    files: &dyn Files,
+) -> Result<(), RenameRefusal> {
+    let mut texts: BTreeMap<PathBuf, Arc<str>> = BTreeMap::new();
+    for (path, edits) in &renaming.edits {
+        let known = documents.iter().find(|d| d.path == *path);
+        let text = match known {
+            Some(document) => document.text.clone(),
+            None => match files.load(path.as_ref()) {
+                Ok(text) => text,
+                Err(error) => return refused(format!("`{path}`: {error}")),
+            },
+        };
+        let Ok(changed) = apply_edits(&text, 0, edits) else {
+            return refused(format!("`{path}` cannot be changed: two names overlap"));
+        };
+        texts.insert(path.into(), changed.into());
+    }
+    let overlay = Overlay { files, texts };
+    for document in documents {
+        let text = overlay
+            .texts
+            .get(document.path.as_ref() as &std::path::Path);
+        let text = text.cloned().unwrap_or_else(|| document.text.clone());
+        let before = document.read_as(document.text.to_string(), files);
+        let after = document.read_as(text.to_string(), &overlay);
+        compare(&before, &after, renaming, new)?;
+    }
+    Ok(())
+}
+
+/// What a name means, where it stands.
+type Meaning = (FileSpan, Option<FileSpan>);
+
+/// Refuses what makes a name mean something else.
+fn compare(
+    before: &Document,
+    after: &Document,
+    renaming: &Renaming,
+    new: &str,
+) -> Result<(), RenameRefusal> {
+    let errors = |document: &Document| {
+        let all = document.report.diagnostics.iter();
+        let errors = all.filter(|d| d.severity == Severity::Error);
+        errors.map(|d| d.message.clone()).collect::<Vec<_>>()
+    };
+    let (old_errors, new_errors) = (errors(before), errors(after));
+    if let Some(error) = new_errors.iter().find(|e| !old_errors.contains(e))
+        && new_errors.len() > old_errors.len()
+    {
+        return refused(format!("`{new}` would be an error: {error}"));
+    }
+    let moved: Vec<Vec<Meaning>> = meanings(before, Some(renaming));
+    let now: Vec<Vec<Meaning>> = meanings(after, None);
+    if moved.len() != now.len() {
+        return refused(format!(
+            "with `{new}` the text would be read as something else"
+        ));
+    }
+    for (was, is) in moved.iter().zip(&now) {
+        let differs = was.iter().zip(is).find(|(was, is)| was != is);
+        let longer = || was.get(is.len()).or(is.get(was.len()));
+        let Some(place) = differs.map(|(was, is)| was.min(is)).or_else(longer) else {
+            continue;
+        };
+        let at = located(after, &place.0);
+        return refused(format!("`{new}` would mean something else in {at}"));
+    }
+    Ok(())
+}
+
+/// By shader: where names stand and what declares them; of the text before, where that will be.
+fn meanings(document: &Document, renaming: Option<&Renaming>) -> Vec<Vec<Meaning>> {
+    let shift = |place: FileSpan| {
+        let edits = renaming.and_then(|r| r.edits.get(&place.path));
+        let Some(edits) = edits else {
+            return Some(place);
+        };
+        let (mut start, mut end) = (i64::from(place.span.start), i64::from(place.span.end));
+        for edit in edits {
+            let grown = edit.text.len() as i64 - i64::from(edit.span.len());
+            if edit.span.start < place.span.start {
+                start += grown;
+            }
+            if edit.span.start < place.span.end {
+                end += grown;
+            }
+        }
+        Some(FileSpan {
+            span: Span::new(start.max(0) as u32, end.max(0) as u32),
+            ..place
+        })
+    };
+    let of = |(program, index): (&Program, &super::Index)| {
+        let seen = index.all().iter().filter(|o| o.access != NameUse::Unseen);
+        let meaning = seen.filter_map(|o| {
+            let place = document.place(o.span).and_then(shift)?;
+            let origin = match document.origin(program, o.symbol) {
+                Origin::Text(place) | Origin::MacroParameter(place, _) => shift(place),
+                // The stages are linked by the name, wherever it stands.
+                Origin::Interface(..) | Origin::Given(_) => None,
+            };
+            Some((place, origin))
+        });
+        meaning.collect()
+    };
+    document.shaders().map(of).collect()
+}

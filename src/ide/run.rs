@@ -1,0 +1,102 @@
+//! What runs of a shader have shown of it, and what a variable looks like all over the picture.
+
+use crate::engine::Analysis;
+use crate::engine::play::{Moment, Picture, Scene};
+use crate::exec::{CompileOptions, LoopSeen, Probe, Watch, draw};
+use crate::semantic::{Stage, VariableId};
+use crate::syntax::ast::StmtId;
+use crate::text::Span;
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// The picture that is run: so small that it costs milliseconds.
+const SIZE: [u32; 2] = [64, 36];
+/// When: what is animated has begun by then.
+const TIME: f64 = 1.0;
+/// Instructions that a run may take, some 50 ms of one core.
+const BUDGET: u64 = 6_000_000;
+/// Instructions that a shader may become.
+const MOST_INSTRUCTIONS: usize = 60_000;
+
+/// What a run has shown.
+#[derive(Clone, Default, Debug)]
+pub struct RunSeen {
+    /// By loop.
+    pub loops: BTreeMap<StmtId, SeenTurns>,
+}
+
+/// How often a loop turned.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SeenTurns {
+    /// The most turns of one pixel.
+    pub most: u32,
+    /// SeenTurns in the mean.
+    pub mean: f64,
+    /// The share of the pixels that came to it and ran all of its turns.
+    pub exhausted: f64,
+}
+
+impl fmt::Display for SeenTurns {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "seen in a run: at most {} turns, {:.1} in the mean",
+            self.most, self.mean
+        )
+    }
+}
+
+impl SeenTurns {
+    fn of(seen: &LoopSeen) -> SeenTurns {
+        SeenTurns {
+            most: seen.most,
+            mean: seen.turns as f64 / seen.entries.max(1) as f64,
+            exhausted: seen.exhausted_pixels as f64 / seen.pixels.max(1) as f64,
+        }
+    }
+}
+
+/// Draws a small picture of a shader and says what was seen; `None` where it cannot be run, or takes
+/// too long.
+pub fn run(analysis: &Analysis) -> Option<RunSeen> {
+    let options = CompileOptions {
+        watch: Watch::Flow,
+        most: Some(MOST_INSTRUCTIONS),
+        ..CompileOptions::default()
+    };
+    let scene = scene(analysis, &options)?;
+    let mut drawing = scene.draw(SIZE, &Moment::at(TIME));
+    drawing.budget = BUDGET;
+    let drawn = draw(&drawing, 1).ok()?;
+    let module = analysis.module();
+    let loops = drawn.seen.loops.iter().filter(|l| l.entries > 0);
+    let turns = loops.filter_map(|l| Some((module.looped(l.id)?.stmt, SeenTurns::of(l))));
+    Some(RunSeen {
+        loops: turns.collect(),
+    })
+}
+
+/// What a variable is all over the picture, where it is read or written within a stretch of the text;
+/// `None` where it cannot be run, or takes too long.
+pub fn picture_of(analysis: &Analysis, variable: VariableId, within: Span) -> Option<Picture> {
+    let options = CompileOptions {
+        probe: Some(Probe::Variable { variable, within }),
+        most: Some(MOST_INSTRUCTIONS),
+        ..CompileOptions::default()
+    };
+    let scene = scene(analysis, &options)?;
+    let mut drawing = scene.draw(SIZE, &Moment::at(TIME));
+    drawing.budget = BUDGET;
+    let drawn = draw(&drawing, 1).ok()?;
+    // The value is the last output but one.
+    let output = scene.code.outputs.len().checked_sub(2)?;
+    let picture = Picture::of(&scene.code, &drawn, output);
+    (!picture.pixels.is_empty()).then_some(picture)
+}
+
+fn scene(analysis: &Analysis, options: &CompileOptions) -> Option<Scene> {
+    if analysis.has_errors || analysis.program.stage != Stage::Fragment {
+        return None;
+    }
+    Scene::of(&analysis.program, analysis.module(), options).ok()
+}

@@ -1,0 +1,40 @@
+//! What surrounds a place: an expression, a statement, a block, a function, the text.
+
+use super::document::Document;
+use crate::syntax::ast::Extent;
+use crate::text::Span;
+
+/// The stretches around an offset, the innermost first, each inside of the next.
+pub fn selection(document: &Document, offset: u32) -> Vec<Span> {
+    let mut found = vec![Span::new(0, document.text.len() as u32)];
+    if let Some(spot) = document.spot(offset) {
+        let program = spot.program();
+        let tree = &program.tree;
+        let mut add = |extent: Extent| {
+            let span = program.span(extent);
+            if (span.start..=span.end).contains(&spot.address) {
+                found.extend(document.report.in_input(span));
+            }
+        };
+        tree.exprs.iter().for_each(|e| add(e.extent));
+        tree.stmts.iter().for_each(|s| add(s.extent));
+        tree.decls.iter().for_each(|d| add(d.extent));
+        tree.functions.iter().for_each(|f| add(f.extent));
+        tree.structs.iter().for_each(|s| add(s.extent));
+        tree.param_lists.iter().for_each(|p| add(p.extent));
+        found.extend(spot.name().and_then(|n| document.report.in_input(n.span)));
+    }
+    found.sort_by_key(|s| (s.len(), s.start));
+    found.dedup();
+    // What only touches the place, and what does not hold the one before, is left out.
+    let mut nested: Vec<Span> = Vec::new();
+    for span in found {
+        if nested
+            .last()
+            .is_none_or(|inner| span.contains(*inner) && span != *inner)
+        {
+            nested.push(span);
+        }
+    }
+    nested
+}

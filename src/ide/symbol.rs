@@ -1,0 +1,288 @@
+//! What a name means, in words.
+
+use crate::semantic::builtins::{BuiltinStorage, Builtins};
+use crate::semantic::{
+    BuiltinId, Direction, Field, Function, FunctionRef, Program, Storage, Type, Variable,
+    VariableId,
+};
+use crate::syntax::Name;
+use crate::syntax::ast::Param;
+use crate::text::Span;
+
+/// What a name means.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Symbol {
+    /// A variable or parameter.
+    Variable(VariableId),
+    /// A function of the shader.
+    Function(FunctionRef),
+    /// A struct or block, by its number.
+    Struct(u32),
+    /// A member: its struct, and its place in it.
+    Field(u32, u32),
+    /// A macro. Definitions of one name in several groups are one macro.
+    Macro(Name),
+    /// A parameter of the macro whose name stands at this address, by its place.
+    MacroParameter(u32, u32),
+    /// A function of the language.
+    Builtin(BuiltinId),
+}
+
+/// What sort of thing a name means.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum SymbolKind {
+    /// A local variable.
+    Local,
+    /// A variable outside of functions.
+    Global,
+    /// A constant.
+    Constant,
+    /// A parameter of a function or macro.
+    Parameter,
+    /// A uniform.
+    Uniform,
+    /// What a stage is given.
+    Input,
+    /// What a stage gives.
+    Output,
+    /// A function.
+    Function,
+    /// A struct or block.
+    Struct,
+    /// A member.
+    Field,
+    /// A macro.
+    Macro,
+}
+
+impl Symbol {
+    /// What sort of thing it is.
+    pub fn kind(self, program: &Program) -> SymbolKind {
+        match self {
+            Symbol::Variable(id) => program
+                .variable(id)
+                .map_or(SymbolKind::Local, variable_kind),
+            Symbol::Function(_) | Symbol::Builtin(_) => SymbolKind::Function,
+            Symbol::Struct(_) => SymbolKind::Struct,
+            Symbol::Field(..) => SymbolKind::Field,
+            Symbol::Macro(_) => SymbolKind::Macro,
+            Symbol::MacroParameter(..) => SymbolKind::Parameter,
+        }
+    }
+
+    /// Its name; empty for a parameter of a macro.
+    pub fn name(self, program: &Program) -> &str {
+        let name = match self {
+            Symbol::Variable(id) => program.variable(id).map(|v| v.name),
+            Symbol::Function(id) => program.function(id).map(|f| f.name),
+            Symbol::Struct(id) => program.structs.get(id as usize).and_then(|s| s.name),
+            Symbol::Field(..) => field(program, self).map(|f| f.name),
+            Symbol::Macro(name) => Some(name),
+            Symbol::MacroParameter(..) => None,
+            Symbol::Builtin(id) => return id.name(),
+        };
+        name.map_or("", |name| program.names.text(name))
+    }
+
+    /// Its type, where it has one: of a function, what it returns.
+    pub fn ty(self, program: &Program) -> Option<Type> {
+        match self {
+            Symbol::Variable(id) => Some(program.variable(id)?.ty),
+            Symbol::Function(id) => Some(program.function(id)?.returns),
+            Symbol::Field(..) => Some(field(program, self)?.ty),
+            Symbol::Struct(id) => Some(Type::structure(id)),
+            Symbol::Macro(_) | Symbol::MacroParameter(..) | Symbol::Builtin(_) => None,
+        }
+    }
+
+    /// How it is declared, in a line of GLSL.
+    pub fn declaration(self, program: &Program) -> String {
+        match self {
+            Symbol::Variable(id) => program
+                .variable(id)
+                .map_or(String::new(), |v| variable_declaration(program, v)),
+            Symbol::Function(id) => program
+                .function(id)
+                .map_or(String::new(), |f| function_declaration(program, f)),
+            Symbol::Struct(id) => struct_declaration(program, id),
+            Symbol::Field(id, _) => {
+                let Some(field) = field(program, self) else {
+                    return String::new();
+                };
+                let of = Symbol::Struct(id).name(program);
+                format!(
+                    "{} {of}.{}",
+                    program.type_name(field.ty),
+                    program.names.text(field.name)
+                )
+            }
+            Symbol::Macro(name) => macro_declaration(program, name),
+            Symbol::MacroParameter(..) => String::new(),
+            Symbol::Builtin(id) => id.name().to_string(),
+        }
+    }
+}
+
+/// A member by its symbol.
+fn field(program: &Program, symbol: Symbol) -> Option<&Field> {
+    let Symbol::Field(id, at) = symbol else {
+        return None;
+    };
+    program.structs.get(id as usize)?.fields.get(at as usize)
+}
+
+fn variable_kind(variable: &Variable) -> SymbolKind {
+    match variable.storage {
+        Storage::Param(_) => SymbolKind::Parameter,
+        _ if variable.is_const => SymbolKind::Constant,
+        Storage::Local => SymbolKind::Local,
+        Storage::Global => SymbolKind::Global,
+        Storage::Uniform => SymbolKind::Uniform,
+        Storage::Input => SymbolKind::Input,
+        Storage::Output => SymbolKind::Output,
+    }
+}
+
+/// A type and a name as they are declared: `float a[3]`.
+pub fn typed(program: &Program, ty: Type, name: &str) -> String {
+    let element = program.type_name(ty.element());
+    match ty.array {
+        _ if !ty.is_array() => format!("{element} {name}"),
+        Type::UNSIZED => format!("{element} {name}[]"),
+        size => format!("{element} {name}[{size}]"),
+    }
+}
+
+fn variable_declaration(program: &Program, variable: &Variable) -> String {
+    let name = program.names.text(variable.name);
+    let typed = typed(program, variable.ty, name);
+    let before = match variable.storage {
+        Storage::Param(Direction::In) => "",
+        Storage::Param(direction) => direction.name(),
+        _ if variable.is_const => "const",
+        Storage::Local | Storage::Global => "",
+        Storage::Uniform => "uniform",
+        Storage::Input => "in",
+        Storage::Output => "out",
+    };
+    match before {
+        "" => typed,
+        before => format!("{before} {typed}"),
+    }
+}
+
+/// What the parameters of a function are called, where it is declared.
+pub fn parameter_names<'p>(program: &'p Program, function: &Function) -> Vec<&'p str> {
+    let declared = function.definition.unwrap_or(function.declaration);
+    let params = program.tree.function(declared).map(|d| d.params);
+    let params: &[Param] = params.map_or(&[], |p| program.tree.params(p));
+    let name = |p: &Param| p.ident.map_or("", |i| program.names.text(i.name));
+    params.iter().map(name).collect()
+}
+
+/// The parameters of a function, as they are declared.
+pub fn parameters(program: &Program, function: &Function) -> Vec<String> {
+    let names = parameter_names(program, function);
+    let params = function.params.iter().enumerate();
+    let param = params.map(|(i, param)| {
+        let name = names.get(i).copied().unwrap_or("");
+        let typed = typed(program, param.ty, name).trim_end().to_string();
+        match param.direction {
+            Direction::In => typed,
+            direction => format!("{} {typed}", direction.name()),
+        }
+    });
+    param.collect()
+}
+
+fn function_declaration(program: &Program, function: &Function) -> String {
+    let returns = program.type_name(function.returns);
+    let name = program.names.text(function.name);
+    format!(
+        "{returns} {name}({})",
+        parameters(program, function).join(", ")
+    )
+}
+
+fn struct_declaration(program: &Program, id: u32) -> String {
+    /// More members than these are not shown.
+    const MOST: usize = 16;
+    let Some(record) = program.structs.get(id as usize) else {
+        return String::new();
+    };
+    let name = Symbol::Struct(id).name(program);
+    let mut text = format!("struct {name} {{\n");
+    for field in record.fields.iter().take(MOST) {
+        let field = typed(program, field.ty, program.names.text(field.name));
+        text.push_str(&format!("    {field};\n"));
+    }
+    if record.fields.len() > MOST {
+        text.push_str("    // ...\n");
+    }
+    text + "};"
+}
+
+/// The `#define` of a macro, from its line.
+fn macro_declaration(program: &Program, name: Name) -> String {
+    let defined = program.tokens.macros.iter().rev().find(|m| m.name == name);
+    let Some(defined) = defined else {
+        return String::new();
+    };
+    let text = program.names.text(name);
+    if defined.predefined {
+        return format!("#define {text}");
+    }
+    let file = program.sources.file_at(defined.name_span.start);
+    let line = file.and_then(|file| {
+        let from = (defined.name_span.start - file.base) as usize;
+        // The lines of a `#define` end where no `\` stands before the line break.
+        let rest = file.text.get(from..)?;
+        let mut end = 0;
+        for line in rest.split_inclusive('\n') {
+            end += line.len();
+            if !line.trim_end_matches(['\n', '\r']).ends_with('\\') {
+                break;
+            }
+        }
+        rest.get(..end)
+    });
+    format!("#define {}", line.unwrap_or(text).trim_end())
+}
+
+/// Where the name of a symbol is declared in the text: in the definition, where there is one.
+pub fn declared_at(program: &Program, symbol: Symbol) -> Option<Span> {
+    let token = match symbol {
+        Symbol::Variable(id) => program.variable(id)?.token?,
+        Symbol::Function(id) => {
+            let function = program.function(id)?;
+            let decl = function.definition.unwrap_or(function.declaration);
+            program.tree.function(decl)?.ident.token
+        }
+        Symbol::Struct(id) => program.structs.get(id as usize)?.token,
+        Symbol::Field(..) => field(program, symbol)?.token,
+        Symbol::Macro(name) => {
+            let all = program.tokens.macros.iter();
+            let defined = all.rev().find(|m| m.name == name && !m.predefined)?;
+            return Some(defined.name_span);
+        }
+        Symbol::MacroParameter(..) | Symbol::Builtin(_) => return None,
+    };
+    let start = program.token(token)?.spelled;
+    Some(Span::new(start, start + symbol.name(program).len() as u32))
+}
+
+/// How a variable of the language is declared.
+pub fn builtin_variable(program: &Program, name: &str) -> Option<String> {
+    let found = Builtins::of(program.version, program.stage).variable(name)?;
+    let storage = match found.storage {
+        BuiltinStorage::In => "in",
+        BuiltinStorage::Out => "out",
+        BuiltinStorage::Uniform => "uniform",
+        BuiltinStorage::Const(_) => "const",
+    };
+    let ty = found.ty.map(|ty| typed(program, ty, name));
+    Some(format!(
+        "{storage} {}",
+        ty.unwrap_or_else(|| format!("gl_DepthRangeParameters {name}"))
+    ))
+}

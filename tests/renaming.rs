@@ -1,0 +1,231 @@
+//! Renaming keeps what a shader does: the middle form is the same, names aside.
+//!
+//! `SHADERLINT_CASES=DIR cargo test --test renaming` reads the exports of ShaderToy in
+//! `DIR/shadertoy` too; `SHADERLINT_RENAMED=N` renames so many names of each file, not four.
+
+use shaderlint::engine::{NoFiles, Options, analyze};
+use shaderlint::ide::{Document, NameUse, may_rename, rename};
+use shaderlint::ir::print;
+use shaderlint::text::apply_edits;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What every name becomes; no shader has it.
+const NEW: &str = "renamedByTest";
+
+/// Words of the printed form itself, which names in it cannot be told from.
+const WORDS: [&str; 25] = [
+    "bits",
+    "call",
+    "column",
+    "global",
+    "head",
+    "line",
+    "local",
+    "loop",
+    "name",
+    "number",
+    "product",
+    "returned",
+    "returns",
+    "select",
+    "splat",
+    "step",
+    "symbol",
+    "temporary",
+    "test",
+    "text",
+    "undefined",
+    "unknown",
+    "unnamed",
+    "value",
+    "word",
+];
+
+/// All shaders and exports in a folder, in the order of their names.
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        match path.is_dir() {
+            true => files(&path, found),
+            false if ["glsl", "frag", "vert", "json"].contains(&ending) => found.push(path),
+            false => {}
+        }
+    }
+    found.sort();
+}
+
+/// What a printed middle form says in two ways, neither of which hangs on one name.
+#[derive(PartialEq, Debug)]
+struct Meaning {
+    /// With the old name in the place of the new. A second variable of a name in a function has a
+    /// number, which is left out.
+    renamed_back: String,
+    /// By function: each name as the number of its first appearance there, so that variables of one
+    /// name are told apart.
+    numbered: String,
+}
+
+/// What a word of a printed middle form is.
+#[derive(PartialEq)]
+enum WordUse {
+    /// No name.
+    None,
+    /// A function or a member.
+    Other,
+    /// A variable or type.
+    Variable,
+}
+
+/// Calls `visit` with each word of a text, and with what stands between words.
+fn each_word<'t>(text: &'t str, mut visit: impl FnMut(&'t str, WordUse)) {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '\'';
+    let mut rest = text;
+    while let Some(start) = rest.find(is_word) {
+        let (before, from) = rest.split_at(start);
+        let end = from.find(|c| !is_word(c)).unwrap_or(from.len());
+        let (word, behind) = from.split_at(end);
+        visit(before, WordUse::None);
+        visit(
+            word,
+            match () {
+                () if word.starts_with(|c: char| c.is_ascii_digit()) => WordUse::None,
+                () if behind.starts_with('(') || before.ends_with('.') => WordUse::Other,
+                () => WordUse::Variable,
+            },
+        );
+        rest = behind;
+    }
+    visit(rest, WordUse::None);
+}
+
+fn meaning(printed: &str, old: &str) -> Meaning {
+    let (mut renamed_back, mut numbered) = (String::new(), String::new());
+    let mut numbers: BTreeMap<&str, usize> = BTreeMap::new();
+    for line in printed.lines() {
+        // What is not indented begins something; slashes stand before places, which are others.
+        if !line.starts_with(' ') {
+            numbers.clear();
+        }
+        let said = line.split(" // ").next().unwrap_or(line).trim_end();
+        each_word(said, |word, of| {
+            if of == WordUse::None {
+                renamed_back.push_str(word);
+                return numbered.push_str(word);
+            }
+            let plain = word.split('\'').next().unwrap_or(word);
+            let plain = if plain == NEW { old } else { plain };
+            renamed_back.push_str(plain);
+            if of == WordUse::Other {
+                return numbered.push_str(plain);
+            }
+            let next = numbers.len();
+            numbered.push_str(&format!("n{}", numbers.entry(word).or_insert(next)));
+        });
+        renamed_back.push('\n');
+        numbered.push('\n');
+    }
+    Meaning {
+        renamed_back,
+        numbered,
+    }
+}
+
+/// What the compiler makes of each shader of a file; nothing of those with errors.
+fn modules(name: &str, text: &str) -> Vec<Option<String>> {
+    let report = analyze(name, text, &Options::default(), &NoFiles);
+    let analyses = report.analyses.iter();
+    let module = analyses.map(|a| (!a.has_errors).then(|| print(&a.program, a.module())));
+    module.collect()
+}
+
+/// Where the names of a document are declared that it can rename, spread over it.
+fn places(document: &Document, count: usize) -> Vec<u32> {
+    let mut found = BTreeSet::new();
+    for (_, index) in document.shaders() {
+        let declared = index.all().iter().filter(|o| o.access == NameUse::Defined);
+        let places = declared.filter_map(|o| document.report.in_input(o.span));
+        found.extend(places.map(|span| span.start));
+    }
+    let can_be =
+        |at: &u32| may_rename(document, *at).is_ok_and(|(_, name)| !WORDS.contains(&name.as_str()));
+    let found: Vec<u32> = found.into_iter().filter(can_be).collect();
+    let step = found.len().div_ceil(count).max(1);
+    found.into_iter().step_by(step).collect()
+}
+
+/// Renames names of a file; gives how many were, and the reasons for the others.
+fn check(path: &Path, count: usize) -> (usize, Vec<String>) {
+    let name = path.to_string_lossy();
+    let Ok(text) = fs::read_to_string(path) else {
+        return (0, Vec::new());
+    };
+    let options = Arc::new(Options::default());
+    let document = Document::new(&name, text.as_str().into(), options, &NoFiles);
+    let before = modules(&name, &text);
+    // Where all have errors, there is nothing to compare.
+    if before.iter().all(Option::is_none) {
+        return (0, Vec::new());
+    }
+    let places = places(&document, count);
+    let (mut renamed, mut refused) = (0, Vec::new());
+    for place in places {
+        let renaming = match rename(&[&document], &document, place, NEW, &NoFiles) {
+            Ok(renaming) => renaming,
+            Err(refusal) => {
+                refused.push(format!("{name}, byte {place}: {refusal}"));
+                continue;
+            }
+        };
+        let edits = &renaming.edits[&*name];
+        let after = apply_edits(&text, 0, edits).unwrap();
+        let (_, old) = may_rename(&document, place).unwrap();
+        let now = modules(&name, &after);
+        assert_eq!(now.len(), before.len(), "{name} at {place}");
+        for (before, now) in before.iter().zip(&now) {
+            // What was wrong may be right: the old name was reserved.
+            let Some(before) = before else {
+                continue;
+            };
+            let now = now.as_ref().map(|now| meaning(now, &old));
+            assert!(
+                now == Some(meaning(before, &old)),
+                "{name} means something else once `{old}` at {place} is another"
+            );
+        }
+        renamed += 1;
+    }
+    (renamed, refused)
+}
+
+fn check_all(folder: &Path, at_least: usize) {
+    let mut found = Vec::new();
+    files(folder, &mut found);
+    let asked = std::env::var("SHADERLINT_RENAMED").ok();
+    let count = asked.and_then(|n| n.parse().ok()).unwrap_or(4);
+    let (mut renamed, mut refused) = (0, Vec::new());
+    for path in &found {
+        let (done, others) = check(path, count);
+        renamed += done;
+        refused.extend(others);
+    }
+    println!("{renamed} names are others, {} stay:", refused.len());
+    refused.iter().for_each(|why| println!("  {why}"));
+    assert!(renamed >= at_least, "only {renamed} names are renamed");
+    assert!(refused.len() * 50 <= renamed, "{refused:#?}");
+}
+
+#[test]
+fn the_corpus_means_the_same_with_other_names() {
+    check_all(&Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus"), 100);
+}
+
+#[test]
+fn exports_mean_the_same_with_other_names() {
+    if let Some(cases) = std::env::var_os("SHADERLINT_CASES") {
+        check_all(&Path::new(&cases).join("shadertoy"), 1_000);
+    }
+}
