@@ -114,7 +114,7 @@ fn at_place(document: &Document, at: u32) {
     }
     signature_help(document, at);
     if call_item(document, at).is_some() {
-        incoming(document, at);
+        incoming(&[document], document, at);
         outgoing(document, at);
     }
     let around = selection(document, at);

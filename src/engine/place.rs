@@ -50,6 +50,15 @@ impl Report {
             let last = analysis.program.tokens.tokens.last();
             last.is_some_and(|token| token.span.start == end)
         };
-        self.analyses.iter().find(ends_here)
+        // What passes share is no shader of its own: the first of them speaks for it.
+        let reads = |analysis: &&Analysis| {
+            let mut tokens = analysis.program.tokens.tokens.iter();
+            tokens.any(|token| {
+                (code.base..=end).contains(&token.span.start) && token.span.end > code.base
+            })
+        };
+        let is_shared = self.export.is_some();
+        let shared = || self.analyses.iter().find(reads).filter(|_| is_shared);
+        self.analyses.iter().find(ends_here).or_else(shared)
     }
 }

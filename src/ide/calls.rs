@@ -6,6 +6,7 @@ use super::navigate::name_at;
 use super::symbol::{Symbol, declared_at};
 use crate::lint::Facts;
 use crate::semantic::{FunctionRef, Program};
+use crate::syntax::ast::ExprId;
 use crate::text::Span;
 use std::collections::BTreeMap;
 
@@ -60,39 +61,53 @@ fn item(document: &Document, facts: &Facts, function: FunctionRef) -> Option<Cal
     })
 }
 
-/// The functions that call the one that is named at an offset.
-pub fn incoming(document: &Document, offset: u32) -> Vec<CallLink> {
-    links(document, offset, |program, own| {
-        let calls = program.calls.iter().filter(|c| c.callee == own);
-        calls.filter_map(|c| Some((c.caller?, c.expr))).collect()
-    })
+/// The functions in the documents that call the one that is named at an offset of `document`, which
+/// is among them.
+pub fn incoming(documents: &[&Document], document: &Document, offset: u32) -> Vec<CallLink> {
+    let Some((spot, name, _)) = name_at(document, offset) else {
+        return Vec::new();
+    };
+    let origin = document.origin(spot.program(), name.symbol);
+    let mut found = Vec::new();
+    for document in documents {
+        for (program, index) in document.shaders() {
+            let own = index.all().iter().find_map(|o| match o.symbol {
+                Symbol::Function(id) if document.origin(program, o.symbol) == origin => Some(id),
+                _ => None,
+            });
+            let calls = program.calls.iter().filter(|c| Some(c.callee) == own);
+            let callers = calls.filter_map(|c| Some((c.caller?, c.expr)));
+            found.extend(links(document, program, callers));
+        }
+    }
+    // Passes and includes are read more than once.
+    found.sort_by(|a, b| a.item.place.cmp(&b.item.place));
+    found.dedup_by(|a, b| a.item.place == b.item.place);
+    found
 }
 
 /// The functions that the one that is named at an offset calls.
 pub fn outgoing(document: &Document, offset: u32) -> Vec<CallLink> {
-    links(document, offset, |program, own| {
-        let calls = program.calls.iter().filter(|c| c.caller == Some(own));
-        calls.map(|c| (c.callee, c.expr)).collect()
-    })
-}
-
-type Other = (FunctionRef, crate::syntax::ast::ExprId);
-
-fn links(
-    document: &Document,
-    offset: u32,
-    others: fn(&Program, FunctionRef) -> Vec<Other>,
-) -> Vec<CallLink> {
     let Some((spot, name, _)) = name_at(document, offset) else {
         return Vec::new();
     };
-    let Symbol::Function(function) = name.symbol else {
+    let Symbol::Function(own) = name.symbol else {
         return Vec::new();
     };
     let program = spot.program();
+    let calls = program.calls.iter().filter(|c| c.caller == Some(own));
+    links(document, program, calls.map(|c| (c.callee, c.expr)))
+}
+
+/// Functions, each with its calls.
+fn links(
+    document: &Document,
+    program: &Program,
+    calls: impl Iterator<Item = (FunctionRef, ExprId)>,
+) -> Vec<CallLink> {
     let facts = Facts::new(program);
     let mut by_function: BTreeMap<FunctionRef, Vec<Span>> = BTreeMap::new();
-    for (other, call) in others(program, function) {
+    for (other, call) in calls {
         let first = program.tree.expr(call).extent.first;
         let span = program.token(first).map(|t| t.span);
         let place = span.and_then(|span| document.place(span));

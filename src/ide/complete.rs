@@ -8,7 +8,7 @@ use crate::engine::Files;
 use crate::lint::Page;
 use crate::rules::RULES;
 use crate::semantic::builtins::Builtins;
-use crate::semantic::{Program, Type, VariableId};
+use crate::semantic::{Dialect, Pass, Program, Stage, Type, VariableId};
 use crate::syntax::ast::*;
 use crate::syntax::{DIRECTIVES, RawKind, TokenKind, TypeWord, WordClass, classify, tokenize};
 use crate::text::Span;
@@ -76,15 +76,24 @@ const PLACEHOLDER: &str = "shaderlintHole";
 /// What may be written at an offset, and the word that is there already. A text that is being written
 /// is no shader: it is read with a name at this place, so that the compiler sees what it is.
 pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, Vec<Proposal>) {
-    let word = word_around(&document.text, offset);
+    let mut word = word_before(&document.text, offset, is_of_name);
     let nothing = (word, Vec::new());
-    let Some(spot) = document.spot(word.start) else {
-        return nothing;
+    let place = match document.spot(word.start) {
+        Some(spot) => Place::of(&spot),
+        // A text of nothing but blanks is no shader yet.
+        None if document.text.trim().is_empty() => Place::Code,
+        None => return nothing,
     };
-    let found = match Place::of(&spot) {
-        Place::Comment(said) => rules(&said),
+    let found = match place {
+        Place::Comment(said) => {
+            word = word_before(&document.text, offset, |c| is_of_name(c) || c == '-');
+            rules(&said)
+        }
         Place::Directive => directives(),
-        Place::Include(path) => included(document, &path, files),
+        Place::Include(path) => {
+            word = word_before(&document.text, offset, |c| !matches!(c, '/' | '"' | '<'));
+            included(document, &path, files)
+        }
         Place::Number => return nothing,
         Place::Layout => layout(),
         place @ (Place::Member | Place::Code) => {
@@ -104,10 +113,14 @@ pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, V
     (word, found)
 }
 
-/// The word that stands around an offset, up to it.
-fn word_around(text: &str, offset: u32) -> Span {
+/// Whether a character may stand in a name.
+fn is_of_name(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
+}
+
+/// The word of such characters that stands before an offset.
+fn word_before(text: &str, offset: u32, is_word: fn(char) -> bool) -> Span {
     let before = text.get(..offset as usize).unwrap_or("");
-    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let word = before.trim_end_matches(is_word);
     Span::new(word.len() as u32, offset)
 }
@@ -116,7 +129,11 @@ fn word_around(text: &str, offset: u32) -> Span {
 fn with_hole(document: &Document, word: Span) -> Option<String> {
     let before = document.text.get(..word.start as usize)?;
     let after = document.text.get(word.end as usize..)?;
-    let after = after.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
+    let after = after.trim_start_matches(is_of_name);
+    // A word alone does not show that a text is GLSL.
+    if before.trim().is_empty() && after.trim().is_empty() {
+        return Some(format!("{before}int {PLACEHOLDER};{after}"));
+    }
     Some(format!("{before}{PLACEHOLDER}{after}"))
 }
 
@@ -337,7 +354,10 @@ fn names(spot: &Spot) -> Vec<Proposal> {
     words(program, function.is_some(), &mut found);
     snippets(program, function.is_some(), &mut found);
     let mut seen = BTreeSet::new();
-    found.retain(|c| c.label != PLACEHOLDER && seen.insert(c.label.clone()));
+    found.retain(|c| {
+        let is_snippet = c.kind == CompletionKind::Snippet;
+        c.label != PLACEHOLDER && seen.insert((c.label.clone(), is_snippet))
+    });
     found
 }
 
@@ -558,13 +578,16 @@ fn snippets(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
         add("if", "a condition", "if (${1:condition}) {\n\t$0\n}".into());
         return;
     }
-    let entry = program.dialect.host().entry.filter(|e| {
-        program
-            .names
-            .get(e.name)
-            .is_none_or(|_| program.entry().is_none())
-    });
-    if let Some(entry) = entry {
+    // A text without an entry may become what its host runs, or a pass of ShaderToy.
+    let version = program.tokens.version_span;
+    let is_open = version.is_none_or(|span| !program.is_user(span));
+    let is_open = is_open && program.stage == Stage::Fragment;
+    let hosts = [
+        Some(program.dialect),
+        is_open.then_some(Dialect::ShaderToy(Pass::Image)),
+    ];
+    let entries = hosts.into_iter().flatten().filter_map(|d| d.host().entry);
+    for entry in entries.filter(|_| program.entry().is_none()) {
         let body = format!("{} {{\n\t$0\n}}", entry.signature);
         add(entry.name, entry.signature, body);
     }

@@ -60,8 +60,7 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
         Symbol::Macro(_) => text.push_str(&of_macro(program, name)),
         Symbol::Struct(_) | Symbol::MacroParameter(..) | Symbol::Builtin(_) => {}
     }
-    let said = declared_at(program, name.symbol).filter(|_| !shares_line(program, name.symbol));
-    let said = said.and_then(|at| comment_above(program, at));
+    let said = declared_at(program, name.symbol).and_then(|at| comment_above(program, at));
     let is_given = declared_at(program, name.symbol).is_none_or(|at| !program.is_user(at));
     let said = said.or_else(|| entry(own).filter(|_| is_given).map(|e| e.text.clone()));
     if let Some(said) = said {
@@ -346,24 +345,17 @@ fn of_loop(facts: &Facts, stmt: StmtId, seen: Option<&RunSeen>) -> Option<String
     Some(text)
 }
 
-/// Whether a member stands on the line of its struct's name, so that the comment above is about that.
-fn shares_line(program: &Program, symbol: Symbol) -> bool {
-    let Symbol::Field(of, _) = symbol else {
-        return false;
-    };
-    let line = |symbol| {
-        let at = declared_at(program, symbol)?;
-        let file = program.sources.file_at(at.start)?;
-        Some(file.lines().line(at.start - file.base))
-    };
-    line(symbol) == line(Symbol::Struct(of))
-}
-
 /// The comment that stands right above a declaration, or behind it on its line.
 fn comment_above(program: &Program, at: Span) -> Option<String> {
     let file = program.sources.file_at(at.start)?;
     let lines = file.lines();
     let line = lines.line(at.start - file.base);
+    // What stands behind the start of something else, such as a parameter, has no comment of its own.
+    let start = lines.start(line)? as usize;
+    let before = file.text.get(start..(at.start - file.base) as usize)?;
+    if before.contains(['(', '{', ',', ';']) {
+        return None;
+    }
     let mut said: Vec<String> = Vec::new();
     let mut above = line;
     let comments = &program.tokens.comments;

@@ -255,38 +255,64 @@ fn compare(
     Ok(())
 }
 
+/// How far the text behind places is moved by edits.
+struct Shift<'r> {
+    /// By path: where edits start, and how much longer the text is behind them, in their order.
+    by_path: BTreeMap<&'r str, Vec<(u32, i64)>>,
+}
+
+impl Shift<'_> {
+    fn of(renaming: &Renaming) -> Shift<'_> {
+        let by_path = renaming.edits.iter().map(|(path, edits)| {
+            let mut grown = 0;
+            let steps = edits.iter().map(|edit| {
+                grown += edit.text.len() as i64 - i64::from(edit.span.len());
+                (edit.span.start, grown)
+            });
+            (path.as_str(), steps.collect())
+        });
+        Shift {
+            by_path: by_path.collect(),
+        }
+    }
+
+    /// Where a place is afterwards. A name that is changed itself keeps its start.
+    fn moved(&self, place: FileSpan) -> FileSpan {
+        let steps = self.by_path.get(place.path.as_str());
+        let steps = steps.map_or(&[][..], Vec::as_slice);
+        let by = |offset: u32| {
+            let before = steps.partition_point(|(start, _)| *start < offset);
+            let last = before.checked_sub(1).and_then(|i| steps.get(i));
+            let moved = i64::from(offset) + last.map_or(0, |(_, grown)| *grown);
+            moved.max(0) as u32
+        };
+        FileSpan {
+            span: Span::new(by(place.span.start), by(place.span.end)),
+            ..place
+        }
+    }
+}
+
 /// By shader: where names stand and what declares them; of the text before, where that will be.
 fn meanings(document: &Document, renaming: Option<&Renaming>) -> Vec<Vec<Meaning>> {
-    let shift = |place: FileSpan| {
-        let edits = renaming.and_then(|r| r.edits.get(&place.path));
-        let Some(edits) = edits else {
-            return Some(place);
-        };
-        let (mut start, mut end) = (i64::from(place.span.start), i64::from(place.span.end));
-        for edit in edits {
-            let grown = edit.text.len() as i64 - i64::from(edit.span.len());
-            if edit.span.start < place.span.start {
-                start += grown;
-            }
-            if edit.span.start < place.span.end {
-                end += grown;
-            }
-        }
-        Some(FileSpan {
-            span: Span::new(start.max(0) as u32, end.max(0) as u32),
-            ..place
-        })
+    let shift = renaming.map(Shift::of);
+    let moved = |place: FileSpan| match &shift {
+        Some(shift) => shift.moved(place),
+        None => place,
     };
     let of = |(program, index): (&Program, &super::Index)| {
+        let mut origins: BTreeMap<Symbol, Option<FileSpan>> = BTreeMap::new();
         let seen = index.all().iter().filter(|o| o.access != NameUse::Unseen);
         let meaning = seen.filter_map(|o| {
-            let place = document.place(o.span).and_then(shift)?;
-            let origin = match document.origin(program, o.symbol) {
-                Origin::Text(place) | Origin::MacroParameter(place, _) => shift(place),
-                // The stages are linked by the name, wherever it stands.
-                Origin::Interface(..) | Origin::Given(_) => None,
-            };
-            Some((place, origin))
+            let place = document.place(o.span).map(&moved)?;
+            let origin = origins.entry(o.symbol).or_insert_with(|| {
+                match document.origin(program, o.symbol) {
+                    Origin::Text(place) | Origin::MacroParameter(place, _) => Some(moved(place)),
+                    // The stages are linked by the name, wherever it stands.
+                    Origin::Interface(..) | Origin::Given(_) => None,
+                }
+            });
+            Some((place, origin.clone()))
         });
         meaning.collect()
     };

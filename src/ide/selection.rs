@@ -4,6 +4,9 @@ use super::document::Document;
 use crate::syntax::ast::Extent;
 use crate::text::Span;
 
+/// Most stretches around an offset that are told.
+const MOST_DEEP: usize = 64;
+
 /// The stretches around an offset, the innermost first, each inside of the next.
 pub fn selection(document: &Document, offset: u32) -> Vec<Span> {
     let mut found = vec![Span::new(0, document.text.len() as u32)];
@@ -35,6 +38,11 @@ pub fn selection(document: &Document, offset: u32) -> Vec<Span> {
         {
             nested.push(span);
         }
+    }
+    // Answers that nest deeper than people ever select are more than some clients can read.
+    if nested.len() > MOST_DEEP {
+        let left_out = nested.len() - MOST_DEEP;
+        nested.drain(MOST_DEEP / 2..MOST_DEEP / 2 + left_out);
     }
     nested
 }

@@ -63,7 +63,7 @@ pub fn one(
     let mut related = related(snapshot, document, diagnostic);
     let mut message = message(diagnostic);
     let span = match document.report.in_input(diagnostic.span) {
-        Some(span) => span,
+        Some(span) => Span::new(span.start, span.end.max(span.start)),
         None => {
             let place = document.place(diagnostic.span)?;
             let location = snapshot.location(&place)?;

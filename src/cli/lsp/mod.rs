@@ -23,11 +23,10 @@ use std::io;
 /// Serves a client until it says that it is done. Whether it said so before it went.
 ///
 /// # Errors
-/// Where the client does not speak the protocol.
+/// Where standard input or output fails.
 pub fn serve() -> io::Result<bool> {
     let (connection, threads) = Connection::stdio();
-    let served = server::serve(connection);
-    let done = served.map_err(|error| io::Error::other(error.to_string()))?;
+    let done = server::serve(connection).unwrap_or(false);
     threads.join()?;
     Ok(done)
 }

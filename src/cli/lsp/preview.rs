@@ -2,8 +2,9 @@
 
 use super::buffers::TextBuffer;
 use super::snapshot::{Answer, Failure, Snapshot};
+use crate::diagnostic::Severity;
 use crate::engine::Files;
-use crate::port::{PassFile, PassRole, Project, add_stand_ins, html};
+use crate::port::{Composed, PassFile, PassRole, Project, add_stand_ins, html};
 use crate::semantic::Pass;
 use std::path::Path;
 
@@ -16,9 +17,27 @@ pub fn page(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<String> {
     if !project.passes.iter().any(|pass| draws(pass.kind)) {
         return Err(Failure::refused("there is nothing that draws"));
     }
+    // A view keeps the last picture that there was.
+    if let Some(error) = first_error(&composed) {
+        return Err(Failure::refused(error));
+    }
     add_stand_ins(&mut project);
     let composed = project.renew(composed, &buffer.path).map_err(wrong)?;
     Ok(html(&project, &composed, None))
+}
+
+/// What is wrong first with the passes of a project, with its line.
+fn first_error(composed: &Composed) -> Option<String> {
+    let analyses = composed.units.iter().map(|unit| composed.analysis(unit));
+    let mut all = analyses.flat_map(|analysis| &analysis.diagnostics);
+    let error = all.find(|d| d.severity == Severity::Error)?;
+    let file = composed.sources.file_at(error.span.start)?;
+    let line = file.position(error.span.start).line;
+    let part = file
+        .part
+        .as_ref()
+        .map_or(String::new(), |part| format!("{part}, "));
+    Some(format!("{part}line {line}: {}", error.message))
 }
 
 fn project(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<Project> {

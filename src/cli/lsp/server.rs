@@ -12,12 +12,13 @@ use super::snapshot::{Answer, Failure, Snapshot};
 use super::uri::path_of;
 use super::workers::{Worker, run_buffer};
 use crate::engine::config::Selection;
+use crate::ide::Document;
 use crate::lint::Page;
 use gen_lsp_types::*;
 use lsp_server::{Connection, ErrorCode, Message, Notification as Sent, Request as Asked};
 use lsp_server::{ProtocolError, RequestId, Response};
 use serde_json::{Value, json};
-use std::collections::{BTreeMap, HashSet, VecDeque};
+use std::collections::{BTreeMap, HashMap, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -38,8 +39,8 @@ enum Event {
     Gone,
 }
 
-/// The requests that a thread works on and that the client does not want any more.
-type Cancelled = Arc<Mutex<HashSet<RequestId>>>;
+/// The requests that a thread works on or will, and whether the client has cancelled them.
+type Pending = Arc<Mutex<HashMap<RequestId, bool>>>;
 
 struct Server {
     connection: Arc<Connection>,
@@ -53,7 +54,7 @@ struct Server {
     untold: Vec<PathBuf>,
     /// When texts are run.
     due: BTreeMap<PathBuf, Instant>,
-    cancelled: Cancelled,
+    pending: Pending,
     slow: Worker,
     runs: Worker,
     /// Numbers of requests to the client.
@@ -167,7 +168,7 @@ impl Server {
             queue: VecDeque::new(),
             untold: Vec::new(),
             due: BTreeMap::new(),
-            cancelled: Cancelled::default(),
+            pending: Pending::default(),
             slow: Worker::start("requests")?,
             runs: Worker::start("runs")?,
             asked: 0,
@@ -295,9 +296,11 @@ impl Server {
                 self.queue.remove(at);
                 self.send(cancelled(id).into());
             }
-            // A thread may be at it; what is answered already will not be asked for again.
+            // A thread may be at it; what is answered already stays so.
             None => {
-                lock(&self.cancelled).insert(id);
+                if let Some(is_cancelled) = lock(&self.pending).get_mut(&id) {
+                    *is_cancelled = true;
+                }
             }
         }
     }
@@ -305,7 +308,7 @@ impl Server {
     fn request(&mut self, request: Asked) {
         let Asked { id, method, params } = request;
         match method.as_str() {
-            "shutdown" => {
+            "shutdown" if !self.is_done => {
                 self.is_done = true;
                 self.send(Response::new_ok(id, Value::Null).into());
             }
@@ -335,21 +338,19 @@ impl Server {
     /// hears that, and asks again if it still wants to know.
     fn later(&self, id: RequestId, job: impl FnOnce(&Snapshot) -> Answer<Value> + Send + 'static) {
         let snapshot = self.now.clone();
-        let (connection, cancels) = (self.connection.clone(), self.cancelled.clone());
+        let (connection, pending) = (self.connection.clone(), self.pending.clone());
+        lock(&pending).insert(id.clone(), false);
         self.slow.give(move || {
-            let answer = if lock(&cancels).remove(&id) {
-                cancelled(id)
-            } else if snapshot.is_stale() {
-                stale(id)
-            } else {
-                let answer = guarded(|| job(&snapshot));
-                match lock(&cancels).remove(&id) {
-                    true => cancelled(id),
-                    false if snapshot.is_stale() => stale(id),
-                    false => response(id, answer),
-                }
+            let is_cancelled = || lock(&pending).get(&id) == Some(&true);
+            let is_wanted = !is_cancelled() && !snapshot.is_stale();
+            let answer = is_wanted.then(|| guarded(|| job(&snapshot)));
+            let was_cancelled = lock(&pending).remove(&id) == Some(true);
+            let told = match answer {
+                _ if was_cancelled => cancelled(id),
+                Some(answer) if !snapshot.is_stale() => response(id, answer),
+                _ => stale(id),
             };
-            let _ = connection.sender.send(answer.into());
+            let _ = connection.sender.send(told.into());
         });
     }
 
@@ -429,9 +430,12 @@ impl Server {
     /// Judges the open texts anew that were made of a file.
     fn renew_users(&mut self, path: &Path) {
         let changed = path.to_string_lossy().replace('\\', "/");
+        // Of one that is not known yet, a thread may be finding out right now, by the old texts.
         let uses = |buffer: &TextBuffer| {
-            let known = buffer.known().filter(|_| buffer.path != changed);
-            known.is_some_and(|d| d.report.sources.files().iter().any(|f| f.path == changed))
+            let known = buffer.known();
+            let is_made_of =
+                |d: &Arc<Document>| d.report.sources.files().iter().any(|f| f.path == changed);
+            buffer.path != changed && known.is_none_or(is_made_of)
         };
         let open = self.now.files.open.values();
         let users: Vec<Arc<TextBuffer>> = open.filter(|b| uses(b)).cloned().collect();

@@ -147,13 +147,40 @@ fn formatted(
     };
     let mut edits: Vec<Edit> = formatting.edits;
     if let Some(within) = within {
-        edits.retain(|edit| within.contains(edit.span));
+        let clipped = edits
+            .iter()
+            .filter_map(|edit| clip(&buffer.text, edit, within));
+        edits = clipped.collect();
     } else if let [left, ..] = &formatting.left[..] {
         let line = buffer.lines.line(left.span.start);
         return Err(Failure::refused(format!("line {line}: {}", left.message)));
     }
     let lines = buffer.lines(snapshot.columns());
     Ok(Some(text_edits(lines, &edits)))
+}
+
+/// The part of an edit of white space that lies within whole lines: the indentation of their first, and
+/// what ends their last.
+fn clip(text: &str, edit: &Edit, within: Span) -> Option<Edit> {
+    let mut edit = edit.clone();
+    if edit.span.end < within.start || edit.span.start > within.end {
+        return None;
+    }
+    if edit.span.start < within.start {
+        edit.text = edit.text.rsplit(['\n', '\r']).next()?.to_string();
+        edit.span.start = within.start;
+    }
+    if edit.span.end > within.end {
+        // The last line goes up to its line break, which is the text's own.
+        let end = text
+            .get(..within.end as usize)?
+            .trim_end_matches(['\n', '\r'])
+            .len() as u32;
+        edit.text = edit.text.split(['\n', '\r']).next()?.to_string();
+        edit.span.end = end.max(edit.span.start);
+    }
+    let old = text.get(edit.span.start as usize..edit.span.end as usize)?;
+    (old != edit.text).then_some(edit)
 }
 
 /// Sets a text in its style.

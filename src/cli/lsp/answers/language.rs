@@ -37,14 +37,24 @@ pub fn hover(snapshot: &Snapshot, params: HoverParams) -> Answer<Option<Hover>> 
 }
 
 fn told(snapshot: &Snapshot, range: Range, text: String) -> Hover {
-    let kind = match snapshot.client.markdown {
-        true => MarkupKind::Markdown,
-        false => MarkupKind::PlainText,
+    let (kind, text) = match snapshot.client.markdown {
+        true => (MarkupKind::Markdown, text),
+        false => (MarkupKind::PlainText, plain(&text)),
     };
     Hover {
         contents: Contents::MarkupContent(MarkupContent { kind, value: text }),
         range: Some(range),
     }
+}
+
+/// A hover without its marks: fences, images, code.
+fn plain(text: &str) -> String {
+    let lines = text.lines().filter(|line| !line.starts_with("```"));
+    let line = lines.map(|line| {
+        let shown = line.split(" ![").next().unwrap_or(line);
+        shown.replace('`', "")
+    });
+    line.collect::<Vec<_>>().join("\n").trim().to_string()
 }
 
 /// The rule that a comment at a place allows, and what it is about.

@@ -4,9 +4,8 @@ use super::super::buffers::TextBuffer;
 use super::super::snapshot::{Answer, Failure, Snapshot};
 use super::super::uri::path_of;
 use super::workspace::documents_with;
-use crate::ide::{
-    self, CallItem, CallLink, Document, FileSpan, NameUse, OutlineItem, SymbolKind as Kind,
-};
+use crate::ide::{self, CallItem, Document, FileSpan, NameUse, OutlineItem, SymbolKind as Kind};
+use crate::text::Span;
 use gen_lsp_types::*;
 use std::sync::Arc;
 
@@ -242,12 +241,8 @@ fn hierarchy_item(snapshot: &Snapshot, item: CallItem) -> Option<CallHierarchyIt
     })
 }
 
-/// The links of an item that the client gives back.
-fn links(
-    snapshot: &Snapshot,
-    item: &CallHierarchyItem,
-    find: fn(&Document, u32) -> Vec<CallLink>,
-) -> Answer<Vec<(CallHierarchyItem, Vec<Range>)>> {
+/// The document and the offset of an item that the client gives back.
+fn place_of(snapshot: &Snapshot, item: &CallHierarchyItem) -> Answer<(Arc<Document>, u32)> {
     let document = match snapshot.buffer(&item.uri) {
         Ok(buffer) => snapshot.document(buffer),
         // A file that is included and not open.
@@ -259,26 +254,31 @@ fn links(
     };
     let start = item.selection_range.start;
     let offset = snapshot.with_lines(&document.path, |lines| lines.offset(start));
-    let links = find(&document, offset.unwrap_or(0)).into_iter();
-    let each = links.filter_map(|link| {
-        let ranges = snapshot.with_lines(&document.path, |lines| {
-            link.calls
-                .iter()
-                .map(|span| lines.range(*span))
-                .collect::<Vec<_>>()
-        })?;
-        Some((hierarchy_item(snapshot, link.item)?, ranges))
-    });
-    Ok(each.collect())
+    Ok((document, offset.unwrap_or(0)))
 }
 
-/// Who calls a function.
+/// The ranges of calls in a file.
+fn ranges(snapshot: &Snapshot, path: &str, calls: &[Span]) -> Option<Vec<Range>> {
+    snapshot.with_lines(path, |lines| {
+        calls.iter().map(|span| lines.range(*span)).collect()
+    })
+}
+
+/// Who calls a function, in all files of the workspace.
 pub fn incoming(
     snapshot: &Snapshot,
     params: CallHierarchyIncomingCallsParams,
 ) -> Answer<Option<Vec<CallHierarchyIncomingCall>>> {
-    let links = links(snapshot, &params.item, ide::incoming)?.into_iter();
-    let calls = links.map(|(from, from_ranges)| CallHierarchyIncomingCall { from, from_ranges });
+    let (document, offset) = place_of(snapshot, &params.item)?;
+    let others = documents_with(snapshot, &document, offset);
+    let all: Vec<&Document> = others.iter().map(Arc::as_ref).collect();
+    let links = ide::incoming(&all, &document, offset).into_iter();
+    let calls = links.filter_map(|link| {
+        Some(CallHierarchyIncomingCall {
+            from_ranges: ranges(snapshot, &link.item.place.path, &link.calls)?,
+            from: hierarchy_item(snapshot, link.item)?,
+        })
+    });
     Ok(Some(calls.collect()))
 }
 
@@ -287,7 +287,13 @@ pub fn outgoing(
     snapshot: &Snapshot,
     params: CallHierarchyOutgoingCallsParams,
 ) -> Answer<Option<Vec<CallHierarchyOutgoingCall>>> {
-    let links = links(snapshot, &params.item, ide::outgoing)?.into_iter();
-    let calls = links.map(|(to, from_ranges)| CallHierarchyOutgoingCall { to, from_ranges });
+    let (document, offset) = place_of(snapshot, &params.item)?;
+    let links = ide::outgoing(&document, offset).into_iter();
+    let calls = links.filter_map(|link| {
+        Some(CallHierarchyOutgoingCall {
+            from_ranges: ranges(snapshot, &document.path, &link.calls)?,
+            to: hierarchy_item(snapshot, link.item)?,
+        })
+    });
     Ok(Some(calls.collect()))
 }

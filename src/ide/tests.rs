@@ -1,0 +1,206 @@
+//! A text with a mark `|` in, what is answered there out.
+
+use super::*;
+use crate::engine::{NoFiles, Options};
+use crate::text::apply_edits;
+use std::sync::Arc;
+
+/// What stands before each statement: a shader of its own.
+const HEAD: &str =
+    "#version 300 es\nprecision highp float;\nout vec4 color;\nuniform float time;\n";
+
+/// The document of a text without its mark, and where that was.
+fn marked(text: &str) -> (Document, u32) {
+    let text = format!("{HEAD}{text}");
+    let at = text.find('|').expect("a mark");
+    let plain = text.replacen('|', "", 1);
+    let options = Arc::new(Options::default());
+    let document = Document::new("/a.frag", plain.into(), options, &NoFiles);
+    (document, at as u32)
+}
+
+/// Renames what stands at the mark; the text without its head, or why not.
+#[track_caller]
+fn check_rename(text: &str, new: &str, expected: &str) {
+    let (document, at) = marked(text);
+    let got = match rename(&[&document], &document, at, new, &NoFiles) {
+        Ok(renaming) => {
+            let edits = &renaming.edits["/a.frag"];
+            let text = apply_edits(&document.text, 0, edits).unwrap();
+            text.strip_prefix(HEAD).unwrap_or(&text).to_string()
+        }
+        Err(refusal) => refusal.to_string(),
+    };
+    assert_eq!(got, expected, "{text}");
+}
+
+#[test]
+fn names_change_wherever_they_mean_the_same() {
+    check_rename(
+        "float f(float x) { float |y = x; { float y = 2.0; y++; } return y; }\nvoid main() { color = vec4(f(1.0)); }\n",
+        "z",
+        "float f(float x) { float z = x; { float y = 2.0; y++; } return z; }\nvoid main() { color = vec4(f(1.0)); }\n",
+    );
+    check_rename(
+        "float scale = 2.0;\n#define TWICE(x) (x * |scale)\nvoid main() { float scaled = TWICE(1.0); color = vec4(scaled + scale); }\n",
+        "factor",
+        "float factor = 2.0;\n#define TWICE(x) (x * factor)\nvoid main() { float scaled = TWICE(1.0); color = vec4(scaled + factor); }\n",
+    );
+    check_rename(
+        "#define |HIGH 1\n#if HIGH\nvoid main() { color = vec4(1); }\n#elif defined(HIGH)\n#endif\n",
+        "BEST",
+        "#define BEST 1\n#if BEST\nvoid main() { color = vec4(1); }\n#elif defined(BEST)\n#endif\n",
+    );
+    check_rename(
+        "#define M(|a, b) (a + b)\nvoid main() { float a = 1.0; color = vec4(M(a, 2.0)); }\n",
+        "first",
+        "#define M(first, b) (first + b)\nvoid main() { float a = 1.0; color = vec4(M(a, 2.0)); }\n",
+    );
+    check_rename(
+        "struct S { float |a; vec2 b; };\nvoid main() { S s = S(1.0, vec2(2)); s.a += s.b.x; color = vec4(s.a); }\n",
+        "size",
+        "struct S { float size; vec2 b; };\nvoid main() { S s = S(1.0, vec2(2)); s.size += s.b.x; color = vec4(s.size); }\n",
+    );
+    // What is left out now may be taken another time.
+    check_rename(
+        "float |wave() { return 1.0; }\nvoid main() {\n#ifdef SLOW\n    color = vec4(wave());\n#else\n    color = vec4(wave() + 1.0);\n#endif\n}\n",
+        "ripple",
+        "float ripple() { return 1.0; }\nvoid main() {\n#ifdef SLOW\n    color = vec4(ripple());\n#else\n    color = vec4(ripple() + 1.0);\n#endif\n}\n",
+    );
+}
+
+#[test]
+fn names_stay_where_one_would_mean_something_else() {
+    check_rename(
+        "float |k = 2.0;\nvoid main() { float n = 1.0; color = vec4(n * k); }\n",
+        "n",
+        "`n` would mean something else in line 6 of `a.frag`",
+    );
+    check_rename(
+        "float n = 1.0;\nvoid main() { float |k = 2.0; color = vec4(n * k); }\n",
+        "n",
+        "`n` would mean something else in line 6 of `a.frag`",
+    );
+    check_rename(
+        "void main() { float |a = 1.0; float b = 2.0; color = vec4(a * b); }\n",
+        "b",
+        "`b` would be an error: `b` is declared twice in one scope",
+    );
+    check_rename(
+        "void |main() { color = vec4(1); }\n",
+        "run",
+        "the host calls `main` by its name",
+    );
+    check_rename(
+        "void main() { color = vec4(|sin(1.0)); }\n",
+        "s",
+        "the language gives `sin` its name",
+    );
+    check_rename(
+        "void main() { float |a = time; color = vec4(a); }\n",
+        "in",
+        "the language keeps the word `in`",
+    );
+    check_rename(
+        "void main() { float |a = time; color = vec4(a); }\n",
+        "2d",
+        "`2d` is no name: letters, digits and `_` make one",
+    );
+}
+
+/// The labels that are proposed at the mark and begin so.
+fn proposed(text: &str, start: &str) -> Vec<String> {
+    let (document, at) = marked(text);
+    let (_, found) = complete(&document, at, &NoFiles);
+    let labels = found.into_iter().map(|p| p.label);
+    labels.filter(|l| l.starts_with(start)).collect()
+}
+
+#[test]
+fn what_may_be_written_hangs_on_the_place() {
+    let scopes =
+        "void main() { float before = 1.0; { float inner = 2.0; } |\n float behind = 3.0; }\n";
+    assert_eq!(proposed(scopes, "before"), ["before"]);
+    assert_eq!(proposed(scopes, "inner"), Vec::<String>::new());
+    assert_eq!(proposed(scopes, "behind"), Vec::<String>::new());
+    assert_eq!(proposed(scopes, "smooth"), ["smoothstep"]);
+    let fields =
+        "struct Ray { vec3 from; vec3 to; };\nvoid main() { Ray ray; ray.|\n color = vec4(1); }\n";
+    assert_eq!(proposed(fields, ""), ["from", "to"]);
+    let lanes = "void main() { vec2 p = vec2(time); color = vec4(p.|); }\n";
+    assert!(proposed(lanes, "x").contains(&"xy".to_string()));
+    assert_eq!(proposed(lanes, "z"), Vec::<String>::new());
+    assert_eq!(
+        proposed("#de|\nvoid main() { color = vec4(1); }\n", "de"),
+        ["define"]
+    );
+    assert_eq!(
+        proposed("#|\nvoid main() { color = vec4(1); }\n", "de"),
+        ["define"]
+    );
+    let allow = "void main() { color = vec4(1); } // shaderlint: allow(unused-|)\n";
+    assert!(proposed(allow, "unused-").contains(&"unused-variable".to_string()));
+    assert_eq!(
+        proposed("// not | here\nvoid main() {}\n", ""),
+        Vec::<String>::new()
+    );
+}
+
+/// What is said of what stands at the mark.
+fn hovered(text: &str) -> String {
+    let (document, at) = marked(text);
+    hover(&document, at, None).map_or(String::new(), |h| h.text)
+}
+
+#[test]
+fn what_is_known_is_said() {
+    let text = hovered("void main() { float a = |fract(time); color = vec4(a); }\n");
+    assert!(
+        text.contains("float fract(float x)") && text.contains("from 0 to below 1"),
+        "{text}"
+    );
+    let text = hovered("void main() { float a = fract(time); color = vec4(|a); }\n");
+    assert!(
+        text.contains("float a") && text.contains("here: "),
+        "{text}"
+    );
+    let text = hovered(
+        "// How far.\nconst float |FAR = 2.0 * 10.0;\nvoid main() { color = vec4(FAR); }\n",
+    );
+    assert!(
+        text.contains("constant: `20.0`") && text.contains("How far."),
+        "{text}"
+    );
+    let text = hovered(
+        "void main() { float s = 0.0; |for (int i = 0; i < 7; i++) s += 1.0; color = vec4(s); }\n",
+    );
+    assert!(text.contains("turns 7 times"), "{text}");
+}
+
+#[test]
+fn stretches_around_a_place_stand_in_each_other() {
+    let (document, at) =
+        marked("void main() { float a = (1.0 + |time) * 2.0; color = vec4(a); }\n");
+    let around = selection(&document, at);
+    let text = |i: usize| {
+        let span = around[i];
+        &document.text[span.start as usize..span.end as usize]
+    };
+    assert_eq!(
+        [text(0), text(1), text(2)],
+        ["time", "1.0 + time", "(1.0 + time)"]
+    );
+    assert_eq!(text(around.len() - 1), &*document.text);
+}
+
+#[test]
+fn a_call_that_is_open_tells_its_argument() {
+    let (document, at) = marked(
+        "float f(vec2 p, float k) { return p.x * k; }\nvoid main() { color = vec4(f(vec2(1, 2), |)); }\n",
+    );
+    let help = signature_help(&document, at).unwrap();
+    assert_eq!(
+        (help.signatures[0].label.as_str(), help.argument),
+        ("float f(vec2 p, float k)", 1)
+    );
+}

@@ -1,0 +1,223 @@
+"""What can be done about findings, and the commands of the server."""
+
+import os
+
+from client import INVALID_PARAMS, path_of
+from harness import (
+    by_rule, contains, errors, everything, holds, refusal, rules, same, test, without,
+)
+
+SHADER = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = fragCoord / iResolution.xy;
+    float «int»wave = 1;
+    float «pow»bent = pow(iTime - 9.0, 2.0);
+    «unused»float unused = 2.0;
+    fragColor = vec4(uv * wave, bent, 1.0);
+}
+"""
+GOOD = SHADER.replace("= 1;", "= 1.0;")
+QUIET = {"run": False}
+
+
+def asked(client, source, finding, only=None):
+    """The actions that are offered at a finding."""
+    context = {"diagnostics": [finding], "triggerKind": 1}
+    if only:
+        context["only"] = only
+    return client.of(source.uri, "textDocument/codeAction", range=finding["range"], context=context)
+
+
+def titled(actions, words):
+    found = [a for a in actions if a["title"].lower().startswith(words.lower())]
+    holds(len(found) == 1, "one action that is called «%s …», not %d:" % (words, len(found)), actions)
+    return found[0]
+
+
+@test
+def a_fix_mends_its_finding_and_nothing_else(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", SHADER).open(client)
+    before = client.published(source.uri)
+    finding = errors(before)[0]
+    actions = asked(client, source, finding)
+    fixes = [a for a in actions if a.get("isPreferred")]
+    same(len(fixes), 1, "the preferred actions")
+    fix = fixes[0]
+    same(fix["kind"], "quickfix", "its kind")
+    same([d["code"] for d in fix["diagnostics"]], [finding["code"]], "what it is about")
+    client.apply(fix["edit"])
+    same(client.text(source.uri), source.text.replace("= 1;", "= 1.0;"), "the text")
+    after = client.published(source.uri)
+    same(errors(after), [], "the errors that are left")
+
+
+@test
+def every_fix_of_many_findings_mends_its_own(case):
+    broken = [
+        "float a = 1; c = vec4(a, p, 1.0);", "vec3 a = vec3(1, 1, 1) * 2; c = vec4(a, 1.0);",
+        "float a = 1.0f; c = vec4(a);", "c = vec4(p, 0.0, 1.0)", "c = texture2D(iChannel0, p);",
+        "c = vec4(fragCoord, 0.0, 1.0);", "c = vec4(saturate(p.x));", "c = vec4(float(p)); int i = 1.0;",
+        "c = vec4(lerp(p.x, p.y, 0.5));", "c.rgb = vec3(1.0) c.a = 1.0;",
+    ]
+    client = case.client(options=QUIET)
+    mended = 0
+    for number, body in enumerate(broken):
+        uri = case.uri("broken%d.glsl" % number)
+        text = "void mainImage(out vec4 c, in vec2 p) {\n    %s\n}\n" % body
+        client.open(uri, text)
+        count = len(errors(client.published(uri)))
+        for finding in errors(client.published(uri)):
+            actions = client.of(uri, "textDocument/codeAction", range=finding["range"],
+                                context={"diagnostics": [finding]})
+            for action in [a for a in actions if a.get("isPreferred")]:
+                client.apply(action["edit"])
+                left = errors(client.published(uri))
+                holds(len(left) < count, "a fix of «%s» that mends nothing:" % body, client.text(uri), left)
+                mended += 1
+                client.write_all(uri, text)
+                client.published(uri)
+    holds(mended >= 6, "only %d of them have a fix" % mended)
+
+
+@test
+def a_comment_allows_a_finding(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", GOOD).open(client)
+    finding = by_rule(client.published(source.uri), "unused-variable")
+    action = titled(asked(client, source, finding), "Allow `unused-variable`")
+    client.apply(action["edit"])
+    contains(client.text(source.uri),
+             "\n    // shaderlint: allow(unused-variable)\n    float unused = 2.0;\n", "the text")
+    left = client.published(source.uri)
+    same([r for r in rules(left) if r in ("unused-variable", "unused-suppression")], [], "what is left")
+
+
+@test
+def an_error_cannot_be_allowed(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", SHADER).open(client)
+    finding = errors(client.published(source.uri))[0]
+    same([a["title"] for a in asked(client, source, finding) if a["title"].startswith("Allow")], [],
+         "the actions that allow it")
+
+
+@test
+def a_finding_can_be_explained(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", GOOD).open(client)
+    finding = by_rule(client.published(source.uri), "unused-variable")
+    command = titled(asked(client, source, finding), "Explain")["command"]
+    holds(command["command"] in client.initialized["capabilities"]["executeCommandProvider"]["commands"],
+          "a command that was not announced", command)
+    page = client.request("workspace/executeCommand", command)
+    contains(page, "unused-variable", "the page")
+    shown = client.asked_for("window/showDocument")
+    with open(path_of(shown["uri"]), encoding="utf-8") as file:
+        same(file.read(), page, "the page that is shown")
+
+
+@test
+def without_documents_an_explanation_is_a_message(case):
+    client = case.client(capabilities=without(everything(), "window"), options=QUIET)
+    client.request("workspace/executeCommand",
+                   {"command": "shaderlint.explain", "arguments": ["unused-variable"]})
+    messages = client.wait_until(lambda: client.told("window/showMessage"), "nothing is shown")
+    contains(messages[0]["message"], "unused-variable", "the message")
+    same([m["method"] for m in client.asked if m["method"] == "window/showDocument"], [], "documents")
+
+
+@test
+def nobody_explains_what_is_no_rule(case):
+    client = case.client()
+    refusal(lambda: client.request("workspace/executeCommand", {
+        "command": "shaderlint.explain", "arguments": ["no-such-rule"]}), INVALID_PARAMS)
+
+
+@test
+def kinds_of_actions_are_kept_apart(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", SHADER).open(client)
+    finding = errors(client.published(source.uri))[0]
+    same(asked(client, source, finding, ["refactor"]), [], "refactorings")
+    kinds = {a["kind"] for a in asked(client, source, finding, ["quickfix"])}
+    same(kinds, {"quickfix"}, "quick fixes")
+    for only in ("source", "source.fixAll", "source.fixAll.shaderlint"):
+        kinds = {a["kind"] for a in asked(client, source, finding, [only])}
+        same(kinds, {"source.fixAll.shaderlint"}, "what is asked for as %s" % only)
+    nowhere = client.lines(source.uri).range(0, 0)
+    context = {"diagnostics": []}
+    same(client.of(source.uri, "textDocument/codeAction", range=nowhere, context=context), [],
+         "the actions where nothing is wrong")
+
+
+@test
+def all_that_is_safe_is_fixed_together(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", SHADER).open(client)
+    finding = errors(client.published(source.uri))[0]
+    actions = asked(client, source, finding, ["source.fixAll"])
+    same(len(actions), 1, "the actions")
+    client.apply(actions[0]["edit"])
+    found = client.published(source.uri)
+    same(errors(found), [], "the errors that are left")
+    # Once more there is nothing left to fix.
+    same(asked(client, source, found[0], ["source.fixAll"]), [], "a second time")
+
+
+@test
+def a_command_fixes_all(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", SHADER).open(client)
+    client.published(source.uri)
+    client.request("workspace/executeCommand",
+                   {"command": "shaderlint.fixAll", "arguments": [source.uri]})
+    params = client.asked_for("workspace/applyEdit")
+    contains(params["label"].lower(), "fix", "the label")
+    found = client.wait_until(lambda: client.documents[source.uri].version > 1, "nothing is applied")
+    holds(found, "nothing is applied")
+    same(errors(client.published(source.uri)), [], "the errors that are left")
+    refusal(lambda: client.request("workspace/executeCommand", {
+        "command": "shaderlint.fixAll", "arguments": ["file:///nowhere.glsl"]}), INVALID_PARAMS)
+
+
+@test
+def a_shader_is_shown_in_a_browser(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", GOOD).open(client)
+    client.request("workspace/executeCommand",
+                   {"command": "shaderlint.openPreview", "arguments": [source.uri]})
+    shown = client.asked_for("window/showDocument")
+    same(shown.get("external"), True, "external")
+    path = path_of(shown["uri"])
+    holds(path.endswith(".html"), "no page", shown)
+    with open(path, encoding="utf-8") as file:
+        contains(file.read().lower(), "<canvas", "the page")
+    client.stop()
+    holds(not os.path.exists(path), "the page is left behind", path)
+
+
+@test
+def a_page_is_given_to_who_asks(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", GOOD).open(client)
+    first = client.of(source.uri, "shaderlint/page")["html"]
+    contains(first, "bent", "the page")
+    # It is the text in the editor, not that on the disk.
+    client.write_all(source.uri, client.text(source.uri).replace("bent", "curved"))
+    second = client.of(source.uri, "shaderlint/page")["html"]
+    holds("curved" in second and "bent" not in second, "an old page")
+    client.write_all(source.uri, client.text(source.uri).replace("= 1.0;", "= vec2(1.0);"))
+    refused = refusal(lambda: client.of(source.uri, "shaderlint/page"))
+    holds(refused.message, "no reason", refused)
+
+
+@test
+def the_page_of_a_folder_has_all_its_passes(case):
+    client = case.client(options=QUIET)
+    case.write("common.glsl", "float wave(float x) { return sin(x); }\n").open(client)
+    case.write("bufferA.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x)); }\n")
+    image = case.write("image.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
+                       "    c = texture(iChannel0, p / iResolution.xy) * wave(iTime);\n}\n").open(client)
+    page = client.of(image.uri, "shaderlint/page")["html"]
+    for part in ("vec4(wave(p.x))", "float wave(float x)", "* wave(iTime)"):
+        contains(page, part, "the page")

@@ -1,0 +1,142 @@
+"""Shaders inside other languages: findings and edits stand where the text of the file has them."""
+
+import json
+
+from harness import by_rule, contains, errors, holds, same, test
+
+SHADER = """#version 300 es
+precision highp float;
+in vec2 vUv;
+uniform float gain;
+out vec4 color;
+void main() {
+    float «var»unused = gain;
+    color = vec4(vUv, vUv.«bad»nope, 1.0);
+}
+"""
+
+WRAPPED = {
+    "page.html": ("html", '<!doctype html>\n<p>é𝄞</p>\n<script id="f" type="x-shader/x-fragment">'
+                          "%s</script>\n"),
+    "shader.js": ("javascript", "// é𝄞\nexport const fragment = `%s`;\n"),
+    "shader.ts": ("typescript", "const fragment: string = /* glsl */ `%s`;\nexport { fragment };\n"),
+    "Shader.vue": ("vue", "<template><canvas/></template>\n<script setup>\nconst f = `%s`\n</script>\n"),
+    "Shader.svelte": ("svelte", "<script>\n  const f = `%s`;\n</script>\n<canvas></canvas>\n"),
+    "Shader.astro": ("astro", "---\nconst title = 'é';\n---\n<script>\nconst f = `%s`;\n</script>\n"),
+    "notes.md": ("markdown", "# é𝄞\n\n```glsl\n%s```\n\nText.\n"),
+}
+
+
+def judged(case, name):
+    """A shader inside of something: what is found, and what a renaming there makes of it."""
+    language, around = WRAPPED[name]
+    client = case.client()
+    source = case.write(name, around % SHADER).open(client, language)
+    lines = client.lines(source.uri)
+    found = client.published(source.uri)
+    same([lines.span(d["range"])[0] for d in errors(found)], [source["bad"]], "the error")
+    contains(client.at(source.uri, source["var"], "textDocument/hover")["contents"]["value"],
+             "float unused", "what is shown of it")
+    client.apply(client.at(source.uri, source["var"], "textDocument/rename", newName="other"))
+    same(client.text(source.uri), source.text.replace("unused", "other"), "the text afterwards")
+    client.replace(source.uri, client.text(source.uri).index("nope"), client.text(source.uri).index("nope") + 4, "x")
+    client.published(source.uri)
+    names = [s["name"] for s in client.of(source.uri, "textDocument/documentSymbol")]
+    holds("main" in names and "gain" in names, "the outline has not all of it", names)
+
+
+@test
+def shaders_in_pages(case):
+    judged(case, "page.html")
+
+
+@test
+def shaders_in_scripts(case):
+    judged(case, "shader.js")
+
+
+@test
+def shaders_in_typescript(case):
+    judged(case, "shader.ts")
+
+
+@test
+def shaders_in_vue(case):
+    judged(case, "Shader.vue")
+
+
+@test
+def shaders_in_svelte(case):
+    judged(case, "Shader.svelte")
+
+
+@test
+def shaders_in_astro(case):
+    judged(case, "Shader.astro")
+
+
+@test
+def shaders_in_markdown(case):
+    judged(case, "notes.md")
+
+
+@test
+def a_script_without_shaders_is_left_in_peace(case):
+    client = case.client()
+    source = case.write("plain.js", "const a = `b ${1 + 1}`;\nfor (;;) { if (a) break; }\n")
+    source.open(client, "javascript")
+    same(client.published(source.uri), [], "what is found")
+    for method in ("documentSymbol", "foldingRange", "documentColor"):
+        same(client.of(source.uri, "textDocument/" + method) or [], [], method)
+
+
+def export(image, common):
+    """An export of ShaderToy, as the site writes it: in one line."""
+    def one(name, kind, code):
+        output = [{"id": 37, "channel": 0}] if kind == "image" else []
+        return {"inputs": [], "outputs": output, "code": code, "name": name, "description": "",
+                "type": kind}
+
+    shader = {"ver": "0.1", "info": {"id": "abcdef", "name": "é", "username": "a", "description": "",
+                                     "tags": []},
+              "renderpass": [one("Image", "image", image), one("Common", "common", common)]}
+    return json.dumps(shader)
+
+
+@test
+def shaders_in_exports(case):
+    client = case.client()
+    image = ("// \u00e9\tquote \" and \\\\ \nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) {\n"
+             "    fragColor = vec4(fragCoord / iResolution.xy, wave(iTime), missing);\n}\n")
+    common = "float wave(float x) {\n    return sin(x);\n}\n"
+    source = case.write("shader.json", export(image, common)).open(client, "json")
+    lines = client.lines(source.uri)
+    found = client.published(source.uri)
+    same([lines.at(d["range"]) for d in errors(found)], ["missing"], "the error")
+    use = source.text.index("wave(iTime)")
+    location = client.at(source.uri, use, "textDocument/definition")
+    same(lines.span(location["range"])[0], source.text.index("wave(float x)"), "the definition")
+    # A name goes through all passes of an export, whose strings stay what they are.
+    client.apply(client.at(source.uri, use, "textDocument/rename", newName="ripple"))
+    same(client.text(source.uri), source.text.replace("wave(", "ripple("), "the text afterwards")
+    json.loads(client.text(source.uri))
+
+
+@test
+def an_edit_in_an_export_is_escaped(case):
+    client = case.client()
+    image = ("void mainImage(out vec4 fragColor, in vec2 fragCoord) {\n"
+             "    float unused = 2.0;\n"
+             "    fragColor = vec4(fragCoord / iResolution.xy, wave(iTime), 1.0);\n}\n")
+    common = "float wave(float x) {\n    return sin(x);\n}\n"
+    source = case.write("shader.json", export(image, common)).open(client, "json")
+    finding = by_rule(client.published(source.uri), "unused-variable")
+    actions = client.of(source.uri, "textDocument/codeAction", range=finding["range"],
+                        context={"diagnostics": [finding]})
+    allow = [a for a in actions if a["title"].startswith("Allow")]
+    same(len(allow), 1, "the actions that allow it")
+    client.apply(allow[0]["edit"])
+    passes = json.loads(client.text(source.uri))["renderpass"]
+    contains(passes[0]["code"], "    // shaderlint: allow(unused-variable)\n    float unused", "the pass")
+    found = client.published(source.uri)
+    same([d for d in found if d["code"] == "unused-variable"], [], "what is left")

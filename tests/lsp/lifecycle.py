@@ -1,0 +1,358 @@
+"""How a session begins, goes on and ends; what is said of questions that mean nothing."""
+
+import json
+import time
+
+from client import (
+    CANCELLED, CONTENT_MODIFIED, INVALID_PARAMS, INVALID_REQUEST, METHOD_NOT_FOUND, everything,
+)
+from harness import errors, holds, pulling, refusal, rules, same, test, without
+from text import Lines
+
+GOOD = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    fragColor = vec4(fragCoord / iResolution.xy, 0.5 + 0.5 * sin(iTime), 1.0);
+}
+"""
+BROKEN = GOOD.replace("fragCoord / iResolution.xy", "«use»missing")
+
+PROVIDERS = {
+    "completionProvider", "hoverProvider", "signatureHelpProvider", "declarationProvider",
+    "definitionProvider", "typeDefinitionProvider", "referencesProvider", "documentHighlightProvider",
+    "documentSymbolProvider", "workspaceSymbolProvider", "codeActionProvider", "codeLensProvider",
+    "colorProvider", "documentFormattingProvider", "documentRangeFormattingProvider",
+    "documentOnTypeFormattingProvider", "renameProvider", "foldingRangeProvider",
+    "selectionRangeProvider", "executeCommandProvider", "callHierarchyProvider",
+    "semanticTokensProvider", "inlayHintProvider",
+}
+
+
+@test
+def all_that_is_answered_is_announced(case):
+    client = case.client()
+    told = client.initialized["capabilities"]
+    missing = [name for name in sorted(PROVIDERS) if told.get(name) in (None, False)]
+    same(missing, [], "what is not announced")
+    same(told["textDocumentSync"]["change"], 2, "the kind of changes")
+    same(told["textDocumentSync"]["openClose"], True, "openClose")
+    same(client.initialized["serverInfo"]["name"], "shaderlint", "the server's name")
+    holds(told["renameProvider"]["prepareProvider"], "prepareRename is not announced", told)
+    commands = told["executeCommandProvider"]["commands"]
+    same(
+        sorted(commands),
+        ["shaderlint.explain", "shaderlint.fixAll", "shaderlint.openPreview"],
+        "the commands",
+    )
+    holds("quickfix" in told["codeActionProvider"]["codeActionKinds"], "no quick fixes", told)
+    folders = told["workspace"]["workspaceFolders"]
+    holds(folders["supported"] and folders["changeNotifications"], "no workspace folders", told)
+    holds("diagnosticProvider" not in told, "diagnostics are to be pulled by who cannot", told)
+
+
+@test
+def who_pulls_is_told_that_it_can(case):
+    provider = case.client(capabilities=pulling()).initialized["capabilities"]["diagnosticProvider"]
+    holds(provider["interFileDependencies"] and provider["workspaceDiagnostics"], "both", provider)
+
+
+@test
+def files_to_watch_are_registered(case):
+    params = case.client().asked_for("client/registerCapability")
+    methods = [r["method"] for r in params["registrations"]]
+    same(methods, ["workspace/didChangeWatchedFiles"], "what is registered")
+    patterns = [w["globPattern"] for w in params["registrations"][0]["registerOptions"]["watchers"]]
+    holds("**/shaderlint.toml" in patterns, "the configuration is not watched", patterns)
+
+
+@test
+def a_client_that_can_do_nothing_is_served(case):
+    client = case.client(capabilities={})
+    source = case.write("a.frag.glsl", BROKEN).open(client)
+    found = client.published(source.uri)
+    same(rules(found), ["undeclared-name"], "the rules")
+    holds("relatedInformation" not in found[0], "related places nobody asked for", found)
+    same(client.asked, [], "what the server asks of a client that can answer nothing")
+
+
+def encoded(case, offered, chosen):
+    """One place behind characters of two and four bytes, in the units that were chosen."""
+    capabilities = everything()
+    if offered is None:
+        del capabilities["general"]
+    else:
+        capabilities["general"]["positionEncodings"] = offered
+    client = case.client(capabilities=capabilities)
+    same(client.encoding, chosen, "the encoding for %r" % (offered,))
+    source = case.write(
+        "a.glsl",
+        "void mainImage(out vec4 fragColor, in vec2 fragCoord) {\r\n"
+        "    float «var»wave = 0.5;\r\n"
+        "    /* é𝄞 */ fragColor = vec4(«use»wave, «bad»waves, 0.0, /* 𝄞é */ «again»wave);\r\n"
+        "}\r\n",
+    ).open(client)
+    found = client.published(source.uri)
+    same([client.lines(source.uri).at(d["range"]) for d in errors(found)], ["waves"], "the error")
+    for place in ("use", "again"):
+        location = client.at(source.uri, source[place], "textDocument/definition")
+        same(client.lines(source.uri).span(location["range"])[0], source["var"], "the definition")
+    found = client.at(source.uri, source["again"], "textDocument/documentHighlight")
+    starts = sorted(client.lines(source.uri).span(h["range"])[0] for h in found)
+    same(starts, sorted(source[p] for p in ("var", "use", "again")), "the highlights")
+    # A change behind the wide characters of the same line lands where it should.
+    client.replace(source.uri, source["bad"], source["bad"] + 5, "wave")
+    same(errors(client.published(source.uri)), [], "what is left")
+
+
+@test
+def columns_are_utf_16_units_unless_said(case):
+    encoded(case, None, "utf-16")
+
+
+@test
+def columns_can_be_bytes(case):
+    encoded(case, ["utf-16", "utf-8"], "utf-8")
+
+
+@test
+def columns_can_be_utf_16_units(case):
+    encoded(case, ["utf-16", "utf-32"], "utf-16")
+
+
+@test
+def columns_can_be_characters(case):
+    encoded(case, ["utf-32"], "utf-32")
+
+
+@test
+def texts_change_in_stretches_and_as_a_whole(case):
+    client = case.client()
+    source = case.write("a.glsl", BROKEN).open(client)
+    same(rules(errors(client.published(source.uri))), ["undeclared-name"], "at first")
+    lines = client.lines(source.uri)
+    start = source["use"]
+    # Several changes in one message: each is one of the text that the one before it made.
+    client.change(source.uri, [
+        {"range": lines.range(start, start + len("missing")), "text": ""},
+        {"range": lines.range(start, start), "text": "vec2(0.0)"},
+        {"range": lines.range(start + 4, start + 4), "text": "\n\n/* 𝄞 */ "},
+    ])
+    same(errors(client.published(source.uri)), [], "after three stretches")
+    client.write_all(source.uri, "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, q, 1.0); }")
+    found = errors(client.published(source.uri))
+    same([client.lines(source.uri).at(d["range"]) for d in found], ["q"], "after a whole text")
+    # Line breaks of all three kinds.
+    client.write_all(source.uri, "// a\r// b\r\n// c\n" + GOOD.replace("iTime", "time9"))
+    found = errors(client.published(source.uri))
+    same([client.lines(source.uri).at(d["range"]) for d in found], ["time9"], "behind line breaks")
+
+
+@test
+def questions_that_mean_nothing_are_errors(case):
+    client = case.client()
+    source = case.write("a.glsl", GOOD).open(client)
+    place = {"textDocument": {"uri": source.uri}}
+    refusal(lambda: client.request("textDocument/nonsense", {}), METHOD_NOT_FOUND)
+    refusal(lambda: client.request("textDocument/hover", place), INVALID_PARAMS)
+    refusal(lambda: client.request("textDocument/hover", {"textDocument": 7, "position": []}),
+            INVALID_PARAMS)
+    refusal(lambda: client.request("textDocument/completion", [1, 2]), INVALID_PARAMS)
+    refusal(lambda: client.request("textDocument/foldingRange"), INVALID_PARAMS)
+    refusal(lambda: client.of(case.uri("never-opened.glsl"), "textDocument/foldingRange"))
+    refusal(lambda: client.request("workspace/executeCommand", {"command": "no.such"}),
+            INVALID_PARAMS)
+    refusal(lambda: client.request("workspace/executeCommand", {"arguments": 3}), INVALID_PARAMS)
+    # Notifications that mean nothing have no answer, and do no harm.
+    client.notify("textDocument/didOpen", {"textDocument": {"uri": 5}})
+    client.notify("textDocument/nonsense", {"a": 1})
+    client.notify("$/cancelRequest", {"id": None})
+    client.notify("$/cancelRequest", {"id": 12345})
+    client.notify("$/cancelRequest", {})
+    client.notify("$/setTrace", {"value": "verbose"})
+    # A place behind the end of a line or of the text is its end.
+    for line, character in ((0, 9999), (9999, 0), (2, 9999)):
+        client.request("textDocument/hover", dict(
+            place, position={"line": line, "character": character}))
+    same(client.of(source.uri, "textDocument/documentSymbol")[0]["name"], "mainImage", "a symbol")
+
+
+@test
+def a_change_of_an_unknown_text_does_no_harm(case):
+    client = case.client()
+    uri = case.uri("nobody.glsl")
+    client.notify("textDocument/didChange", {
+        "textDocument": {"uri": uri, "version": 2}, "contentChanges": [{"text": "float x = 1;"}]})
+    client.notify("textDocument/didClose", {"textDocument": {"uri": uri}})
+    client.notify("textDocument/didSave", {"textDocument": {"uri": uri}})
+    source = case.write("a.glsl", GOOD).open(client)
+    same(errors(client.published(source.uri)), [], "the findings")
+    told = [p for p in client.told("textDocument/publishDiagnostics")
+            if p["uri"] == uri and p["diagnostics"]]
+    same(told, [], "what is told of a text that is not open")
+
+
+@test
+def closing_clears_what_was_told(case):
+    client = case.client()
+    source = case.write("a.glsl", BROKEN).open(client)
+    holds(client.published(source.uri), "nothing is told")
+    client.close(source.uri)
+    client.published_when(source.uri, lambda found: found == [])
+    refusal(lambda: client.of(source.uri, "textDocument/foldingRange"))
+    # Opened again, it is a text like any other, whatever its version.
+    client.open(source.uri, source.text, version=1)
+    client.published_when(source.uri, lambda found: rules(errors(found)) == ["undeclared-name"])
+
+
+@test
+def a_text_that_was_never_saved_is_judged(case):
+    client = case.client()
+    uri = "untitled:Untitled-1"
+    client.open(uri, BROKEN.replace("«use»", ""))
+    same(rules(errors(client.published(uri))), ["undeclared-name"], "the rules")
+    at = client.text(uri).index("fragColor =")
+    location = client.at(uri, at, "textDocument/definition")
+    same((location["uri"], client.lines(uri).at(location["range"])), (uri, "fragColor"), "the place")
+    edit = client.at(uri, at, "textDocument/rename", newName="color")
+    client.apply(edit)
+    same(client.text(uri).count("color"), 2, "the new names")
+    client.close(uri)
+    client.published_when(uri, lambda found: found == [])
+
+
+@test
+def cancelled_questions_have_one_answer_each(case):
+    client = case.client()
+    body = "".join(
+        "float f%d(float x) { return sin(x * %d.0) + f%d(x); }\n" % (i, i, i - 1) for i in range(1, 300))
+    source = case.write("a.glsl", "float f0(float x) { return x; }\n" + body + GOOD).open(client)
+    position = Lines(source.text, client.encoding).position(source.text.index("f7("))
+    sent = []
+    place = {"textDocument": {"uri": source.uri}, "position": position}
+    questions = [
+        ("workspace/symbol", {"query": "f"}),
+        ("textDocument/hover", place),
+        ("textDocument/semanticTokens/full", {"textDocument": {"uri": source.uri}}),
+        ("textDocument/references", dict(place, context={"includeDeclaration": True})),
+        ("textDocument/completion", place),
+    ]
+    for number in range(60):
+        sent.append(client.send(*questions[number % 5]))
+        if number % 2:
+            client.notify("$/cancelRequest", {"id": sent[-1]})
+        if number % 7 == 0:
+            client.notify("$/cancelRequest", {"id": sent[number // 2]})
+    cancelled = 0
+    for number in sent:
+        error = client.wait(number).get("error")
+        if error:
+            holds(error["code"] in (CANCELLED, CONTENT_MODIFIED), "another error", error)
+            cancelled += error["code"] == CANCELLED
+    holds(cancelled > 0, "none of 30 questions was cancelled in time")
+    # An answer that comes twice comes within this time.
+    time.sleep(0.3)
+    holds(all(client.answered[n] == 1 for n in sent), "more than one answer")
+
+
+@test
+def it_ends_when_it_is_told(case):
+    client = case.client()
+    client.request("shutdown")
+    client.notify("exit")
+    same(client.finish(), 0, "the exit code")
+
+
+@test
+def an_exit_without_goodbye_is_a_failure(case):
+    client = case.client()
+    client.notify("exit")
+    same(client.finish(), 1, "the exit code")
+
+
+@test
+def it_ends_with_its_client(case):
+    client = case.client()
+    case.write("a.glsl", GOOD).open(client)
+    client.process.stdin.close()
+    same(client.finish(), 1, "the exit code of who was left without a word")
+
+
+@test
+def after_shutdown_nothing_is_answered(case):
+    client = case.client()
+    source = case.write("a.glsl", GOOD).open(client)
+    client.request("shutdown")
+    refusal(lambda: client.of(source.uri, "textDocument/foldingRange"), INVALID_REQUEST)
+    refusal(lambda: client.request("shutdown"), INVALID_REQUEST)
+    client.notify("exit")
+    same(client.finish(), 0, "the exit code")
+
+
+@test
+def before_initialize_nothing_is_answered(case):
+    client = case.client(start=False)
+    refusal(lambda: client.request("textDocument/hover", {}), -32002)
+    client.notify("textDocument/didOpen", {})
+    client.start()
+    source = case.write("a.glsl", BROKEN).open(client)
+    same(rules(errors(client.published(source.uri))), ["undeclared-name"], "the rules")
+
+
+@test
+def an_exit_before_initialize_ends_it(case):
+    client = case.client(start=False)
+    client.notify("exit")
+    same(client.finish(), 1, "the exit code")
+
+
+@test
+def a_second_initialize_is_refused(case):
+    client = case.client()
+    refusal(lambda: client.request("initialize", {"capabilities": {}, "processId": None}))
+
+
+@test
+def messages_may_come_in_pieces_and_in_heaps(case):
+    # Of a client that can do nothing nothing is asked, so that no answer comes between the pieces.
+    client = case.client(capabilities={})
+    source = case.write("a.glsl", GOOD).open(client)
+    messages = b""
+    numbers = []
+    for _ in range(20):
+        with client.changed:
+            client.last_id += 1
+            client.pending[client.last_id] = "textDocument/foldingRange"
+        numbers.append(client.last_id)
+        body = json.dumps({
+            "jsonrpc": "2.0", "id": client.last_id, "method": "textDocument/foldingRange",
+            "params": {"textDocument": {"uri": source.uri}}}).encode()
+        messages += b"Content-Type: application/vscode-jsonrpc; charset=utf-8\r\n"
+        messages += b"Content-Length: %d\r\n\r\n" % len(body) + body
+    client.write_bytes(messages[:11])
+    time.sleep(0.05)
+    client.write_bytes(messages[11:777])
+    time.sleep(0.05)
+    client.write_bytes(messages[777:])
+    for number in numbers:
+        holds("result" in client.wait(number), "an error")
+
+
+@test
+def numbers_of_questions_may_be_texts(case):
+    client = case.client()
+    source = case.write("a.glsl", GOOD).open(client)
+    with client.changed:
+        client.pending["a question"] = "textDocument/foldingRange"
+    client.write({"jsonrpc": "2.0", "id": "a question", "method": "textDocument/foldingRange",
+                  "params": {"textDocument": {"uri": source.uri}}})
+    holds("result" in client.wait("a question"), "an error")
+
+
+@test
+def old_clients_name_one_folder(case):
+    case.write("lib.glsl", "float lib() { return 1.0; }\n")
+    client = case.client(start=False, capabilities=without(everything(), "workspace"))
+    params = {"processId": None, "capabilities": client.capabilities,
+              "rootUri": case.uri("").rstrip("/")}
+    client.initialized = client.request("initialize", params)
+    client.notify("initialized", {})
+    found = client.request("workspace/symbol", {"query": "lib"})
+    same([s["name"] for s in found], ["lib"], "the symbols")

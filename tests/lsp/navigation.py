@@ -1,0 +1,207 @@
+"""Definitions, references, highlights, call hierarchies, across files."""
+
+import re
+import time
+
+from harness import errors, holds, pulling, same, test
+
+LIBRARY = """struct «struct»Ray { vec3 «member»origin; vec3 direction; };
+float «proto»shape(vec3 p);
+float «def»shape(vec3 p) { return length(p) - 1.0; }
+"""
+MAIN = """#include "«path»lib.glsl"
+#define «macro»FAR 20.0
+float march(Ray «param»ray) {
+    float «local»t = 0.0;
+    for (int i = 0; i < 32; i++) {
+        «write»t += «call»shape(«use»ray.«field»origin + ray.direction * «read»t);
+        if (t > «expand»FAR) break;
+    }
+    return t;
+}
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    Ray «variable»primary = Ray(vec3(0.0), vec3(fragCoord / iResolution.xy, 1.0));
+    fragColor = vec4(march(primary) * 0.1 + shape(vec3(«host»iTime)));
+}
+"""
+
+
+def opened(case):
+    client = case.client()
+    library = case.write("lib.glsl", LIBRARY)
+    return client, case.write("a.glsl", MAIN).open(client), library
+
+
+def place(client, found):
+    """Where a location is: its address and the offset of its start."""
+    holds(found, "nothing is found")
+    found = found[0] if isinstance(found, list) else found
+    return found["uri"], client.lines(found["uri"]).span(found["range"])[0]
+
+
+@test
+def definitions_are_found_in_this_file_and_in_others(case):
+    client, source, library = opened(case)
+    for name, target, mark in (
+        ("call", library, "def"), ("field", library, "member"), ("expand", source, "macro"),
+        ("read", source, "local"), ("use", source, "param"), ("local", source, "local"),
+    ):
+        found = client.at(source.uri, source[name], "textDocument/definition")
+        same(place(client, found), (target.uri, target[mark]), "the definition of «%s»" % name)
+    found = client.at(source.uri, source["call"], "textDocument/declaration")
+    same(place(client, found), (library.uri, library["proto"]), "the declaration")
+    found = client.at(source.uri, source["path"], "textDocument/definition")
+    same(place(client, found), (library.uri, 0), "the file that is included")
+    same(client.at(source.uri, source["host"], "textDocument/definition"), None, "where the host's is")
+    for name in ("variable", "use"):
+        found = client.at(source.uri, source[name], "textDocument/typeDefinition")
+        same(place(client, found), (library.uri, library["struct"]), "the type of «%s»" % name)
+    same(client.at(source.uri, source["read"], "textDocument/typeDefinition"), None, "the type of a number")
+
+
+@test
+def definitions_follow_what_is_not_saved(case):
+    client, source, library = opened(case)
+    library.open(client)
+    client.replace(library.uri, 0, 0, "// é\n// 𝄞\n")
+    found = client.at(source.uri, source["call"], "textDocument/definition")
+    same(place(client, found), (library.uri, library["def"] + len("// é\n// 𝄞\n")), "the definition")
+
+
+@test
+def a_definition_at_the_path_is_that_very_file(case):
+    client = case.client()
+    case.write("one/lib.glsl", "float one() { return 1.0; }\n")
+    case.write("two/lib.glsl", "float two() { return 2.0; }\n")
+    source = case.write("a.glsl", '#include "one/lib.glsl"\n#include "«path»two/lib.glsl"\n'
+                        "float both() { return one() + two(); }\n").open(client)
+    found = client.at(source.uri, source["path"], "textDocument/definition")
+    same(place(client, found)[0], case.uri("two/lib.glsl"), "the file")
+
+
+def references(client, source, offset, declaration=True):
+    found = client.at(source.uri, offset, "textDocument/references",
+                      context={"includeDeclaration": declaration})
+    return sorted((l["uri"], client.lines(l["uri"]).span(l["range"])[0]) for l in found)
+
+
+def every(source, word):
+    """All places of a word in a text."""
+    return [m.start() for m in re.finditer(r"\b%s\b" % word, source.text)]
+
+
+@test
+def references_are_found_in_all_files(case):
+    client, source, library = opened(case)
+    other = case.write("b.glsl", '#include "lib.glsl"\nvoid mainImage(out vec4 c, in vec2 p) {\n'
+                       "    float shapes = 1.0;\n    c = vec4(shape(vec3(p, shapes)));\n}\n")
+    # This one has a function of its own that is called the same.
+    case.write("c.glsl", "float shape(vec3 p) { return 1.0; }\nvoid mainImage(out vec4 c, in vec2 p) "
+               "{ c = vec4(shape(vec3(p, 1.0))); }\n")
+    everywhere = sorted([(s.uri, at) for s in (source, library, other) for at in every(s, "shape")])
+    same(references(client, source, source["call"]), everywhere, "from where it is called")
+    library.open(client)
+    same(references(client, library, library["def"]), everywhere, "from where it is defined")
+    calls = [(u, at) for u, at in everywhere if u != library.uri]
+    same(references(client, source, source["call"], declaration=False), calls, "without declarations")
+    same(references(client, source, source["read"]), [(source.uri, at) for at in every(source, "t")], "of a local")
+
+
+@test
+def highlights_tell_reads_from_writes(case):
+    client, source, _ = opened(case)
+    found = client.at(source.uri, source["read"], "textDocument/documentHighlight")
+    kinds = {client.lines(source.uri).span(h["range"])[0]: h["kind"] for h in found}
+    same(sorted(kinds), every(source, "t"), "the places")
+    same(kinds[source["write"]], 3, "the kind of `t +=`, where 3 is a write")
+    same(kinds[source["read"]], 2, "the kind of a use, where 2 is a read")
+    found = client.at(source.uri, source["expand"], "textDocument/documentHighlight")
+    same(sorted(client.lines(source.uri).at(h["range"]) for h in found), ["FAR", "FAR"], "of a macro")
+    same(client.at(source.uri, source.text.index("{"), "textDocument/documentHighlight") or [], [], "of a bracket")
+
+
+@test
+def passes_of_a_folder_know_their_common_code(case):
+    client = case.client()
+    common = case.write("common.glsl", "float «def»wave(float x) { return sin(x); }\n")
+    image = case.write("image.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
+                       "    c = texture(iChannel0, p / iResolution.xy) * «use»wave(iTime);\n}\n").open(client)
+    buffer = case.write("bufferA.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
+                        "    c = vec4(p / iResolution.xy, «use»wave(iTime), 1.0);\n}\n").open(client)
+    for source in (image, buffer):
+        same(errors(client.published(source.uri)), [], "the errors of a pass")
+        found = client.at(source.uri, source["use"], "textDocument/definition")
+        same(place(client, found), (common.uri, common["def"]), "the definition")
+    expected = sorted([(common.uri, common["def"]), (image.uri, image["use"]), (buffer.uri, buffer["use"])])
+    same(references(client, image, image["use"]), expected, "from a pass")
+    common.open(client)
+    same(references(client, common, common["def"]), expected, "from the common code")
+
+
+@test
+def calls_are_followed_both_ways(case):
+    client, source, library = opened(case)
+    item = client.at(source.uri, source["call"], "textDocument/prepareCallHierarchy")[0]
+    same((item["name"], item["uri"]), ("shape", library.uri), "the function")
+    lines = client.lines(item["uri"])
+    outer, inner = lines.span(item["range"]), lines.span(item["selectionRange"])
+    holds(outer[0] <= inner[0] and inner[1] <= outer[1], "its name is not inside of it", item)
+    march = client.at(source.uri, source.text.index("march(Ray"), "textDocument/prepareCallHierarchy")[0]
+    calls = client.request("callHierarchy/outgoingCalls", {"item": march})
+    same([c["to"]["name"] for c in calls], ["shape"], "what march calls")
+    same([client.lines(source.uri).at(r) for r in calls[0]["fromRanges"]], ["shape"], "where it calls")
+    calls = client.request("callHierarchy/incomingCalls", {"item": march})
+    same([c["from"]["name"] for c in calls], ["mainImage"], "who calls march")
+    same([client.lines(source.uri).at(r) for r in calls[0]["fromRanges"]], ["march"], "where it is called")
+    same(client.at(source.uri, source["local"], "textDocument/prepareCallHierarchy"), None, "of a variable")
+
+
+@test
+def callers_are_found_in_other_files(case):
+    client, source, library = opened(case)
+    library.open(client)
+    item = client.at(library.uri, library["def"], "textDocument/prepareCallHierarchy")[0]
+    calls = client.request("callHierarchy/incomingCalls", {"item": item})
+    found = sorted((c["from"]["name"], c["from"]["uri"]) for c in calls)
+    same(found, [("mainImage", source.uri), ("march", source.uri)], "who calls shape")
+
+
+@test
+def overloads_are_apart(case):
+    client = case.client()
+    source = case.write("a.glsl", """float «one»size(vec2 p) { return length(p); }
+float «two»size(vec3 p) { return length(p) * 2.0; }
+void mainImage(out vec4 c, in vec2 p) { c = vec4(«first»size(p), «second»size(vec3(p, 1.0)), 0.0, 1.0); }
+""").open(client)
+    for use, target in (("first", "one"), ("second", "two")):
+        found = client.at(source.uri, source[use], "textDocument/definition")
+        same(place(client, found)[1], source[target], "the definition of the %s call" % use)
+        same(references(client, source, source[use]),
+             sorted((source.uri, source[n]) for n in (use, target)), "the references")
+
+
+@test
+def a_slow_question_leaves_nothing_old_behind(case):
+    """A question about all files takes its time; what is read for it meanwhile is not kept for a
+    newer text."""
+    capabilities = pulling()
+    for number in range(200):
+        case.write("a%03d.glsl" % number, "float f(float x) { return x; }\n" * 60)
+    library = case.write("lib.glsl", "float «fn»wave(float x) { return x; }\n")
+    source = case.write("z.glsl", '#include "lib.glsl"\nvoid mainImage(out vec4 c, in vec2 p) '
+                        "{ c = vec4(wave(p.x)); }\n")
+    client = case.client(capabilities=capabilities, settings={"shaderlint": {"run": False}})
+    library.open(client)
+    source.open(client)
+    same(client.of(source.uri, "textDocument/diagnostic")["items"], [], "at first")
+    for pause in (0.0, 0.005, 0.01, 0.02, 0.04):
+        client.replace(source.uri, 0, 0, "\n")
+        number = client.send("workspace/symbol", {"query": "nowhere"})
+        time.sleep(pause)
+        client.replace(library.uri, library["fn"], library["fn"] + 4, "ripp")
+        client.wait(number)
+        found = client.of(source.uri, "textDocument/diagnostic")["items"]
+        same(len(errors(found)), 1, "the errors after `wave` was renamed")
+        client.write_all(library.uri, library.text)
+        client.replace(source.uri, 0, 0, "\n")
+        same(errors(client.of(source.uri, "textDocument/diagnostic")["items"]), [], "with the old name")

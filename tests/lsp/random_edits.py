@@ -1,0 +1,370 @@
+"""Random edits and random questions, as nobody types and every editor may.
+
+After each burst the text that the server has is compared with the one that the client has: opened
+under another name, the client's text must have the same colours, outline and findings. Every
+question has exactly one answer, no answer speaks of an internal failure, and memory does not grow
+without bound. A seed says which edits they are; one that fails is printed.
+"""
+
+import json
+import os
+import random
+import shutil
+import subprocess
+import tempfile
+import time
+
+from client import (
+    CANCELLED, CONTENT_MODIFIED, REQUEST_FAILED, Client, RpcError, Violation, everything, uri_of,
+)
+from harness import pulling
+from text import Lines
+
+BASE = """#include "lib.glsl"
+// \u00e9\U0001d11e a scene
+#define STEPS 32
+#define SQUARE(x) ((x) * (x))
+struct Hit { float t; vec3 normal; int id; };
+const vec3 SKY = vec3(0.2, 0.4, 0.8);
+uniform float gain; // 0..1
+
+float sdBox(vec3 p, vec3 b) {
+    vec3 q = abs(p) - b;
+    return length(max(q, 0.0)) + min(max(q.x, max(q.y, q.z)), 0.0);
+}
+
+#if STEPS > 16
+float map(vec3 p) { return min(sdBox(p, vec3(0.5)), noise(p.xz) * SQUARE(p.y)); }
+#else
+float map(vec3 p) { return sdBox(p, vec3(1.0)); }
+#endif
+
+Hit march(vec3 origin, vec3 ray) {
+    Hit hit = Hit(0.0, vec3(0.0), -1);
+    for (int i = 0; i < STEPS; i++) {
+        float d = map(origin + ray * hit.t);
+        if (d < 0.001) { hit.id = 1; break; }
+        hit.t += d;
+    }
+    return hit;
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = (fragCoord - 0.5 * iResolution.xy) / iResolution.y; /* \U0001d11e */ float unused = 1.0;
+    Hit hit = march(vec3(0.0, 0.0, -3.0 + sin(iTime)), normalize(vec3(uv, 1.0)));
+    vec3 col = hit.id < 0 ? SKY : pow(hit.normal, vec3(0.5));
+    fragColor = vec4(col, 1.0);
+}
+"""
+LIBRARY = "float noise(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453); }\n"
+PAGE = """<!doctype html>
+<p>\u00e9\U0001d11e</p>
+<script type="x-shader/x-fragment">#version 300 es
+precision highp float;
+in vec2 vUv;
+out vec4 color;
+uniform float gain;
+void main() { color = vec4(vUv * gain, 0.0, 1.0); }
+</script>
+"""
+# No name ends with that of another: a path that is cut never names the text that it stands in.
+MORE = "float more(float x) { return x + 1.0; }\n"
+STARTS = {"first.glsl": BASE, "second.glsl": BASE, "page.html": PAGE, "lib.glsl": LIBRARY, "more.glsl": MORE}
+INCLUDED = ("lib.glsl", "more.glsl")
+PIECES = [
+    "{", "}", "(", ")", "[", "]", ";", ",", ".", "\n", "\r\n", "\r", " ", "\t", "#", "\\\n", "/*", "*/", "//",
+    "#if 1\n", "#else\n", "#endif\n", "#define A(x) x##x\n", "#define STEPS 4\n", "#include \"lib.glsl\"\n",
+    "#include \"more.glsl\"\n", "float", "vec3 v = vec3(1.0);\n", "hit.", "uv.xy", "SQUARE(", "SQUARE(uv.x)",
+    "for (int i = 0; i < 9; i++) ", "if (true) ", "return 1.0;\n", "0", "1.0", "1e", "0x", "\"", "'", "`",
+    "\u00e9", "\U0001d11e", "\u4e2d", "\u0000", "\ufeff", "const", "struct S { int a; };\n", "noise(", "mix(1.0, ",
+    "void mainImage(out vec4 a, in vec2 b) { a = vec4(b, 0.0, 1.0); }\n", "gl_FragCoord", "texture(iChannel0, uv)",
+    "// shaderlint: allow(", "// shaderlint: allow(unused-variable)\n", "int a[3] = int[3](1, 2, 3);\n",
+]
+PLACES = [
+    "hover", "completion", "signatureHelp", "definition", "declaration", "typeDefinition",
+    "documentHighlight", "prepareRename", "prepareCallHierarchy", "references", "rename",
+    "onTypeFormatting", "selectionRange",
+]
+TEXTS = [
+    "documentSymbol", "foldingRange", "documentColor", "codeLens", "formatting", "diagnostic",
+    "semanticTokens/full", "semanticTokens/full/delta",
+]
+RANGES = ["codeAction", "inlayHint", "rangeFormatting", "semanticTokens/range", "colorPresentation"]
+FORMAT = {"tabSize": 4, "insertSpaces": True}
+# What a question may be answered with besides a result.
+ALLOWED = (CANCELLED, CONTENT_MODIFIED, REQUEST_FAILED)
+
+
+def name_of(uri):
+    """The name of the file at an address."""
+    return uri.rsplit("/", 1)[-1]
+
+
+class Typist:
+    """Somebody who types into several texts at once."""
+
+    def __init__(self, program, seed):
+        self.random = random.Random(seed)
+        self.folder = os.path.realpath(tempfile.mkdtemp(prefix="lsp-random-"))
+        for name, text in STARTS.items():
+            with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        encoding = self.random.choice(["utf-8", "utf-16", "utf-32"])
+        self.pulls = self.random.random() < 0.5
+        capabilities = pulling() if self.pulls else everything()
+        capabilities["general"]["positionEncodings"] = [encoding]
+        self.client = Client([program, "lsp"], folder=self.folder, capabilities=capabilities,
+                             settings={"shaderlint": {"run": True, "hints": {"types": True}}},
+                             environment={"TMPDIR": self.folder})
+        self.client.applies_edits = False
+        self.token_ids = {}
+        self.asked = []
+        self.copies = 0
+        for name, text in STARTS.items():
+            self.client.open(self.uri(name), text, "html" if name.endswith("html") else "glsl")
+        self.uris = list(self.client.documents)
+        # A copy of what others include would be another text: nobody includes these.
+        self.compared = [u for u in self.uris if not u.endswith(INCLUDED)]
+
+    def uri(self, name):
+        return uri_of(os.path.join(self.folder, name))
+
+    def end(self):
+        self.client.kill()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    # Edits.
+
+    def edit(self):
+        """One message with one or more changes."""
+        uri = self.random.choice(self.uris)
+        text = self.client.text(uri)
+        changes = []
+        for _ in range(self.random.choice([1, 1, 1, 1, 2, 3])):
+            start, end, new = self.stretch(text)
+            # `change` reads positions in the text that the change before has made.
+            changes.append({"range": self.range_in(text, start, end), "text": new})
+            text = text[:start] + new + text[end:]
+        if self.random.random() < 0.01:
+            changes = [{"text": STARTS[name_of(uri)]}]
+        self.client.change(uri, changes)
+
+    def stretch(self, text):
+        """A stretch of a text that is replaced, and by what."""
+        choice = self.random.random()
+        at = self.boundary(text, self.random.randint(0, len(text)))
+        if choice < 0.45:
+            return at, at, self.random.choice(PIECES)
+        if choice < 0.75:
+            return at, self.boundary(text, min(len(text), at + self.random.choice([1, 1, 1, 2, 5, 40]))), ""
+        if choice < 0.9:
+            lines = text.splitlines(keepends=True) or [""]
+            first = self.random.randrange(len(lines))
+            pasted = "".join(lines[first:first + self.random.randint(1, 3)])
+            # Texts that double and double again are another test.
+            return at, at, pasted if len(text) < 12_000 else ""
+        end = self.boundary(text, min(len(text), at + self.random.randint(0, 12)))
+        return at, end, self.random.choice(PIECES)
+
+    @staticmethod
+    def boundary(text, at):
+        """A place that has a position of its own: none inside of a CR LF."""
+        return at + 1 if 0 < at < len(text) and text[at - 1:at + 1] == "\r\n" else at
+
+    def range_in(self, text, start, end):
+        return Lines(text, self.client.encoding).range(start, max(start, end))
+
+    # Questions.
+
+    def ask(self):
+        """One question of any kind; sometimes it is cancelled."""
+        uri = self.random.choice(self.uris)
+        text = self.client.text(uri)
+        lines = self.client.lines(uri)
+        at = self.boundary(text, self.random.randint(0, len(text)))
+        end = self.boundary(text, self.random.randint(at, len(text)))
+        position, range_ = lines.position(at), lines.range(at, max(at, end))
+        params = {"textDocument": {"uri": uri}}
+        kind = self.random.random()
+        if kind < 0.5:
+            method = self.random.choice(PLACES)
+            params["position"] = position
+            params.update({
+                "references": {"context": {"includeDeclaration": True}},
+                "rename": {"newName": self.random.choice(["renamed", "p", "float", "1x", "map"])},
+                "onTypeFormatting": {"ch": self.random.choice("};"), "options": FORMAT},
+                "selectionRange": {"positions": [position]},
+            }.get(method, {}))
+        elif kind < 0.75:
+            method = self.random.choice(TEXTS)
+            if method == "formatting":
+                params["options"] = FORMAT
+            if method.endswith("delta"):
+                params["previousResultId"] = self.token_ids.get(uri, "none")
+        elif kind < 0.95:
+            method = self.random.choice(RANGES)
+            params["range"] = range_
+            params.update({
+                "codeAction": {"context": {"diagnostics": []}},
+                "rangeFormatting": {"options": FORMAT},
+                "colorPresentation": {"color": {"red": 0.1, "green": 0.2, "blue": 0.3, "alpha": 1.0}},
+            }.get(method, {}))
+        else:
+            return self.ask_workspace()
+        number = self.client.send("textDocument/" + method, params)
+        self.asked.append((number, uri))
+        if self.random.random() < 0.15:
+            self.client.notify("$/cancelRequest", {"id": number})
+        return number
+
+    def ask_workspace(self):
+        method, params = self.random.choice([
+            ("workspace/symbol", {"query": self.random.choice(["", "m", "noise"])}),
+            ("workspace/diagnostic", {"previousResultIds": []}),
+            ("workspace/executeCommand", {"command": "shaderlint.fixAll", "arguments": [self.uris[0]]}),
+            ("shaderlint/page", {"textDocument": {"uri": self.uris[0]}}),
+        ])
+        number = self.client.send(method, params)
+        self.asked.append((number, None))
+        return number
+
+    def burst(self):
+        """Some edits and questions without a breath; all questions are answered."""
+        for _ in range(self.random.randint(5, 60)):
+            if self.random.random() < 0.6:
+                self.edit()
+            else:
+                self.ask()
+        for number, uri in self.asked:
+            answer = self.client.wait(number)
+            error = answer.get("error")
+            if error and error["code"] not in ALLOWED:
+                raise AssertionError("%s: %r" % (self.client.pending[number], error))
+            result = answer.get("result")
+            if uri and isinstance(result, dict) and "resultId" in result:
+                self.token_ids[uri] = result["resultId"]
+        self.asked.clear()
+        if self.client.violations:
+            raise Violation("; ".join(self.client.violations[:3]))
+
+    # Comparing.
+
+    def view(self, uri):
+        """What the server makes of a text without running it."""
+        tokens = self.client.of(uri, "textDocument/semanticTokens/full")["data"]
+        symbols = self.client.of(uri, "textDocument/documentSymbol")
+        if self.pulls:
+            told = self.client.of(uri, "textDocument/diagnostic")["items"]
+        else:
+            told = self.client.published(uri)
+        ran = ("seen in a run", "pixels of")
+        found = sorted(
+            (d["range"]["start"]["line"], d["range"]["start"]["character"], d["range"]["end"]["line"],
+             d["range"]["end"]["character"], d["code"], d["message"])
+            for d in told if not any(word in d["message"] for word in ran) and d["code"] not in RUNTIME)
+        return {"tokens": tokens, "symbols": symbols, "findings": found}
+
+    def compare(self):
+        """The text of the client, opened as another document, is judged as the server's own."""
+        uri = self.random.choice(self.compared)
+        text = self.client.text(uri)
+        self.copies += 1
+        name = "copy%d.%s" % (self.copies, "html" if uri.endswith("html") else "glsl")
+        copy = self.uri(name)
+        language = "html" if uri.endswith("html") else "glsl"
+        self.client.open(copy, text, language)
+        try:
+            own, other = self.view(uri), self.view(copy)
+            if own != other:
+                # What is pushed may come a little later than what is asked for.
+                time.sleep(0.5)
+                own, other = self.view(uri), self.view(copy)
+            for what in own:
+                if own[what] != other[what]:
+                    raise AssertionError("%s of %s differ, and %s:\n%r\n%r\nthe text is %r" % (
+                        what, uri, self.touched(uri, other), own[what], other[what], text))
+        finally:
+            self.client.close(copy)
+
+
+    def touched(self, uri, other):
+        """Whether a text is judged as it should be once it has changed and is the same again: then
+        what was wrong is what the server kept, not what it makes of the text."""
+        self.client.replace(uri, 0, 0, "\n")
+        self.client.replace(uri, 0, 1, "")
+        time.sleep(0.5)
+        is_same = self.view(uri) == other
+        return "not any more after a change: it was kept" if is_same else "still do after a change"
+
+
+RUNTIME = set()
+
+
+def runtime_rules(program):
+    """The rules that only a run answers: they come later than the rest."""
+    out = subprocess.run([program, "rules", "--format", "json"], stdout=subprocess.PIPE, check=True)
+    rules = json.loads(out.stdout)
+    rules = rules["rules"] if isinstance(rules, dict) else rules
+    return {r["name"] for r in rules if r.get("group") == "runtime"}
+
+
+def resident(pid):
+    """The memory that a process holds, in MB; None where nobody tells."""
+    try:
+        with open("/proc/%d/status" % pid, encoding="ascii") as file:
+            for line in file:
+                if line.startswith("VmRSS:"):
+                    return int(line.split()[1]) / 1024
+    except OSError:
+        pass
+    return None
+
+
+def session(program, seed, seconds):
+    """Types for some seconds into one server; raises what goes wrong."""
+    typist = Typist(program, seed)
+    begun = time.monotonic()
+    early, bursts = None, 0
+    try:
+        while time.monotonic() - begun < seconds:
+            typist.burst()
+            typist.compare()
+            bursts += 1
+            if bursts % 40 == 0:
+                # Texts of broken brackets alone would test little else.
+                for uri in typist.uris:
+                    typist.client.write_all(uri, STARTS[name_of(uri)])
+            if early is None and time.monotonic() - begun > seconds / 4:
+                early = resident(typist.client.process.pid)
+        late = resident(typist.client.process.pid)
+        if early and late and late > early * 1.25 + 20:
+            raise AssertionError("memory grows from %.0f to %.0f MB" % (early, late))
+        typist.client.stop()
+        return bursts, early, late
+    finally:
+        typist.end()
+
+
+def run(program, seconds, seed=None):
+    """Random sessions; whether all went well. A seed that is given is the only one."""
+    RUNTIME.update(runtime_rules(program))
+    begun = time.monotonic()
+    first = seed if seed is not None else int(time.time())
+    number = first
+    # Sessions long enough that memory shows whether it grows, and several seeds in a long run.
+    each = min(seconds, 60)
+    fine = True
+    while time.monotonic() - begun < seconds:
+        left = seconds - (time.monotonic() - begun)
+        try:
+            bursts, early, late = session(program, number, min(each, max(left, 5)))
+            print("ok     random edits, seed %d: %d bursts, %s" % (
+                number, bursts,
+                "%.0f MB, then %.0f MB" % (early, late) if early and late else "memory unknown"), flush=True)
+        except (AssertionError, RpcError, TimeoutError, ValueError, OSError, Violation) as error:
+            fine = False
+            print("FAILED random edits, seed %d: %s" % (number, str(error)[:6000]), flush=True)
+        number += 1
+        if seed is not None:
+            break
+    return fine

@@ -1,0 +1,240 @@
+"""Names are changed wherever they mean the same, and refused where they would mean something else."""
+
+import json
+import re
+
+from client import changes_of, path_of
+from embedded import export
+from harness import contains, errors, holds, refusal, same, test
+
+
+def renamed(client, source, offset, new):
+    """Renames, and gives the texts of all files that changed."""
+    edit = client.at(source.uri, offset, "textDocument/rename", newName=new)
+    client.apply(edit)
+    return {uri: client.lines(uri).text for uri, _ in changes_of(edit)}
+
+
+@test
+def a_name_is_prepared_with_its_range(case):
+    client = case.client()
+    source = case.write("a.glsl", "/* é𝄞 */ float «fn»wave(float x) { return sin(x); }\n").open(client)
+    found = client.at(source.uri, source["fn"] + 2, "textDocument/prepareRename")
+    same(found["placeholder"], "wave", "the placeholder")
+    same(client.lines(source.uri).span(found["range"]), (source["fn"], source["fn"] + 4), "the range")
+
+
+@test
+def names_change_through_macros(case):
+    client = case.client()
+    text = """float wave(float x) { return sin(x); }
+#define CALL(x) wave(x) * «in»gain
+#define TWICE(name) name + name
+const float «def»gain = 2.0;
+#if 0
+float unseen = gain;
+#endif
+void mainImage(out vec4 c, in vec2 p) {
+    float gained = 1.0;
+    c = vec4(CALL(p.x), TWICE(gain), gained, wave(iTime)); // gain
+}
+"""
+    source = case.write("a.glsl", text).open(client)
+    for place in ("def", "in"):
+        after = renamed(client, source, source[place], "power")[source.uri]
+        expected = re.sub(r"\bgain\b(?! *\n    float gained)", "power", source.text)
+        expected = expected.replace("// power", "// gain")
+        same(after, expected, "the text")
+        same(errors(client.published(source.uri)), [], "the errors")
+        client.write_all(source.uri, source.text)
+    after = renamed(client, source, source.text.index("wave"), "ripple")[source.uri]
+    same(after, source.text.replace("wave", "ripple"), "the text")
+
+
+@test
+def macros_and_members_change(case):
+    client = case.client()
+    source = case.write("a.glsl", """#define «macro»LIMIT(x) min(x, 4.0)
+#ifdef LIMIT
+struct Ray { vec3 «member»start; float start2; };
+#endif
+float «over»start(Ray r) { return LIMIT(r.start.x) + r.start2; }
+void mainImage(out vec4 c, in vec2 p) {
+    Ray ray = Ray(vec3(p, 1.0), 2.0);
+    ray.start.xy += 1.0;
+    c = vec4(LIMIT(start(ray)));
+}
+""").open(client)
+    after = renamed(client, source, source["macro"], "BOUND")[source.uri]
+    same(after, source.text.replace("LIMIT", "BOUND"), "the text")
+    client.write_all(source.uri, source.text)
+    after = renamed(client, source, source["member"], "origin")[source.uri]
+    expected = source.text.replace("vec3 start;", "vec3 origin;").replace("r.start.x", "r.origin.x")
+    same(after, expected.replace("ray.start.xy", "ray.origin.xy"), "the text")
+
+
+@test
+def names_change_through_includes(case):
+    client = case.client()
+    library = case.write("lib.glsl", "float «fn»wave(float x) { return sin(x); }\n")
+    first = case.write("a.glsl", '#include "lib.glsl"\nvoid mainImage(out vec4 c, in vec2 p) '
+                       "{ c = vec4(«use»wave(p.x)); }\n").open(client)
+    second = case.write("inner/b.glsl", '#include "../lib.glsl"\nvoid mainImage(out vec4 c, in vec2 p) '
+                        "{ c = vec4(wave(p.y)); }\n")
+    apart = case.write("c.glsl", "float wave(float x) { return x; }\n")
+    after = renamed(client, first, first["use"], "ripple")
+    same(sorted(after), sorted([library.uri, first.uri, second.uri]), "the files")
+    for source in (library, first, second):
+        same(after[source.uri], source.text.replace("wave", "ripple"), "the text")
+    with open(path_of(apart.uri), encoding="utf-8") as file:
+        same(file.read(), apart.text, "the text of a file that has nothing to do with it")
+
+
+@test
+def names_change_through_the_passes_of_a_folder(case):
+    client = case.client()
+    body = "void mainImage(out vec4 c, in vec2 p) { c = vec4(«%s»wave(p.x)); }\n"
+    common = case.write("common.glsl", "float «def»wave(float x) { return sin(x); }\n").open(client)
+    image = case.write("image.glsl", body % "use").open(client)
+    buffer = case.write("bufferA.glsl", body % "use")
+    for source, place in ((image, "use"), (common, "def")):
+        after = renamed(client, source, source[place], "ripple")
+        same(sorted(after), sorted([common.uri, image.uri, buffer.uri]), "the files")
+        for each in (common, image, buffer):
+            same(after[each.uri], each.text.replace("wave", "ripple"), "the text")
+            # As it was before, for the next.
+            if each.uri in client.documents:
+                client.write_all(each.uri, each.text)
+        case.write("bufferA.glsl", body % "use")
+
+
+@test
+def names_change_through_the_passes_of_an_export(case):
+    client = case.client()
+    image = "void mainImage(out vec4 c, in vec2 p) {\n\tc = vec4(wave(p.x)); // \"wave\"\n}\n"
+    source = case.write("s.json", export(image, "float wave(float x) { return sin(x); }\n"))
+    source.open(client, "json")
+    after = renamed(client, source, source.text.index("wave(float"), "ripple")[source.uri]
+    same(after, source.text.replace("wave(", "ripple("), "the text")
+    json.loads(after)
+
+
+HEAD = "#version 300 es\nprecision highp float;\n"
+VERTEX = HEAD + "in vec4 position;\nout vec2 «v»vUv;\nuniform float gain;\n" \
+    "void main() { vUv = position.xy * gain; gl_Position = position; }\n"
+FRAGMENT = HEAD + "in vec2 «f»vUv;\nuniform float gain;\nout vec4 color;\n" \
+    "void main() { color = vec4(vUv * gain, 0.0, 1.0); }\n"
+
+
+@test
+def a_varying_changes_in_both_stages_of_a_page(case):
+    client = case.client()
+    text = '<script type="x-shader/x-vertex">%s</script>\n<script type="x-shader/x-fragment">%s</script>\n'
+    source = case.write("page.html", text % (VERTEX, FRAGMENT)).open(client, "html")
+    same(errors(client.published(source.uri)), [], "the errors")
+    for place in ("v", "f"):
+        after = renamed(client, source, source[place], "vPlace")[source.uri]
+        same(after, source.text.replace("vUv", "vPlace"), "the text")
+        same(errors(client.published(source.uri)), [], "the errors")
+        client.write_all(source.uri, source.text)
+
+
+@test
+def a_varying_changes_in_both_files_of_a_pair(case):
+    client = case.client()
+    vertex = case.write("a.vert", VERTEX).open(client)
+    fragment = case.write("a.frag", FRAGMENT)
+    for source, place in ((vertex, "v"), (fragment, "f")):
+        if source is fragment:
+            fragment.open(client)
+        after = renamed(client, source, source[place], "vPlace")
+        same(sorted(after), sorted([vertex.uri, fragment.uri]), "the files")
+        for each in (vertex, fragment):
+            same(after[each.uri], each.text.replace("vUv", "vPlace"), "the text")
+        case.write("a.vert", VERTEX)
+        case.write("a.frag", FRAGMENT)
+        for each in (vertex, fragment):
+            if each.uri in client.documents:
+                client.write_all(each.uri, each.text)
+
+
+@test
+def a_uniform_changes_in_both_files_of_a_pair(case):
+    client = case.client()
+    vertex = case.write("a.vert", VERTEX).open(client)
+    fragment = case.write("a.frag", FRAGMENT).open(client)
+    after = renamed(client, fragment, fragment.text.index("gain"), "power")
+    same(after, {s.uri: s.text.replace("gain", "power") for s in (vertex, fragment)}, "the texts")
+
+
+@test
+def what_others_name_stays(case):
+    client = case.client()
+    source = case.write("a.glsl", """void «entry»mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 «own»uv = fragCoord / «host»iResolution.xy;
+    fragColor = vec4(«builtin»sin(uv), uv.«swizzle»xy) + gl_FragCoord.«blank»    x;
+    «keyword»return;
+}
+""").open(client)
+    for place, words in (("entry", "mainImage"), ("host", "iResolution"), ("builtin", "sin")):
+        for method, more in (("rename", {"newName": "other"}), ("prepareRename", {})):
+            error = refusal(lambda: client.at(source.uri, source[place], "textDocument/" + method, **more))
+            contains(error.message, "`%s`" % words, "the reason")
+    for place in ("keyword", "swizzle"):
+        error = refusal(lambda: client.at(source.uri, source[place] + 1, "textDocument/rename", newName="other"))
+        holds(len(error.message) > 10, "no reason", error)
+
+
+@test
+def what_is_no_name_is_refused(case):
+    client = case.client()
+    source = case.write("a.glsl", "float «fn»wave(float x) { return x; }\n").open(client)
+    for new in ("float", "1x", "a b", "", "for", "gl_wave", "a__b", "é", "sample", "wave()"):
+        error = refusal(lambda: client.at(source.uri, source["fn"], "textDocument/rename", newName=new))
+        holds(len(error.message) > 10, "no reason", error)
+    same(changes_of(client.at(source.uri, source["fn"], "textDocument/rename", newName="wave")), [], "the same name")
+
+
+@test
+def what_would_mean_something_else_is_refused(case):
+    client = case.client()
+    cases = {
+        "a parameter that a local of an inner block hides":
+            ("float f(float «x»p) { { float q = 2.0; q += p; } return p; }", "q"),
+        "a local that would take the place of a global that is used":
+            ("const float q = 1.0;\nfloat f() { float «x»p = 2.0; return p * q; }", "q"),
+        "a global that a parameter would hide":
+            ("const float «x»p = 1.0;\nfloat f(float q) { return p * q; }", "q"),
+        "two locals of one scope": ("float f() { float «x»p = 2.0; float q = 1.0; return p * q; }", "q"),
+        "a function that would be another's overload, with the same parameters":
+            ("float q(float a) { return a; }\nfloat «x»p(float a) { return a * q(a); }", "q"),
+        "a function that would take the place of a built-in that is used":
+            ("float «x»p(float a) { return a; }\nfloat f(float a) { return p(a) + sin(a); }", "sin"),
+        "two members of one struct": ("struct S { float «x»p; float q; };", "q"),
+        "a name that a macro replaces": ("#define q 2.0\nfloat f(float «x»p) { return p * q; }", "q"),
+    }
+    for number, (what, (text, new)) in enumerate(cases.items()):
+        source = case.write("case%d.glsl" % number, text + "\n").open(client)
+        error = refusal(lambda: client.at(source.uri, source["x"], "textDocument/rename", newName=new))
+        contains(error.message, "`%s`" % new, "the reason for %s" % what)
+    # What is allowed: another scope, another struct, another number of parameters.
+    fine = [
+        ("float f(float «x»p) { return p; }\nfloat g(float q) { return q; }", "q"),
+        ("struct S { float «x»p; };\nfloat q = 1.0;\nfloat f(S s) { return s.p * q; }", "q"),
+        ("float q(float a) { return a; }\nfloat «x»p(vec2 a) { return q(a.x); }\n"
+         "float f() { return p(vec2(1.0)); }", "q"),
+    ]
+    for number, (text, new) in enumerate(fine):
+        source = case.write("fine%d.glsl" % number, text + "\n").open(client)
+        after = renamed(client, source, source["x"], new)[source.uri]
+        same(after, re.sub(r"\bp\b", new, source.text), "the text")
+
+
+@test
+def what_a_script_asks_for_by_name_stays(case):
+    client = case.client()
+    source = case.write("s.js", "const f = `" + FRAGMENT.replace("«f»", "").replace(
+        "uniform float gain", "uniform float «u»gain") +
+        "`;\nconst place = gl.getUniformLocation(program, 'gain');\n").open(client, "javascript")
+    error = refusal(lambda: client.at(source.uri, source["u"], "textDocument/rename", newName="power"))
+    contains(error.message, "`gain`", "the reason")
