@@ -32,8 +32,8 @@ pub trait Files: Sync {
         self.entry(path).map(|_| plain(&self.here().join(path)))
     }
 
-    /// A number that is another one whenever the text of a file is; `None` where that is not known,
-    /// so that nothing is kept of it.
+    /// A number that is another one whenever the text of a file is, or the names in a folder are;
+    /// `None` where that is not known, so that nothing is kept of it.
     fn version(&self, _path: &Path) -> Option<u64> {
         None
     }

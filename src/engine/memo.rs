@@ -12,8 +12,8 @@ use std::sync::{Arc, Mutex, MutexGuard};
 pub struct Memo {
     /// By path without links: the version of the file that was read.
     texts: Mutex<HashMap<PathBuf, (u64, Arc<IncludedFile>)>>,
-    /// By folder, the passes of ShaderToy in it.
-    passes: Mutex<HashMap<PathBuf, Arc<Passes>>>,
+    /// By folder: the version of its names that was read, and the passes of ShaderToy among them.
+    passes: Mutex<HashMap<PathBuf, (u64, Arc<Passes>)>>,
     /// By folder, the packages of its project.
     packages: Mutex<HashMap<PathBuf, Arc<BTreeSet<String>>>>,
 }
@@ -21,23 +21,17 @@ pub struct Memo {
 impl Memo {
     /// What stands in a file, read anew where it has changed.
     pub(super) fn text(&self, files: &dyn Files, real: &Path) -> Option<Arc<IncludedFile>> {
-        let version = files.version(real);
-        if let (Some(now), Some((then, kept))) = (version, lock(&self.texts).get(real))
-            && now == *then
-        {
-            return Some(kept.clone());
-        }
-        let text = Arc::new(IncludedFile::new(files.load(real).ok()?));
-        if let Some(version) = version {
-            let kept = (version, text.clone());
-            lock(&self.texts).insert(real.to_path_buf(), kept);
-        }
-        Some(text)
+        of_version(&self.texts, files, real, || {
+            Some(IncludedFile::new(files.load(real).ok()?))
+        })
     }
 
-    /// The files of a folder that are called like passes.
+    /// The files of a folder that are called like passes, listed anew where names have come or gone.
     pub(super) fn passes(&self, files: &dyn Files, folder: &Path) -> Arc<Passes> {
-        kept(&self.passes, folder, || Passes::inside(files, folder))
+        let found = of_version(&self.passes, files, folder, || {
+            Some(Passes::inside(files, folder))
+        });
+        found.unwrap_or_default()
     }
 
     /// The packages of a folder's project, which `find` looks for.
@@ -48,6 +42,27 @@ impl Memo {
     ) -> Arc<BTreeSet<String>> {
         kept(&self.packages, folder, find)
     }
+}
+
+/// What is known of a file or folder as it is now. Nothing is kept where its version is not known.
+fn of_version<T>(
+    known: &Mutex<HashMap<PathBuf, (u64, Arc<T>)>>,
+    files: &dyn Files,
+    path: &Path,
+    find: impl FnOnce() -> Option<T>,
+) -> Option<Arc<T>> {
+    // Asked first: what changes while it is read is read again.
+    let version = files.version(path);
+    if let (Some(now), Some((then, kept))) = (version, lock(known).get(path))
+        && now == *then
+    {
+        return Some(kept.clone());
+    }
+    let found = Arc::new(find()?);
+    if let Some(version) = version {
+        lock(known).insert(path.to_path_buf(), (version, found.clone()));
+    }
+    Some(found)
 }
 
 /// What is known of a folder, found out where it is not known yet.

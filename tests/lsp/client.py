@@ -24,6 +24,9 @@ INVALID_REQUEST = -32600
 METHOD_NOT_FOUND = -32601
 INVALID_PARAMS = -32602
 
+# What happens to files.
+CREATED, CHANGED, DELETED = 1, 2, 3
+
 # Seconds within which a quiet machine answers many times over.
 PATIENCE = 30
 
@@ -429,6 +432,12 @@ class Client(Connection):
                 text = file.read()
             with open(path, "w", encoding="utf-8", newline="") as file:
                 file.write(apply_edits(text, edits, self.encoding))
+            self.watched((uri, CHANGED))
+
+    def watched(self, *events):
+        """Tells what has happened on the disk: addresses, and what happened to each."""
+        changes = [{"uri": uri, "type": kind} for uri, kind in events]
+        self.notify("workspace/didChangeWatchedFiles", {"changes": changes})
 
     def text(self, uri):
         """The text that is open, as the client has it."""

@@ -2,8 +2,9 @@
 
 import json
 import re
+import time
 
-from client import changes_of, path_of
+from client import CHANGED, changes_of, path_of
 from embedded import export
 from harness import contains, errors, holds, refusal, same, test
 
@@ -106,6 +107,23 @@ def names_change_through_the_passes_of_a_folder(case):
             if each.uri in client.documents:
                 client.write_all(each.uri, each.text)
         case.write("bufferA.glsl", body % "use")
+        client.watched((buffer.uri, CHANGED))
+
+
+@test
+def passes_that_come_later_are_found_by_who_is_not_told(case):
+    client = case.client()
+    common = case.write("common.glsl", "float wave(float x) { return sin(x); }\n").open(client)
+    # The folder is old when it is looked at.
+    time.sleep(0.3)
+    client.of(common.uri, "textDocument/documentSymbol")
+    client.write_all(common.uri, common.text + "// more\n")
+    client.of(common.uri, "textDocument/documentSymbol")
+    body = "void mainImage(out vec4 c, in vec2 p) { c = vec4(«%s»wave(p.x)); }\n"
+    buffer = case.write("bufferA.glsl", body % "use")
+    image = case.write("image.glsl", body % "use").open(client)
+    after = renamed(client, image, image["use"], "ripple")
+    same(sorted(after), sorted([common.uri, image.uri, buffer.uri]), "the files")
 
 
 @test

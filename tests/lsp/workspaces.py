@@ -2,7 +2,7 @@
 
 import os
 
-from client import uri_of
+from client import CHANGED, CREATED, DELETED, uri_of
 from harness import errors, everything, holds, pulling, rules, same, test, without
 
 UNUSED = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
@@ -15,13 +15,6 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     fragColor = vec4(fragCoord / iResolution.xy, wave(iTime), 1.0);
 }
 """
-CREATED, CHANGED, DELETED = 1, 2, 3
-
-
-def watched(client, *events):
-    """Tells what has happened on the disk."""
-    changes = [{"uri": uri, "type": kind} for uri, kind in events]
-    client.notify("workspace/didChangeWatchedFiles", {"changes": changes})
 
 
 @test
@@ -30,14 +23,14 @@ def a_configuration_that_changes_turns_a_rule_off(case):
     source = case.write("a.glsl", UNUSED).open(client)
     same(rules(client.published(source.uri)), ["unused-variable"], "at first")
     config = case.write("shaderlint.toml", '[rules]\nunused-variable = "off"\n')
-    watched(client, (config.uri, CREATED))
+    client.watched((config.uri, CREATED))
     client.published_when(source.uri, lambda d: d == [], "the new configuration has no effect")
     case.write("shaderlint.toml", '[rules]\nunused-variable = "warning"\n')
-    watched(client, (config.uri, CHANGED))
+    client.watched((config.uri, CHANGED))
     found = client.published_when(source.uri, lambda d: d, "the changed configuration has no effect")
     same(found[0]["severity"], 2, "the severity, as it is configured")
     os.remove(config.path)
-    watched(client, (config.uri, DELETED))
+    client.watched((config.uri, DELETED))
     client.published_when(source.uri, lambda d: d and d[0]["severity"] == 3, "it has gone without effect")
 
 
@@ -64,14 +57,14 @@ def a_file_that_changes_is_read_again(case):
     client = case.client(options={"run": False})
     source = case.write("a.glsl", USER).open(client)
     library = case.write("lib.glsl", "float wave(float x) { return sin(x); }\n")
-    watched(client, (library.uri, CREATED))
+    client.watched((library.uri, CREATED))
     client.published_when(source.uri, lambda d: not errors(d), "a new file is not read")
     case.write("lib.glsl", "float ripple(float x) { return sin(x); } // longer\n")
-    watched(client, (library.uri, CHANGED))
+    client.watched((library.uri, CHANGED))
     found = client.published_when(source.uri, lambda d: errors(d), "a changed file is not read")
     same([client.lines(source.uri).at(d["range"]) for d in errors(found)], ["wave"], "the error")
     case.write("lib.glsl", "float wave(float x) { return cos(x); }\n")
-    watched(client, (library.uri, CHANGED))
+    client.watched((library.uri, CHANGED))
     client.published_when(source.uri, lambda d: not errors(d), "a mended file is not read")
 
 
@@ -82,7 +75,7 @@ def a_file_that_goes_is_missed(case):
     source = case.write("a.glsl", USER).open(client)
     holds(errors(client.published(source.uri)), "no error of the file")
     os.remove(library.path)
-    watched(client, (library.uri, DELETED))
+    client.watched((library.uri, DELETED))
     # What is not found is taken for the bundler's.
     client.published_when(source.uri, lambda d: not errors(d), "a file that is gone is still read")
 
@@ -94,7 +87,7 @@ def the_disk_does_not_replace_an_open_text(case):
     source = case.write("a.glsl", USER).open(client)
     same(errors(client.published(source.uri)), [], "at first")
     case.write("lib.glsl", "float gone(float x) { return sin(x); }\n")
-    watched(client, (library.uri, CHANGED))
+    client.watched((library.uri, CHANGED))
     client.replace(source.uri, 0, 0, "\n")
     same(errors(client.published(source.uri)), [], "with the text that is open")
 
@@ -167,10 +160,10 @@ def a_file_is_found_by_who_pulls_after_it_was_written(case):
     client = case.client(capabilities=pulling(), settings={"shaderlint": {"run": False}})
     same(client.request("workspace/diagnostic", {"previousResultIds": []})["items"], [], "an empty folder")
     source = case.write("a.glsl", UNUSED)
-    watched(client, (source.uri, CREATED))
+    client.watched((source.uri, CREATED))
     items = client.request("workspace/diagnostic", {"previousResultIds": []})["items"]
     same([i["uri"] for i in items], [source.uri], "the files")
     case.write("a.glsl", UNUSED.replace("unused", "used").replace("sin(iTime)", "used"))
-    watched(client, (source.uri, CHANGED))
+    client.watched((source.uri, CHANGED))
     items = client.request("workspace/diagnostic", {"previousResultIds": []})["items"]
     same(items[0]["items"], [], "the findings of the mended file")
