@@ -143,7 +143,8 @@ impl Case<'_> {
         for code in files.filter(|c| c.role == Role::User) {
             let mut at = code.base;
             for text in code.text.split_inclusive(['\n', '\r']) {
-                if let Some(word) = directive(text).filter(|w| !DIRECTIVES.contains(w)) {
+                let word = directive(text).filter(|w| !w.is_empty() && !DIRECTIVES.contains(w));
+                if let Some(word) = word {
                     misspelt(at, text, word, &mut all);
                 }
                 at += text.len() as u32;

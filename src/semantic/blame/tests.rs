@@ -165,3 +165,11 @@ fn conditionals() {
         "2:1 unbalanced-conditional",
     );
 }
+
+#[test]
+fn a_hash_before_something_else_is_no_misspelt_directive() {
+    let code = "void main() {\n    color = vec4(1.0);\n    if (color.x > 0.5) {\n        color.y = 2.0;\n#    }\n}\n";
+    let (told, fixed) = found(code);
+    assert_eq!(told, ["4:23 unclosed-delimiter", "5:1 bad-directive"]);
+    assert!(!fixed.contains("#if"), "{fixed}");
+}
