@@ -36,7 +36,7 @@ pub enum HintKind {
 pub struct HintOptions {
     /// Names of parameters.
     pub parameters: bool,
-    /// SeenTurns of loops.
+    /// How often loops turn.
     pub turns: bool,
     /// Types.
     pub types: bool,

@@ -57,13 +57,13 @@ pub fn lenses(document: &Document, seen: &[Option<RunSeen>]) -> Vec<Lens> {
                 title: "▶ Preview".to_string(),
                 command: LensCommand::Preview,
             });
-            let most = facts.work().operations(entry);
-            let mut title = format!("up to {} a pixel", operations(most));
-            let seen = seen.get(number).and_then(Option::as_ref);
-            let seen = seen.and_then(|s| s.loops.values().map(|t| t.most).max());
-            if let Some(turns) = seen {
-                title.push_str(&format!(", loops seen to turn {turns} times"));
-            }
+            let title = match seen.get(number).and_then(Option::as_ref) {
+                Some(seen) => seen_cost(seen),
+                None => {
+                    let most = facts.work().operations(entry);
+                    format!("estimated: up to {} per pixel", operations(most))
+                }
+            };
             found.push(Lens {
                 span,
                 title,
@@ -76,7 +76,12 @@ pub fn lenses(document: &Document, seen: &[Option<RunSeen>]) -> Vec<Lens> {
             if let (Some(span), Some(value_span)) = (name, value) {
                 found.push(Lens {
                     span,
-                    title: format!("{} … {}", tunable.min, tunable.max),
+                    title: format!(
+                        "Change {}: {} … {}",
+                        program.sources.text(tunable.name),
+                        tunable.min,
+                        tunable.max
+                    ),
                     command: LensCommand::Tune {
                         value_span,
                         value: tunable.value,
@@ -90,4 +95,17 @@ pub fn lenses(document: &Document, seen: &[Option<RunSeen>]) -> Vec<Lens> {
     found.sort_by_key(|lens| lens.span);
     found.dedup();
     found
+}
+
+/// What the pixels of a run cost.
+fn seen_cost(seen: &RunSeen) -> String {
+    let mut title = format!("in a run: {} per pixel", operations(seen.cost.round()));
+    if f64::from(seen.most_cost) > seen.cost.round() {
+        title.push_str(&format!(", {} at most", seen.most_cost));
+    }
+    if let Some(most) = seen.loops.values().map(|turns| turns.most).max() {
+        let plural = if most == 1 { "" } else { "s" };
+        title.push_str(&format!("; loops up to {most} iteration{plural}"));
+    }
+    title
 }

@@ -23,6 +23,10 @@ const MOST_INSTRUCTIONS: usize = 60_000;
 pub struct RunSeen {
     /// By loop.
     pub loops: BTreeMap<StmtId, SeenTurns>,
+    /// Operations of a pixel in the mean.
+    pub cost: f64,
+    /// The most operations of one pixel.
+    pub most_cost: u32,
 }
 
 /// How often a loop turned.
@@ -30,7 +34,7 @@ pub struct RunSeen {
 pub struct SeenTurns {
     /// The most turns of one pixel.
     pub most: u32,
-    /// SeenTurns in the mean.
+    /// Turns in the mean.
     pub mean: f64,
     /// The share of the pixels that came to it and ran all of its turns.
     pub exhausted: f64,
@@ -71,8 +75,11 @@ pub fn run(analysis: &Analysis) -> Option<RunSeen> {
     let module = analysis.module();
     let loops = drawn.seen.loops.iter().filter(|l| l.entries > 0);
     let turns = loops.filter_map(|l| Some((module.looped(l.id)?.stmt, SeenTurns::of(l))));
+    let cost: u64 = drawn.cost.iter().copied().map(u64::from).sum();
     Some(RunSeen {
         loops: turns.collect(),
+        cost: cost as f64 / drawn.cost.len().max(1) as f64,
+        most_cost: drawn.cost.iter().copied().max().unwrap_or(0),
     })
 }
 
@@ -90,7 +97,12 @@ pub fn picture_of(analysis: &Analysis, variable: VariableId, within: Span) -> Op
     let drawn = draw(&drawing, 1).ok()?;
     // The value is the last output but one.
     let output = scene.code.outputs.len().checked_sub(2)?;
-    let picture = Picture::of(&scene.code, &drawn, output);
+    let mut picture = Picture::of(&scene.code, &drawn, output);
+    if scene.code.outputs.get(output)?.ty.components() == 1 {
+        // A number is grey, where several are colours.
+        let grey = |pixel: &mut [f32; 4]| *pixel = [pixel[0], pixel[0], pixel[0], 1.0];
+        picture.pixels.iter_mut().for_each(grey);
+    }
     (!picture.pixels.is_empty()).then_some(picture)
 }
 

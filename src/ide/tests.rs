@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::engine::{NoFiles, Options};
-use crate::text::apply_edits;
+use crate::semantic::VariableId;
+use crate::text::{Span, apply_edits};
 use std::sync::Arc;
 
 /// What stands before each statement: a shader of its own.
@@ -203,4 +204,23 @@ fn a_call_that_is_open_tells_its_argument() {
         (help.signatures[0].label.as_str(), help.argument),
         ("float f(vec2 p, float k)", 1)
     );
+}
+
+#[test]
+fn a_number_is_grey_and_several_are_colours() {
+    let (document, _) = marked(
+        "void main() {\n|float x = gl_FragCoord.x / 64.0;\nvec3 rgb = vec3(x, 0.0, 0.5);\ncolor = vec4(rgb, x);\n}\n",
+    );
+    let analysis = &document.report.analyses[0];
+    let program = &analysis.program;
+    let all = Span::new(0, u32::MAX);
+    let middle = |name: &str| {
+        let name = program.names.get(name).unwrap();
+        let found = program.variables.iter().position(|v| v.name == name);
+        let picture = picture_of(analysis, VariableId(found.unwrap() as u32), all).unwrap();
+        picture.pixels[32]
+    };
+    let x = 32.5 / 64.0;
+    assert_eq!(middle("x"), [x, x, x, 1.0]);
+    assert_eq!(middle("rgb")[..3], [x, 0.0, 0.5]);
 }

@@ -1,5 +1,7 @@
 """How a text is built and looks: symbols, colours, hints, folds, selections, lenses."""
 
+import re
+
 from client import RpcError, everything
 from harness import contains, errors, eventually, holds, same, test, without
 
@@ -191,13 +193,21 @@ def hints_are_as_they_are_set(case):
     holds(any(label.startswith(": vec") for label in found.values()), "no types", found)
     # Another setting, told with the notification.
     client.notify("workspace/didChangeConfiguration", {"settings": {"shaderlint": {
-        "run": False, "hints": {"parameters": False, "turns": False, "types": False}}}})
+        "run": False, "hints": {"parameters": False, "loopIterations": False, "types": False}}}})
     same(hints(client, source), {}, "the hints when all are off")
 
 
 @test
+def wrong_settings_are_told_and_not_used(case):
+    client, source = opened(case, options={"run": False, "hints": {"parameters": "never"}})
+    messages = client.wait_until(lambda: client.told("window/showMessage"), "nothing is said")
+    contains(messages[0]["message"], "expected a boolean", "the message")
+    holds("place:" in hints(client, source).values(), "the settings are used")
+
+
+@test
 def settings_are_asked_for(case):
-    off = {"hints": {"parameters": False, "turns": False}, "run": False, "lenses": False}
+    off = {"hints": {"parameters": False, "loopIterations": False}, "run": False, "lenses": False}
     client, source = opened(case, settings={"shaderlint": off})
     client.asked_for("workspace/configuration")
     holds(eventually(lambda: not hints(client, source)), "the hints are off, and are told", hints(client, source))
@@ -310,6 +320,18 @@ def lenses_offer_what_the_server_does(case):
 
 
 @test
+def a_lens_tells_what_a_run_has_cost(case):
+    client, source = opened(case)
+    client.published(source.uri)
+    client.asked_for("workspace/codeLens/refresh")
+    titles = [lens["command"]["title"] for lens in client.of(source.uri, "textDocument/codeLens")]
+    cost = [re.search(r"in a run: (\d+) operations per pixel(?:, (\d+) at most)?; loops up to 8 iterations", t) for t in titles]
+    cost = [c for c in cost if c]
+    holds(len(cost) == 1 and 0 < int(cost[0].group(1)) <= int(cost[0].group(2) or cost[0].group(1)), "the cost", titles)
+    holds(not any("estimated" in t for t in titles), "two costs", titles)
+
+
+@test
 def a_client_with_views_gets_lenses_for_numbers(case):
     client, source = opened(case, options={"previewCommand": "editor.preview"})
     tuned = case.write("b.glsl", "#define GAIN 0.5 // how bright (0~2)\nvoid mainImage(out vec4 c, in vec2 p) "
@@ -319,6 +341,7 @@ def a_client_with_views_gets_lenses_for_numbers(case):
     holds("editor.preview" in commands, "its own command is not used", found)
     tune = commands.get("shaderlint.tune")
     holds(tune, "no lens for the number", found)
+    same(tune["title"], "Change GAIN: 0 … 2", "what it says")
     uri, range_, value, low, high = tune["arguments"]
     same((uri, client.lines(tuned.uri).at(range_), value), (tuned.uri, "0.5", 0.5), "what is tuned")
     same((low, high), (0, 2), "from where to where")

@@ -96,7 +96,8 @@ pub struct UserSettings {
 pub struct UserHints {
     /// Names of parameters.
     pub parameters: bool,
-    /// SeenTurns of loops.
+    /// How often loops turn.
+    #[serde(rename = "loopIterations")]
     pub turns: bool,
     /// Types of `?:` and of components.
     pub types: bool,
@@ -125,12 +126,21 @@ impl Default for UserHints {
 }
 
 impl UserSettings {
-    /// Reads settings; those of the tool may stand under its name.
-    pub fn read(value: &serde_json::Value) -> Option<UserSettings> {
+    /// Reads settings; those of the tool may stand under its name. Clients without settings send
+    /// something else than an object.
+    ///
+    /// # Errors
+    /// In words, where one has a value that it cannot have.
+    pub fn read(value: &serde_json::Value) -> Result<Option<UserSettings>, String> {
         let own = value.get("shaderlint").unwrap_or(value);
-        match own.is_object() {
-            true => UserSettings::deserialize(own).ok(),
-            false => None,
+        if !own.is_object() {
+            return Ok(None);
+        }
+        match UserSettings::deserialize(own) {
+            Ok(settings) => Ok(Some(settings)),
+            Err(error) => Err(format!(
+                "shaderlint: the settings stay as they were: {error}"
+            )),
         }
     }
 
@@ -152,12 +162,12 @@ mod tests {
     fn settings_are_read_by_their_names() {
         let value =
             serde_json::json!({ "shaderlint": { "hints": { "types": true }, "run": false } });
-        let settings = UserSettings::read(&value).unwrap();
+        let settings = UserSettings::read(&value).unwrap().unwrap();
         assert!(settings.hints.types && settings.hints.turns && !settings.run);
-        assert_eq!(
-            UserSettings::read(&serde_json::json!({})),
-            Some(UserSettings::default())
-        );
-        assert_eq!(UserSettings::read(&serde_json::json!(null)), None);
+        let read = |text: &str| UserSettings::read(&serde_json::from_str(text).unwrap());
+        assert_eq!(read("{}"), Ok(Some(UserSettings::default())));
+        assert_eq!(read("null"), Ok(None));
+        let wrong = read(r#"{ "shaderlint": { "run": "never" } }"#).unwrap_err();
+        assert!(wrong.contains("\"never\", expected a boolean"), "{wrong}");
     }
 }

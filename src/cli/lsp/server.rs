@@ -89,7 +89,7 @@ pub fn serve(connection: Connection) -> Result<bool, ProtocolError> {
     let Ok(mut server) = Server::new(connection, client, &params) else {
         return Ok(false);
     };
-    server.greet();
+    server.greet(params.initialization_options.as_ref());
     Ok(server.run())
 }
 
@@ -143,10 +143,9 @@ impl Server {
                 let _ = reader.send(Event::Gone);
             })?;
         let folders = folders(params);
-        let options = params.initialization_options.as_ref();
         let now = Snapshot {
             client: Arc::new(client),
-            settings: Arc::new(options.and_then(UserSettings::read).unwrap_or_default()),
+            settings: Arc::default(),
             files: OpenFiles {
                 disk: Arc::new(Disk::new()),
                 open: Arc::default(),
@@ -177,8 +176,11 @@ impl Server {
         })
     }
 
-    /// Asks the client for what it tells only when asked.
-    fn greet(&mut self) {
+    /// Takes the settings that the client began with, and asks for what it tells only when asked.
+    fn greet(&mut self, options: Option<&Value>) {
+        if let Some(options) = options {
+            self.set(options);
+        }
         if self.now.client.watches {
             let all = "**/*.{glsl,vert,frag,vs,fs,vsh,fsh,glslv,glslf,shadertoy,json}";
             let watchers = [all, "**/shaderlint.toml", "**/.editorconfig"];
@@ -391,11 +393,16 @@ impl Server {
     }
 
     fn set(&mut self, value: &Value) {
-        if let Some(settings) = UserSettings::read(value)
-            && *self.now.settings != settings
-        {
-            self.now.settings = Arc::new(settings);
-            self.renew();
+        match UserSettings::read(value) {
+            Ok(Some(settings)) if *self.now.settings != settings => {
+                self.now.settings = Arc::new(settings);
+                self.renew();
+            }
+            Ok(_) => {}
+            Err(message) => self.tell::<ShowMessageNotification>(&ShowMessageParams {
+                kind: MessageType::Warning,
+                message,
+            }),
         }
     }
 
