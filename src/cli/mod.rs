@@ -12,6 +12,8 @@ mod input;
 mod lint;
 #[cfg(feature = "lsp")]
 mod lsp;
+#[cfg(feature = "mcp")]
+mod mcp;
 mod output;
 mod parallel;
 mod port;

@@ -6,6 +6,8 @@ use crate::engine::config::Selection;
 use crate::report::Format;
 use clap::{ArgAction, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+#[cfg(feature = "mcp")]
+use std::ffi::OsString;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
@@ -195,6 +197,17 @@ pub enum Command {
         /// What editors pass on to name the way; there is no other
         #[arg(long, hide = true)]
         stdio: bool,
+    },
+    /// Serve a program that calls tools: the Model Context Protocol, over standard input and output
+    #[cfg(feature = "mcp")]
+    Mcp,
+    /// What `shaderport` does, for tools that know where this program is alone
+    #[cfg(feature = "mcp")]
+    #[command(hide = true, disable_help_flag = true)]
+    Port {
+        /// They are parsed where the command is run: no other has to build that parser
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<OsString>,
     },
     /// Print the completions for a shell
     Completions {

@@ -1,6 +1,7 @@
-//! `explain`, `rules`, `completions`, `man`, `schema`; `run`, `test`, `reduce` and `ir` have files of
-//! their own.
+//! `explain`, `rules`, `completions`, `man`, `schema`; the other commands have files of their own.
 
+#[cfg(feature = "mcp")]
+use super::super::port;
 use super::super::{CLEAN, FAILED, FINDINGS};
 use super::args::{Command, LintArgs, ListFormat};
 use super::complain;
@@ -28,6 +29,14 @@ pub fn run(command: &Command) -> io::Result<u8> {
         Command::Lsp { .. } => {
             let said_goodbye = super::super::lsp::serve()?;
             return Ok(if said_goodbye { CLEAN } else { FINDINGS });
+        }
+        #[cfg(feature = "mcp")]
+        Command::Mcp => return super::super::mcp::serve().map(|()| CLEAN),
+        #[cfg(feature = "mcp")]
+        Command::Port { args } => {
+            use clap::Parser;
+            let args = std::iter::once("shaderport".into()).chain(args.iter().cloned());
+            return Ok(port::run(&port::PortArgs::parse_from(args)));
         }
         Command::Rules { format } => match format {
             ListFormat::Human => text.extend_from_slice(rules().as_bytes()),

@@ -19,7 +19,7 @@ mod terminal;
 mod uniforms;
 
 pub use args::RunArgs;
-pub(super) use args::{size_of, time_of};
+pub(super) use args::{Heat, size_of, time_of};
 pub(super) use facts::{percent, seconds};
 pub(super) use heat::{map, short};
 pub(super) use load::{Shot, ShotSetting, Trouble, Undrawable, position, read, shot};
@@ -33,7 +33,7 @@ use crate::engine::play::Picture;
 use crate::exec::Drawn;
 use crate::port::File;
 use crate::report::Format;
-use args::{Heat, RunFormat};
+use args::RunFormat;
 use facts::{CostFacts, OutputFacts, RunFacts};
 use load::{Loaded, load};
 use std::io::{self, IsTerminal, Write};

@@ -1,0 +1,37 @@
+//! `explain`.
+
+use super::super::answer::ToolAnswer;
+use super::super::command::OwnProgram;
+use super::{Args, Tool, Writes};
+use crate::cli::CLEAN;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// The arguments of `explain`.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ExplainTool {
+    /// A rule, compile error or host, as `check` names it; without it all rules are listed
+    name: Option<String>,
+}
+
+impl Tool for ExplainTool {
+    const NAME: &str = "explain";
+    const TITLE: &str = "Explain a rule";
+    const ABOUT: &str = "Says what a rule or compile error means, why it matters and what to do, \
+        with examples. Lists all rules where no name is given.";
+    const WRITES: Writes = Writes::Nothing;
+
+    async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
+        let mut args = match self.name {
+            None => Args::of(&["rules"]),
+            Some(_) => Args::of(&["explain", "--"]),
+        };
+        args.0.extend(self.name.map(Into::into));
+        let done = program.run(args.0, "").await?;
+        match done.code == i32::from(CLEAN) {
+            true => Ok(ToolAnswer::of(&done.out, "its page is empty")),
+            false => Err(done.err),
+        }
+    }
+}

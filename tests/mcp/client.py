@@ -1,0 +1,380 @@
+"""The tools of `shaderlint mcp`, called by a client of the protocol's own library; and what no client
+of it says, by hand.
+
+    client.py PROGRAM
+"""
+
+import asyncio
+import base64
+import contextlib
+import inspect
+import json
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import traceback
+
+from mcp import ClientSession, StdioServerParameters
+from mcp.client.stdio import stdio_client
+
+PROGRAM = os.path.abspath(sys.argv[1])
+# Seconds within which a quiet machine answers many times over.
+PATIENCE = 60
+# What an answer may hold of text, in bytes, with what is said of the rest.
+MAX_TEXT = 24_200
+
+BROKEN = """void mainImage(out vec4 color, in vec2 at) {
+    float wave = sin(at.x * 0.1) + 1;
+    color = vec4(vec3(wave), 1.0);
+    colour = 2.0;
+}
+"""
+MENDED = BROKEN.replace("+ 1;", "+ 1.0;")
+ROOT = """void mainImage(out vec4 color, in vec2 at) {
+    vec2 uv = at / iResolution.xy;
+    color = vec4(vec3(sqrt(uv.y - 0.5)), 1.0);
+}
+"""
+PLAIN = """void mainImage(out vec4 color, in vec2 at) {
+    color = vec4(at / iResolution.xy, 0.5, 1.0);
+}
+"""
+# Some minutes for one core.
+SLOW = """void mainImage(out vec4 color, in vec2 at) {
+    float sum = 0.0;
+    for (int i = 0; i < 2000000; i++) sum += sin(sum + float(i) * at.x);
+    color = vec4(sum);
+}
+"""
+
+
+class Tools:
+    """A session with the server, in a folder of its own."""
+
+    def __init__(self, session, folder):
+        self.session = session
+        self.folder = folder
+
+    async def call(self, name, /, **arguments):
+        """Calls a tool. Gives its texts, its pictures, and whether it failed."""
+        result = await asyncio.wait_for(self.session.call_tool(name, arguments), PATIENCE)
+        texts = [block.text for block in result.content if block.type == "text"]
+        pictures = [base64.b64decode(block.data) for block in result.content if block.type == "image"]
+        assert texts and all(text.strip() for text in texts), f"{name} answers nothing"
+        assert all(len(text.encode()) <= MAX_TEXT for text in texts), f"{name} answers without bounds"
+        return "\n".join(texts), pictures, bool(result.is_error)
+
+    async def good(self, name, /, **arguments):
+        """Calls a tool that does not fail. Gives its text."""
+        text, _, failed = await self.call(name, **arguments)
+        assert not failed, text
+        return text
+
+    async def bad(self, name, /, **arguments):
+        """Calls a tool that fails. Gives why."""
+        text, _, failed = await self.call(name, **arguments)
+        assert failed, text
+        return text
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+        return name
+
+    def read(self, name):
+        return (self.folder / name).read_text()
+
+
+@contextlib.asynccontextmanager
+async def session():
+    with tempfile.TemporaryDirectory() as folder:
+        server = StdioServerParameters(command=PROGRAM, args=["mcp"], cwd=folder)
+        async with stdio_client(server) as (reader, writer), ClientSession(reader, writer) as client:
+            await client.initialize()
+            yield Tools(client, pathlib.Path(folder))
+
+
+async def test_tools_are_described(tools):
+    listed = (await tools.session.list_tools()).tools
+    assert [tool.name for tool in listed] == ["check", "fix", "run", "explain", "port"], listed
+    for tool in listed:
+        assert tool.description and tool.annotations.title
+        for name, schema in tool.input_schema["properties"].items():
+            assert schema["description"], f"{tool.name}: {name}"
+        assert tool.input_schema["additionalProperties"] is False
+        assert tool.annotations.read_only_hint == (tool.name in ("check", "run", "explain"))
+    heat = next(tool for tool in listed if tool.name == "run").input_schema["properties"]["heatmap"]
+    assert heat["enum"] == ["steps", "cost", "overdraw", "nan"], heat
+
+
+async def test_check_tells_place_rule_and_edit(tools):
+    tools.write("a.glsl", BROKEN)
+    expected = "a.glsl:2:36: error int-float-mix: `float` and `int` do not mix in `+`; replace `1` with `1.0`"
+    for text in (
+        await tools.good("check", path="a.glsl"),
+        await tools.good("check", path="."),
+        await tools.good("check", code=BROKEN, name="a.glsl"),
+    ):
+        assert text.startswith(expected + "\n"), text
+        assert "a.glsl:4:5: error undeclared-name" in text
+        assert "1 shader in 1 file: 2 errors" in text
+
+
+async def test_check_takes_options(tools):
+    text = await tools.good("check", code=BROKEN, only=["undeclared-name"])
+    assert "int-float-mix" not in text and "undeclared-name" in text, text
+    code = "void main() { gl_FragColor = vec4(1.0); }"
+    assert "error" not in await tools.good("check", code=code, name="a.frag", dialect="webgl1")
+    assert "error" in await tools.good("check", code=code, name="a.frag", dialect="webgl2")
+    assert "there is no" in await tools.bad("check", code=PLAIN, only=["no-such-rule"])
+
+
+async def test_check_of_what_is_well_says_so(tools):
+    text = await tools.good("check", code=PLAIN)
+    assert "1 shader in 1 file" in text and "error" not in text, text
+
+
+async def test_check_says_what_it_did_not_read(tools):
+    assert "there is no such file" in await tools.bad("check", path="missing.glsl")
+    assert "skipped" in await tools.good("check", path=tools.write("a.py", "print(1)\n"))
+    assert "either `path` or `code`" in await tools.bad("check", path="a.py", code=PLAIN)
+    assert "`path` or some `code`" in await tools.bad("check")
+    assert "unknown field `file`" in await tools.bad("check", file="a.glsl")
+    assert "`code`" in await tools.bad("check", path="-")
+
+
+async def test_answers_are_cut_and_keep_the_summary(tools):
+    for number in range(300):
+        tools.write(f"{number:03}.glsl", BROKEN)
+    text = await tools.good("check", path=".")
+    assert text.startswith("000.glsl:2:36: error"), text[:200]
+    assert "lines are left out" in text
+    assert "300 shaders in 300 files: 600 errors" in text.splitlines()[-2], text[-500:]
+
+
+async def test_a_path_may_look_like_an_option(tools):
+    tools.write("--fix", BROKEN)
+    text = await tools.call("check", path="--fix")
+    assert tools.read("--fix") == BROKEN, text
+    assert "--fix" in text[0], text
+
+
+async def test_fix_shows_a_diff_and_writes_on_demand(tools):
+    name = tools.write("a.glsl", BROKEN)
+    text = await tools.good("fix", path=name)
+    assert "-    float wave = sin(at.x * 0.1) + 1;\n+    float wave = sin(at.x * 0.1) + 1.0;\n" in text
+    assert tools.read(name) == BROKEN
+    text = await tools.good("fix", path=name, write=True)
+    assert tools.read(name) == MENDED
+    assert "undeclared-name" in text and "int-float-mix" not in text, text
+
+
+async def test_fix_of_a_text_answers_the_text(tools):
+    text, _, failed = await tools.call("fix", code=BROKEN)
+    assert not failed and text.startswith(MENDED), text
+    assert "undeclared-name" in text, "what is left stands behind the text"
+    assert "nothing can be fixed" in await tools.good("fix", code=PLAIN)
+    assert "only files" in await tools.bad("fix", code=BROKEN, write=True)
+    long = BROKEN + "// something\n" * 3000
+    assert "save it" in await tools.bad("fix", code=long)
+
+
+async def test_unsafe_fixes_are_asked_for(tools):
+    name = tools.write("a.glsl", ROOT)
+    await tools.good("fix", path=name, write=True)
+    assert tools.read(name) == ROOT
+    await tools.good("fix", path=name, write=True, unsafe_fixes=True)
+    assert "sqrt(max(uv.y - 0.5, 0.0))" in tools.read(name)
+
+
+async def test_run_answers_with_a_picture_and_facts(tools):
+    name = tools.write("a.glsl", ROOT)
+    text, pictures, failed = await tools.call("run", path=name, width=64, height=48, report=True)
+    assert not failed, text
+    assert size_of(pictures[0]) == (64, 48)
+    assert "50.0 % NaN" in text and "sqrt(uv.y - 0.5)" in text, text
+    assert "written" not in text and tempfile.gettempdir() not in text, text
+
+
+async def test_run_takes_options(tools):
+    for options, expected in (
+        ({}, (480, 270)),
+        ({"heatmap": "cost", "width": 32, "height": 16, "time": 2.5}, (32, 16)),
+        ({"show": "uv@2", "width": 32, "height": 16}, (32, 16)),
+        ({"mouse": "3,4,down", "frame": 3, "width": 8, "height": 8}, (8, 8)),
+    ):
+        text, pictures, failed = await tools.call("run", code=ROOT, **options)
+        assert not failed and size_of(pictures[0]) == expected, (options, text)
+    _, pictures, _ = await tools.call("run", code=PLAIN, sheet=4, width=64, height=36)
+    assert size_of(pictures[0]) > (64, 36)
+    code = "#version 300 es\nprecision highp float;\nuniform float level;\nout vec4 color;\n" \
+        "void main() { color = vec4(level); }\n"
+    text = await tools.good("run", code=code, uniforms={"level": 0.25})
+    assert "mean 0.250" in text, text
+
+
+async def test_run_says_why_there_is_no_picture(tools):
+    assert "int-float-mix" in await tools.bad("run", code=BROKEN)
+    assert "524288 are allowed" in await tools.bad("run", code=PLAIN, width=4096, height=4096)
+    assert "d@42" in await tools.bad("run", code=PLAIN, show="nothing")
+
+
+async def test_explain(tools):
+    assert (await tools.good("explain", name="sqrt-negative")).startswith("# sqrt-negative\n")
+    assert "did you mean `sqrt-negative`" in await tools.bad("explain", name="sqrt-negativ")
+    assert "sqrt-negative" in await tools.good("explain")
+
+
+async def test_port_answers_with_shaders(tools):
+    text = await tools.good("port", code=PLAIN)
+    assert text.startswith("image.frag:\n#version 300 es\n"), text[:200]
+    assert "\npass.vert:\n" in text
+    checked = text[len("image.frag:\n"):text.index("pass.vert:")]
+    assert " error " not in await tools.good("check", code=checked, name="a.frag")
+
+
+async def test_port_writes_pages_and_nothing_over_others(tools):
+    name = tools.write("a.glsl", PLAIN)
+    assert "written: page.html" in await tools.good("port", path=name, output="page.html", verify=True)
+    assert tools.read("page.html").startswith("<!doctype html>")
+    assert "is there already" in await tools.bad("port", path=name, output="page.html")
+    await tools.good("port", path=name, output="page.html", force=True)
+    assert "name an `output`" in await tools.bad("port", path=name, target="html")
+    assert "possible values" in await tools.bad("port", path=name, target="cobol")
+
+
+async def test_port_of_broken_code_says_what_is_wrong(tools):
+    text, _, _ = await tools.call("port", code=BROKEN)
+    assert "int-float-mix" in text, text
+
+
+async def test_calls_do_not_wait_for_their_order(tools):
+    calls = [tools.good("check", code=PLAIN) for _ in range(20)]
+    calls += [tools.good("run", code=PLAIN, width=16, height=16) for _ in range(5)]
+    assert all(await asyncio.gather(*calls))
+
+
+def test_a_cancelled_call_ends_its_process():
+    with subprocess.Popen([PROGRAM, "mcp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
+        for message in (*BEGINNING, called(2, "run", {"code": SLOW})):
+            say(server, message)
+        wait_for(lambda: children(server.pid))
+        say(server, {"jsonrpc": "2.0", "method": "notifications/cancelled", "params": {"requestId": 2}})
+        wait_for(lambda: not children(server.pid))
+        say(server, called(3, "check", {"code": PLAIN}))
+        while (answer := json.loads(server.stdout.readline()))["id"] != 3:
+            assert answer["id"] == 1, "a cancelled call is not answered"
+        assert not answer["result"]["isError"], answer
+        server.stdin.close()
+
+
+def test_a_client_that_goes_at_once():
+    done = subprocess.run([PROGRAM, "mcp"], stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE)
+    assert (done.returncode, done.stdout) == (0, b""), done
+
+
+def test_a_client_that_goes_in_the_middle_of_a_call():
+    with subprocess.Popen([PROGRAM, "mcp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
+        for message in (*BEGINNING, called(2, "run", {"code": SLOW})):
+            say(server, message)
+        wait_for(lambda: children(server.pid))
+        own = children(server.pid)
+        server.stdin.close()
+        server.wait(PATIENCE)
+    wait_for(lambda: not any(os.path.exists(f"/proc/{pid}") for pid in own))
+
+
+def test_what_no_client_says_is_answered_or_passed_over():
+    with subprocess.Popen([PROGRAM, "mcp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
+        for message in BEGINNING:
+            say(server, message)
+        for line in (b"this is no JSON\n", b"{}\n", b"[1, 2]\n", b"\xff\xfe\n", b"{" * 10_000 + b"\n"):
+            server.stdin.write(line)
+        say(server, called(2, "no-such-tool", {}))
+        say(server, {"jsonrpc": "2.0", "id": 3, "method": "no/such/method"})
+        say(server, {"jsonrpc": "2.0", "id": 4, "method": "tools/call", "params": {"name": "check", "arguments": 7}})
+        say(server, called(5, "check", {"code": PLAIN}))
+        answers = {}
+        while 5 not in answers:
+            answer = json.loads(server.stdout.readline())
+            answers[answer.get("id")] = answer
+        assert "no-such-tool" in answers[2]["error"]["message"], answers
+        assert answers[3]["error"]["code"] == -32601, answers
+        server.stdin.close()
+        assert server.wait(PATIENCE) == 0
+
+
+BEGINNING = (
+    {
+        "jsonrpc": "2.0",
+        "id": 1,
+        "method": "initialize",
+        "params": {
+            "protocolVersion": "2025-06-18",
+            "capabilities": {},
+            "clientInfo": {"name": "test", "version": "1"},
+        },
+    },
+    {"jsonrpc": "2.0", "method": "notifications/initialized"},
+)
+
+
+def called(number, name, arguments):
+    params = {"name": name, "arguments": arguments}
+    return {"jsonrpc": "2.0", "id": number, "method": "tools/call", "params": params}
+
+
+def say(server, message):
+    server.stdin.write(json.dumps(message).encode() + b"\n")
+    server.stdin.flush()
+
+
+def size_of(png):
+    assert png[:8] == b"\x89PNG\r\n\x1a\n"
+    return struct.unpack(">II", png[16:24])
+
+
+def children(pid):
+    """The processes that a process has started."""
+    found = []
+    for task in pathlib.Path(f"/proc/{pid}/task").glob("*/children"):
+        with contextlib.suppress(OSError):
+            found += [int(word) for word in task.read_text().split()]
+    return found
+
+
+def wait_for(condition):
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.02)
+
+
+async def in_session(test):
+    async with session() as tools:
+        await test(tools)
+
+
+def main():
+    passed = failed = 0
+    for name, test in list(globals().items()):
+        if not name.startswith("test_"):
+            continue
+        try:
+            if inspect.iscoroutinefunction(test):
+                asyncio.run(in_session(test))
+            else:
+                test()
+            passed += 1
+        except Exception:
+            failed += 1
+            print(f"{name} failed:", file=sys.stderr)
+            traceback.print_exc()
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not passed else 0
+
+
+sys.exit(main())
