@@ -1,0 +1,144 @@
+// Shows the pages of a shader one after another. A page is loaded behind the visible one and replaces it
+// when it draws, taking over the time, the mouse, the numbers that were set and the open tab.
+'use strict';
+
+const vscode = acquireVsCodeApi();
+// The editor restores the preview from this.
+vscode.setState({ uri: document.body.dataset.uri });
+
+const pages = document.getElementById('pages');
+const trouble = document.getElementById('trouble');
+const offer = document.getElementById('write');
+
+/** The visible frame. */
+let shown = null;
+/** The frame that is loading. */
+let next = null;
+let lastTime = -1;
+
+/** What a page offers to others; `null` if it could not start. */
+function faceOf(frame) {
+    return frame?.contentWindow?.shaderport ?? null;
+}
+
+function say(words, isError) {
+    trouble.textContent = words;
+    trouble.classList.toggle('error', isError);
+    trouble.hidden = words === '';
+}
+
+function load(html) {
+    next?.remove();
+    const frame = document.createElement('iframe');
+    next = frame;
+    frame.className = 'next';
+    frame.allow = 'autoplay; clipboard-write; fullscreen';
+    frame.addEventListener('load', () => void loaded(frame));
+    frame.srcdoc = html;
+    pages.append(frame);
+}
+
+async function loaded(frame) {
+    const face = faceOf(frame);
+    await face?.ready;
+    if (frame !== next) return;
+    const error = face?.errors[0];
+    // The last picture is more useful than an empty page with an error that the editor shows too.
+    if (error && faceOf(shown)) {
+        say(error.line > 0 ? `${error.pass}, line ${error.line}: ${error.text}` : `${error.pass}: ${error.text}`, true);
+        frame.remove();
+        next = null;
+        return;
+    }
+    if (face) {
+        remember(frame, face.player);
+        const before = faceOf(shown);
+        if (before) carry(shown, frame);
+    }
+    frame.className = '';
+    forget(shown);
+    shown = frame;
+    next = null;
+    say('', false);
+    offerNumbers();
+    for (const name of ['change', 'input']) frame.contentWindow.addEventListener(name, offerNumbers);
+    frame.contentWindow.addEventListener('keydown', passOn);
+}
+
+/** Remembers the numbers in the code. */
+function remember(frame, player) {
+    frame.numbers = new Map(player.project.tunables.map(({ name, value }) => [name, value]));
+    frame.controls = new Map([...player.controls].map(([name, value]) => [name, JSON.stringify(value)]));
+}
+
+/** Carries the state of one player over to another. */
+function carry(from, to) {
+    const [old, face] = [faceOf(from), faceOf(to)];
+    const { clock, isPlaying, mouse, project } = old.player;
+    for (const { name, value } of project.tunables) {
+        const came = from.numbers.get(name);
+        // A number that has changed in the code is newer.
+        if (value !== came && to.numbers.get(name) === came) face.player.setTunable(name, value);
+    }
+    for (const [name, value] of old.player.controls) {
+        const isSet = JSON.stringify(value) !== from.controls.get(name);
+        if (isSet && to.controls.get(name) === from.controls.get(name)) face.player.setControl(name, value);
+    }
+    const { x, y, clickX, clickY } = mouse;
+    Object.assign(face.player.mouse, { x, y, clickX, clickY });
+    const tab = [from, to].map((frame) => frame.contentDocument);
+    if (!tab[0].getElementById('panel').hidden) {
+        const name = tab[0].querySelector('#tabs [aria-selected=true]')?.getAttribute('aria-controls');
+        tab[1].querySelector(`#tabs [aria-controls="${name}"]`)?.click();
+    }
+    face.seek(clock.time);
+    if (isPlaying) face.player.play();
+    else face.player.pause();
+}
+
+/** Frees the graphics memory now instead of at the next garbage collection. */
+function forget(frame) {
+    const player = faceOf(frame)?.player;
+    player?.dispose?.();
+    player?.gl.getExtension('WEBGL_lose_context')?.loseContext();
+    frame?.remove();
+}
+
+/** The numbers that differ from those in the code. */
+function setNumbers() {
+    const tunables = faceOf(shown)?.player.project.tunables ?? [];
+    return tunables.filter(({ name, value }) => value !== shown.numbers.get(name));
+}
+
+function offerNumbers() {
+    const numbers = setNumbers();
+    offer.hidden = numbers.length === 0;
+    const words = numbers.map(({ name, value }) => `${name} ${Number(value.toPrecision(4))}`);
+    offer.querySelector('span').textContent = words.join(', ');
+}
+
+/** Passes keys on to this window, the only one that the editor listens to; text fields keep theirs. */
+function passOn(event) {
+    const isCommand = event.ctrlKey || event.metaKey || /^F\d+$/.test(event.key);
+    if (!isCommand || /^(INPUT|TEXTAREA)$/.test(event.target.tagName)) return;
+    const { key, code, keyCode, ctrlKey, metaKey, shiftKey, altKey } = event;
+    window.dispatchEvent(new KeyboardEvent('keydown', { key, code, keyCode, ctrlKey, metaKey, shiftKey, altKey }));
+}
+
+function tellTime() {
+    const time = faceOf(shown)?.player.clock.time ?? 0;
+    if (time !== lastTime) vscode.postMessage({ type: 'time', time });
+    lastTime = time;
+    setTimeout(tellTime, 500);
+}
+
+offer.querySelector('button').addEventListener('click', () => {
+    const numbers = setNumbers().map(({ name, value, integer }) => ({ name, value, integer }));
+    vscode.postMessage({ type: 'write', numbers });
+});
+window.addEventListener('message', ({ data }) => {
+    if (data.type === 'page') load(data.html);
+    else if (data.type === 'trouble') say(data.words, true);
+});
+tellTime();
+vscode.postMessage({ type: 'ready' });

@@ -1,0 +1,218 @@
+// A shader as a page that plays it, beside its editor. The server makes the page; `media/preview.js`
+// shows it, and carries what plays from one page to the next.
+import * as vscode from 'vscode';
+import { ErrorCodes, type LanguageClient, RequestType, ResponseError } from 'vscode-languageclient/node';
+import { text } from './tune';
+
+const VIEW = 'shaderlint.preview';
+/** The delay between the last change and the request for a new page, in milliseconds. */
+const PAUSE = 300;
+
+const PAGE = new RequestType<{ textDocument: { uri: string } }, { html: string }, void>('shaderlint/page');
+
+/** Messages from the view. */
+type Told =
+    | { type: 'ready' }
+    | { type: 'time'; time: number }
+    | { type: 'write'; numbers: { name: string; value: number; integer: boolean }[] };
+
+/** All previews, one for each document. */
+export class Previews implements vscode.Disposable, vscode.WebviewPanelSerializer {
+    private readonly previews = new Map<string, Preview>();
+    private readonly subscriptions: vscode.Disposable[];
+
+    constructor(
+        private readonly context: vscode.ExtensionContext,
+        private readonly client: () => LanguageClient | undefined,
+    ) {
+        this.subscriptions = [
+            vscode.window.registerWebviewPanelSerializer(VIEW, this),
+            // Another text may be a pass or an include of the one that is shown.
+            vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
+                if (contentChanges.length === 0) return;
+                for (const [uri, preview] of this.previews) {
+                    if (document.languageId === 'glsl' || document.uri.toString() === uri) preview.renewSoon();
+                }
+            }),
+        ];
+    }
+
+    /** Opens a preview of the document at `place`, or else of the active editor's. */
+    async open(place: unknown): Promise<void> {
+        const uri = uriOf(place);
+        if (!uri) {
+            void vscode.window.showInformationMessage('Open a shader first to preview it.');
+            return;
+        }
+        const known = this.previews.get(uri.toString());
+        if (known) {
+            known.panel.reveal(undefined, true);
+            return;
+        }
+        const column = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
+        const panel = vscode.window.createWebviewPanel(VIEW, 'Preview', column, { retainContextWhenHidden: true });
+        await this.attach(panel, uri);
+    }
+
+    /** Restores a preview that was open when the window was closed. */
+    async deserializeWebviewPanel(panel: vscode.WebviewPanel, state: unknown): Promise<void> {
+        const uri = state instanceof Object && 'uri' in state ? uriOf(state.uri) : undefined;
+        if (uri) await this.attach(panel, uri);
+        else panel.dispose();
+    }
+
+    /** Asks a new server for all pages again. */
+    renew(): void {
+        for (const preview of this.previews.values()) preview.renewSoon();
+    }
+
+    /** The time that a preview of the document shows, in seconds; 0 without a preview. */
+    timeOf(uri: vscode.Uri): number {
+        return this.previews.get(uri.toString())?.time ?? 0;
+    }
+
+    dispose(): void {
+        for (const preview of this.previews.values()) preview.panel.dispose();
+        for (const subscription of this.subscriptions) subscription.dispose();
+    }
+
+    private async attach(panel: vscode.WebviewPanel, uri: vscode.Uri): Promise<void> {
+        const media = vscode.Uri.joinPath(this.context.extensionUri, 'media');
+        panel.webview.options = { enableScripts: true, localResourceRoots: [media] };
+        panel.title = `Preview ${uri.path.replace(/^.*\//, '')}`;
+        const preview = new Preview(panel, uri, this.client);
+        this.previews.set(uri.toString(), preview);
+        panel.onDidDispose(() => {
+            preview.end();
+            if (this.previews.get(uri.toString()) === preview) this.previews.delete(uri.toString());
+        });
+        panel.webview.html = await shell(media, uri);
+    }
+}
+
+class Preview {
+    time = 0;
+    private timer: NodeJS.Timeout | undefined;
+    private asked: vscode.CancellationTokenSource | undefined;
+    private isReady = false;
+    private isStale = true;
+
+    constructor(
+        readonly panel: vscode.WebviewPanel,
+        private readonly uri: vscode.Uri,
+        private readonly client: () => LanguageClient | undefined,
+    ) {
+        panel.webview.onDidReceiveMessage((told: Told) => { this.hear(told); });
+        panel.onDidChangeViewState(() => {
+            if (this.isStale) this.renewSoon();
+        });
+    }
+
+    end(): void {
+        clearTimeout(this.timer);
+        this.asked?.cancel();
+    }
+
+    /** Asks for the page when the typing pauses; a hidden preview waits until it is seen. */
+    renewSoon(): void {
+        this.isStale = true;
+        clearTimeout(this.timer);
+        if (this.panel.visible && this.isReady) this.timer = setTimeout(() => void this.renew(), PAUSE);
+    }
+
+    private async renew(): Promise<void> {
+        this.asked?.cancel();
+        const asked = new vscode.CancellationTokenSource();
+        this.asked = asked;
+        this.isStale = false;
+        const told = await this.page(asked.token);
+        // What was asked for later is newer.
+        if (this.asked === asked) await this.panel.webview.postMessage(told);
+    }
+
+    private async page(token: vscode.CancellationToken): Promise<object> {
+        try {
+            // The server only knows open documents.
+            const document = await vscode.workspace.openTextDocument(this.uri);
+            const client = this.client();
+            if (!client) throw new Error('The language server is not running.');
+            const uri = client.code2ProtocolConverter.asUri(document.uri);
+            const { html } = await client.sendRequest(PAGE, { textDocument: { uri } }, token);
+            return { type: 'page', html };
+        } catch (error) {
+            return { type: 'trouble', words: reason(error) };
+        }
+    }
+
+    private hear(told: Told): void {
+        if (told.type === 'time') this.time = told.time;
+        else if (told.type === 'write') void write(this.uri, told.numbers);
+        else {
+            this.isReady = true;
+            void this.renew();
+        }
+    }
+}
+
+function reason(error: unknown): string {
+    if (error instanceof ResponseError && error.code === ErrorCodes.MethodNotFound) {
+        return 'This version of shaderlint has no preview. Update the program, or clear the setting shaderlint.path.';
+    }
+    return error instanceof Error ? error.message : String(error);
+}
+
+/** Writes numbers that were set in the page into their `#define`s. */
+async function write(uri: vscode.Uri, numbers: { name: string; value: number; integer: boolean }[]): Promise<void> {
+    const document = await vscode.workspace.openTextDocument(uri);
+    const code = document.getText();
+    const edit = new vscode.WorkspaceEdit();
+    for (const { name, value, integer } of numbers) {
+        // The page plays what somebody else may have written.
+        if (!/^[A-Za-z_]\w*$/.test(name) || !Number.isFinite(value)) continue;
+        const head = `^([ \\t]*#[ \\t]*define[ \\t]+${name}[ \\t]+)`;
+        const found = new RegExp(`${head}([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)`, 'm').exec(code);
+        if (!found) {
+            void vscode.window.showWarningMessage(`There is no \`#define ${name}\` with a number in this file.`);
+            continue;
+        }
+        const start = found.index + (found[1] ?? '').length;
+        const end = start + (found[2] ?? '').length;
+        edit.replace(uri, new vscode.Range(document.positionAt(start), document.positionAt(end)), text(value, integer));
+    }
+    await vscode.workspace.applyEdit(edit);
+}
+
+/** The document that a command is for: a URI, as a string or not, or else the active editor's. */
+export function uriOf(place: unknown): vscode.Uri | undefined {
+    if (place instanceof vscode.Uri) return place;
+    if (typeof place === 'string') return vscode.Uri.parse(place);
+    return vscode.window.activeTextEditor?.document.uri;
+}
+
+/**
+ * The document around the page. The page's frame inherits this policy and adds its own, which allows
+ * nothing but the server's script by its hash. So this policy has to allow inline scripts, and no text
+ * of a shader is ever part of this document.
+ */
+async function shell(media: vscode.Uri, uri: vscode.Uri): Promise<string> {
+    const policy = 'default-src \'none\'; script-src \'unsafe-inline\'; style-src \'unsafe-inline\'; '
+        + 'img-src data: blob:; media-src data: blob:';
+    const read = async (name: string): Promise<string> => {
+        const bytes = await vscode.workspace.fs.readFile(vscode.Uri.joinPath(media, name));
+        return new TextDecoder().decode(bytes);
+    };
+    return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="${policy}">
+<style>${await read('preview.css')}</style>
+</head>
+<body data-uri="${uri.toString().replace(/[&<>"]/g, encodeURIComponent)}">
+<main id="pages"></main>
+<footer id="write" hidden><span></span><button type="button">Write into the code</button></footer>
+<footer id="trouble" role="status">Waiting for the language server.</footer>
+<script>${await read('preview.js')}</script>
+</body>
+</html>`;
+}
