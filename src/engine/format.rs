@@ -2,7 +2,7 @@
 
 use crate::format::{Lines, Style, TextExtent, Unformatted, counts_lines, format as format_code};
 use crate::port::Project;
-use crate::text::embed::{DocumentLanguage, Embedded, extract_named};
+use crate::text::embed::{DocumentLanguage, Embedded, Wrapping, extract_named};
 use crate::text::json::{JsonString, strings_in};
 use crate::text::kind::{Claim, Decision, Evidence, FileKind, Tongue, decide};
 use crate::text::{Edit, Span};
@@ -66,7 +66,15 @@ impl Formatting {
         let start = embedded.start as u32;
         match format_code(&embedded.code, style, TextExtent::Inside, Lines::Free) {
             Ok(edits) => {
-                let edits: Vec<Edit> = edits.into_iter().map(|e| moved(e, start)).collect();
+                let edits = edits.into_iter().map(|e| moved(e, start));
+                let is_template = embedded.wrapping == Wrapping::Template;
+                let edits = edits.filter_map(|e| {
+                    match is_template && !embedded.is_verbatim(text, e.span) {
+                        true => indentation_behind(text, &e),
+                        false => Some(e),
+                    }
+                });
+                let edits: Vec<Edit> = edits.collect();
                 // All or nothing: what the language around it would read otherwise is left.
                 if edits.iter().all(|e| embedded.admits(text, e)) {
                     self.edits.extend(edits);
@@ -104,6 +112,16 @@ impl Formatting {
         }
         self.edits.sort_by_key(|e| e.span);
     }
+}
+
+/// The part of an edit that is left where a program puts something into a gap, like `${noise}`: that
+/// stays, and the line behind it is set.
+fn indentation_behind(text: &str, edit: &Edit) -> Option<Edit> {
+    let gap = text.get(edit.span.start as usize..edit.span.end as usize)?;
+    let (_, was) = gap.rsplit_once('\n')?;
+    let (_, indentation) = edit.text.rsplit_once('\n')?;
+    let span = Span::new(edit.span.end - was.len() as u32, edit.span.end);
+    (was.trim().is_empty() && was != indentation).then(|| Edit::replace(span, indentation))
 }
 
 fn moved_span(span: Span, by: u32) -> Span {
@@ -144,6 +162,22 @@ mod tests {
         let expected = "const a = `\n    void main() {\n        gl_FragColor = vec4(1.0);\n    }\n  `;\n\
                         const b = 'void main() { gl_FragColor = vec4(1.0); }';\n";
         assert_eq!(formatted("a.js", text), expected);
+    }
+
+    #[test]
+    fn what_a_program_puts_in_stays_with_its_blanks() {
+        let text = "const a = `\n  precision highp float;\n\n     ${noise}\n  void main(){\n\
+                    gl_FragColor=vec4( 1.0 );}\n`;\n";
+        let expected = "const a = `\n  precision highp float;\n\n     ${noise}\n  void main() {\n      \
+                        gl_FragColor = vec4(1.0);\n  }\n`;\n";
+        let once = formatted("a.js", text);
+        assert_eq!(once, expected);
+        assert_eq!(formatted("a.js", &once), once);
+        let inside =
+            "const a = `\nvoid main(){\nfloat a=1.0; ${more}\ngl_FragColor=vec4(a*${x});}\n`;\n";
+        let expected = "const a = `\nvoid main() {\n    float a = 1.0; ${more}\n    \
+                        gl_FragColor = vec4(a * ${x});\n}\n`;\n";
+        assert_eq!(formatted("a.js", inside), expected);
     }
 
     #[test]

@@ -22,8 +22,8 @@ mod token;
 pub use holes::mask;
 pub use together::{Asked, asked, together};
 
-use super::Edit;
 use super::kind::is_shader;
+use super::{Edit, Span};
 use std::fmt;
 
 /// The languages that GLSL is found in.
@@ -108,7 +108,6 @@ impl Embedded {
         if from < self.start || to > self.end() {
             return false;
         }
-        let read = self.code.get(from - self.start..to - self.start);
         let text = edit.text.as_str();
         let fits = match self.wrapping {
             Wrapping::Element => !text.contains("</"),
@@ -117,7 +116,18 @@ impl Embedded {
             Wrapping::Fence => !text.contains("```"),
             Wrapping::Listing => !text.contains(['<', '&']),
         };
-        fits && read.is_some() && read == outer.get(from..to)
+        fits && self.is_verbatim(outer, edit.span)
+    }
+
+    /// Whether a stretch, counted from the start of `outer`, is GLSL as it stands there: nothing in it
+    /// is put in by a program.
+    pub fn is_verbatim(&self, outer: &str, span: Span) -> bool {
+        let (from, to) = (span.start as usize, span.end as usize);
+        let Some(inside) = from.checked_sub(self.start) else {
+            return false;
+        };
+        let read = self.code.get(inside..inside + to.saturating_sub(from));
+        read.is_some() && read == outer.get(from..to)
     }
 
     /// Takes `...` for something that is left out.
