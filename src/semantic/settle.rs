@@ -1,7 +1,7 @@
 //! Between the corrections that the syntax allows, the one that means something: the shader is
 //! checked with each of them, and the one that leaves the fewest errors is taken.
 
-use super::checker::{Advice, Parsed};
+use super::checker::{Goal, Parsed};
 use super::program::Program;
 use super::unit::{Unit, judge};
 use crate::diagnostic::Diagnostic;
@@ -49,7 +49,7 @@ impl Corrected {
                 looks -= 1;
                 is_tried = true;
                 set(&mut made, i, other);
-                found = self.look(found.0, &made, unit, Advice::LeftOut);
+                found = self.look(found.0, &made, unit, Goal::CountBelow(fewest));
                 if found.1.len() < fewest {
                     fewest = found.1.len();
                     best = other;
@@ -58,7 +58,7 @@ impl Corrected {
             set(&mut made, i, best);
         }
         match is_tried {
-            true => self.look(found.0, &made, unit, Advice::Given),
+            true => self.look(found.0, &made, unit, Goal::Tell),
             false => found,
         }
     }
@@ -69,7 +69,7 @@ impl Corrected {
         program: Program,
         made: &[Option<usize>],
         unit: &Unit,
-        advice: Advice,
+        goal: Goal,
     ) -> (Program, Vec<Diagnostic>) {
         let corrections: Vec<&Correction> = self
             .choices
@@ -78,7 +78,6 @@ impl Corrected {
             .filter_map(|(choice, made)| choice.get((*made)?))
             .collect();
         let mut parsed = program.into_parsed();
-        parsed.advice = advice;
         parsed.tokens.tokens = self.original.clone();
         let parse = parse_corrected(
             &parsed.sources,
@@ -87,6 +86,13 @@ impl Corrected {
             self.options,
             &corrections,
         );
+        parsed.goal = match goal {
+            Goal::Tell => goal,
+            // Those of the syntax count too.
+            Goal::CountBelow(most) => {
+                Goal::CountBelow(most.saturating_sub(parse.diagnostics.len()))
+            }
+        };
         parsed.tree = parse.tree;
         parsed.tree.lost.extend(&self.lost);
         with_syntax(parse.diagnostics, judge(parsed, unit))

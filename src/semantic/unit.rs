@@ -2,8 +2,8 @@
 
 use super::blame::{attribute, gather};
 use super::builtins::Stage;
-use super::channels::needed_channels;
-use super::checker::{Advice, Parsed, check};
+use super::channels::{names_channels, needed_channels};
+use super::checker::{Goal, Parsed, check};
 use super::dialect::Dialect;
 use super::part::{Open, Wholeness, keep_certain};
 use super::program::Program;
@@ -184,7 +184,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
         tree: parse.tree,
         version,
         has_errors,
-        advice: Advice::Given,
+        goal: Goal::Tell,
     };
     let corrected = Corrected {
         options: language,
@@ -282,7 +282,11 @@ pub(super) fn judge(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
 
 /// Checks a shader whose channels may be of any type. Only where something is wrong with channels of
 /// two dimensions, its lookups are asked for others.
-fn check_with_any_channels(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
+fn check_with_any_channels(mut parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
+    if parsed.goal != Goal::Tell && names_channels(&parsed.names, &parsed.tree) {
+        // Errors may be gone with channels of other types.
+        parsed.goal = Goal::COUNT;
+    }
     let checked = check(parsed, unit.stage, unit.dialect, [None; 4]);
     if checked.1.is_empty() {
         return checked;
@@ -304,7 +308,7 @@ impl Program {
             tree: self.tree,
             version: self.version,
             has_errors: self.had_errors,
-            advice: Advice::Given,
+            goal: Goal::Tell,
         }
     }
 }

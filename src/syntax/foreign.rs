@@ -2,6 +2,8 @@
 //! foreign only where nothing declares it.
 
 use super::names::{TypeWord, Version, WordClass, classify};
+use rustc_hash::FxHashMap;
+use std::sync::OnceLock;
 
 /// What GLSL has in the place of a foreign word.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -165,15 +167,27 @@ const LANGUAGES: &[(&str, &[(&str, Meaning)])] = &[
     ("another language", SCRIPT),
 ];
 
+/// The words of all languages; one that several have is the likeliest one's.
+fn words() -> &'static FxHashMap<&'static str, Foreign> {
+    static WORDS: OnceLock<FxHashMap<&str, Foreign>> = OnceLock::new();
+    WORDS.get_or_init(|| {
+        let mut all = FxHashMap::default();
+        for &(language, words) in LANGUAGES {
+            for &(word, meaning) in words {
+                all.entry(word).or_insert(Foreign { language, meaning });
+            }
+        }
+        all
+    })
+}
+
 /// What a word means in other languages, if it means anything there.
 pub fn foreign(word: &str, version: Version) -> Option<Foreign> {
     if word.is_empty() {
         return None;
     }
-    for &(language, words) in LANGUAGES {
-        if let Some(&(_, meaning)) = words.iter().find(|(w, _)| *w == word) {
-            return Some(Foreign { language, meaning });
-        }
+    if let Some(found) = words().get(word) {
+        return Some(*found);
     }
     if let Some((language, ty)) = foreign_type(word, version) {
         let meaning = Type(ty);

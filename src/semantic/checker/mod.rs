@@ -91,18 +91,31 @@ pub struct Parsed {
     pub version: Version,
     /// Whether errors were found before.
     pub has_errors: bool,
-    /// Whether errors come with advice.
-    pub advice: Advice,
+    /// What it is checked for.
+    pub goal: Goal,
 }
 
-/// Whether errors come with advice, such as the name that was probably meant: to look for it among all
-/// names takes longer than the check itself.
+/// What a shader is checked for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Advice {
-    /// They do.
-    Given,
-    /// They are only counted.
-    LeftOut,
+pub enum Goal {
+    /// To tell its errors, with advice such as the name that was probably meant: to look for it among
+    /// all names takes longer than the check itself.
+    Tell,
+    /// To count its errors, as long as there are fewer than this.
+    CountBelow(usize),
+}
+
+impl Goal {
+    /// To count all that would be told.
+    pub const COUNT: Goal = Goal::CountBelow(MAX_ERRORS);
+
+    /// How many errors are enough.
+    fn most_errors(self) -> usize {
+        match self {
+            Goal::Tell => MAX_ERRORS,
+            Goal::CountBelow(count) => count.min(MAX_ERRORS),
+        }
+    }
 }
 
 /// Checks a parsed shader. `channels` overrides the types of `iChannel0` to `iChannel3`.
@@ -114,18 +127,22 @@ pub fn check(
     dialect: Dialect,
     channels: Channels,
 ) -> (Program, Vec<Diagnostic>) {
-    let run = |doubts, advice| look(&parsed, stage, dialect, channels, doubts, advice);
-    let mut checker = run(Doubts::default(), parsed.advice);
+    let run = |doubts, goal| look(&parsed, stage, dialect, channels, doubts, goal);
+    let mut checker = run(Doubts::default(), parsed.goal);
     if !checker.doubts.met.is_empty() {
+        if checker.gave_up() {
+            // Errors behind a doubtful declaration may be gone when it is settled.
+            checker = run(Doubts::default(), Goal::COUNT);
+        }
         let met = std::mem::take(&mut checker.doubts.met);
         let doubts = settle(
             checker.diagnostics.len(),
             &met,
             parsed.tree.exprs.len(),
-            |d| run(d.clone(), Advice::LeftOut).diagnostics.len(),
+            |d| run(d.clone(), Goal::COUNT).diagnostics.len(),
         );
         if !doubts.retyped.is_empty() {
-            checker = run(doubts, parsed.advice);
+            checker = run(doubts, parsed.goal);
         }
     }
     let mut diagnostics = std::mem::take(&mut checker.diagnostics);
@@ -178,7 +195,7 @@ fn look(
     dialect: Dialect,
     channels: Channels,
     doubts: Doubts,
-    advice: Advice,
+    goal: Goal,
 ) -> Checker<'_> {
     let (tree, version) = (&parsed.tree, parsed.version);
     let mut checker = Checker {
@@ -213,9 +230,10 @@ fn look(
         flow: Vec::new(),
         undeclared: FxHashMap::default(),
         reported_names: FxHashSet::default(),
-        advice: Cell::new(match advice {
-            Advice::Given => MAX_ADVICE,
-            Advice::LeftOut => 0,
+        most_errors: goal.most_errors(),
+        advice: Cell::new(match goal {
+            Goal::Tell => MAX_ADVICE,
+            Goal::CountBelow(_) => 0,
         }),
         comparable: MAX_COMPARED,
         missing_precision: Vec::new(),
@@ -301,6 +319,8 @@ pub(super) struct Checker<'a> {
     reported_names: FxHashSet<Name>,
     /// How many values may still be computed from two constants.
     comparable: usize,
+    /// How many errors are looked for.
+    most_errors: usize,
     /// What may still be spent on looking through all names or tokens for advice on an error.
     advice: Cell<usize>,
     /// Types whose missing precision was reported.
@@ -342,7 +362,7 @@ impl<'a> Checker<'a> {
 
     /// Whether so much is wrong that looking on is of no use.
     pub(super) fn gave_up(&self) -> bool {
-        self.diagnostics.len() >= MAX_ERRORS
+        self.diagnostics.len() >= self.most_errors
     }
 
     /// Whether so many names or tokens may still be looked through for advice on an error.
@@ -494,7 +514,7 @@ impl<'a> Checker<'a> {
         {
             diagnostic.fix = None;
         }
-        if self.diagnostics.len() < MAX_ERRORS {
+        if !self.gave_up() {
             self.diagnostics.push(diagnostic);
         }
     }

@@ -68,10 +68,10 @@ fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
         names: read.names,
         tree: parse.tree,
         version: read.version,
-        advice: Advice::Given,
+        goal: Goal::Tell,
     };
     let doubts = Doubts::default();
-    let checker = look(&parsed, stage, dialect, [None; 4], doubts, parsed.advice);
+    let checker = look(&parsed, stage, dialect, [None; 4], doubts, parsed.goal);
     (checker.rejected, checker.diagnostics)
 }
 

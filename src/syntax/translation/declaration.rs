@@ -448,6 +448,9 @@ impl Translator<'_> {
             && self.kind(1) == T::Identifier
             && self.kind(2) == T::Equal
             && self.starts_declaration();
+        if !is_one {
+            return false;
+        }
         let value = 3 + matches!(self.kind(3), T::Minus | T::Plus) as usize;
         let word = match self.kind(value) {
             T::Float => TypeWord::Float,
@@ -460,20 +463,18 @@ impl Translator<'_> {
             },
             _ => return false,
         };
-        if is_one {
-            let name = self.token(1).span;
-            let text = self.sources.text(name);
-            let edit = Edit::insert(name.start, format!("{} ", word.name()));
-            let fix = Fix::safe(format!("write `const {} {text}`", word.name()), vec![edit]);
-            self.report(
-                name,
-                format!("the constant `{text}` has no type"),
-                Some(fix),
-            );
-            self.keep();
-            self.put_type(word, name);
-        }
-        is_one
+        let name = self.token(1).span;
+        let text = self.sources.text(name);
+        let edit = Edit::insert(name.start, format!("{} ", word.name()));
+        let fix = Fix::safe(format!("write `const {} {text}`", word.name()), vec![edit]);
+        self.report(
+            name,
+            format!("the constant `{text}` has no type"),
+            Some(fix),
+        );
+        self.keep();
+        self.put_type(word, name);
+        true
     }
 
     /// `: SV_Target`, `: TEXCOORD0`, `: register(t0)`

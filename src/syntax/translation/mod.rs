@@ -46,6 +46,7 @@ pub fn translate(sources: &Sources, tokens: &[Token], version: Version) -> Optio
         tokens,
         version,
         at: 0,
+        here: (usize::MAX, ""),
         braces: 0,
         parens: 0,
         questions: 0,
@@ -86,6 +87,8 @@ struct Translator<'a> {
     version: Version,
     /// The next token to read.
     at: usize,
+    /// The token that the step at hand began with, and its text, which all forms ask for.
+    here: (usize, &'a str),
     /// Open braces, open parentheses and brackets, and `?` of the statement at hand.
     braces: u32,
     parens: u32,
@@ -107,6 +110,7 @@ struct Translator<'a> {
 impl<'a> Translator<'a> {
     /// Reads one token, or one foreign form.
     fn step(&mut self) {
+        self.here = (self.at, self.sources.text(self.token(0).span));
         let may = self.diagnostics.len() < MAX_FORMS && self.token(0).is_direct();
         if may && (self.operator() || self.statement() || self.declaration()) {
             return;
@@ -168,7 +172,10 @@ impl<'a> Translator<'a> {
     }
 
     fn text(&self, ahead: usize) -> &'a str {
-        self.sources.text(self.token(ahead).span)
+        match self.here {
+            (at, text) if at == self.at + ahead => text,
+            _ => self.sources.text(self.token(ahead).span),
+        }
     }
 
     /// The free word that stands there.
