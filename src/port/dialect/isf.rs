@@ -50,7 +50,12 @@ fn signs(clues: &Clues) -> Vec<Sign> {
     if head(clues.text).is_some_and(|text| KEYS.iter().any(|key| text.contains(key))) {
         found.push(Sign::new("its head, a JSON object with `INPUTS`", 3 * OWN));
     }
-    for word in ["vv_FragNormCoord", "IMG_NORM_PIXEL", "IMG_THIS_PIXEL"] {
+    for word in [
+        "vv_FragNormCoord",
+        "IMG_NORM_PIXEL",
+        "IMG_THIS_PIXEL",
+        VERTEX_INIT,
+    ] {
         if clues.is_free(word) {
             found.push(Sign::new(format!("`{word}`"), OWN));
         }
@@ -114,6 +119,9 @@ struct Target {
     draw: PassDraw,
 }
 
+/// The function that vertex shaders begin with, and no others.
+const VERTEX_INIT: &str = "isf_vertShaderInit";
+
 fn plan(clues: &Clues) -> Plan {
     let head = match head(clues.text).map(object) {
         Some(Ok(object)) => Head::of(&object),
@@ -128,6 +136,11 @@ fn plan(clues: &Clues) -> Plan {
         credit: Some(head.credit.clone()),
         ..Plan::default()
     };
+    if clues.has_word(VERTEX_INIT) {
+        let note =
+            "it is the vertex shader of a pair: give the file with the ending `.fs` beside it";
+        plan.notes.push(note.to_string());
+    }
     let vertex = vertex_beside(clues, &mut plan);
     let usual = [Target::default()];
     let targets = match head.passes.as_slice() {
@@ -558,6 +571,17 @@ mod tests {
                 "uniform vec2 RENDER; uniform float TIME; void main() { gl_FragColor = vec4(TIME); }"
             ),
             "webgl"
+        );
+    }
+
+    #[test]
+    fn a_vertex_shader_alone_names_the_file_to_give() {
+        let text = "varying vec2 q; void main() { isf_vertShaderInit(); q = vec2(1.0); }";
+        assert_eq!(known(text), "isf");
+        let notes = plan(&Clues::of(text)).notes;
+        assert!(
+            notes.iter().any(|n| n.contains("`.fs` beside it")),
+            "{notes:?}"
         );
     }
 
