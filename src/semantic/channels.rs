@@ -4,8 +4,8 @@ use super::builtins::Builtins;
 use super::dialect::Channels;
 use super::program::{Program, Resolution};
 use super::types::{Base, Sampler, Type};
-use crate::syntax::ast::{Expr, ExprId, ExprKind, Tree};
-use crate::syntax::{Name, Names};
+use crate::syntax::Name;
+use crate::syntax::ast::{Expr, ExprId, ExprKind};
 
 /// The types that a channel may be of. Of two that fit as many lookups the first holds.
 const CANDIDATES: [Sampler; 3] = [Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D];
@@ -14,7 +14,7 @@ const CANDIDATES: [Sampler; 3] = [Sampler::Sampler2D, Sampler::SamplerCube, Samp
 /// of any type. `None` is a channel that is not looked up.
 pub fn needed_channels(program: &Program) -> Channels {
     let mut fits = [[0_u32; CANDIDATES.len()]; 4];
-    let names = names_of_channels(&program.names);
+    let names = [0, 1, 2, 3].map(|i| program.names.get(&format!("iChannel{i}")));
     for expr in &program.tree.exprs {
         let ExprKind::Call(name, list) = expr.kind else {
             continue;
@@ -35,17 +35,6 @@ pub fn needed_channels(program: &Program) -> Channels {
         let mut all = counts.into_iter().zip(CANDIDATES);
         all.find(|(count, _)| *count == most).map(|(_, c)| c)
     })
-}
-
-/// Whether an expression names a channel.
-pub fn names_channels(names: &Names, tree: &Tree) -> bool {
-    let channels = names_of_channels(names);
-    let mut all = tree.exprs.iter();
-    all.any(|e| matches!(e.kind, ExprKind::Name(name) if channels.contains(&Some(name))))
-}
-
-fn names_of_channels(names: &Names) -> [Option<Name>; 4] {
-    ["iChannel0", "iChannel1", "iChannel2", "iChannel3"].map(|name| names.get(name))
 }
 
 /// The channel that an expression names.

@@ -112,3 +112,78 @@ fn with_syntax(
     syntax.extend(problems);
     (program, syntax)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::semantic::dialect::Dialect;
+    use crate::semantic::part::Wholeness;
+    use crate::semantic::{Pass, Stage};
+    use crate::syntax::{parse, preprocess};
+    use crate::text::{Role, Sources};
+    use std::sync::Arc;
+
+    /// How many errors a check finds that is made for a goal.
+    fn count(code: &str, goal: Goal) -> usize {
+        let dialect = Dialect::ShaderToy(Pass::Image);
+        let mut sources = Sources::new();
+        let prelude = dialect.host().prelude([None; 4]);
+        let files = [
+            sources.add("prelude", None, Role::Prelude, prelude),
+            sources.add("test", None, Role::User, code),
+        ];
+        let files: Vec<_> = files.into_iter().flatten().collect();
+        let sources = Arc::new(sources);
+        let unit = Unit {
+            sources: &sources,
+            files: &files,
+            stage: Stage::Fragment,
+            dialect,
+            infer_channels: true,
+            wholeness: Wholeness::Whole,
+        };
+        let mut read = preprocess(&sources, &files, true);
+        let options = ParseOptions {
+            version: read.version,
+            is_fragment: true,
+        };
+        let parse = parse(&sources, &mut read.tokens, &read.names, options);
+        let parsed = Parsed {
+            sources: Arc::clone(&sources),
+            tokens: read.tokens,
+            names: read.names,
+            tree: parse.tree,
+            version: read.version,
+            has_errors: true,
+            goal,
+        };
+        judge(parsed, &unit).1.len()
+    }
+
+    #[test]
+    fn a_count_that_ends_early_tells_whether_there_are_fewer() {
+        let heads = [
+            "",
+            // Their uses tell that they are a `vec2` each.
+            "float v = p; v.x += 1.0; v.y += v.x; float w = p; w.x += 1.0; w.y += w.x;",
+            // With a channel of three dimensions all but one are right.
+            "c += texture(iChannel0, vec3(p, 0.0)); c += texture(iChannel0, p);
+             c += textureLod(iChannel0, vec3(p, 1.0), 0.0); c += texture(iChannel0, vec3(p, 1.0));",
+        ];
+        let errors = ["", "c = 1;", "c.x = 1; int n = 2.5; d = 3.0;"];
+        for head in heads {
+            for first in errors {
+                for last in errors {
+                    let code = format!(
+                        "void mainImage(out vec4 c, in vec2 p) {{ {first} {head} {last} }}"
+                    );
+                    let all = count(&code, Goal::COUNT);
+                    for below in 0..8 {
+                        let found = count(&code, Goal::CountBelow(below));
+                        assert_eq!(found.min(below), all.min(below), "{below} {code}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::blame::{attribute, gather};
 use super::builtins::Stage;
-use super::channels::{names_channels, needed_channels};
+use super::channels::needed_channels;
 use super::checker::{Goal, Parsed, check};
 use super::dialect::Dialect;
 use super::part::{Open, Wholeness, keep_certain};
@@ -282,11 +282,12 @@ pub(super) fn judge(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
 
 /// Checks a shader whose channels may be of any type. Only where something is wrong with channels of
 /// two dimensions, its lookups are asked for others.
-fn check_with_any_channels(mut parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
-    if parsed.goal != Goal::Tell && names_channels(&parsed.names, &parsed.tree) {
-        // Errors may be gone with channels of other types.
-        parsed.goal = Goal::COUNT;
-    }
+///
+/// A count that ends early chooses well enough. Where it ended by lookups that do not fit two
+/// dimensions, either they are more than those that do, and the other channels are taken; or at least
+/// as many do, which would all be errors with the others.
+fn check_with_any_channels(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
+    let goal = parsed.goal;
     let checked = check(parsed, unit.stage, unit.dialect, [None; 4]);
     if checked.1.is_empty() {
         return checked;
@@ -295,7 +296,11 @@ fn check_with_any_channels(mut parsed: Parsed, unit: &Unit) -> (Program, Vec<Dia
     if channels.iter().flatten().all(|c| *c == Sampler::Sampler2D) {
         return checked;
     }
-    check(checked.0.into_parsed(), unit.stage, unit.dialect, channels)
+    let parsed = Parsed {
+        goal,
+        ..checked.0.into_parsed()
+    };
+    check(parsed, unit.stage, unit.dialect, channels)
 }
 
 impl Program {
