@@ -339,6 +339,16 @@ impl Server {
     /// Answers a request on a thread. Where the texts have changed before it comes to it, the client
     /// hears that, and asks again if it still wants to know.
     fn later(&self, id: RequestId, job: impl FnOnce(&Snapshot) -> Answer<Value> + Send + 'static) {
+        self.later_with_request(id, |snapshot| Ok((job(snapshot)?, None)));
+    }
+
+    /// Answers a request on a thread, and asks the client for something behind the answer: before, what
+    /// it does then could make the answer an old one.
+    fn later_with_request(
+        &self,
+        id: RequestId,
+        job: impl FnOnce(&Snapshot) -> Answer<(Value, Option<Asked>)> + Send + 'static,
+    ) {
         let snapshot = self.now.clone();
         let (connection, pending) = (self.connection.clone(), self.pending.clone());
         lock(&pending).insert(id.clone(), false);
@@ -347,12 +357,18 @@ impl Server {
             let is_wanted = !is_cancelled() && !snapshot.is_stale();
             let answer = is_wanted.then(|| guarded(|| job(&snapshot)));
             let was_cancelled = lock(&pending).remove(&id) == Some(true);
-            let told = match answer {
-                _ if was_cancelled => cancelled(id),
-                Some(answer) if !snapshot.is_stale() => response(id, answer),
-                _ => stale(id),
+            let (told, request) = match answer {
+                _ if was_cancelled => (cancelled(id), None),
+                Some(Ok((value, request))) if !snapshot.is_stale() => {
+                    (response(id, Ok(value)), request)
+                }
+                Some(Err(failure)) if !snapshot.is_stale() => (response(id, Err(failure)), None),
+                _ => (stale(id), None),
             };
             let _ = connection.sender.send(told.into());
+            if let Some(request) = request {
+                let _ = connection.sender.send(request.into());
+            }
         });
     }
 
@@ -632,9 +648,8 @@ impl Server {
                 self.send(response(id, answer).into());
             }
             PREVIEW | FIX_ALL => {
-                let connection = self.connection.clone();
                 let is_preview = command == PREVIEW;
-                self.later(id, move |snapshot| {
+                self.later_with_request(id, move |snapshot| {
                     let buffer = snapshot.buffer(&Uri(first))?;
                     let (method, params) = match is_preview {
                         true => show(snapshot, buffer)?,
@@ -642,8 +657,7 @@ impl Server {
                     };
                     let id = RequestId::from(format!("{method}#{}", buffer.state));
                     let request = Asked::new(id, method.to_string(), params);
-                    let _ = connection.sender.send(request.into());
-                    Ok(Value::Null)
+                    Ok((Value::Null, Some(request)))
                 });
             }
             other => {
