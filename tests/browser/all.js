@@ -61,8 +61,8 @@ async function attempt(browser, test) {
     permissions: ['camera', 'microphone'],
     ...test.context,
   });
-  // What is waited for in vain is told by the test, not by its end.
-  context.setDefaultTimeout(900 * (test.seconds ?? PATIENCE));
+  // What is waited for in vain is told by the test, not by its end; but for one that may come late.
+  context.setDefaultTimeout((test.onLate ? 2000 : 900) * (test.seconds ?? PATIENCE));
   await test.run(context);
   await context.close();
 }
