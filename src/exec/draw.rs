@@ -325,6 +325,17 @@ pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
 }
 
 impl Drawn {
+    /// Operations of a pixel, in the mean.
+    pub fn mean_cost(&self) -> f64 {
+        let sum: u64 = self.cost.iter().copied().map(u64::from).sum();
+        sum as f64 / self.cost.len().max(1) as f64
+    }
+
+    /// Operations of the most expensive pixel.
+    pub fn most_cost(&self) -> u32 {
+        self.cost.iter().copied().max().unwrap_or(0)
+    }
+
     /// Puts pixels where they belong.
     fn place(&mut self, given: &Given) {
         for (n, [x, y]) in given.pixels.iter().enumerate() {

@@ -75,11 +75,10 @@ pub fn run(analysis: &Analysis) -> Option<RunSeen> {
     let module = analysis.module();
     let loops = drawn.seen.loops.iter().filter(|l| l.entries > 0);
     let turns = loops.filter_map(|l| Some((module.looped(l.id)?.stmt, SeenTurns::of(l))));
-    let cost: u64 = drawn.cost.iter().copied().map(u64::from).sum();
     Some(RunSeen {
         loops: turns.collect(),
-        cost: cost as f64 / drawn.cost.len().max(1) as f64,
-        most_cost: drawn.cost.iter().copied().max().unwrap_or(0),
+        cost: drawn.mean_cost(),
+        most_cost: drawn.most_cost(),
     })
 }
 

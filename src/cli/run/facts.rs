@@ -4,7 +4,7 @@ use super::functions::{self, FunctionRow};
 use super::loops::{self, LoopRow};
 use super::numbers::{self, NumberRow};
 use crate::engine::play::{Button, Moment, PictureFacts};
-use crate::exec::Seen;
+use crate::exec::Drawn;
 use serde::Serialize;
 
 /// All that is said of a run. Fields are only ever added.
@@ -113,11 +113,11 @@ impl OutputFacts {
 
 impl CostFacts {
     /// What is said of the cost.
-    pub fn of(seen: &Seen, cost: &[u32]) -> CostFacts {
+    pub fn of(drawn: &Drawn) -> CostFacts {
         CostFacts {
-            operations: seen.operations,
-            mean: cost.iter().map(|n| f64::from(*n)).sum::<f64>() / cost.len().max(1) as f64,
-            most: cost.iter().copied().max().unwrap_or(0),
+            operations: drawn.seen.operations,
+            mean: drawn.mean_cost(),
+            most: drawn.most_cost(),
         }
     }
 }

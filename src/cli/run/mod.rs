@@ -155,7 +155,7 @@ fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunF
         mouse: facts::mouse(&moment),
         output: None,
         outputs: outputs.collect(),
-        cost: CostFacts::of(&drawn.seen, &drawn.cost),
+        cost: CostFacts::of(drawn),
         loops: reported.map(|program| loops::rows(program, shot, &drawn.seen)),
         functions: reported.map(|program| functions::rows(program, &drawn.seen)),
         numbers: reported.map(|program| numbers::rows(program, shot, &drawn.seen)),
