@@ -1,12 +1,12 @@
 //! Circles that come out as ellipses.
 
-use crate::diagnostic::Severity;
-use crate::flow::Start;
-use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::lint::screen::{Along, along};
-use crate::lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
-use crate::syntax::ast::{BinaryOp, ExprId};
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Start;
+use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_lint::screen::{Along, along};
+use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
+use shaderlint_syntax::ast::{BinaryOp, ExprId};
 
 pub static RULE: Rule = Rule {
     name: "aspect-ellipse",
@@ -95,7 +95,7 @@ fn is_squeezed(cx: &Context, distance: OpId) -> bool {
     let is_shared = |op: &OpId| {
         !cx.facts
             .uniformity()
-            .varies(crate::flow::Varying::Value(*op))
+            .varies(shaderlint_flow::Varying::Value(*op))
     };
     let place = match *operands {
         [v] => of(v),

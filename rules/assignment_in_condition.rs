@@ -1,9 +1,9 @@
 //! `if (a = b)`.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::ast::*;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::ast::*;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "assignment-in-condition",

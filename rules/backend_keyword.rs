@@ -1,9 +1,9 @@
 //! Names that are words of other shading languages.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, DeclaredName, Group, Rule, RuleOption, Setting};
-use crate::syntax::ast::Extent;
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, DeclaredName, Group, Rule, RuleOption, Setting};
+use shaderlint_syntax::ast::Extent;
 use std::sync::LazyLock;
 
 pub static RULE: Rule = Rule {

@@ -1,9 +1,9 @@
 //! Surfaces of which none is lit.
 
-use crate::diagnostic::Severity;
-use crate::exec::Seen;
-use crate::lint::trial::{SampledPixel, Trial};
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::Seen;
+use shaderlint_lint::trial::{SampledPixel, Trial};
+use shaderlint_lint::{Check, Context, Group, Rule};
 use std::collections::BTreeMap;
 
 pub static RULE: Rule = Rule {

@@ -1,7 +1,7 @@
 //! Rays that end where they begin.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "camera-inside",

@@ -1,9 +1,9 @@
 //! `clamp` with its bounds the wrong way round.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "clamp-bounds",

@@ -1,8 +1,8 @@
 //! A `\` at the end of a comment, which takes the next line with it.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::text::Span;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_text::Span;
 
 pub static RULE: Rule = Rule {
     name: "comment-continues",

@@ -1,9 +1,9 @@
 //! Components of vectors and elements of local arrays whose number is computed.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::Storage;
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::Storage;
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "component-by-index",

@@ -1,10 +1,10 @@
 //! Conditions whose answer stands in the text.
 
-use crate::diagnostic::Severity;
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
-use crate::semantic::each_operand;
-use crate::semantic::{Scalar, Value};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_semantic::each_operand;
+use shaderlint_semantic::{Scalar, Value};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "constant-condition",

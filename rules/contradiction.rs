@@ -1,9 +1,9 @@
 //! `x > 0.5 && x < 0.2`, `k != 1 || k != 2`.
 
-use crate::diagnostic::Severity;
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule, same_code};
-use crate::semantic::{Program, Scalar, Value};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, same_code};
+use shaderlint_semantic::{Program, Scalar, Value};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "contradiction",

@@ -1,10 +1,10 @@
 //! `p.x*p.x + p.x*p.x`: a component that was copied and not changed.
 
-use crate::diagnostic::Severity;
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule, Shape, same_code};
-use crate::semantic::Program;
-use crate::syntax::ast::*;
-use crate::syntax::{Token, TokenKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, Shape, same_code};
+use shaderlint_semantic::Program;
+use shaderlint_syntax::ast::*;
+use shaderlint_syntax::{Token, TokenKind};
 
 pub static RULE: Rule = Rule {
     name: "copied-component",

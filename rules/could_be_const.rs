@@ -1,10 +1,10 @@
 //! Variables that hold a constant and never change.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, DeclaredVariable, Group, Rule};
-use crate::semantic::Storage;
-use crate::syntax::ast::*;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule};
+use shaderlint_semantic::Storage;
+use shaderlint_syntax::ast::*;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "could-be-const",

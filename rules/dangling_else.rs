@@ -1,10 +1,10 @@
 //! An `else` that belongs to another `if` than it stands under.
 
-use crate::diagnostic::Severity;
-use crate::lint::indent::{indent, line_indent};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::TokenKind;
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::indent::{indent, line_indent};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::TokenKind;
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "dangling-else",

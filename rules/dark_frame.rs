@@ -1,8 +1,8 @@
 //! Pictures in which hardly anything can be seen.
 
-use crate::diagnostic::Severity;
-use crate::lint::trial::{Trial, TrialShot, luminance, percent, share};
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::trial::{Trial, TrialShot, luminance, percent, share};
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "dark-frame",

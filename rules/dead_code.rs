@@ -1,8 +1,8 @@
 //! Statements that never run.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, remove_statement};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule, remove_statement};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "dead-code",

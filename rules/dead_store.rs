@@ -1,9 +1,9 @@
 //! Values that are overwritten before anything reads them.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, DeclaredVariable, Group, Rule, Shape};
-use crate::semantic::{Storage, VariableId};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, Shape};
+use shaderlint_semantic::{Storage, VariableId};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "dead-store",

@@ -1,12 +1,12 @@
 //! `#define SUN_DIR normalize(vec3(0.8, 0.4, -0.6))`.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::Type;
-use crate::syntax::ast::{ExprId, ExprKind};
-use crate::syntax::{Macro, TokenKind, Version};
-use crate::text::{Edit, Span};
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::Type;
+use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_syntax::{Macro, TokenKind, Version};
+use shaderlint_text::{Edit, Span};
 
 pub static RULE: Rule = Rule {
     name: "define-with-call",

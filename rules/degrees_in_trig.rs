@@ -1,12 +1,12 @@
 //! Degrees where radians belong.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::flow::defs::Def;
-use crate::ir::OpKind;
-use crate::lint::{Builtin, Check, Context, Group, Rule, Shape};
-use crate::semantic::{BuiltinId, FunctionRef, Resolution, VariableId};
-use crate::syntax::ast::{ExprId, ExprKind};
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_flow::defs::Def;
+use shaderlint_ir::OpKind;
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::{BuiltinId, FunctionRef, Resolution, VariableId};
+use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "degrees-in-trig",

@@ -1,12 +1,12 @@
 //! Derivatives in code that only some pixels run.
 
-use crate::diagnostic::Severity;
-use crate::flow::{ControlId, Parted, Varying};
-use crate::ir::{OpId, Provenance};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{BuiltinId, Storage};
-use crate::syntax::ast::StmtKind;
-use crate::text::Span;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::{ControlId, Parted, Varying};
+use shaderlint_ir::{OpId, Provenance};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{BuiltinId, Storage};
+use shaderlint_syntax::ast::StmtKind;
+use shaderlint_text::Span;
 
 pub static RULE: Rule = Rule {
     name: "derivative-in-divergent-flow",

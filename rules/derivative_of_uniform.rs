@@ -1,9 +1,9 @@
 //! Derivatives of what is the same for all pixels.
 
-use crate::diagnostic::Severity;
-use crate::flow::Varying;
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::{BuiltinId, Stage};
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Varying;
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::{BuiltinId, Stage};
 
 pub static RULE: Rule = Rule {
     name: "derivative-of-uniform",

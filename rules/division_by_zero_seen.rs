@@ -1,10 +1,10 @@
 //! Divisions that were seen to divide by zero.
 
-use crate::diagnostic::Severity;
-use crate::exec::Kind;
-use crate::lint::trial::{Trial, Untold};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::Scalar;
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::Kind;
+use shaderlint_lint::trial::{Trial, Untold};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::Scalar;
 
 pub static RULE: Rule = Rule {
     name: "division-by-zero-seen",

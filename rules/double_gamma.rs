@@ -1,10 +1,10 @@
 //! Gamma correction of what was corrected already.
 
-use crate::diagnostic::Severity;
-use crate::flow::Start;
-use crate::ir::{Binary, OpId, OpKind};
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Start;
+use shaderlint_ir::{Binary, OpId, OpKind};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "double-gamma",

@@ -1,8 +1,8 @@
 //! Macro names with two underscores in a row.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::Macro;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::Macro;
 
 pub static RULE: Rule = Rule {
     name: "double-underscore",

@@ -1,9 +1,9 @@
 //! Branches that do the same, and conditions that are asked twice.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, Shape, code_hash, same_code};
-use crate::syntax::ast::*;
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule, Shape, code_hash, same_code};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "duplicate-branch",

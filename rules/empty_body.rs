@@ -1,10 +1,10 @@
 //! `if (x); { ... }`: a semicolon that takes the place of the body.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::indent::{indent, line_indent};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::ast::*;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::indent::{indent, line_indent};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::ast::*;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "empty-body",

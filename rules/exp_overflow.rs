@@ -1,8 +1,8 @@
 //! Exponential functions of numbers too large for them.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "exp-overflow",

@@ -1,8 +1,8 @@
 //! Pictures of one colour, and such in which no ray hits anything.
 
-use crate::diagnostic::Severity;
-use crate::lint::trial::{Hit, SampledPixel, Trial, TrialShot, is_too_bright};
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::trial::{Hit, SampledPixel, Trial, TrialShot, is_too_bright};
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "flat-frame",

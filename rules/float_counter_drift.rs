@@ -1,9 +1,9 @@
 //! Float counters whose rounding decides how often a loop turns.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Program, Scalar, Value, VariableId};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{Program, Scalar, Value, VariableId};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "float-counter-drift",

@@ -1,10 +1,10 @@
 //! `a == b` on floats of which one is rounded.
 
-use crate::diagnostic::Severity;
-use crate::flow::ranges::{Interval, Rounding};
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
-use crate::semantic::Scalar;
-use crate::syntax::ast::BinaryOp;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::ranges::{Interval, Rounding};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_semantic::Scalar;
+use shaderlint_syntax::ast::BinaryOp;
 
 pub static RULE: Rule = Rule {
     name: "float-equality",

@@ -1,11 +1,11 @@
 //! Pictures that hang on the last digits of a sine, a root or a division.
 
-use crate::diagnostic::Severity;
-use crate::exec::{CompileOptions, Lean, Persona};
-use crate::ir::OpKind;
-use crate::lint::trial::percent;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::{CompileOptions, Lean, Persona};
+use shaderlint_ir::OpKind;
+use shaderlint_lint::trial::percent;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "gpu-dependent-picture",
@@ -27,9 +27,9 @@ fn check(cx: &mut Context) {
         return;
     };
     let module = cx.facts.module();
-    let hashes = |(op, number): (&crate::ir::Op, u32)| {
+    let hashes = |(op, number): (&shaderlint_ir::Op, u32)| {
         let is_fract = matches!(op.kind, OpKind::Builtin(BuiltinId::Fract, _));
-        is_fract && cx.facts.is_told(crate::ir::OpId(number))
+        is_fract && cx.facts.is_told(shaderlint_ir::OpId(number))
     };
     if module.ops.iter().zip(0..).any(hashes) {
         return;

@@ -1,9 +1,9 @@
 //! Textures with derivatives inside loops that pixels leave apart.
 
-use crate::diagnostic::Severity;
-use crate::flow::Parted;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::ast::Extent;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Parted;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "gradient-in-loop",

@@ -1,8 +1,8 @@
 //! Colours that do not show.
 
-use crate::diagnostic::Severity;
-use crate::lint::trial::{SampledPixel, Trial, luminance, share};
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::trial::{SampledPixel, Trial, luminance, share};
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "gray-picture",

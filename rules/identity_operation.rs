@@ -1,9 +1,9 @@
 //! `x * 1.0`, `x + 0.0`, `pow(x, 1.0)`.
 
-use crate::diagnostic::Severity;
-use crate::lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "identity-operation",

@@ -1,11 +1,11 @@
 //! Indexes outside their array, vector or matrix.
 
-use crate::diagnostic::Severity;
-use crate::exec::Kind;
-use crate::flow::ranges::Side;
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::Type;
-use crate::syntax::ast::{ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::Kind;
+use shaderlint_flow::ranges::Side;
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::Type;
+use shaderlint_syntax::ast::{ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "index-range",

@@ -1,9 +1,9 @@
 //! One variable under two names.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::{Direction, FunctionRef, Resolution, Storage, VariableId, swizzled};
-use crate::syntax::ast::{ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::{Direction, FunctionRef, Resolution, Storage, VariableId, swizzled};
+use shaderlint_syntax::ast::{ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "inout-alias",

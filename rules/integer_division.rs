@@ -1,10 +1,10 @@
 //! Divisions of integers that lose what was meant.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
-use crate::semantic::{Scalar, Value};
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_semantic::{Scalar, Value};
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "integer-division",

@@ -1,11 +1,11 @@
 //! `asin` and `acos` of numbers that are no sine or cosine.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::exec::Kind;
-use crate::flow::ranges::{Interval, Side};
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_exec::Kind;
+use shaderlint_flow::ranges::{Interval, Side};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "inverse-trig-range",

@@ -1,11 +1,11 @@
 //! Comparisons whose answer follows from the ranges of both sides.
 
-use crate::diagnostic::Severity;
-use crate::flow::ranges::{Interval, Rounding};
-use crate::lint::given::{hangs_on_callers, is_exact, is_of_uniforms};
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
-use crate::semantic::{Scalar, Storage};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::ranges::{Interval, Rounding};
+use shaderlint_lint::given::{hangs_on_callers, is_exact, is_of_uniforms};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_semantic::{Scalar, Storage};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "known-comparison",

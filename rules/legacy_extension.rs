@@ -1,8 +1,8 @@
 //! `#extension` for what GLSL ES 3.00 has built in.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, remove_lines};
-use crate::syntax::Version;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule, remove_lines};
+use shaderlint_syntax::Version;
 
 pub static RULE: Rule = Rule {
     name: "legacy-extension",

@@ -1,9 +1,9 @@
 //! `length(p) < r`
 
-use crate::diagnostic::Severity;
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "length-compare",

@@ -1,10 +1,10 @@
 //! Logarithms of zero and of negative numbers.
 
-use crate::diagnostic::Severity;
-use crate::exec::Kind;
-use crate::flow::ranges::{Interval, Side};
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::Kind;
+use shaderlint_flow::ranges::{Interval, Side};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "log-nonpositive",

@@ -1,9 +1,9 @@
 //! Expensive calls that give the same in every turn of a loop.
 
-use crate::diagnostic::Severity;
-use crate::lint::still::{Places, is_still, runs_each_turn};
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::still::{Places, is_still, runs_each_turn};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "loop-invariant-call",

@@ -1,11 +1,11 @@
 //! Functions of the language in a loop that give the same in every turn.
 
-use crate::diagnostic::Severity;
-use crate::flow::Bound;
-use crate::lint::still::{Places, is_still, runs_each_turn};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{BuiltinId, Program, Resolution, each_operand};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Bound;
+use shaderlint_lint::still::{Places, is_still, runs_each_turn};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{BuiltinId, Program, Resolution, each_operand};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "loop-invariant-math",

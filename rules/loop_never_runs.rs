@@ -1,9 +1,9 @@
 //! Loops whose condition is false from the start.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Program, Value};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{Program, Value};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "loop-never-runs",
@@ -61,7 +61,7 @@ fn check(cx: &mut Context, id: StmtId) {
 }
 
 /// The counter that a loop declares or sets, and the number that it starts from.
-fn started(program: &Program, init: StmtId) -> Option<(crate::semantic::VariableId, f64)> {
+fn started(program: &Program, init: StmtId) -> Option<(shaderlint_semantic::VariableId, f64)> {
     let tree = &program.tree;
     match tree.stmt(init).kind {
         StmtKind::Decl(decl) => {

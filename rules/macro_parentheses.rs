@@ -1,12 +1,12 @@
 //! `#define SUM a + b` in a product, `#define SQ(x) x*x` of a sum.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::expansion::{Expanded, expanded, expanded_inside, spelling};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::Program;
-use crate::syntax::ast::{Extent, TokenId};
-use crate::syntax::{Macro, Token, TokenKind};
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::expansion::{Expanded, expanded, expanded_inside, spelling};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::Program;
+use shaderlint_syntax::ast::{Extent, TokenId};
+use shaderlint_syntax::{Macro, Token, TokenKind};
+use shaderlint_text::Edit;
 use std::collections::BTreeMap;
 
 pub static RULE: Rule = Rule {

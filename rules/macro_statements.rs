@@ -1,10 +1,10 @@
 //! `if (hit) MACRO;` where the macro is more than one statement.
 
-use crate::diagnostic::Severity;
-use crate::lint::expansion::{Expanded, expanded};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::TokenKind;
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::expansion::{Expanded, expanded};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::TokenKind;
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "macro-statements",
@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
 
 fn check(cx: &mut Context) {
     let program = cx.program;
-    let has_more = |m: &crate::syntax::Macro| {
+    let has_more = |m: &shaderlint_syntax::Macro| {
         m.uses > 0 && m.body.iter().any(|p| p.token.kind == TokenKind::Semicolon)
     };
     if !program.tokens.macros.iter().any(has_more) {

@@ -1,10 +1,10 @@
 //! `void mainImage(vec4 color, vec2 coord)`: a colour that never reaches its caller.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Direction, FunctionRef, Scalar, Type};
-use crate::syntax::ast::{Extent, QualifierKind};
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{Direction, FunctionRef, Scalar, Type};
+use shaderlint_syntax::ast::{Extent, QualifierKind};
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "mainimage-qualifiers",

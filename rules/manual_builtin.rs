@@ -1,13 +1,13 @@
 //! Formulas for which GLSL has a function.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::formula::{Formula, operands};
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::{BuiltinId, Scalar, Type};
-use crate::syntax::ast::*;
-use crate::text::Edit;
 use BinaryOp::{Add, Div, Mul, Sub};
 use Formula::{Binary, Call, Number, Operand, Unary};
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::formula::{Formula, operands};
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::{BuiltinId, Scalar, Type};
+use shaderlint_syntax::ast::*;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "manual-builtin",

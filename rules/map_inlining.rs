@@ -1,9 +1,9 @@
 //! Large scene functions that one function calls many times.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::semantic::FunctionRef;
-use crate::syntax::ast::ExprId;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_semantic::FunctionRef;
+use shaderlint_syntax::ast::ExprId;
 use std::collections::BTreeMap;
 
 pub static RULE: Rule = Rule {

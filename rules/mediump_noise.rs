@@ -1,11 +1,11 @@
 //! Hashes and time in half precision.
 
-use crate::diagnostic::Severity;
-use crate::ir::{Binary, Module, OpId, OpKind, Precision, Root};
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::semantic::{BuiltinId, Stage};
-use crate::syntax::TypeWord;
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_ir::{Binary, Module, OpId, OpKind, Precision, Root};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_semantic::{BuiltinId, Stage};
+use shaderlint_syntax::TypeWord;
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "mediump-noise",

@@ -1,9 +1,9 @@
 //! A statement that stands as if an `if` held it, and is behind it.
 
-use crate::diagnostic::Severity;
-use crate::lint::indent::{indent, line_indent};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::indent::{indent, line_indent};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "misleading-indentation",

@@ -1,8 +1,8 @@
 //! Functions that may end without a value.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::FunctionRef;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::FunctionRef;
 
 pub static RULE: Rule = Rule {
     name: "missing-return-path",

@@ -1,9 +1,9 @@
 //! Well-known numbers with wrong digits.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::syntax::ast::{ExprId, ExprKind};
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_text::Edit;
 use std::f64::consts::{E, FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 
 pub static RULE: Rule = Rule {

@@ -1,11 +1,11 @@
 //! The place of a click, taken with its sign.
 
-use crate::diagnostic::Severity;
-use crate::flow::Start;
-use crate::ir::{Binary, OpId, OpKind};
-use crate::lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
-use crate::semantic::{BuiltinId, Scalar};
-use crate::syntax::ast::{BinaryOp, ExprId};
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Start;
+use shaderlint_ir::{Binary, OpId, OpKind};
+use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::{BuiltinId, Scalar};
+use shaderlint_syntax::ast::{BinaryOp, ExprId};
 
 pub static RULE: Rule = Rule {
     name: "mouse-sign",

@@ -1,11 +1,11 @@
 //! `x != x` as a test for NaN.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
-use crate::semantic::Scalar;
-use crate::syntax::Version;
-use crate::syntax::ast::BinaryOp;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_semantic::Scalar;
+use shaderlint_syntax::Version;
+use shaderlint_syntax::ast::BinaryOp;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "nan-compare",

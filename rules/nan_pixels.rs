@@ -1,9 +1,9 @@
 //! Pixels that come out as no number.
 
-use crate::diagnostic::Severity;
-use crate::exec::Kind;
-use crate::lint::trial::report_broken;
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::Kind;
+use shaderlint_lint::trial::report_broken;
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "nan-pixels",

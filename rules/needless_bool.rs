@@ -1,9 +1,9 @@
 //! `x == true`, `c ? true : false`, `!!a`.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule, Shape};
-use crate::syntax::ast::*;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, Shape};
+use shaderlint_syntax::ast::*;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "needless-bool",

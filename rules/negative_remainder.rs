@@ -1,10 +1,10 @@
 //! Remainders of negative integers.
 
-use crate::diagnostic::Severity;
-use crate::exec::Kind;
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::Scalar;
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::Kind;
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::Scalar;
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "negative-remainder",

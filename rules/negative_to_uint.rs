@@ -1,11 +1,11 @@
 //! Negative floats that become unsigned.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::flow::ranges::{Interval, Side};
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::Scalar;
-use crate::syntax::ast::{ExprId, ExprKind};
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_flow::ranges::{Interval, Side};
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::Scalar;
+use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "negative-to-uint",

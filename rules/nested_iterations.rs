@@ -1,8 +1,8 @@
 //! Nested loops that turn more often for a pixel than a renderer can take.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::syntax::ast::{Extent, StmtKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_syntax::ast::{Extent, StmtKind};
 
 pub static RULE: Rule = Rule {
     name: "nested-iterations",

@@ -1,10 +1,10 @@
 //! Scene functions that compute every primitive at every step.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::semantic::{FunctionRef, Resolution};
-use crate::semantic::{each_inner, each_operand};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_semantic::{FunctionRef, Resolution};
+use shaderlint_semantic::{each_inner, each_operand};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "no-early-exit",

@@ -1,11 +1,11 @@
 //! Expressions whose value is thrown away, and that do nothing else.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, Shape, remove_statement};
-use crate::semantic::Resolution;
-use crate::semantic::is_dropped;
-use crate::syntax::ast::*;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule, Shape, remove_statement};
+use shaderlint_semantic::Resolution;
+use shaderlint_semantic::is_dropped;
+use shaderlint_syntax::ast::*;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "no-effect",

@@ -1,9 +1,9 @@
 //! `010`, which is eight.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::TokenKind;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::TokenKind;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "octal-literal",

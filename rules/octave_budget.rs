@@ -1,11 +1,11 @@
 //! Sums of more octaves of noise than anybody sees.
 
-use crate::diagnostic::Severity;
-use crate::flow::defs::{Def, DefId, Defs};
-use crate::ir::{Binary, LoopId, Module, OpId, OpKind};
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::semantic::tunable::range_behind;
-use crate::syntax::ast::StmtId;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::defs::{Def, DefId, Defs};
+use shaderlint_ir::{Binary, LoopId, Module, OpId, OpKind};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_semantic::tunable::range_behind;
+use shaderlint_syntax::ast::StmtId;
 
 pub static RULE: Rule = Rule {
     name: "octave-budget",

@@ -1,9 +1,9 @@
 //! Indices that were seen outside of their array.
 
-use crate::diagnostic::Severity;
-use crate::exec::Kind;
-use crate::lint::trial::Trial;
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::Kind;
+use shaderlint_lint::trial::Trial;
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "out-of-range-seen",

@@ -1,9 +1,9 @@
 //! Outputs that a function leaves without a value.
 
-use crate::diagnostic::Severity;
-use crate::flow::Parts;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Dialect, FunctionRef, Pass, VariableId};
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Parts;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{Dialect, FunctionRef, Pass, VariableId};
 
 pub static RULE: Rule = Rule {
     name: "output-not-written",

@@ -1,9 +1,9 @@
 //! Parameters that the function overwrites before it looks at them.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Direction, FunctionRef, Storage};
-use crate::syntax::ast::Extent;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{Direction, FunctionRef, Storage};
+use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "overwritten-parameter",

@@ -1,10 +1,10 @@
 //! `pow` with a small whole exponent in a loop.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::{BuiltinId, Value};
-use crate::syntax::ast::*;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::{BuiltinId, Value};
+use shaderlint_syntax::ast::*;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "pow-in-loop",

@@ -1,12 +1,12 @@
 //! `pow` of a negative number.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::exec::Kind;
-use crate::flow::ranges::Side;
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::{BuiltinId, Value};
-use crate::syntax::ast::{ExprId, ExprKind};
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_exec::Kind;
+use shaderlint_flow::ranges::Side;
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::{BuiltinId, Value};
+use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "pow-negative-base",

@@ -1,9 +1,9 @@
 //! Samplers of data that are read in the lowest precision.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, DeclaredVariable, Group, Rule};
-use crate::semantic::{Base, BuiltinId, Sampler, Storage, VariableId};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule};
+use shaderlint_semantic::{Base, BuiltinId, Sampler, Storage, VariableId};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "precision-missing-for-sampler",

@@ -1,9 +1,9 @@
 //! `vec3(v)` of a `vec3`, `float(1.0)`.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::syntax::ast::*;
-use crate::text::{Edit, Span};
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_syntax::ast::*;
+use shaderlint_text::{Edit, Span};
 
 pub static RULE: Rule = Rule {
     name: "redundant-constructor",

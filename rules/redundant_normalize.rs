@@ -1,12 +1,12 @@
 //! `normalize` of what is normalized already.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::flow::defs::Def;
-use crate::ir::{OpId, OpKind, Provenance};
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
-use crate::syntax::ast::ExprId;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_flow::defs::Def;
+use shaderlint_ir::{OpId, OpKind, Provenance};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
+use shaderlint_syntax::ast::ExprId;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "redundant-normalize",

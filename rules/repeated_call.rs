@@ -1,11 +1,11 @@
 //! The same expensive call twice in one statement.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::semantic::{FunctionRef, Program, each_expr, each_operand};
-use crate::syntax::TokenKind;
-use crate::syntax::ast::*;
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_semantic::{FunctionRef, Program, each_expr, each_operand};
+use shaderlint_syntax::TokenKind;
+use shaderlint_syntax::ast::*;
 use std::collections::hash_map::Entry;
 
 pub static RULE: Rule = Rule {

@@ -1,9 +1,9 @@
 //! Numbers so near to another, or so small, that rounding leaves nothing of the difference.
 
-use crate::diagnostic::Severity;
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule, Shape};
-use crate::semantic::Scalar;
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::Scalar;
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "rounded-away",

@@ -1,10 +1,10 @@
 //! `x - x`, `max(a, a)`, `a || b || a`.
 
-use crate::diagnostic::Severity;
-use crate::lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, code_hash, same_code};
-use crate::semantic::{BuiltinId, Scalar};
-use crate::syntax::ast::*;
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, code_hash, same_code};
+use shaderlint_semantic::{BuiltinId, Scalar};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "same-operands",

@@ -1,9 +1,9 @@
 //! `x = x`, and `y = x; x = y`.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, Shape, remove_statement, same_code};
-use crate::semantic::VariableId;
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule, Shape, remove_statement, same_code};
+use shaderlint_semantic::VariableId;
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "self-assignment",

@@ -1,9 +1,9 @@
 //! Shadow loops that go on behind the first thing that they meet.
 
-use crate::diagnostic::Severity;
-use crate::lint::march::MarchGoal;
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::syntax::ast::Extent;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::march::MarchGoal;
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "shadow-steps",

@@ -1,9 +1,9 @@
 //! Variables that take the name of one outside.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, DeclaredName, Group, Named, Rule};
-use crate::semantic::{Storage, Variable};
-use crate::syntax::ast::Extent;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule};
+use shaderlint_semantic::{Storage, Variable};
+use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "shadowed-name",

@@ -1,10 +1,10 @@
 //! Variables and functions that hide a built-in function.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, DeclaredName, Group, Named, Rule};
-use crate::semantic::Storage;
-use crate::semantic::builtins::Builtins;
-use crate::syntax::ast::Extent;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule};
+use shaderlint_semantic::Storage;
+use shaderlint_semantic::builtins::Builtins;
+use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "shadows-builtin",

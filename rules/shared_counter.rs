@@ -1,9 +1,9 @@
 //! Loops in each other that count with one variable.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Program, VariableId};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{Program, VariableId};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "shared-counter",

@@ -1,9 +1,9 @@
 //! `1 << n - 1`
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
-use crate::syntax::ast::*;
-use crate::text::{Edit, Span};
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_syntax::ast::*;
+use shaderlint_text::{Edit, Span};
 
 pub static RULE: Rule = Rule {
     name: "shift-precedence",

@@ -1,10 +1,10 @@
 //! Shifts by more bits than an integer has.
 
-use crate::diagnostic::Severity;
-use crate::exec::Kind;
-use crate::flow::ranges::{Interval, Side};
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::Kind;
+use shaderlint_flow::ranges::{Interval, Side};
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "shift-range",

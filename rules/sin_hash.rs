@@ -1,12 +1,12 @@
 //! `fract(sin(x) * 43758.5453)`: a hash that differs from GPU to GPU.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::formula::factors;
-use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
-use crate::semantic::{BuiltinId, Program, Scalar, Type};
-use crate::syntax::Version;
-use crate::syntax::ast::*;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::formula::factors;
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_semantic::{BuiltinId, Program, Scalar, Type};
+use shaderlint_syntax::Version;
+use shaderlint_syntax::ast::*;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "sin-hash",

@@ -1,9 +1,9 @@
 //! Loops that never turn twice.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::each_inner;
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::each_inner;
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "single-turn-loop",

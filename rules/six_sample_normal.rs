@@ -1,10 +1,10 @@
 //! Normals by six calls where four do.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting, same_code};
-use crate::semantic::{FunctionRef, Program, Resolution};
-use crate::syntax::ast::*;
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting, same_code};
+use shaderlint_semantic::{FunctionRef, Program, Resolution};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "six-sample-normal",

@@ -1,9 +1,9 @@
 //! Pictures that read the time and do not move.
 
-use crate::diagnostic::Severity;
-use crate::exec::{Draw, quads_all_over};
-use crate::lint::trial::{Instant, SIZE};
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::{Draw, quads_all_over};
+use shaderlint_lint::trial::{Instant, SIZE};
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "static-picture",

@@ -1,13 +1,13 @@
 //! Ray marching loops that take more steps than a renderer can.
 
-use crate::diagnostic::Severity;
-use crate::lint::march::{March, MarchGoal, way};
-use crate::lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use crate::semantic::each_operand;
-use crate::semantic::tunable::{TunableRange, range_behind};
-use crate::semantic::{FunctionRef, Resolution};
-use crate::syntax::ast::ExprId;
-use crate::text::Span;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::march::{March, MarchGoal, way};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_semantic::each_operand;
+use shaderlint_semantic::tunable::{TunableRange, range_behind};
+use shaderlint_semantic::{FunctionRef, Resolution};
+use shaderlint_syntax::ast::ExprId;
+use shaderlint_text::Span;
 
 pub static RULE: Rule = Rule {
     name: "step-budget",

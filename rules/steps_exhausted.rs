@@ -1,9 +1,9 @@
 //! Loops that run out of steps before they find what they look for.
 
-use crate::diagnostic::Severity;
-use crate::flow::LoopFacts;
-use crate::lint::trial::{Trial, percent};
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::LoopFacts;
+use shaderlint_lint::trial::{Trial, percent};
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "steps-exhausted",

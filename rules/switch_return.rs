@@ -1,9 +1,9 @@
 //! `return` inside `switch`.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::each_inner;
-use crate::syntax::ast::{Extent, StmtId, StmtKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::each_inner;
+use shaderlint_syntax::ast::{Extent, StmtId, StmtKind};
 
 pub static RULE: Rule = Rule {
     name: "switch-return",

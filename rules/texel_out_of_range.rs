@@ -1,11 +1,11 @@
 //! Texels beyond the edge.
 
-use crate::diagnostic::Severity;
-use crate::flow::defs::{each_comparison, each_load};
-use crate::ir::{OpId, OpKind, Provenance};
-use crate::lint::screen::along;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::BuiltinId;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::defs::{each_comparison, each_load};
+use shaderlint_ir::{OpId, OpKind, Provenance};
+use shaderlint_lint::screen::along;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "texel-out-of-range",

@@ -1,11 +1,11 @@
 //! Texture coordinates that jump.
 
-use crate::diagnostic::Severity;
-use crate::flow::Jump;
-use crate::ir::{OpId, OpKind, Provenance};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{BuiltinId, Dialect, Pass, Stage};
-use crate::syntax::ast::{ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Jump;
+use shaderlint_ir::{OpId, OpKind, Provenance};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{BuiltinId, Dialect, Pass, Stage};
+use shaderlint_syntax::ast::{ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "texture-seam",

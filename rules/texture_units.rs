@@ -1,12 +1,12 @@
 //! Pixels where a share of the texture is wanted, and the other way round.
 
-use crate::diagnostic::Severity;
-use crate::flow::Varying;
-use crate::ir::OpKind;
-use crate::lint::screen::along;
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::{BuiltinId, Scalar};
-use crate::syntax::ast::{ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Varying;
+use shaderlint_ir::OpKind;
+use shaderlint_lint::screen::along;
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::{BuiltinId, Scalar};
+use shaderlint_syntax::ast::{ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "texture-units",

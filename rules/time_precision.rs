@@ -1,10 +1,10 @@
 //! Time that is multiplied until a `float` has no digits left for it.
 
-use crate::diagnostic::Severity;
-use crate::flow::Start;
-use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
-use crate::semantic::BuiltinId;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Start;
+use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "time-precision",

@@ -1,12 +1,12 @@
 //! Cells by truncation beside places by `fract`.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::flow::is_same;
-use crate::ir::{OpId, OpKind};
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::{BuiltinId, Scalar};
-use crate::syntax::ast::{ExprId, ExprKind};
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_flow::is_same;
+use shaderlint_ir::{OpId, OpKind};
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::{BuiltinId, Scalar};
+use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "truncated-cell",

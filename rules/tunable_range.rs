@@ -1,8 +1,8 @@
 //! Numbers outside the range that their own comment gives.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::tunable::tunables;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::tunable::tunables;
 
 pub static RULE: Rule = Rule {
     name: "tunable-range",

@@ -1,9 +1,9 @@
 //! Loops that nothing ends for certain.
 
-use crate::diagnostic::Severity;
-use crate::flow::Bound;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::ast::{Extent, StmtId, StmtKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Bound;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::ast::{Extent, StmtId, StmtKind};
 
 pub static RULE: Rule = Rule {
     name: "unbounded-loop",

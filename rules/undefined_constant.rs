@@ -1,9 +1,9 @@
 //! Constants whose value the language does not define, or that no `float` can hold.
 
-use crate::diagnostic::Severity;
-use crate::lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, Shape};
-use crate::semantic::{BuiltinId, Scalar, Value};
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::{BuiltinId, Scalar, Value};
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "undefined-constant",

@@ -1,10 +1,10 @@
 //! Uniforms that are read and change nothing.
 
-use crate::diagnostic::Severity;
-use crate::exec::{Code, UniformSlot, quads_all_over};
-use crate::lint::trial::{Instant, Press, SIZE};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Storage, VariableId};
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::{Code, UniformSlot, quads_all_over};
+use shaderlint_lint::trial::{Instant, Press, SIZE};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{Storage, VariableId};
 
 pub static RULE: Rule = Rule {
     name: "uniform-without-effect",
@@ -121,7 +121,7 @@ fn changes(cx: &Context, code: &Code, slot: &UniformSlot, way: Way) -> Option<bo
 }
 
 /// Where the user names a uniform first.
-fn mention(cx: &Context, name: &str) -> Option<crate::syntax::ast::ExprId> {
+fn mention(cx: &Context, name: &str) -> Option<shaderlint_syntax::ast::ExprId> {
     let program = cx.program;
     let root = name.split(['.', '[']).next()?;
     let mut variables = program.variables.iter().zip(0..);

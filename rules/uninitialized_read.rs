@@ -1,10 +1,10 @@
 //! Variables that are read before they have a value.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::flow::{Parts, Unset};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{FunctionRef, Scalar, Storage, Variable, VariableId};
-use crate::text::Edit;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_flow::{Parts, Unset};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{FunctionRef, Scalar, Storage, Variable, VariableId};
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "uninitialized-read",

@@ -1,11 +1,11 @@
 //! Pictures that hang on what was never written.
 
-use crate::diagnostic::Severity;
-use crate::exec::CompileOptions;
-use crate::flow::Unset;
-use crate::lint::trial::percent;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::FunctionRef;
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::CompileOptions;
+use shaderlint_flow::Unset;
+use shaderlint_lint::trial::percent;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::FunctionRef;
 
 pub static RULE: Rule = Rule {
     name: "uninitialized-seen",

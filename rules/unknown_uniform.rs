@@ -1,7 +1,7 @@
 //! `getUniformLocation(program, "name")` where no shader of the page has that uniform.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Group, Rule};
 
 /// The rule.
 pub static RULE: Rule = Rule {

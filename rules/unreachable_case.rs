@@ -1,10 +1,10 @@
 //! `case` labels that the selector never takes.
 
-use crate::diagnostic::Severity;
-use crate::lint::given::hangs_on_callers;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Storage, Value};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::given::hangs_on_callers;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{Storage, Value};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "unreachable-case",

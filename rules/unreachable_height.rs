@@ -1,11 +1,11 @@
 //! Thresholds that a height, or another quantity, never reaches.
 
-use crate::diagnostic::Severity;
-use crate::exec::{ComparedSeen, Watch};
-use crate::ir::{Module, Op, OpId, OpKind};
-use crate::lint::trial::{Trial, TrialShot};
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::Type;
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::{ComparedSeen, Watch};
+use shaderlint_ir::{Module, Op, OpId, OpKind};
+use shaderlint_lint::trial::{Trial, TrialShot};
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::Type;
 
 pub static RULE: Rule = Rule {
     name: "unreachable-height",

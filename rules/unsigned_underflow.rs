@@ -1,9 +1,9 @@
 //! Differences of unsigned integers below zero.
 
-use crate::diagnostic::Severity;
-use crate::lint::{BinaryExpr, Check, Context, Group, Rule};
-use crate::semantic::Scalar;
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_semantic::Scalar;
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "unsigned-underflow",

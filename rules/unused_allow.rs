@@ -1,7 +1,7 @@
 //! `// shaderlint: allow(...)` that allows nothing.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Group, Rule};
 
 /// The rule.
 pub static RULE: Rule = Rule {

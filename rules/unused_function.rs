@@ -1,9 +1,9 @@
 //! Functions that nothing calls.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, remove_statement};
-use crate::semantic::{FunctionRef, starts_a_shader};
-use crate::syntax::ast::{DeclKind, Extent, FunctionDecl};
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule, remove_statement};
+use shaderlint_semantic::{FunctionRef, starts_a_shader};
+use shaderlint_syntax::ast::{DeclKind, Extent, FunctionDecl};
 
 pub static RULE: Rule = Rule {
     name: "unused-function",

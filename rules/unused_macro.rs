@@ -1,9 +1,9 @@
 //! Macros that nothing uses.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, Group, Rule, remove_lines};
-use crate::syntax::Macro;
-use crate::text::{Edit, Span};
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, Group, Rule, remove_lines};
+use shaderlint_syntax::Macro;
+use shaderlint_text::{Edit, Span};
 
 pub static RULE: Rule = Rule {
     name: "unused-macro",

@@ -1,9 +1,9 @@
 //! Parameters that the function makes no use of.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::semantic::{Direction, FunctionRef, Storage, starts_a_shader};
-use crate::syntax::ast::Extent;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_semantic::{Direction, FunctionRef, Storage, starts_a_shader};
+use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "unused-parameter",

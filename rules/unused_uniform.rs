@@ -1,9 +1,9 @@
 //! Uniforms that the shader declares and never reads.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{Check, Context, DeclaredVariable, Group, Rule, remove_declaration};
-use crate::semantic::Storage;
-use crate::syntax::ast::Extent;
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, remove_declaration};
+use shaderlint_semantic::Storage;
+use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "unused-uniform",

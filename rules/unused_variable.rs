@@ -1,12 +1,12 @@
 //! Variables whose value nothing makes use of.
 
-use crate::diagnostic::{Fix, Severity};
-use crate::lint::{
+use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::{
     Check, Context, DeclaredVariable, Group, Rule, remove_declaration, remove_statement,
 };
-use crate::semantic::Storage;
-use crate::syntax::ast::*;
-use crate::text::Edit;
+use shaderlint_semantic::Storage;
+use shaderlint_syntax::ast::*;
+use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
     name: "unused-variable",

@@ -1,11 +1,11 @@
 //! `clamp`, `min` and `max` that never cut anything, or always everything.
 
-use crate::diagnostic::Severity;
-use crate::flow::ranges::Interval;
-use crate::lint::given::{hangs_on_callers, is_exact, is_of_uniforms};
-use crate::lint::{Builtin, Check, Context, Group, Rule};
-use crate::semantic::{BuiltinId, Storage};
-use crate::syntax::ast::*;
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::ranges::Interval;
+use shaderlint_lint::given::{hangs_on_callers, is_exact, is_of_uniforms};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_semantic::{BuiltinId, Storage};
+use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "useless-clamp",

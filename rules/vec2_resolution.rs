@@ -1,9 +1,9 @@
 //! `uniform vec2 iResolution`.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, DeclaredVariable, Group, Rule};
-use crate::semantic::{Scalar, Storage, Type};
-use crate::syntax::ast::Extent;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule};
+use shaderlint_semantic::{Scalar, Storage, Type};
+use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "vec2-resolution",

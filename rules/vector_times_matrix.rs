@@ -1,9 +1,9 @@
 //! A vector from both sides of one matrix.
 
-use crate::diagnostic::Severity;
-use crate::flow::is_same;
-use crate::ir::{OpId, OpKind};
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_flow::is_same;
+use shaderlint_ir::{OpId, OpKind};
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "vector-times-matrix",

@@ -1,8 +1,8 @@
 //! Pictures that are brighter than white nearly everywhere.
 
-use crate::diagnostic::Severity;
-use crate::lint::trial::{Trial, is_too_bright, share};
-use crate::lint::{Check, Context, Group, Rule};
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::trial::{Trial, is_too_bright, share};
+use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
     name: "washed-out",

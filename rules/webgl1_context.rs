@@ -1,8 +1,8 @@
 //! `#version 300 es` in a page that asks for WebGL1.
 
-use crate::diagnostic::Severity;
-use crate::lint::{Check, Context, Group, Rule};
-use crate::syntax::Version;
+use shaderlint_diagnostic::Severity;
+use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_syntax::Version;
 
 /// The rule.
 pub static RULE: Rule = Rule {

@@ -1,11 +1,11 @@
 //! Division by zero.
 
-use crate::diagnostic::Severity;
-use crate::exec::Kind;
-use crate::flow::ranges::Side;
-use crate::lint::{Check, Context, Group, Rule, Shape};
-use crate::semantic::{BuiltinId, Scalar};
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::Kind;
+use shaderlint_flow::ranges::Side;
+use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_semantic::{BuiltinId, Scalar};
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "zero-division",

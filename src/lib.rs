@@ -1,6 +1,6 @@
 //! shaderlint checks GLSL for WebGL2 and ShaderToy; shaderport turns ShaderToy code into WebGL2.
 //!
-//! `src/README.md` draws the house.
+//! `src/README.md` draws the house. Each layer is a crate; this one holds the programs.
 #![forbid(unsafe_code)]
 #![deny(clippy::disallowed_methods)]
 #![cfg_attr(
@@ -19,20 +19,19 @@
 
 #[cfg(feature = "cli")]
 pub mod cli;
-pub mod diagnostic;
-pub mod engine;
-pub mod exec;
-pub mod flow;
-pub mod format;
-pub mod host;
-pub mod ide;
-pub mod ir;
-pub mod lint;
-mod math;
-pub mod port;
-pub mod report;
-#[path = "../rules/mod.rs"]
-pub mod rules;
-pub mod semantic;
-pub mod syntax;
-pub mod text;
+
+pub use shaderlint_diagnostic as diagnostic;
+pub use shaderlint_engine as engine;
+pub use shaderlint_exec as exec;
+pub use shaderlint_flow as flow;
+pub use shaderlint_format as format;
+pub use shaderlint_host as host;
+pub use shaderlint_ide as ide;
+pub use shaderlint_ir as ir;
+pub use shaderlint_lint as lint;
+pub use shaderlint_port as port;
+pub use shaderlint_report as report;
+pub use shaderlint_rules as rules;
+pub use shaderlint_semantic as semantic;
+pub use shaderlint_syntax as syntax;
+pub use shaderlint_text as text;

@@ -1,6 +1,6 @@
 //! The same texts for two parsers, ours and glsl-lang's; each disagreement has a name.
 //!
-//! `SHADERLINT_CASES=DIR cargo test --test differential` reads the ShaderToy exports in
+//! `SHADERLINT_CASES=DIR cargo test --test all differential` reads the ShaderToy exports in
 //! `DIR/shadertoy` too.
 
 use glsl_lang::ast::TranslationUnit;

@@ -1,7 +1,7 @@
 //! What the formatter keeps, on whole files: the tokens, what the compiler makes of them, and its
 //! own results.
 //!
-//! `SHADERLINT_CASES=DIR cargo test --test formatting` reads the exports of ShaderToy in
+//! `SHADERLINT_CASES=DIR cargo test --test all formatting` reads the exports of ShaderToy in
 //! `DIR/shadertoy` too.
 
 use shaderlint::engine::{NoFiles, Options, analyze, format};

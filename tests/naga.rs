@@ -1,7 +1,7 @@
 //! The languages that naga writes: every feature of GLSL reaches all four, or is refused where it
 //! stands.
 //!
-//! `INSTA_UPDATE=always cargo test --features naga --test naga` accepts what is written now.
+//! `INSTA_UPDATE=always cargo test --all-features --test all naga` accepts what is written now.
 #![cfg(feature = "naga")]
 
 use shaderlint::port::naga::{

@@ -4,12 +4,12 @@
 //! `INSTA_UPDATE=always cargo test` writes what is printed and fixed into the pages, and the table of
 //! all rules between its markers.
 
-use shaderlint::diagnostic::{Diagnostic, ERRORS, error_page};
+use shaderlint::diagnostic::{Diagnostic, ERRORS};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
 use shaderlint::host::presets;
 use shaderlint::lint::{Allow, Fence, FenceKind, Page, Renderer, Rule, Settings};
 use shaderlint::report::render;
-use shaderlint::rules::RULES;
+use shaderlint::rules::{RULES, error_page};
 use shaderlint::semantic::{GuessedKind, guess};
 use shaderlint::text::Sources;
 use std::fs;

@@ -1,6 +1,6 @@
 //! Renaming keeps what a shader does: the middle form is the same, names aside.
 //!
-//! `SHADERLINT_CASES=DIR cargo test --test renaming` reads the exports of ShaderToy in
+//! `SHADERLINT_CASES=DIR cargo test --test all renaming` reads the exports of ShaderToy in
 //! `DIR/shadertoy` too; `SHADERLINT_RENAMED=N` renames so many names of each file, not four.
 
 use shaderlint::engine::{NoFiles, Options, analyze};

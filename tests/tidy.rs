@@ -2,120 +2,11 @@
 
 use shaderlint::diagnostic::ERRORS;
 use shaderlint::lint::Page;
-use shaderlint::rules::RULES;
+use shaderlint::rules::{RULES, error_page};
 use shaderlint::semantic::BuiltinId;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// What each layer may name, besides itself.
-const LAYERS: [(&str, &[&str]); 17] = [
-    ("text", &[]),
-    ("math", &[]),
-    ("host", &[]),
-    ("diagnostic", &["text"]),
-    ("syntax", &["text", "diagnostic"]),
-    ("format", &["text", "syntax"]),
-    ("semantic", &["text", "math", "diagnostic", "syntax"]),
-    ("ir", &["text", "diagnostic", "syntax", "semantic"]),
-    ("flow", &["text", "diagnostic", "syntax", "semantic", "ir"]),
-    (
-        "exec",
-        &["text", "math", "diagnostic", "syntax", "semantic", "ir"],
-    ),
-    (
-        "lint",
-        &[
-            "text",
-            "diagnostic",
-            "syntax",
-            "semantic",
-            "ir",
-            "flow",
-            "exec",
-        ],
-    ),
-    (
-        "rules",
-        &[
-            "text",
-            "diagnostic",
-            "syntax",
-            "semantic",
-            "ir",
-            "flow",
-            "exec",
-            "lint",
-        ],
-    ),
-    (
-        "port",
-        &[
-            "text",
-            "host",
-            "diagnostic",
-            "syntax",
-            "semantic",
-            "ir",
-            "flow",
-            "exec",
-        ],
-    ),
-    ("report", &["text", "diagnostic"]),
-    (
-        "engine",
-        &[
-            "text",
-            "math",
-            "host",
-            "diagnostic",
-            "syntax",
-            "semantic",
-            "ir",
-            "flow",
-            "exec",
-            "lint",
-            "rules",
-            "port",
-            "format",
-        ],
-    ),
-    (
-        "ide",
-        &[
-            "text",
-            "diagnostic",
-            "syntax",
-            "semantic",
-            "ir",
-            "flow",
-            "exec",
-            "lint",
-            "rules",
-            "engine",
-        ],
-    ),
-    (
-        "cli",
-        &[
-            "engine",
-            "ide",
-            "format",
-            "text",
-            "host",
-            "diagnostic",
-            "syntax",
-            "semantic",
-            "ir",
-            "flow",
-            "exec",
-            "lint",
-            "rules",
-            "port",
-            "report",
-        ],
-    ),
-];
 
 /// Longest file, in lines.
 const MAX_FILE: usize = 800;
@@ -161,115 +52,8 @@ fn files(folders: &[&str], ending: &str) -> Vec<(String, String)> {
         .collect()
 }
 
-fn layer_of(file: &str) -> Option<&'static (&'static str, &'static [&'static str])> {
-    let folder = match file.strip_prefix("src/") {
-        Some(rest) => rest.split('/').next()?,
-        None => file.split('/').next()?,
-    };
-    LAYERS.iter().find(|(name, _)| *name == folder)
-}
-
-/// The code of a file, without its comments.
-fn code(text: &str) -> String {
-    let lines = text.lines().map(|l| l.split("//").next().unwrap_or(l));
-    lines.collect::<Vec<_>>().join("\n")
-}
-
-/// The names that a path goes on with: one, or those of a group in braces.
-fn heads(path: &str) -> Vec<&str> {
-    let name = |text: &str| text.len() - text.trim_start_matches(is_of_name).len();
-    let Some(group) = path.strip_prefix('{') else {
-        return vec![&path[..name(path)]];
-    };
-    let (mut depth, mut found, mut is_start) = (1, Vec::new(), true);
-    for (at, c) in group.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            ',' if depth == 1 => is_start = true,
-            c if is_start && is_of_name(c) => {
-                found.push(&group[at..at + name(&group[at..])]);
-                is_start = false;
-            }
-            _ => {}
-        }
-        if depth == 0 {
-            break;
-        }
-    }
-    found
-}
-
 fn is_of_name(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_'
-}
-
-/// What of the whole crate a file names, through `crate` or enough `super`s.
-fn named_at_the_top(file: &str, code: &str) -> Vec<String> {
-    let mut found: Vec<&str> = code.split("crate::").skip(1).flat_map(heads).collect();
-    let module = file.trim_start_matches("src/").trim_end_matches("/mod.rs");
-    let depth = module.split('/').count();
-    let mut rest = code;
-    while let Some(at) = rest.find("super::") {
-        rest = &rest[at..];
-        let mut supers = 0;
-        while let Some(behind) = rest.strip_prefix("super::") {
-            (rest, supers) = (behind, supers + 1);
-        }
-        if supers >= depth {
-            found.extend(heads(rest));
-        }
-    }
-    found.iter().map(|s| s.to_string()).collect()
-}
-
-/// What the tests within a layer may name besides: settings are tried on the rules that there are.
-const TESTED_WITH: [(&str, &str); 1] = [("lint", "rules")];
-
-#[test]
-fn layers_name_only_what_lies_below() {
-    let mut wrong = Vec::new();
-    for (file, text) in files(&["src", "rules"], ".rs") {
-        if file == "src/lib.rs" || file.starts_with("src/bin/") {
-            continue;
-        }
-        let Some((layer, below)) = layer_of(&file) else {
-            wrong.push(format!("{file} is in no layer"));
-            continue;
-        };
-        let code = code(&text);
-        if code.contains("use crate as") || code.contains("crate::*") {
-            wrong.push(format!("{file} names the whole crate"));
-        }
-        let (own, tests) = code.split_once("#[cfg(test)]").unwrap_or((&code, ""));
-        let own = named_at_the_top(&file, own).into_iter().map(|n| (n, false));
-        let tests = named_at_the_top(&file, tests)
-            .into_iter()
-            .map(|n| (n, true));
-        for (named, is_test) in own.chain(tests) {
-            let is_layer = LAYERS.iter().any(|(l, _)| *l == named);
-            let is_tried = is_test && TESTED_WITH.contains(&(layer, &named));
-            if is_layer && named != *layer && !below.contains(&named.as_str()) && !is_tried {
-                wrong.push(format!("{file} names {named}"));
-            }
-        }
-    }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-}
-
-#[test]
-fn paths_are_found_however_they_are_written() {
-    let named = |code: &str| named_at_the_top("src/text/embed/html.rs", code);
-    assert_eq!(
-        named("use crate::{\n lint::{self, Rule},\n text\n};"),
-        ["lint", "text"]
-    );
-    assert_eq!(named("let a = crate::rules::RULES;"), ["rules"]);
-    assert_eq!(
-        named("use super::super::super::{port, report::json};"),
-        ["port", "report"]
-    );
-    assert_eq!(named("use super::super::port;"), Vec::<String>::new());
 }
 
 /// What a shader declares (`semantic`) and its resolved form (`ir`) are called by one name.
@@ -308,8 +92,7 @@ fn public_types_have_names_of_their_own() {
 #[test]
 fn no_rule_names_another() {
     for (file, text) in files(&["rules"], ".rs") {
-        let is_list = file == "rules/mod.rs";
-        assert!(is_list || !text.contains("crate::rules"), "{file}");
+        assert!(!text.contains("crate::"), "{file}");
     }
 }
 
@@ -321,7 +104,7 @@ fn every_rule_is_a_pair() {
             .map(|e| e.unwrap().path());
         all.filter(|p| p.extension().is_some_and(|e| e == ending))
             .map(|p| p.file_stem().unwrap().to_str().unwrap().replace('_', "-"))
-            .filter(|n| n != "mod" && n != "README")
+            .filter(|n| n != "lib" && n != "errors" && n != "README")
             .collect()
     };
     let rules: BTreeSet<String> = RULES.iter().map(|r| r.name.to_string()).collect();
@@ -351,6 +134,10 @@ fn every_error_has_a_page() {
         .collect();
     let errors: BTreeSet<String> = ERRORS.iter().map(|e| e.to_string()).collect();
     assert_eq!(pages, errors);
+    for name in ERRORS {
+        let page = fs::read_to_string(root().join(format!("rules/errors/{name}.md")));
+        assert_eq!(error_page(name), page.ok().as_deref(), "{name}");
+    }
 }
 
 #[test]

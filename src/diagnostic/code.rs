@@ -8,15 +8,7 @@ macro_rules! errors {
         }
         /// The names of all compile errors, in the order of the table.
         pub const ERRORS: &[&str] = &[$($name),*];
-        /// Their pages, in the same order.
-        const PAGES: &[&str] = &[$(include_str!(concat!("../../rules/errors/", $name, ".md"))),*];
     };
-}
-
-/// The page of a compile error.
-pub fn error_page(name: &str) -> Option<&'static str> {
-    let index = ERRORS.iter().position(|e| *e == name)?;
-    PAGES.get(index).copied()
 }
 
 errors! {

@@ -1,8 +1,8 @@
 //! A checked shader that outlives the call that checked it: what editors and runs keep.
 
-use crate::ir::{Module, lower};
-use crate::semantic::{Checked, Program, Wholeness};
-use crate::text::Sources;
+use shaderlint_ir::{Module, lower};
+use shaderlint_semantic::{Checked, Program, Wholeness};
+use shaderlint_text::Sources;
 use std::sync::{Arc, OnceLock};
 
 /// A checked shader, and what else is found out of it, each when it is first asked for. It owns all

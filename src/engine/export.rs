@@ -1,9 +1,9 @@
 //! Fixes of the passes of an export, as edits of the JSON text that holds them.
 
-use crate::diagnostic::{Diagnostic, Fix};
-use crate::port::{Composed, Project};
-use crate::text::json::{JsonString, strings_in};
-use crate::text::{Edit, FileId, Sources, Span};
+use shaderlint_diagnostic::{Diagnostic, Fix};
+use shaderlint_port::{Composed, Project};
+use shaderlint_text::json::{JsonString, strings_in};
+use shaderlint_text::{Edit, FileId, Sources, Span};
 
 /// Where the code of the passes is written.
 #[derive(Default)]

@@ -3,10 +3,10 @@
 
 use super::input::SplitInput;
 use super::options::{Desktop, Options};
-use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::text::embed::Embedded;
-use crate::text::kind::{Decision, Evidence, Tongue, reason};
-use crate::text::{FileId, Span};
+use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
+use shaderlint_text::embed::Embedded;
+use shaderlint_text::kind::{Decision, Evidence, Tongue, reason};
+use shaderlint_text::{FileId, Span};
 
 /// Whether a shader is checked as what it is to become.
 pub fn is_ported(tongue: Tongue, options: &Options) -> bool {

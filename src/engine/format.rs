@@ -1,11 +1,13 @@
 //! The formatter for every kind of file: a shader, an export of ShaderToy, shaders inside others.
 
-use crate::format::{Lines, Style, TextExtent, Unformatted, counts_lines, format as format_code};
-use crate::port::Project;
-use crate::text::embed::{DocumentLanguage, Embedded, Wrapping, extract_named};
-use crate::text::json::{JsonString, strings_in};
-use crate::text::kind::{Claim, Decision, Evidence, FileKind, Tongue, decide};
-use crate::text::{Edit, Span};
+use shaderlint_format::{
+    Lines, Style, TextExtent, Unformatted, counts_lines, format as format_code,
+};
+use shaderlint_port::Project;
+use shaderlint_text::embed::{DocumentLanguage, Embedded, Wrapping, extract_named};
+use shaderlint_text::json::{JsonString, strings_in};
+use shaderlint_text::kind::{Claim, Decision, Evidence, FileKind, Tongue, decide};
+use shaderlint_text::{Edit, Span};
 
 /// What formatting a file comes to.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -147,7 +149,7 @@ fn in_json(edit: &Edit, code: &JsonString) -> Option<Edit> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::apply_edits;
+    use shaderlint_text::apply_edits;
 
     fn formatted(name: &str, text: &str) -> String {
         let formatting = format(name, text, Claim::None, &Style::default()).unwrap();

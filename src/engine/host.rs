@@ -5,7 +5,7 @@ use super::files::Files;
 use super::path::plain;
 use super::reading::Readings;
 use super::world::World;
-use crate::host::{Preset, presets};
+use shaderlint_host::{Preset, presets};
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::path::Path;

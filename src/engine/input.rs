@@ -3,9 +3,9 @@
 use super::export::Written;
 use super::include::Hushed;
 use super::part::Part;
-use crate::diagnostic::Diagnostic;
-use crate::text::embed::Embedded;
-use crate::text::{FileId, Sources};
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_text::embed::Embedded;
+use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 
 /// An input, split into shaders.

@@ -5,11 +5,11 @@ use super::files::Files;
 use super::options::Options;
 use super::verify::equal;
 use super::world::{Keep, World};
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::exec::Equality;
-use crate::lint::{Allow, Fixed, Judged, Look, Proof, Shown, fix, fix_seen, without_pictures};
-use crate::semantic::{Dialect, Pass, Program, Wholeness};
-use crate::text::{Encoding, Span};
+use shaderlint_diagnostic::{Applicability, Diagnostic};
+use shaderlint_exec::Equality;
+use shaderlint_lint::{Allow, Fixed, Judged, Look, Proof, Shown, fix, fix_seen, without_pictures};
+use shaderlint_semantic::{Dialect, Pass, Program, Wholeness};
+use shaderlint_text::{Encoding, Span};
 use std::sync::Arc;
 
 /// How many instructions may be run to compare the pictures of a text.
@@ -188,9 +188,9 @@ pub fn offer(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::{Fix, Origin, Severity};
-    use crate::engine::NoFiles;
-    use crate::text::{Edit, Role};
+    use crate::NoFiles;
+    use shaderlint_diagnostic::{Fix, Origin, Severity};
+    use shaderlint_text::{Edit, Role};
 
     /// A fix that another rule could offer for the numbers of a text, as one that keeps the picture.
     fn offer_fix(report: &mut Report, number: &str, other: &str) {

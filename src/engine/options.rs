@@ -1,10 +1,10 @@
 //! How a text is judged: what it is written for, what completes it, where its files are found.
 
 use super::memo::Memo;
-use crate::host::Preset;
-use crate::lint::Settings;
-use crate::rules::RULES;
-use crate::text::kind::Claim;
+use shaderlint_host::Preset;
+use shaderlint_lint::Settings;
+use shaderlint_rules::RULES;
+use shaderlint_text::kind::Claim;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;

@@ -2,7 +2,7 @@
 
 use super::analysis::Analysis;
 use super::document::Report;
-use crate::text::{Edit, Span};
+use shaderlint_text::{Edit, Span};
 
 impl Report {
     /// The address of what stands at an offset of the text of the input; `None` in an export outside

@@ -1,9 +1,9 @@
 //! What hosts put before a text, and where it goes.
 
 use super::options::{HostUniform, Options};
-use crate::host::Preset;
-use crate::syntax::{Lexer, RawKind, TokenKind as T};
-use crate::text::{FileId, Role, Sources};
+use shaderlint_host::Preset;
+use shaderlint_syntax::{Lexer, RawKind, TokenKind as T};
+use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 
 /// What a host puts before a text, without what the text declares itself: hosts of other releases

@@ -3,16 +3,16 @@
 
 use super::options::{DialectChoice, Options};
 use super::prelude::{behind_version, prelude, with_host};
-use crate::diagnostic::{Diagnostic, Severity, error};
-use crate::host::{HostVersion, Preset};
-use crate::semantic::snippet::is_body;
-use crate::semantic::{
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_host::{HostVersion, Preset};
+use shaderlint_semantic::snippet::is_body;
+use shaderlint_semantic::{
     Checked, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, Stage, Unit, Wholeness, analyze,
     analyze_part, guess, needs_300, part_declarations,
 };
-use crate::syntax::{ES_300, Feature, Version};
-use crate::text::kind::has_main;
-use crate::text::{FileId, Role, Sources};
+use shaderlint_syntax::{ES_300, Feature, Version};
+use shaderlint_text::kind::has_main;
+use shaderlint_text::{FileId, Role, Sources};
 use std::cell::{LazyCell, OnceCell};
 use std::collections::BTreeSet;
 use std::sync::Arc;

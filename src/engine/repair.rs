@@ -1,9 +1,9 @@
 //! The errors of a project that have one answer, mended in all of its passes.
 
-use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::lint::{Allow, Look, fix, without_pictures};
-use crate::port::{Composed, Project, add_repairs, compose};
-use crate::text::{Role, SourceFile, Sources, Span};
+use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
+use shaderlint_lint::{Allow, Look, fix, without_pictures};
+use shaderlint_port::{Composed, Project, add_repairs, compose};
+use shaderlint_text::{Role, SourceFile, Sources, Span};
 use std::sync::Arc;
 
 /// What is put between the texts of a project to make one of them. Sources have an address between

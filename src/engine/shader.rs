@@ -6,10 +6,10 @@ use super::options::{DialectChoice, Options};
 use super::part::Part;
 use super::reading::{InputText, Readings, Surroundings};
 use super::world::World;
-use crate::semantic::{Guess, GuessedKind, Stage, guess};
-use crate::text::FileId;
-use crate::text::embed::{Embedder, mask};
-use crate::text::kind::ending;
+use shaderlint_semantic::{Guess, GuessedKind, Stage, guess};
+use shaderlint_text::FileId;
+use shaderlint_text::embed::{Embedder, mask};
+use shaderlint_text::kind::ending;
 use std::sync::Arc;
 
 /// Makes the one shader of a shader file. `None` where it is too large.

@@ -3,15 +3,15 @@
 
 use super::play::{Button, Moment, Mouse, Scene};
 use super::{NoFiles, Options, analyze};
-use crate::exec::{
+use serde::Deserialize;
+use shaderlint_exec::{
     COMPARED_SIZE, CompileOptions, Draw, Equality, Image, ImageShape, OutputSlot, Sampling, Texels,
     Texture, equality,
 };
-use crate::ir::lower;
-use crate::math::hash;
-use crate::port::{Composed, File, PassUnit, Project, Target, bindings, glsl};
-use crate::semantic::{Pass, Program, Sampler, Scalar, Stage};
-use serde::Deserialize;
+use shaderlint_ir::lower;
+use shaderlint_math::hash;
+use shaderlint_port::{Composed, File, PassUnit, Project, Target, bindings, glsl};
+use shaderlint_semantic::{Pass, Program, Sampler, Scalar, Stage};
 use std::sync::Arc;
 
 /// How many instructions may be run to compare a pass.
@@ -328,7 +328,7 @@ impl Held {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::semantic::analyze_fragment;
+    use shaderlint_semantic::analyze_fragment;
 
     const BEFORE: &str = "#version 300 es\nprecision highp float; uniform float u; out vec4 c;\n\
                           void main() { c = vec4(sin(u), gl_FragCoord.x * 0.01, u, 1); }\n";

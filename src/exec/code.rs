@@ -2,8 +2,8 @@
 
 use super::compile::Lean;
 use super::row::LANES;
-use crate::ir::{LoopId, OpId, Provenance};
-use crate::semantic::{FunctionRef, Sampler, Scalar, Type, Undefined};
+use shaderlint_ir::{LoopId, OpId, Provenance};
+use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined};
 
 /// Number of a register.
 pub(super) type Reg = u16;

@@ -5,8 +5,8 @@ use super::image::Texture;
 use super::machine::{Machine, Tile};
 use super::row::LANES;
 use super::seen::Seen;
-use crate::math::hash;
-use crate::semantic::Scalar;
+use shaderlint_math::hash;
+use shaderlint_semantic::Scalar;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Operations of one pixel after which a run stops, unless it is told otherwise.

@@ -1,7 +1,7 @@
 //! What was seen in a run: facts about the pixels that ran, and of no others.
 
-use crate::ir::{LoopId, OpId, Provenance};
-use crate::semantic::FunctionRef;
+use shaderlint_ir::{LoopId, OpId, Provenance};
+use shaderlint_semantic::FunctionRef;
 
 /// What was seen.
 #[derive(Clone, Default, Debug)]

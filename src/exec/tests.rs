@@ -5,8 +5,8 @@ use super::{
     COMPARED_SIZE, Code, CompileOptions, Draw, Drawn, Equality, Kind, Lean, Persona, Seen, Stop,
     Watch, compile, draw, equality, quads_all_over, sample,
 };
-use crate::ir::lower;
-use crate::semantic::analyze_fragment;
+use shaderlint_ir::lower;
+use shaderlint_semantic::analyze_fragment;
 use std::collections::BTreeSet;
 
 /// What every shader here starts with, on one line.

@@ -1,8 +1,8 @@
 //! Who calls whom.
 
-use crate::ir::{Module, OpId, OpKind, Provenance};
-use crate::semantic::{CallGraph, FunctionRef};
-use crate::syntax::ast::ExprId;
+use shaderlint_ir::{Module, OpId, OpKind, Provenance};
+use shaderlint_semantic::{CallGraph, FunctionRef};
+use shaderlint_syntax::ast::ExprId;
 
 /// A call of one of the shader's functions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,9 +1,9 @@
 //! What expressions and functions do besides giving a value.
 
 use super::{Calls, Writes};
-use crate::ir::{Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step};
-use crate::semantic::{FunctionRef, Program, Structure, VariableId};
-use crate::syntax::ast::ExprId;
+use shaderlint_ir::{Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step};
+use shaderlint_semantic::{FunctionRef, Program, Structure, VariableId};
+use shaderlint_syntax::ast::ExprId;
 
 /// What a call of a function does besides giving a value.
 #[derive(Clone, Copy, Default, Debug)]

@@ -2,8 +2,8 @@
 
 use super::Calls;
 use super::uniformity::{ControlId, Uniformity, Varying};
-use crate::ir::{LoopId, Module, OpId, OpKind};
-use crate::semantic::{BuiltinId, FunctionRef};
+use shaderlint_ir::{LoopId, Module, OpId, OpKind};
+use shaderlint_semantic::{BuiltinId, FunctionRef};
 
 /// A call that compares neighbouring pixels, in code that not all of them run.
 #[derive(Clone, Copy, Debug)]

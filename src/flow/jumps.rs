@@ -3,8 +3,8 @@
 use super::ranges::Query;
 use super::trace::{Start, trace};
 use super::uniformity::{Uniformity, Varying};
-use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::semantic::BuiltinId;
+use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_semantic::BuiltinId;
 
 /// A function whose result jumps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

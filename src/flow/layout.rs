@@ -4,7 +4,7 @@
 //! conditions and functions often speak of. A matrix is its columns, a struct its members. All
 //! elements of an array share the lanes of one.
 
-use crate::semantic::{Base, Program, Type};
+use shaderlint_semantic::{Base, Program, Type};
 
 /// Most lanes of a struct; of a larger one nothing is known.
 const MAX_LANES: u32 = 512;

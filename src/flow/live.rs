@@ -1,9 +1,9 @@
 //! Which writes are ever read.
 
 use super::defs::{Def, DefId, Defs, Slot};
-use crate::ir::{Module, OpId, OpKind, Root};
-use crate::semantic::VariableId;
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_ir::{Module, OpId, OpKind, Root};
+use shaderlint_semantic::VariableId;
 
 /// How far behind a call stands what it gives back.
 const MAX_BEHIND: usize = 64;

@@ -1,7 +1,7 @@
 //! Whether two operations give the same value.
 
 use super::defs::Defs;
-use crate::ir::{Module, OpId, OpKind};
+use shaderlint_ir::{Module, OpId, OpKind};
 
 /// How many operations are looked at for one question.
 const BUDGET: u32 = 48;
@@ -55,8 +55,8 @@ fn same(module: &Module, defs: &Defs, a: OpId, b: OpId, left: &mut u32) -> bool 
 
 fn all(
     module: &Module,
-    a: crate::syntax::ast::List,
-    b: crate::syntax::ast::List,
+    a: shaderlint_syntax::ast::List,
+    b: shaderlint_syntax::ast::List,
     mut both: impl FnMut(OpId, OpId) -> bool,
 ) -> bool {
     let (a, b) = (module.operands(a), module.operands(b));
@@ -76,8 +76,8 @@ fn is_same_load(module: &Module, defs: &Defs, a: OpId, b: OpId) -> bool {
     let components = module.ty(a).components().max(1).min(lanes);
     let is_one = (0..components).all(|lane| known(lane) && sees(a, lane) == sees(b, lane));
     let path = module.path(place);
-    let has_element = |p: &[crate::ir::Access]| {
-        use crate::ir::Access::{Computed, Element};
+    let has_element = |p: &[shaderlint_ir::Access]| {
+        use shaderlint_ir::Access::{Computed, Element};
         p.iter().any(|a| matches!(a, Computed(_) | Element(_)))
     };
     let is_path_same = place.variable == other.variable && path == module.path(other);

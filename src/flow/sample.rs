@@ -1,7 +1,7 @@
 //! Shaders for the tests of the analyses.
 
-use crate::semantic::{Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
-use crate::text::{Role, Sources};
+use shaderlint_semantic::{Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
+use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
 /// A ShaderToy image pass that is checked and has no errors.

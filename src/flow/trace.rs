@@ -2,8 +2,8 @@
 //! the parameters of functions.
 
 use super::defs::{Def, DefId, Defs};
-use crate::ir::{Module, OpId, OpKind};
-use crate::semantic::VariableId;
+use shaderlint_ir::{Module, OpId, OpKind};
+use shaderlint_semantic::VariableId;
 
 /// How many steps are taken for one question.
 const BUDGET: u32 = 64;

@@ -6,11 +6,11 @@
 //! module; the order of assignments does not count, so that it may call too much different, never
 //! too little.
 
-use crate::ir::{LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Run, Step};
-use crate::semantic::lists::Lists;
-use crate::semantic::{FunctionRef, VariableId};
-use crate::syntax::ast::StmtId;
 use rustc_hash::FxHashMap;
+use shaderlint_ir::{LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Run, Step};
+use shaderlint_semantic::lists::Lists;
+use shaderlint_semantic::{FunctionRef, VariableId};
+use shaderlint_syntax::ast::StmtId;
 
 /// Index of a control: code that is run by the same pixels.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

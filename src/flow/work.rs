@@ -1,9 +1,9 @@
 //! How much the functions of a shader do: operations, and turns of loops.
 
 use super::Calls;
-use crate::ir::{Loop, LoopId, Module, OpId, OpKind, Provenance, Region, Step};
-use crate::semantic::FunctionRef;
-use crate::syntax::ast::StmtId;
+use shaderlint_ir::{Loop, LoopId, Module, OpId, OpKind, Provenance, Region, Step};
+use shaderlint_semantic::FunctionRef;
+use shaderlint_syntax::ast::StmtId;
 
 /// How often a loop is taken to turn where the text does not tell.
 const UNKNOWN_TURNS: f64 = 8.0;

@@ -1,10 +1,10 @@
 //! What becomes of each variable: where it is written to, and whether its value is ever used.
 
 use super::effects::declared;
-use crate::ir::{Module, OpId, OpKind, Provenance, Step};
-use crate::semantic::lists::Lists;
-use crate::semantic::{Mentions, Program, VariableId};
-use crate::syntax::ast::ExprId;
+use shaderlint_ir::{Module, OpId, OpKind, Provenance, Step};
+use shaderlint_semantic::lists::Lists;
+use shaderlint_semantic::{Mentions, Program, VariableId};
+use shaderlint_syntax::ast::ExprId;
 
 /// The writes of a shader.
 #[derive(Default, Debug)]

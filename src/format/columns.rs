@@ -3,7 +3,7 @@
 use super::item::{FormatItem, ItemKind};
 use super::layout::ItemPlace;
 use super::structure::{ItemRole, StatementStart};
-use crate::syntax::TokenKind as T;
+use shaderlint_syntax::TokenKind as T;
 use std::cmp::Ordering;
 use std::ops::Range;
 

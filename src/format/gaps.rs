@@ -4,7 +4,7 @@ use super::TextExtent;
 use super::item::FormatItem;
 use super::layout::ItemPlace;
 use super::style::{Indentation, Style};
-use crate::text::{Edit, Span};
+use shaderlint_text::{Edit, Span};
 
 /// The edits that bring every item to its place.
 pub fn edits(

@@ -2,8 +2,8 @@
 
 use super::item::{FormatItem, ItemKind};
 use super::structure::ItemRole;
-use crate::syntax::TokenKind as T;
-use crate::syntax::set::TokenSet;
+use shaderlint_syntax::TokenKind as T;
+use shaderlint_syntax::set::TokenSet;
 
 /// What a table is made of, besides calls of constructors.
 const IN_TABLE: TokenSet = TokenSet::of(&[

@@ -3,7 +3,7 @@
 use super::item::FormatItem;
 use super::layout::LineLayout;
 use super::overflow::precedence;
-use crate::syntax::TokenKind as T;
+use shaderlint_syntax::TokenKind as T;
 
 impl LineLayout<'_> {
     /// Column of a line that goes on with a statement, and what it is lined up with.

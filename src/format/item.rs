@@ -1,8 +1,8 @@
 //! What white space stands between: tokens, comments, and directives as a whole.
 
 use super::Unformatted;
-use crate::syntax::{RawKind, RawToken, TokenKind, Version, WordClass, classify, tokenize};
-use crate::text::Span;
+use shaderlint_syntax::{RawKind, RawToken, TokenKind, Version, WordClass, classify, tokenize};
+use shaderlint_text::Span;
 
 /// A piece of text that stays as it is.
 #[derive(Clone, Debug)]

@@ -6,7 +6,7 @@ use super::layout::LineLayout;
 use super::structure::{ItemRole, StatementStart};
 use super::style::Brace;
 use super::{TextExtent, columns};
-use crate::syntax::TokenKind as T;
+use shaderlint_syntax::TokenKind as T;
 use std::ops::Range;
 
 /// What stands between an item and the one before it.

@@ -4,7 +4,7 @@ use super::Lines;
 use super::layout::{ItemPlace, LineLayout};
 use super::spacing::is_assignment;
 use super::structure::StatementStart;
-use crate::syntax::TokenKind as T;
+use shaderlint_syntax::TokenKind as T;
 
 impl LineLayout<'_> {
     /// Breaks the line that has become too long with an item.

@@ -2,8 +2,8 @@
 
 use super::item::{FormatItem, ItemKind};
 use super::structure::ItemRole;
-use crate::syntax::TokenKind as T;
-use crate::syntax::set::{ASSIGNMENTS, TokenSet};
+use shaderlint_syntax::TokenKind as T;
+use shaderlint_syntax::set::{ASSIGNMENTS, TokenSet};
 
 /// What sticks to what stands before it.
 const STICKS: TokenSet = TokenSet::of(&[

@@ -3,7 +3,7 @@
 
 use super::Unformatted;
 use super::item::{BranchDirective, FormatItem, ItemKind};
-use crate::syntax::TokenKind as T;
+use shaderlint_syntax::TokenKind as T;
 
 /// Most brackets, bodies without braces and conditions of the preprocessor inside one another.
 const MAX_DEPTH: usize = 200;
@@ -178,7 +178,7 @@ impl Reader<'_> {
     fn error<R>(&self, at: u32, message: impl Into<String>) -> Result<R, Unformatted> {
         let item = self.items.get(at as usize);
         Err(Unformatted {
-            span: item.map_or(crate::text::Span::at(0), |i| i.span),
+            span: item.map_or(shaderlint_text::Span::at(0), |i| i.span),
             message: message.into(),
         })
     }

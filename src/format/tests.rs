@@ -1,7 +1,7 @@
 //! Small texts, and what becomes of them.
 
 use super::*;
-use crate::text::apply_edits;
+use shaderlint_text::apply_edits;
 
 #[track_caller]
 fn formatted(text: &str, style: &Style) -> String {

@@ -1,10 +1,10 @@
 //! What can be done about findings.
 
 use super::document::Document;
-use crate::diagnostic::{Applicability, Diagnostic, Origin};
-use crate::engine::{Files, mend};
-use crate::lint::Allow;
-use crate::text::{Edit, LineIndex, Span};
+use shaderlint_diagnostic::{Applicability, Diagnostic, Origin};
+use shaderlint_engine::{Files, mend};
+use shaderlint_lint::Allow;
+use shaderlint_text::{Edit, LineIndex, Span};
 
 /// Something that can be done.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -4,10 +4,10 @@ use super::document::{Document, FileSpan};
 use super::hover::operations;
 use super::navigate::name_at;
 use super::symbol::{Symbol, declared_at};
-use crate::lint::Facts;
-use crate::semantic::{FunctionRef, Program};
-use crate::syntax::ast::ExprId;
-use crate::text::Span;
+use shaderlint_lint::Facts;
+use shaderlint_semantic::{FunctionRef, Program};
+use shaderlint_syntax::ast::ExprId;
+use shaderlint_text::Span;
 use std::collections::BTreeMap;
 
 /// A function.

@@ -1,9 +1,9 @@
 //! Colours: vectors of constants that may be one.
 
 use super::document::Document;
-use crate::semantic::Scalar;
-use crate::syntax::ast::{ExprId, ExprKind};
-use crate::text::{Edit, Span};
+use shaderlint_semantic::Scalar;
+use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_text::{Edit, Span};
 
 /// A colour: red, green, blue, and alpha where it has one.
 #[derive(Clone, Copy, PartialEq, Debug)]

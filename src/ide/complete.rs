@@ -4,14 +4,14 @@ use super::document::{Document, Spot};
 use super::library::entry;
 use super::signature::builtin_head;
 use super::symbol::{Symbol, SymbolKind, declared_at};
-use crate::engine::Files;
-use crate::lint::Page;
-use crate::rules::RULES;
-use crate::semantic::builtins::Builtins;
-use crate::semantic::{Dialect, Pass, Program, Stage, Type, VariableId};
-use crate::syntax::ast::*;
-use crate::syntax::{DIRECTIVES, RawKind, TokenKind, TypeWord, WordClass, classify, tokenize};
-use crate::text::Span;
+use shaderlint_engine::Files;
+use shaderlint_lint::Page;
+use shaderlint_rules::RULES;
+use shaderlint_semantic::builtins::Builtins;
+use shaderlint_semantic::{Dialect, Pass, Program, Stage, Type, VariableId};
+use shaderlint_syntax::ast::*;
+use shaderlint_syntax::{DIRECTIVES, RawKind, TokenKind, TypeWord, WordClass, classify, tokenize};
+use shaderlint_text::Span;
 use std::collections::BTreeSet;
 
 /// What sort of thing may be written.
@@ -240,13 +240,14 @@ fn included(document: &Document, path: &str, files: &dyn Files) -> Vec<Proposal>
     let own = std::path::Path::new(&document.path);
     let folder = own.parent().unwrap_or(own);
     let inner = path.rfind('/').and_then(|at| path.get(..at)).unwrap_or("");
-    let folder = crate::engine::path::plain(&folder.join(inner));
+    let folder = shaderlint_engine::path::plain(&folder.join(inner));
     let mut names = files.names(&folder);
     names.sort_unstable();
     let is_named = |name: &String| {
         let is_own = folder.join(name) == own;
-        let is_folder = files.entry(&folder.join(name)) == Some(crate::engine::FileType::Folder);
-        let is_shader = crate::text::kind::is_searched(name)
+        let is_folder =
+            files.entry(&folder.join(name)) == Some(shaderlint_engine::FileType::Folder);
+        let is_shader = shaderlint_text::kind::is_searched(name)
             && !name.ends_with(".json")
             && !name.ends_with(".js");
         !name.starts_with('.') && !is_own && (is_folder || is_shader)
@@ -365,7 +366,8 @@ fn names(spot: &Spot) -> Vec<Proposal> {
 fn hole(program: &Program) -> Option<TokenId> {
     let name = program.names.get(PLACEHOLDER)?;
     let mut all = program.tokens.tokens.iter().zip(0..);
-    let is_hole = |t: &crate::syntax::Token| t.kind == TokenKind::Identifier && t.value == name.0;
+    let is_hole =
+        |t: &shaderlint_syntax::Token| t.kind == TokenKind::Identifier && t.value == name.0;
     all.find(|(token, _)| is_hole(token)).map(|(_, id)| id)
 }
 
@@ -449,10 +451,10 @@ fn variables(program: &Program, at: Option<TokenId>, found: &mut Vec<Proposal>) 
 fn functions(program: &Program, at: Option<TokenId>, found: &mut Vec<Proposal>) {
     let at = at.unwrap_or(TokenId::MAX);
     for (function, id) in program.functions.iter().zip(0..) {
-        let symbol = Symbol::Function(crate::semantic::FunctionRef(id));
+        let symbol = Symbol::Function(shaderlint_semantic::FunctionRef(id));
         let declared = program.tree.function(function.declaration);
         let name = symbol.name(program);
-        let is_entry = crate::semantic::starts_a_shader(name);
+        let is_entry = shaderlint_semantic::starts_a_shader(name);
         let is_later = declared.is_none_or(|d| d.extent.first > at);
         if is_entry || is_later || !is_for_people(program, symbol) {
             continue;

@@ -2,10 +2,10 @@
 
 use super::index::{Index, NameUse, Occurrence};
 use super::symbol::{Symbol, declared_at};
-use crate::engine::{Analysis, FileType, Files, LoadError, Options, Report, analyze};
-use crate::lint::Settings;
-use crate::semantic::{Dialect, Program, Stage, Storage};
-use crate::text::Span;
+use shaderlint_engine::{Analysis, FileType, Files, LoadError, Options, Report, analyze};
+use shaderlint_lint::Settings;
+use shaderlint_semantic::{Dialect, Program, Stage, Storage};
+use shaderlint_text::Span;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};

@@ -2,8 +2,8 @@
 //! holds while a text is being written.
 
 use super::document::Document;
-use crate::syntax::{RawKind, RawToken, TokenKind, tokenize};
-use crate::text::{LineIndex, Span};
+use shaderlint_syntax::{RawKind, RawToken, TokenKind, tokenize};
+use shaderlint_text::{LineIndex, Span};
 
 /// Something of several lines that can be folded.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -3,11 +3,11 @@
 use super::document::Document;
 use super::run::RunSeen;
 use super::symbol::parameter_names;
-use crate::flow::Bound;
-use crate::lint::Facts;
-use crate::semantic::{Program, Resolution, swizzled};
-use crate::syntax::ast::{ExprId, ExprKind, StmtKind, TokenId};
-use crate::text::Span;
+use shaderlint_flow::Bound;
+use shaderlint_lint::Facts;
+use shaderlint_semantic::{Program, Resolution, swizzled};
+use shaderlint_syntax::ast::{ExprId, ExprKind, StmtKind, TokenId};
+use shaderlint_text::Span;
 
 /// A hint.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -5,13 +5,13 @@ use super::index::{NameUse, Occurrence};
 use super::library::entry;
 use super::run::RunSeen;
 use super::symbol::{Symbol, builtin_variable, declared_at};
-use crate::flow::Bound;
-use crate::flow::ranges::Interval;
-use crate::lint::Facts;
-use crate::semantic::builtins::Builtins;
-use crate::semantic::{BuiltinId, Program, Scalar, Type, Value};
-use crate::syntax::ast::{ExprId, ExprKind, StmtId, StmtKind};
-use crate::text::Span;
+use shaderlint_flow::Bound;
+use shaderlint_flow::ranges::Interval;
+use shaderlint_lint::Facts;
+use shaderlint_semantic::builtins::Builtins;
+use shaderlint_semantic::{BuiltinId, Program, Scalar, Type, Value};
+use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId, StmtKind};
+use shaderlint_text::Span;
 
 /// What is shown beside what stands at a place.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -236,7 +236,7 @@ fn of_macro(program: &Program, name: Occurrence) -> String {
         let spelled = program.sources.code_at(token.spelled);
         let word = spelled.and_then(|code| {
             let rest = code.text.get((token.spelled - code.base) as usize..)?;
-            let end = crate::syntax::Lexer::new(rest, 0).next_token().span.end;
+            let end = shaderlint_syntax::Lexer::new(rest, 0).next_token().span.end;
             rest.get(..end as usize)
         });
         if !text.is_empty() {

@@ -1,11 +1,11 @@
 //! Where the names of a shader stand, and what each of them means.
 
 use super::symbol::Symbol;
-use crate::semantic::{FunctionRef, Program, Resolution, VariableId};
-use crate::syntax::ast::*;
-use crate::syntax::{Name, RawKind, RawToken, TokenKind, tokenize};
-use crate::text::Span;
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_semantic::{FunctionRef, Program, Resolution, VariableId};
+use shaderlint_syntax::ast::*;
+use shaderlint_syntax::{Name, RawKind, RawToken, TokenKind, tokenize};
+use shaderlint_text::Span;
 
 /// What is done with what a name means, where it stands.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -270,7 +270,7 @@ impl Builder<'_> {
 
     /// The function that a further prototype declares once more.
     fn repeated(&self, decl: &FunctionDecl) -> Option<FunctionRef> {
-        let is_it = |f: &crate::semantic::Function| {
+        let is_it = |f: &shaderlint_semantic::Function| {
             f.name == decl.ident.name && f.params.len() == decl.params.len as usize
         };
         let mut all = self.program.functions.iter().zip(0..);
@@ -513,8 +513,8 @@ impl Globals {
 }
 
 /// The number of the struct or block that a type is.
-pub fn struct_number(ty: crate::semantic::Type) -> Option<u32> {
-    use crate::semantic::Base;
+pub fn struct_number(ty: shaderlint_semantic::Type) -> Option<u32> {
+    use shaderlint_semantic::Base;
     match ty.base {
         Base::Struct(id) | Base::Block(id) if !ty.is_array() => Some(u32::from(id)),
         _ => None,

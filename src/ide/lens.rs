@@ -3,9 +3,9 @@
 use super::document::Document;
 use super::hover::operations;
 use super::run::RunSeen;
-use crate::lint::Facts;
-use crate::semantic::tunable::tunables;
-use crate::text::Span;
+use shaderlint_lint::Facts;
+use shaderlint_semantic::tunable::tunables;
+use shaderlint_text::Span;
 
 /// A line above something.
 #[derive(Clone, PartialEq, Debug)]

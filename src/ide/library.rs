@@ -50,9 +50,9 @@ fn read(text: &'static str) -> FxHashMap<&'static str, Entry> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::semantic::builtins::Builtins;
-    use crate::semantic::{Pass, Stage};
-    use crate::syntax::Version;
+    use shaderlint_semantic::builtins::Builtins;
+    use shaderlint_semantic::{Pass, Stage};
+    use shaderlint_syntax::Version;
 
     #[test]
     fn all_that_the_language_defines_is_explained() {

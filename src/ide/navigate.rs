@@ -3,8 +3,8 @@
 use super::document::{Document, FileSpan, Spot};
 use super::index::{NameUse, Occurrence};
 use super::symbol::{Symbol, declared_at};
-use crate::semantic::Base;
-use crate::text::Span;
+use shaderlint_semantic::Base;
+use shaderlint_text::Span;
 
 /// Where what stands at an offset is defined: a function at its body.
 pub fn definition(document: &Document, offset: u32) -> Option<FileSpan> {

@@ -2,9 +2,9 @@
 
 use super::document::Document;
 use super::symbol::{Symbol, SymbolKind, declared_at};
-use crate::semantic::{FunctionRef, Program, VariableId};
-use crate::syntax::ast::{DeclKind, Extent, Item, TokenId};
-use crate::text::Span;
+use shaderlint_semantic::{FunctionRef, Program, VariableId};
+use shaderlint_syntax::ast::{DeclKind, Extent, Item, TokenId};
+use shaderlint_text::Span;
 
 /// Something that a text declares.
 #[derive(Clone, PartialEq, Eq, Debug)]

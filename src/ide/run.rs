@@ -1,11 +1,11 @@
 //! What runs of a shader have shown of it, and what a variable looks like all over the picture.
 
-use crate::engine::Analysis;
-use crate::engine::play::{Moment, Picture, Scene};
-use crate::exec::{CompileOptions, LoopSeen, Probe, Watch, draw};
-use crate::semantic::{Stage, VariableId};
-use crate::syntax::ast::StmtId;
-use crate::text::Span;
+use shaderlint_engine::Analysis;
+use shaderlint_engine::play::{Moment, Picture, Scene};
+use shaderlint_exec::{CompileOptions, LoopSeen, Probe, Watch, draw};
+use shaderlint_semantic::{Stage, VariableId};
+use shaderlint_syntax::ast::StmtId;
+use shaderlint_text::Span;
 use std::collections::BTreeMap;
 use std::fmt;
 

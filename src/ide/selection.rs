@@ -1,8 +1,8 @@
 //! What surrounds a place: an expression, a statement, a block, a function, the text.
 
 use super::document::Document;
-use crate::syntax::ast::Extent;
-use crate::text::Span;
+use shaderlint_syntax::ast::Extent;
+use shaderlint_text::Span;
 
 /// Most stretches around an offset that are told.
 const MOST_DEEP: usize = 64;

@@ -3,10 +3,10 @@
 use super::document::{Document, Spot};
 use super::library::entry;
 use super::symbol::{parameters, typed};
-use crate::semantic::builtins::{Builtins, Overload};
-use crate::semantic::{Program, Type};
-use crate::syntax::{RawKind, RawToken, TokenKind, tokenize};
-use crate::text::Span;
+use shaderlint_semantic::builtins::{Builtins, Overload};
+use shaderlint_semantic::{Program, Type};
+use shaderlint_syntax::{RawKind, RawToken, TokenKind, tokenize};
+use shaderlint_text::Span;
 
 /// A form of a function.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -163,7 +163,7 @@ fn builtin_parameters(overload: &Overload) -> Vec<String> {
 
 /// A type of the language, as it is written.
 fn type_name(ty: Type) -> String {
-    crate::semantic::type_name(ty, |_| String::new())
+    shaderlint_semantic::type_name(ty, |_| String::new())
 }
 
 /// A form of a built-in function, as it would be declared.

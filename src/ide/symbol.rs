@@ -1,13 +1,13 @@
 //! What a name means, in words.
 
-use crate::semantic::builtins::{BuiltinStorage, Builtins};
-use crate::semantic::{
+use shaderlint_semantic::builtins::{BuiltinStorage, Builtins};
+use shaderlint_semantic::{
     BuiltinId, Direction, Field, Function, FunctionRef, Program, Storage, Type, Variable,
     VariableId,
 };
-use crate::syntax::Name;
-use crate::syntax::ast::Param;
-use crate::text::Span;
+use shaderlint_syntax::Name;
+use shaderlint_syntax::ast::Param;
+use shaderlint_text::Span;
 
 /// What a name means.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

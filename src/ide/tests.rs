@@ -1,9 +1,9 @@
 //! A text with a mark `|` in, what is answered there out.
 
 use super::*;
-use crate::engine::{NoFiles, Options};
-use crate::semantic::VariableId;
-use crate::text::{Span, apply_edits};
+use shaderlint_engine::{NoFiles, Options};
+use shaderlint_semantic::VariableId;
+use shaderlint_text::{Span, apply_edits};
 use std::sync::Arc;
 
 /// What stands before each statement: a shader of its own.

@@ -3,9 +3,9 @@
 use super::document::Document;
 use super::index::NameUse;
 use super::symbol::{Symbol, SymbolKind};
-use crate::semantic::Program;
-use crate::syntax::{RawKind, tokenize};
-use crate::text::Span;
+use shaderlint_semantic::Program;
+use shaderlint_syntax::{RawKind, tokenize};
+use shaderlint_text::Span;
 
 /// What a stretch of the text is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -6,8 +6,10 @@
 //! evaluation, functions one after another, so that the operations of one stretch of straight code
 //! are a range of numbers.
 
-use crate::semantic::{BuiltinId, Constant, FunctionRef, Pool, Scalar, Stage, Type, VariableId};
-use crate::syntax::ast::{ExprId, Extent, List, StmtId, TokenId, Tree};
+use shaderlint_semantic::{
+    BuiltinId, Constant, FunctionRef, Pool, Scalar, Stage, Type, VariableId,
+};
+use shaderlint_syntax::ast::{ExprId, Extent, List, StmtId, TokenId, Tree};
 
 /// Index of an [`Op`], and of the value that it gives.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -576,7 +578,7 @@ impl Module {
     }
 
     /// The scalars of a constant; nothing for any other operation.
-    pub fn constant(&self, id: OpId) -> &[crate::semantic::Value] {
+    pub fn constant(&self, id: OpId) -> &[shaderlint_semantic::Value] {
         match self.op(id).kind {
             OpKind::Const(constant) => self.pool.values(constant),
             _ => &[],

@@ -5,9 +5,9 @@ use super::{
     Access, Case, CaseLabel, Function, Lanes, Loop, Module, Op, OpId, OpKind, PlaceId, Provenance,
     Region, Root, Run, Step, Switch, Unary,
 };
-use crate::semantic::{FunctionRef, Program, Type, Value, VariableId};
-use crate::syntax::ast::{List, TokenId};
 use rustc_hash::FxHashMap;
+use shaderlint_semantic::{FunctionRef, Program, Type, Value, VariableId};
+use shaderlint_syntax::ast::{List, TokenId};
 
 /// Where the remark with the position stands in a line.
 const REMARK: usize = 64;
@@ -165,7 +165,7 @@ impl Printer<'_> {
             .map(|(&v, p)| {
                 let (name, ty) = (self.variable(v), program.type_name(p.ty));
                 match p.direction {
-                    crate::semantic::Direction::In => format!("{name}: {ty}"),
+                    shaderlint_semantic::Direction::In => format!("{name}: {ty}"),
                     direction => format!("{} {name}: {ty}", direction.name()),
                 }
             })

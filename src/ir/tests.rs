@@ -3,7 +3,7 @@
 use super::{
     Access, Lanes, Module, OpId, OpKind, PlaceId, Precision, Provenance, Step, lower, print, verify,
 };
-use crate::semantic::{Constant, Program, Type, analyze_fragment};
+use shaderlint_semantic::{Constant, Program, Type, analyze_fragment};
 
 /// What every shader here starts with, on one line.
 const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int; out vec4 color; \
@@ -254,7 +254,7 @@ fn what_is_broken_is_seen() {
         m.provenances.push(Provenance::Language);
     });
     broken("a `continue` is in no loop", |m| {
-        let stmt = crate::syntax::ast::StmtId(0);
+        let stmt = shaderlint_syntax::ast::StmtId(0);
         let at = m.steps.iter().position(|s| matches!(s, Step::If { .. }));
         m.steps[at.unwrap()] = Step::Continue(stmt);
     });

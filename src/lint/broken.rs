@@ -2,13 +2,13 @@
 //! names for used, written to and called.
 
 use super::words::each_word;
-use crate::diagnostic::{Diagnostic, Severity, error};
-use crate::semantic::CallGraph;
-use crate::semantic::{Function, FunctionRef, Program, Type};
-use crate::syntax::ast::{ExprKind, Item, StmtKind};
-use crate::syntax::{Macro, Name, TokenKind};
-use crate::text::{Role, Span};
 use rustc_hash::FxHashSet;
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_semantic::CallGraph;
+use shaderlint_semantic::{Function, FunctionRef, Program, Type};
+use shaderlint_syntax::ast::{ExprKind, Item, StmtKind};
+use shaderlint_syntax::{Macro, Name, TokenKind};
+use shaderlint_text::{Role, Span};
 
 /// Longest piece of code that a finding may stand on beside errors, in bytes: who calls what is
 /// looked up word by word.

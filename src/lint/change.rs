@@ -1,8 +1,8 @@
 //! What edits do to the places and errors of a text.
 
 use super::Look;
-use crate::diagnostic::{Diagnostic, Severity, error};
-use crate::text::{Edit, Span};
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_text::{Edit, Span};
 
 /// Where places behind edits come from; there may be very many of both.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -1,13 +1,13 @@
 //! What a rule works with.
 
 use super::{Facts, OptionType, Rule, Setting, Settings};
-use crate::diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
-use crate::exec::Kind;
-use crate::flow::ranges::{Interval, Side};
-use crate::ir::OpId;
-use crate::semantic::Program;
-use crate::syntax::ast::{ExprId, ExprKind, Extent};
-use crate::text::Span;
+use shaderlint_diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
+use shaderlint_exec::Kind;
+use shaderlint_flow::ranges::{Interval, Side};
+use shaderlint_ir::OpId;
+use shaderlint_semantic::Program;
+use shaderlint_syntax::ast::{ExprId, ExprKind, Extent};
+use shaderlint_text::Span;
 
 /// A shader, and a place for findings.
 pub struct Context<'a, 'p> {

@@ -1,9 +1,9 @@
 //! Which tokens of a shader a macro call gave.
 
-use crate::semantic::Program;
-use crate::syntax::ast::{Extent, TokenId};
-use crate::syntax::{Lexer, Token};
-use crate::text::Span;
+use shaderlint_semantic::Program;
+use shaderlint_syntax::ast::{Extent, TokenId};
+use shaderlint_syntax::{Lexer, Token};
+use shaderlint_text::Span;
 
 /// A macro call in the text, and what came of it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

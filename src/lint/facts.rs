@@ -5,19 +5,19 @@ use super::march::{March, marches};
 use super::trial::{Supplier, Tried};
 use super::unseen::Unseen;
 use super::words::count;
-use crate::flow::defs::Defs;
-use crate::flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
-use crate::flow::{
+use shaderlint_flow::defs::Defs;
+use shaderlint_flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
+use shaderlint_flow::{
     Calls, Effects, Gradient, Jump, Live, Loops, Paths, Start, Uniformity, Work, Writes, gradients,
     is_same, jump, origin, trace,
 };
-use crate::ir::{Module, OpId, OpKind, Provenance, Root, lower};
-use crate::semantic::{
+use shaderlint_ir::{Module, OpId, OpKind, Provenance, Root, lower};
+use shaderlint_semantic::{
     FunctionRef, Mentions, Program, Reachability, Scalar, Stage, Structure, Value, channel,
 };
-use crate::syntax::ast::ExprId;
-use crate::text::Span;
-use crate::text::embed::Embedder;
+use shaderlint_syntax::ast::ExprId;
+use shaderlint_text::Span;
+use shaderlint_text::embed::Embedder;
 use std::cell::OnceCell;
 
 /// What is known of where a shader stands and runs, that its text does not say.
@@ -131,7 +131,7 @@ impl<'a> Facts<'a> {
     pub fn work(&self) -> &Work {
         self.work.get_or_init(|| {
             let turns = self.loops().turns();
-            let turns = |l: &crate::ir::Loop| turns.get(&l.stmt).copied().flatten();
+            let turns = |l: &shaderlint_ir::Loop| turns.get(&l.stmt).copied().flatten();
             Work::of(self.module(), self.calls(), turns)
         })
     }

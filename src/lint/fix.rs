@@ -3,9 +3,9 @@
 
 use super::Judged;
 use super::change::{Change, Moves, errors};
-use crate::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::semantic::Program;
-use crate::text::{Edit, Sources, Span, apply_edits};
+use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
+use shaderlint_semantic::Program;
+use shaderlint_text::{Edit, Sources, Span, apply_edits};
 use std::sync::Arc;
 
 /// Most looks that are taken at one text.
@@ -391,7 +391,7 @@ fn is_taken(taken: &[Span], span: Span) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::{Origin, Severity, error};
+    use shaderlint_diagnostic::{Origin, Severity, error};
 
     fn info(span: Span) -> Diagnostic {
         Diagnostic::new("letter", Origin::Rule, Severity::Info, span, "a")
@@ -567,7 +567,7 @@ mod tests {
     fn comments_stay() {
         let mut sources = Sources::new();
         let text = "a /* b */ c";
-        sources.add("a", None, crate::text::Role::User, text);
+        sources.add("a", None, shaderlint_text::Role::User, text);
         let check = |edit: Edit| {
             let mut found = info(Span::new(0, 1)).fix(Fix::safe("do it", vec![edit]));
             keep_comments(&sources, &[Span::new(2, 9)], &mut found);

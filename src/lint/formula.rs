@@ -2,8 +2,8 @@
 //! ordered and parenthesized them.
 
 use super::{Context, same_code};
-use crate::semantic::{BuiltinId, Program};
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_semantic::{BuiltinId, Program};
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 /// The shape of an expression.
 #[derive(Clone, Copy, Debug)]

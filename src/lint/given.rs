@@ -1,11 +1,11 @@
 //! What the range of a value hangs on: the code around it, or what callers pass today.
 
 use super::Facts;
-use crate::flow::defs::{Def, DefId};
-use crate::ir::{OpId, OpKind, Root};
-use crate::semantic::{BuiltinId, Program, Resolution, Storage, each_operand};
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
 use rustc_hash::FxHashSet;
+use shaderlint_flow::defs::{Def, DefId};
+use shaderlint_ir::{OpId, OpKind, Root};
+use shaderlint_semantic::{BuiltinId, Program, Resolution, Storage, each_operand};
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 /// Most operations and definitions that are looked at.
 const MAX_PARTS: usize = 160;

@@ -1,7 +1,7 @@
 //! How far in code stands on its line.
 
-use crate::semantic::Program;
-use crate::syntax::ast::TokenId;
+use shaderlint_semantic::Program;
+use shaderlint_syntax::ast::TokenId;
 
 /// A line, and the blanks that it begins with.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

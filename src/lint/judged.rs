@@ -1,9 +1,9 @@
 //! What the checker has looked at in a shader with errors, and what it has passed over: behind one
 //! mistake others may hide.
 
-use crate::semantic::Program;
-use crate::syntax::ast::{DeclKind, StmtKind};
-use crate::text::Span;
+use shaderlint_semantic::Program;
+use shaderlint_syntax::ast::{DeclKind, StmtKind};
+use shaderlint_text::Span;
 
 /// Stretches of a text that were judged, and such that were not.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]

@@ -1,11 +1,11 @@
 //! Loops that march along a ray, and the functions that they ask for the scene.
 
-use crate::flow::defs::{Def, DefId, Defs};
-use crate::flow::{Calls, LoopFacts, Loops};
-use crate::ir::{Binary, Module, OpId, OpKind, Root};
-use crate::semantic::builtins::Transfer;
-use crate::semantic::{FunctionRef, Program};
 use rustc_hash::FxHashSet;
+use shaderlint_flow::defs::{Def, DefId, Defs};
+use shaderlint_flow::{Calls, LoopFacts, Loops};
+use shaderlint_ir::{Binary, Module, OpId, OpKind, Root};
+use shaderlint_semantic::builtins::Transfer;
+use shaderlint_semantic::{FunctionRef, Program};
 
 /// A loop that asks the scene at each step along a ray.
 #[derive(Clone, Copy, Debug)]

@@ -132,7 +132,7 @@ fn nearest(word: &str, rules: &[&'static Rule]) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rules::RULES;
+    use crate::example_rules::RULES;
 
     #[track_caller]
     fn check(comment: &str, expected: &str) {

@@ -2,9 +2,9 @@
 //! without its name.
 
 use super::DeclaredVariable;
-use crate::semantic::Program;
-use crate::syntax::ast::{Declarator, Extent};
-use crate::text::{Edit, Span};
+use shaderlint_semantic::Program;
+use shaderlint_syntax::ast::{Declarator, Extent};
+use shaderlint_text::{Edit, Span};
 
 /// Takes a statement, declaration or function away. `None` where it starts or ends in a macro, or
 /// where directives stand in it, which may belong together with others outside.

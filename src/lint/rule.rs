@@ -1,10 +1,10 @@
 //! The shape of a rule.
 
 use super::{Context, RuleOption};
-use crate::diagnostic::Severity;
-use crate::semantic::{BuiltinId, FunctionRef, VariableId};
-use crate::syntax::Macro;
-use crate::syntax::ast::{
+use shaderlint_diagnostic::Severity;
+use shaderlint_semantic::{BuiltinId, FunctionRef, VariableId};
+use shaderlint_syntax::Macro;
+use shaderlint_syntax::ast::{
     BinaryOp, Declarator, ExprId, ExprKind, Extent, List, StmtId, TokenId, TypeId,
 };
 
@@ -86,7 +86,7 @@ pub struct DeclaredVariable<'a> {
     pub declarators: &'a [Declarator],
     /// Which of them it is.
     pub index: usize,
-    /// Qualifiers of all, in [`Tree::qualifiers`](crate::syntax::ast::Tree::qualifiers).
+    /// Qualifiers of all, in [`Tree::qualifiers`](shaderlint_syntax::ast::Tree::qualifiers).
     pub qualifiers: List,
     /// Type of all, without what stands behind a name.
     pub ty: TypeId,

@@ -5,11 +5,11 @@ use super::{
     Around, BinaryExpr, Builtin, Check, Context, DeclaredName, DeclaredVariable, Facts, Named,
     Rule, Settings, Shape,
 };
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::semantic::{FunctionRef, Program, VariableId};
-use crate::syntax::Macro;
-use crate::syntax::ast::*;
-use crate::text::{Role, Span};
+use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_semantic::{FunctionRef, Program, VariableId};
+use shaderlint_syntax::Macro;
+use shaderlint_syntax::ast::*;
+use shaderlint_text::{Role, Span};
 
 /// Where rules did not run, since what stands there has errors.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]

@@ -1,8 +1,8 @@
 //! Whether two pieces of code say the same, blanks and comments aside.
 
-use crate::semantic::Program;
-use crate::syntax::Token;
-use crate::syntax::ast::Extent;
+use shaderlint_semantic::Program;
+use shaderlint_syntax::Token;
+use shaderlint_syntax::ast::Extent;
 use std::hash::{Hash, Hasher};
 
 /// Whether two pieces of code are the same, token by token. Two macros are not, even if they stand

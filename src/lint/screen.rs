@@ -1,10 +1,10 @@
 //! Values that run along the picture: the place of the pixel, moved and scaled.
 
 use super::Facts;
-use crate::flow::ranges::Interval;
-use crate::flow::{Start, Varying};
-use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::semantic::Scalar;
+use shaderlint_flow::ranges::Interval;
+use shaderlint_flow::{Start, Varying};
+use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_semantic::Scalar;
 
 /// How many operations are looked through.
 const MAX_DEPTH: u32 = 12;

@@ -2,8 +2,8 @@
 
 use super::trial::TrialLimit;
 use super::{Group, OptionType, OptionValue, Rule, Setting};
-use crate::diagnostic::{ERRORS, Severity};
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
+use shaderlint_diagnostic::{ERRORS, Severity};
 
 /// What draws the shader in the end, which decides how much work a pixel may take.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -275,7 +275,7 @@ fn nearest(names: impl Iterator<Item = &'static str>, word: &str) -> Option<&'st
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rules::RULES;
+    use crate::example_rules::RULES;
 
     /// Whether `float-equality`, and `unused-parameter`, which is off by default, run.
     #[track_caller]

@@ -1,8 +1,8 @@
 //! What stays the same in every turn of a loop.
 
-use crate::flow::Writes;
-use crate::semantic::{Program, Resolution, Storage, VariableId, each_operand};
-use crate::syntax::ast::*;
+use shaderlint_flow::Writes;
+use shaderlint_semantic::{Program, Resolution, Storage, VariableId, each_operand};
+use shaderlint_syntax::ast::*;
 use std::collections::BTreeSet;
 
 /// Whether an expression stands in a loop where each turn may reach it, its first value left out.

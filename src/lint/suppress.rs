@@ -8,11 +8,11 @@
 use super::misspelt::{self, Meant};
 use super::removal::remove_lines;
 use super::{Rule, Settings, nearest_rule};
-use crate::diagnostic::{Diagnostic, ERRORS, Fix, Origin};
-use crate::semantic::Program;
-use crate::syntax::{Lexer, RawKind};
-use crate::text::{Edit, LineIndex, Span};
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::{Diagnostic, ERRORS, Fix, Origin};
+use shaderlint_semantic::Program;
+use shaderlint_syntax::{Lexer, RawKind};
+use shaderlint_text::{Edit, LineIndex, Span};
 use std::collections::BTreeMap;
 
 /// What stands before `allow`.

@@ -3,9 +3,9 @@
 
 use super::broken::Broken;
 use super::words::each_word;
-use crate::semantic::Program;
-use crate::syntax::TokenKind;
 use rustc_hash::FxHashSet;
+use shaderlint_semantic::Program;
+use shaderlint_syntax::TokenKind;
 
 /// The words that the compiler does not see.
 #[derive(Default, Debug)]

@@ -1,8 +1,8 @@
 //! Words that stand in a text.
 
-use crate::semantic::Program;
-use crate::syntax::{Lexer, RawKind};
-use crate::text::{Role, SourceFile, Span};
+use shaderlint_semantic::Program;
+use shaderlint_syntax::{Lexer, RawKind};
+use shaderlint_text::{Role, SourceFile, Span};
 
 /// How often a word stands in the user's files, comments aside.
 pub fn count(program: &Program, word: &str) -> usize {

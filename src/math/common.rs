@@ -8,7 +8,7 @@ const WHOLE: f32 = 8_388_608.0;
 
 /// `trunc(x)`
 #[inline(always)]
-pub(crate) fn trunc(x: f32x8) -> f32x8 {
+pub fn trunc(x: f32x8) -> f32x8 {
     let small = x.abs().simd_lt(f32x8::splat(WHOLE));
     let whole = f32x8::from_i32x8(x.fast_trunc_int()) | sign_of(x);
     small.bitselect(whole, x)
@@ -16,20 +16,20 @@ pub(crate) fn trunc(x: f32x8) -> f32x8 {
 
 /// `floor(x)`
 #[inline(always)]
-pub(crate) fn floor(x: f32x8) -> f32x8 {
+pub fn floor(x: f32x8) -> f32x8 {
     let whole = trunc(x);
     whole - (whole.simd_gt(x) & f32x8::splat(1.0))
 }
 
 /// `ceil(x)`
 #[inline(always)]
-pub(crate) fn ceil(x: f32x8) -> f32x8 {
+pub fn ceil(x: f32x8) -> f32x8 {
     -floor(-x)
 }
 
 /// `roundEven(x)`, and `round(x)`, which may choose.
 #[inline(always)]
-pub(crate) fn round_even(x: f32x8) -> f32x8 {
+pub fn round_even(x: f32x8) -> f32x8 {
     let small = x.abs().simd_lt(f32x8::splat(WHOLE));
     let rounder = f32x8::splat(WHOLE) | sign_of(x);
     let whole = ((x + rounder) - rounder) | sign_of(x);
@@ -38,7 +38,7 @@ pub(crate) fn round_even(x: f32x8) -> f32x8 {
 
 /// `fract(x)`, which is below 1 even where a tiny negative number is rounded.
 #[inline(always)]
-pub(crate) fn fract(x: f32x8) -> f32x8 {
+pub fn fract(x: f32x8) -> f32x8 {
     let rest = x - floor(x);
     let below = f32x8::splat(1.0_f32.next_down());
     rest.simd_gt(below).bitselect(below, rest)
@@ -46,13 +46,13 @@ pub(crate) fn fract(x: f32x8) -> f32x8 {
 
 /// `mod(x, y)`
 #[inline(always)]
-pub(crate) fn modulo(x: f32x8, y: f32x8) -> f32x8 {
+pub fn modulo(x: f32x8, y: f32x8) -> f32x8 {
     x - y * floor(x / y)
 }
 
 /// `sign(x)`
 #[inline(always)]
-pub(crate) fn sign(x: f32x8) -> f32x8 {
+pub fn sign(x: f32x8) -> f32x8 {
     let one = f32x8::splat(1.0);
     let above = x.simd_gt(f32x8::ZERO) & one;
     let below = x.simd_lt(f32x8::ZERO) & one;
@@ -61,31 +61,31 @@ pub(crate) fn sign(x: f32x8) -> f32x8 {
 
 /// `min(x, y)`; the second where one of them is no number.
 #[inline(always)]
-pub(crate) fn min(x: f32x8, y: f32x8) -> f32x8 {
+pub fn min(x: f32x8, y: f32x8) -> f32x8 {
     x.simd_lt(y).bitselect(x, y)
 }
 
 /// `max(x, y)`; the second where one of them is no number.
 #[inline(always)]
-pub(crate) fn max(x: f32x8, y: f32x8) -> f32x8 {
+pub fn max(x: f32x8, y: f32x8) -> f32x8 {
     x.simd_gt(y).bitselect(x, y)
 }
 
 /// `clamp(x, low, high)`
 #[inline(always)]
-pub(crate) fn clamp(x: f32x8, low: f32x8, high: f32x8) -> f32x8 {
+pub fn clamp(x: f32x8, low: f32x8, high: f32x8) -> f32x8 {
     min(max(x, low), high)
 }
 
 /// `step(edge, x)`
 #[inline(always)]
-pub(crate) fn step(edge: f32x8, x: f32x8) -> f32x8 {
+pub fn step(edge: f32x8, x: f32x8) -> f32x8 {
     x.simd_ge(edge) & f32x8::splat(1.0)
 }
 
 /// `smoothstep(low, high, x)`
 #[inline(always)]
-pub(crate) fn smoothstep(low: f32x8, high: f32x8, x: f32x8) -> f32x8 {
+pub fn smoothstep(low: f32x8, high: f32x8, x: f32x8) -> f32x8 {
     let t = (x - low) / (high - low);
     let t = clamp(t, f32x8::ZERO, f32x8::splat(1.0));
     t * t * (f32x8::splat(3.0) - (t + t))
@@ -93,6 +93,6 @@ pub(crate) fn smoothstep(low: f32x8, high: f32x8, x: f32x8) -> f32x8 {
 
 /// `mix(x, y, a)`
 #[inline(always)]
-pub(crate) fn mix(x: f32x8, y: f32x8, a: f32x8) -> f32x8 {
+pub fn mix(x: f32x8, y: f32x8, a: f32x8) -> f32x8 {
     (y - x) * a + x
 }

@@ -10,7 +10,7 @@ use wide::{f32x8, f64x8};
 
 /// `pow(x, y)`; undefined below 0, where the browser leaves the sign out.
 #[inline]
-pub(crate) fn pow(x: f32x8, y: f32x8) -> f32x8 {
+pub fn pow(x: f32x8, y: f32x8) -> f32x8 {
     let size = x.abs();
     let power = narrow(power_of_2(widen(y) * logarithm(widen(size))));
     let usual =
@@ -30,7 +30,7 @@ fn special_power(x: f32x8, y: f32x8) -> f32x8 {
 
 /// `exp(x)`
 #[inline]
-pub(crate) fn exp(x: f32x8) -> f32x8 {
+pub fn exp(x: f32x8) -> f32x8 {
     // Beyond, the result is infinite or 0.
     let x = min(f32x8::splat(128.0), max(f32x8::splat(-128.0), x));
     let (whole, bits) = round(x * f32x8::splat(std::f32::consts::LOG2_E));
@@ -49,7 +49,7 @@ pub(crate) fn exp(x: f32x8) -> f32x8 {
 
 /// `exp2(x)`
 #[inline]
-pub(crate) fn exp2(x: f32x8) -> f32x8 {
+pub fn exp2(x: f32x8) -> f32x8 {
     // Beyond, the result is infinite or 0.
     let x = min(f32x8::splat(180.0), max(f32x8::splat(-180.0), x));
     let (whole, bits) = round(x);
@@ -73,7 +73,7 @@ const LN_2_LOW: f32 = 3.194_618_3e-5;
 /// `log(x)`; undefined below 0, where the browser leaves the sign out, and of 0, which it takes for
 /// 2^-127.
 #[inline]
-pub(crate) fn log(x: f32x8) -> f32x8 {
+pub fn log(x: f32x8) -> f32x8 {
     let (exponent, r) = split(x);
     let small = exponent * f32x8::splat(LN_2_LOW) + behind_the_first(r);
     unless_special(x, exponent * f32x8::splat(LN_2_HIGH) + (r + small))
@@ -81,7 +81,7 @@ pub(crate) fn log(x: f32x8) -> f32x8 {
 
 /// `log2(x)`; undefined where `log` is.
 #[inline]
-pub(crate) fn log2(x: f32x8) -> f32x8 {
+pub fn log2(x: f32x8) -> f32x8 {
     let (exponent, r) = split(x);
     let small = behind_the_first(r);
     // `log2(e) - 1`, so that `r` itself is added without a rounding.
@@ -116,13 +116,13 @@ fn unless_special(x: f32x8, found: f32x8) -> f32x8 {
 
 /// `sqrt(x)`
 #[inline(always)]
-pub(crate) fn sqrt(x: f32x8) -> f32x8 {
+pub fn sqrt(x: f32x8) -> f32x8 {
     x.sqrt()
 }
 
 /// `inversesqrt(x)`
 #[inline(always)]
-pub(crate) fn inverse_sqrt(x: f32x8) -> f32x8 {
+pub fn inverse_sqrt(x: f32x8) -> f32x8 {
     f32x8::splat(1.0) / x.sqrt()
 }
 
@@ -169,19 +169,19 @@ fn cosh_wide(x: f64x8) -> f64x8 {
 
 /// `sinh(x)`
 #[inline]
-pub(crate) fn sinh(x: f32x8) -> f32x8 {
+pub fn sinh(x: f32x8) -> f32x8 {
     narrow(sinh_wide(widen(x.abs()))) | sign_of(x)
 }
 
 /// `cosh(x)`
 #[inline]
-pub(crate) fn cosh(x: f32x8) -> f32x8 {
+pub fn cosh(x: f32x8) -> f32x8 {
     narrow(cosh_wide(widen(x)))
 }
 
 /// `tanh(x)`
 #[inline]
-pub(crate) fn tanh(x: f32x8) -> f32x8 {
+pub fn tanh(x: f32x8) -> f32x8 {
     let size = widen(x.abs());
     // Above, the nearest float is 1.
     let within = size
@@ -192,7 +192,7 @@ pub(crate) fn tanh(x: f32x8) -> f32x8 {
 
 /// `asinh(x)`
 #[inline]
-pub(crate) fn asinh(x: f32x8) -> f32x8 {
+pub fn asinh(x: f32x8) -> f32x8 {
     let size = widen(x.abs());
     let large = log_wide(size + (size * size + f64x8::splat(1.0)).sqrt());
     let result = size.simd_lt(f64x8::splat(TINY)).bitselect(size, large);
@@ -201,7 +201,7 @@ pub(crate) fn asinh(x: f32x8) -> f32x8 {
 
 /// `acosh(x)`; no number below 1.
 #[inline]
-pub(crate) fn acosh(x: f32x8) -> f32x8 {
+pub fn acosh(x: f32x8) -> f32x8 {
     let wide = widen(x);
     let root = (wide * wide - f64x8::splat(1.0)).sqrt();
     let result = narrow(log_wide(wide + root));
@@ -211,7 +211,7 @@ pub(crate) fn acosh(x: f32x8) -> f32x8 {
 
 /// `atanh(x)`; undefined outside of -1 to 1, where the browser gives half the logarithm all the same.
 #[inline]
-pub(crate) fn atanh(x: f32x8) -> f32x8 {
+pub fn atanh(x: f32x8) -> f32x8 {
     let (one, size) = (f64x8::splat(1.0), widen(x.abs()));
     let large = f64x8::splat(0.5) * log_wide((one + size) / (one - size));
     let result = narrow(size.simd_lt(f64x8::splat(TINY)).bitselect(size, large)) | sign_of(x);

@@ -4,7 +4,7 @@ use wide::{f32x8, i32x8, u32x8};
 
 /// `int(x)`; what is out of range is the lowest.
 #[inline(always)]
-pub(crate) fn int_of_float(x: f32x8) -> i32x8 {
+pub fn int_of_float(x: f32x8) -> i32x8 {
     let limit = f32x8::splat(2_147_483_648.0);
     let within = x.abs().simd_lt(limit);
     let whole: f32x8 = bytemuck::cast(x.fast_trunc_int());
@@ -14,7 +14,7 @@ pub(crate) fn int_of_float(x: f32x8) -> i32x8 {
 
 /// `uint(x)`; what is negative or too large is 0.
 #[inline(always)]
-pub(crate) fn uint_of_float(x: f32x8) -> u32x8 {
+pub fn uint_of_float(x: f32x8) -> u32x8 {
     let half = f32x8::splat(2_147_483_648.0);
     let large = x.simd_ge(half);
     let top: u32x8 = bytemuck::cast(large & f32x8::splat(f32::from_bits(0x8000_0000)));
@@ -25,13 +25,13 @@ pub(crate) fn uint_of_float(x: f32x8) -> u32x8 {
 
 /// `float(x)`
 #[inline(always)]
-pub(crate) fn float_of_int(x: i32x8) -> f32x8 {
+pub fn float_of_int(x: i32x8) -> f32x8 {
     f32x8::from_i32x8(x)
 }
 
 /// `float(x)`
 #[inline(always)]
-pub(crate) fn float_of_uint(x: u32x8) -> f32x8 {
+pub fn float_of_uint(x: u32x8) -> f32x8 {
     f32x8::from(x.to_array().map(|x| x as f32))
 }
 
@@ -54,7 +54,7 @@ fn each_uint(x: u32x8, y: u32x8, f: impl Fn(u32, u32) -> u32) -> u32x8 {
 /// `x / y`; undefined by zero, where the browser divides by -1, and where it overflows, which gives 1
 /// there.
 #[inline]
-pub(crate) fn divide_int(x: i32x8, y: i32x8) -> i32x8 {
+pub fn divide_int(x: i32x8, y: i32x8) -> i32x8 {
     each_int(x, y, |x, y| match y {
         0 => x.wrapping_neg(),
         _ => x.checked_div(y).unwrap_or(1),
@@ -63,7 +63,7 @@ pub(crate) fn divide_int(x: i32x8, y: i32x8) -> i32x8 {
 
 /// `x / y`; undefined by zero, where the browser divides by the largest number.
 #[inline]
-pub(crate) fn divide_uint(x: u32x8, y: u32x8) -> u32x8 {
+pub fn divide_uint(x: u32x8, y: u32x8) -> u32x8 {
     each_uint(x, y, |x, y| {
         x.checked_div(y).unwrap_or(u32::from(x == u32::MAX))
     })
@@ -72,7 +72,7 @@ pub(crate) fn divide_uint(x: u32x8, y: u32x8) -> u32x8 {
 /// `x % y`; undefined of negative numbers, where the browser gives what has the sign of `y`, and by
 /// zero, where it gives 0.
 #[inline]
-pub(crate) fn remainder_int(x: i32x8, y: i32x8) -> i32x8 {
+pub fn remainder_int(x: i32x8, y: i32x8) -> i32x8 {
     each_int(x, y, |x, y| {
         let rest = x.checked_rem(y).unwrap_or(0);
         if rest != 0 && (rest < 0) != (y < 0) {
@@ -85,7 +85,7 @@ pub(crate) fn remainder_int(x: i32x8, y: i32x8) -> i32x8 {
 
 /// `x % y`; undefined by zero, where the browser divides by the largest number.
 #[inline]
-pub(crate) fn remainder_uint(x: u32x8, y: u32x8) -> u32x8 {
+pub fn remainder_uint(x: u32x8, y: u32x8) -> u32x8 {
     each_uint(x, y, |x, y| {
         x.checked_rem(y)
             .unwrap_or(if x == u32::MAX { 0 } else { x })
@@ -94,18 +94,18 @@ pub(crate) fn remainder_uint(x: u32x8, y: u32x8) -> u32x8 {
 
 /// `x << y`, by the lowest five bits.
 #[inline]
-pub(crate) fn shift_left(x: u32x8, y: u32x8) -> u32x8 {
+pub fn shift_left(x: u32x8, y: u32x8) -> u32x8 {
     each_uint(x, y, u32::wrapping_shl)
 }
 
 /// `x >> y` of a signed number, by the lowest five bits.
 #[inline]
-pub(crate) fn shift_right_int(x: i32x8, y: u32x8) -> i32x8 {
+pub fn shift_right_int(x: i32x8, y: u32x8) -> i32x8 {
     each_int(x, bytemuck::cast(y), |x, y| x.wrapping_shr(y as u32))
 }
 
 /// `x >> y` of an unsigned number, by the lowest five bits.
 #[inline]
-pub(crate) fn shift_right_uint(x: u32x8, y: u32x8) -> u32x8 {
+pub fn shift_right_uint(x: u32x8, y: u32x8) -> u32x8 {
     each_uint(x, y, u32::wrapping_shr)
 }

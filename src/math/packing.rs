@@ -6,7 +6,7 @@ use wide::{f32x8, i32x8, u32x8};
 
 /// `packSnorm2x16(vec2(x, y))`
 #[inline]
-pub(crate) fn pack_snorm(x: f32x8, y: f32x8) -> u32x8 {
+pub fn pack_snorm(x: f32x8, y: f32x8) -> u32x8 {
     join(x, y, |x| {
         let within = min(max(x, f32x8::splat(-1.0)), f32x8::splat(1.0));
         int_of_float(round_even(within * f32x8::splat(32767.0)))
@@ -15,7 +15,7 @@ pub(crate) fn pack_snorm(x: f32x8, y: f32x8) -> u32x8 {
 
 /// `packUnorm2x16(vec2(x, y))`
 #[inline]
-pub(crate) fn pack_unorm(x: f32x8, y: f32x8) -> u32x8 {
+pub fn pack_unorm(x: f32x8, y: f32x8) -> u32x8 {
     join(x, y, |x| {
         let within = min(max(x, f32x8::ZERO), f32x8::splat(1.0));
         int_of_float(round_even(within * f32x8::splat(65535.0)))
@@ -24,7 +24,7 @@ pub(crate) fn pack_unorm(x: f32x8, y: f32x8) -> u32x8 {
 
 /// `packHalf2x16(vec2(x, y))`
 #[inline]
-pub(crate) fn pack_half(x: f32x8, y: f32x8) -> u32x8 {
+pub fn pack_half(x: f32x8, y: f32x8) -> u32x8 {
     join(x, y, |x| {
         i32x8::from(x.to_array().map(|x| i32::from(half_bits(x))))
     })
@@ -32,7 +32,7 @@ pub(crate) fn pack_half(x: f32x8, y: f32x8) -> u32x8 {
 
 /// `unpackSnorm2x16(p)`
 #[inline]
-pub(crate) fn unpack_snorm(p: u32x8) -> [f32x8; 2] {
+pub fn unpack_snorm(p: u32x8) -> [f32x8; 2] {
     let p: i32x8 = bytemuck::cast(p);
     [(p << 16_u32) >> 16_u32, p >> 16_u32].map(|x| {
         let x = float_of_int(x) / f32x8::splat(32767.0);
@@ -42,13 +42,13 @@ pub(crate) fn unpack_snorm(p: u32x8) -> [f32x8; 2] {
 
 /// `unpackUnorm2x16(p)`
 #[inline]
-pub(crate) fn unpack_unorm(p: u32x8) -> [f32x8; 2] {
+pub fn unpack_unorm(p: u32x8) -> [f32x8; 2] {
     halves(p).map(|x| float_of_uint(x) / f32x8::splat(65535.0))
 }
 
 /// `unpackHalf2x16(p)`
 #[inline]
-pub(crate) fn unpack_half(p: u32x8) -> [f32x8; 2] {
+pub fn unpack_half(p: u32x8) -> [f32x8; 2] {
     halves(p).map(|x| f32x8::from(x.to_array().map(|x| half_value(x as u16))))
 }
 
@@ -66,7 +66,7 @@ fn join(x: f32x8, y: f32x8, f: impl Fn(f32x8) -> i32x8) -> u32x8 {
 }
 
 /// The 16 bits that are nearest to a number.
-pub(crate) fn half_bits(x: f32) -> u16 {
+pub fn half_bits(x: f32) -> u16 {
     let sign = if x.is_sign_negative() { 0x8000 } else { 0 };
     let bits = x.abs().to_bits();
     sign | if x.is_nan() {
@@ -84,7 +84,7 @@ pub(crate) fn half_bits(x: f32) -> u16 {
 }
 
 /// The number that 16 bits stand for.
-pub(crate) fn half_value(bits: u16) -> f32 {
+pub fn half_value(bits: u16) -> f32 {
     let (exponent, rest) = (bits >> 10 & 0x1f, (bits & 0x3ff) as f32);
     let size = match exponent {
         0 => rest / 16_777_216.0,

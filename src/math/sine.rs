@@ -1,7 +1,7 @@
 //! The sine in double precision.
 
 /// The sine of an angle of any size, which has as many digits as a turn of it leaves.
-pub(crate) fn sine(angle: f64) -> f64 {
+pub fn sine(angle: f64) -> f64 {
     let turns = angle / std::f64::consts::TAU;
     let mut x = (turns - turns.round()) * std::f64::consts::TAU;
     let quarter = std::f64::consts::FRAC_PI_2;

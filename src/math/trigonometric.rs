@@ -62,19 +62,19 @@ fn sine_and(x: f32x8, more: u32) -> f32x8 {
 
 /// `sin(x)`
 #[inline]
-pub(crate) fn sin(x: f32x8) -> f32x8 {
+pub fn sin(x: f32x8) -> f32x8 {
     sine_and(x, 0)
 }
 
 /// `cos(x)`
 #[inline]
-pub(crate) fn cos(x: f32x8) -> f32x8 {
+pub fn cos(x: f32x8) -> f32x8 {
     sine_and(x, 1)
 }
 
 /// `tan(x)`
 #[inline]
-pub(crate) fn tan(x: f32x8) -> f32x8 {
+pub fn tan(x: f32x8) -> f32x8 {
     let (rest, quarters) = reduce(x);
     let (sine, cosine) = sine_cosine(rest);
     let odd = is_odd(quarters);
@@ -113,7 +113,7 @@ fn arc(size: f32x8) -> (f32x8, f32x8) {
 
 /// `asin(x)`; no number outside of -1 to 1.
 #[inline]
-pub(crate) fn asin(x: f32x8) -> f32x8 {
+pub fn asin(x: f32x8) -> f32x8 {
     let (angle, above) = arc(x.abs());
     let angle = above.bitselect(f32x8::splat(FRAC_PI_2) - (angle + angle), angle);
     angle | sign_of(x)
@@ -121,7 +121,7 @@ pub(crate) fn asin(x: f32x8) -> f32x8 {
 
 /// `acos(x)`; no number outside of -1 to 1.
 #[inline]
-pub(crate) fn acos(x: f32x8) -> f32x8 {
+pub fn acos(x: f32x8) -> f32x8 {
     let (angle, above) = arc(x.abs());
     let near = above.bitselect(angle + angle, f32x8::splat(FRAC_PI_2) - angle);
     let far = above.bitselect(
@@ -150,7 +150,7 @@ fn small_atan(x: f32x8) -> f32x8 {
 
 /// `atan(y_over_x)`
 #[inline]
-pub(crate) fn atan(x: f32x8) -> f32x8 {
+pub fn atan(x: f32x8) -> f32x8 {
     let (one, size) = (f32x8::splat(1.0), x.abs());
     let [middle, large] = TURNS.map(|turn| size.simd_gt(f32x8::splat(turn)));
     let above = large.bitselect(-one, middle.bitselect(size - one, size));
@@ -161,7 +161,7 @@ pub(crate) fn atan(x: f32x8) -> f32x8 {
 
 /// `atan(y, x)`; undefined where both are 0, where the browser gives 0.
 #[inline]
-pub(crate) fn atan2(y: f32x8, x: f32x8) -> f32x8 {
+pub fn atan2(y: f32x8, x: f32x8) -> f32x8 {
     let (height, width) = (y.abs(), x.abs());
     let steep = height.simd_gt(width);
     let (short, long) = (

@@ -7,9 +7,9 @@ use super::translated::translated;
 use super::{
     Composed, NotSafe, Project, ScriptModule, glsl, html, json, module, react, rewrite, three,
 };
-use crate::diagnostic::{Diagnostic, Origin, Severity};
-use crate::semantic::{Pass, Stage};
-use crate::text::Span;
+use shaderlint_diagnostic::{Diagnostic, Origin, Severity};
+use shaderlint_semantic::{Pass, Stage};
+use shaderlint_text::Span;
 use std::fmt;
 use std::path::{Path, PathBuf};
 

@@ -5,7 +5,7 @@ use super::parts::{near, unknown_pass};
 use super::{
     Input, InputKind, MAX_CHANNELS, PassRole, Project, ProjectPass, SamplerSettings, Wrapper,
 };
-use crate::semantic::{Pass, channel};
+use shaderlint_semantic::{Pass, channel};
 
 /// An order of the user for one channel.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -319,7 +319,7 @@ impl InputKind {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::{Info, ProjectPass};
+    use crate::{Info, ProjectPass};
 
     #[test]
     fn a_misspelt_word_is_told_from_a_file() {

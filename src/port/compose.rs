@@ -1,8 +1,8 @@
 //! Each pass as the player compiles it: its header, every Common in order, its own code.
 
 use super::{Project, ProjectPass, Wrapper};
-use crate::semantic::{Channels, Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
-use crate::text::{FileId, Role, Sources};
+use shaderlint_semantic::{Channels, Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
+use shaderlint_text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
 
 /// One pass, ready to be compiled.

@@ -5,9 +5,9 @@
 //! the site's editor saves. All carry `info` and `renderpass`.
 
 use super::{Info, Input, InputKind, OutputId, PassRole, Project, ProjectPass, SamplerSettings};
-use crate::semantic::{GuessedKind, Pass, guess};
-use crate::text::json::mend_escapes;
 use serde_json::Value;
+use shaderlint_semantic::{GuessedKind, Pass, guess};
+use shaderlint_text::json::mend_escapes;
 use std::fmt;
 
 /// Most passes a project may have; ShaderToy itself loads 8, and the largest seen has 11.
@@ -354,7 +354,7 @@ fn source_id(kind: InputKind, id: &str, src: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::semantic::Sampler;
+    use shaderlint_semantic::Sampler;
 
     const PASS: &str = r#"{"type":"image","code":"x","name":"","outputs":[{"id":"4dfGRr"}],
         "inputs":[{"id":"4dXGR8","type":"buffer","channel":2,"sampler":{"filter":"linear","vflip":"true"}}]}"#;

@@ -2,9 +2,9 @@
 //! browser's.
 
 use super::Composed;
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::text::{Sources, Span};
 use serde::Serialize;
+use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_text::{Sources, Span};
 
 /// More errors than this only come from each other.
 const MAX_FINDINGS: usize = 20;
@@ -87,7 +87,7 @@ fn label(sources: &Sources, span: Span, text: &str) -> Option<LabelData> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::{Project, compose};
+    use crate::{Project, compose};
 
     #[test]
     fn errors_have_places_in_utf_16() {

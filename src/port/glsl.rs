@@ -1,8 +1,8 @@
 //! The shaders alone, as text.
 
 use super::{Composed, Project, Wrapper, credits};
-use crate::semantic::Stage;
-use crate::text::{FileId, Role};
+use shaderlint_semantic::Stage;
+use shaderlint_text::{FileId, Role};
 
 /// The vertex shader of every pass: one triangle that covers the picture.
 pub const VERTEX: &str = "#version 300 es\n\

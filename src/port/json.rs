@@ -4,8 +4,8 @@
 //! read is carried along. [`Project::from_json`] reads it back.
 
 use super::{Input, Project, ProjectPass};
-use crate::semantic::Pass;
 use serde_json::{Map, Value, json};
+use shaderlint_semantic::Pass;
 
 /// The project as JSON.
 pub fn json(project: &Project) -> String {

@@ -1,7 +1,7 @@
 //! A project whose passes lie in files of their own, known by their names.
 
 use super::{Info, OutputId, Project, ProjectPass, ShaderError};
-use crate::semantic::Pass;
+use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
 /// What a file is for.
@@ -257,7 +257,7 @@ mod tests {
         let kinds: Vec<_> = project.passes.iter().map(|p| p.kind).collect();
         assert_eq!(kinds, [Pass::Image, Pass::Common]);
         let kind = project.passes[0].inputs[0].kind;
-        assert_eq!(kind, crate::port::InputKind::Cubemap, "what `vec3` needs");
+        assert_eq!(kind, crate::InputKind::Cubemap, "what `vec3` needs");
         let twice = vec![parts[0].clone(), parts[0].clone()];
         assert!(matches!(
             Project::from_parts("x", twice),

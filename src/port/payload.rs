@@ -6,11 +6,11 @@ use super::{
     Composed, Generator, Input, InputKind, OutputId, Project, ProjectPass, SizeTerm,
     UniformControl, UniformData, VERTEX, Wrapper, credits,
 };
-use crate::semantic::tunable::{Tunable, may_hold_tunables, tunables};
-use crate::semantic::{Pass, Sampler, Stage};
-use crate::text::{FileId, Role, SourceFile, Sources};
 use rustc_hash::FxHashSet;
 use serde::Serialize;
+use shaderlint_semantic::tunable::{Tunable, may_hold_tunables, tunables};
+use shaderlint_semantic::{Pass, Sampler, Stage};
+use shaderlint_text::{FileId, Role, SourceFile, Sources};
 
 #[derive(Serialize)]
 struct Payload<'a> {

@@ -1,7 +1,7 @@
 //! ShaderToy projects: passes, and what their channels read.
 
 use super::{Bindings, DialectFacts, PassDraw, StandIn, UniformControl};
-use crate::semantic::{Channels, Pass, Sampler, Stage};
+use shaderlint_semantic::{Channels, Pass, Sampler, Stage};
 use std::sync::Arc;
 
 /// A ShaderToy project.

@@ -5,13 +5,13 @@
 //! the errors bring along.
 
 use super::dialect::PLACES;
-use crate::diagnostic::{Applicability, Diagnostic, Fix, error};
-use crate::semantic::{EntryResult, Program};
-use crate::syntax::TokenKind;
-use crate::syntax::ast::{
+use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, error};
+use shaderlint_semantic::{EntryResult, Program};
+use shaderlint_syntax::TokenKind;
+use shaderlint_syntax::ast::{
     DeclKind, Declarator, FunctionDecl, Item, Param, Qualifier, QualifierKind, TokenId,
 };
-use crate::text::{Edit, Role, Span};
+use shaderlint_text::{Edit, Role, Span};
 
 /// Adds repairs to the errors of a pass.
 pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {

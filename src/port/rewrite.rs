@@ -8,12 +8,12 @@
 use super::glsl::signed;
 use super::same::{Added, Lowered, is_same};
 use super::{Composed, PassUnit, Project, Wrapper};
-use crate::ir::lower;
-use crate::semantic::{FunctionRef, Pass, Program, Stage, analyze_alone, builtins::Builtins};
-use crate::syntax::ast::{
+use shaderlint_ir::lower;
+use shaderlint_semantic::{FunctionRef, Pass, Program, Stage, analyze_alone, builtins::Builtins};
+use shaderlint_syntax::ast::{
     Expr, ExprId, ExprKind, Extent, FunctionDecl, Param, QualifierKind, StmtKind, TokenId, TypeBase,
 };
-use crate::text::{Edit, Role, Span, apply_edits};
+use shaderlint_text::{Edit, Role, Span, apply_edits};
 
 /// Why a pass cannot be rewritten.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -389,7 +389,7 @@ fn tree_line_start(program: &Program, span: Span) -> bool {
 fn direct_uses(program: &Program, main: &Main) -> Option<Vec<Span>> {
     let ident = main.coord.ident?;
     let id = (0..)
-        .map(crate::semantic::VariableId)
+        .map(shaderlint_semantic::VariableId)
         .take(program.variables.len());
     let id = id.into_iter().find(|id| {
         program
@@ -398,7 +398,7 @@ fn direct_uses(program: &Program, main: &Main) -> Option<Vec<Span>> {
     })?;
     let mut spans = Vec::new();
     for (expr, info) in program.tree.exprs.iter().zip(&program.exprs) {
-        if info.resolution != crate::semantic::Resolution::Variable(id) {
+        if info.resolution != shaderlint_semantic::Resolution::Variable(id) {
             continue;
         }
         if !matches!(expr.kind, ExprKind::Name(_)) {

@@ -1,11 +1,11 @@
 //! Whether a rewritten pass does what the pass did: both are compared as the middle form, operation by
 //! operation, under the names that the rewriting gives to the output and the place in the picture.
 
-use crate::ir::{
+use rustc_hash::FxHashMap;
+use shaderlint_ir::{
     Access, Case, Lanes, LoopId, Module, Op, OpId, OpKind, PlaceId, Region, Root, Step, SwitchId,
 };
-use crate::semantic::{FunctionRef, Program, Value, VariableId};
-use rustc_hash::FxHashMap;
+use shaderlint_semantic::{FunctionRef, Program, Value, VariableId};
 
 /// A checked shader and its middle form.
 pub(super) struct Lowered<'a> {
@@ -462,7 +462,7 @@ fn bits_of(value: &Value) -> (u8, u32) {
 
 #[cfg(test)]
 mod tests {
-    use crate::port::{Project, rewrite};
+    use crate::{Project, rewrite};
 
     /// What is written for an Image, or why it is not.
     fn rewritten(code: &str) -> Result<String, String> {

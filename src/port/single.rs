@@ -7,7 +7,7 @@ use super::{
     Bindings, Composed, Info, Input, InputKind, Project, ProjectPass, UniformControl, Wrapper,
     compose,
 };
-use crate::semantic::{
+use shaderlint_semantic::{
     GuessedKind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels,
 };
 

@@ -2,7 +2,7 @@
 
 use super::export::plain;
 use super::{Input, InputKind, OutputId, Project, ProjectPass};
-use crate::semantic::Pass;
+use shaderlint_semantic::Pass;
 
 /// Something that is not at hand.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -4,9 +4,9 @@
 use super::build::{Build, BuildError, File, NamedPass, Order, Remark, file, named};
 use super::naga::{LowerOptions, Refused, TranslatedShader, lower, translate, write};
 use super::{Composed, Project};
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::semantic::{Checked, Dialect, GuessedKind, Stage, Unit, Wholeness, analyze, guess};
-use crate::text::{Role, Sources};
+use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_semantic::{Checked, Dialect, GuessedKind, Stage, Unit, Wholeness, analyze, guess};
+use shaderlint_text::{Role, Sources};
 use std::path::Path;
 use std::sync::Arc;
 

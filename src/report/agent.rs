@@ -6,8 +6,8 @@
 //! told with the first finding that has it.
 
 use super::{clean, location_name};
-use crate::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::text::{Edit, Sources, Span};
+use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
+use shaderlint_text::{Edit, Sources, Span};
 use std::collections::HashSet;
 use std::io::{self, Write};
 

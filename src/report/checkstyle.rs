@@ -2,8 +2,8 @@
 
 use super::xml::escape;
 use super::{placed_message, region};
-use crate::diagnostic::Diagnostic;
-use crate::text::Sources;
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_text::Sources;
 use std::io::{self, Write};
 
 /// Writes what comes first.

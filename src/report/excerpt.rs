@@ -2,9 +2,9 @@
 //! characters that would upset a terminal.
 
 use super::{clean_char, location_name};
-use crate::diagnostic::Diagnostic;
-use crate::text::{FileId, SourceFile, Sources, Span};
 use codespan_reporting::files::{Error, Files};
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_text::{FileId, SourceFile, Sources, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
 

@@ -1,8 +1,8 @@
 //! What stays the same of a finding when lines above it come and go.
 
-use crate::diagnostic::Diagnostic;
-use crate::text::Sources;
 use sha2::{Digest, Sha256};
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_text::Sources;
 use std::collections::HashMap;
 
 /// A fingerprint for each finding of one input: of its pass, its rule, the text of its line without

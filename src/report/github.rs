@@ -2,8 +2,8 @@
 //! site's own editor does.
 
 use super::{path, placed_message, region};
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::text::Sources;
+use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_text::Sources;
 use std::io::{self, Write};
 
 /// Writes one finding.

@@ -2,9 +2,9 @@
 
 use super::fingerprint::digest;
 use super::{path, placed_message, region};
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::text::Sources;
 use serde_json::json;
+use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_text::Sources;
 use std::io::{self, Write};
 
 /// Writes one finding.

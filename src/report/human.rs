@@ -2,11 +2,11 @@
 
 use super::clean;
 use super::excerpt::Excerpt;
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::text::Sources;
 use anstyle::{AnsiColor, Effects, Style};
 use codespan_reporting::diagnostic as cs;
 use codespan_reporting::term::{Config, WriteStyle, emit_to_io_write, emit_to_write_style};
+use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_text::Sources;
 use std::io::{self, Write};
 
 /// Writes one finding.

@@ -1,10 +1,10 @@
 //! For programs: one object, or one object a line. The README describes the fields.
 
 use super::Summary;
-use crate::diagnostic::{Diagnostic, Label, MacroUse};
-use crate::text::{Edit, Position, Sources, Span};
 use serde::Serialize;
 use serde_json::json;
+use shaderlint_diagnostic::{Diagnostic, Label, MacroUse};
+use shaderlint_text::{Edit, Position, Sources, Span};
 use std::io::{self, Write};
 
 /// Number of the schema; it changes when a field changes its meaning.

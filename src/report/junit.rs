@@ -3,8 +3,8 @@
 
 use super::xml::escape;
 use super::{placed_message, render};
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::text::Sources;
+use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_text::Sources;
 use std::io::{self, Write};
 
 /// Writes what comes first.

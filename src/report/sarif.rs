@@ -1,9 +1,9 @@
 //! SARIF 2.1.0. Columns count Unicode scalar values, which the document says itself.
 
 use super::{Pages, path, placed_message, region};
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::text::{Edit, Sources, Span};
 use serde_json::{Value, json};
+use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_text::{Edit, Sources, Span};
 use std::io::{self, Write};
 
 /// Writes what comes before the first finding.

@@ -1,8 +1,8 @@
 //! One line a finding: `path:line:column: severity[rule]: message`.
 
 use super::{clean, location_name};
-use crate::diagnostic::Diagnostic;
-use crate::text::Sources;
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_text::Sources;
 use std::io::{self, Write};
 
 /// Writes one finding.

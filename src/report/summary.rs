@@ -1,6 +1,6 @@
 //! What the last lines of a run say: what was looked at, what was found, and what was not looked at.
 
-use crate::diagnostic::{Diagnostic, Severity};
+use shaderlint_diagnostic::{Diagnostic, Severity};
 use std::collections::BTreeSet;
 
 /// Most names in one line.

@@ -4,8 +4,8 @@ use super::builtins::Builtins;
 use super::dialect::Channels;
 use super::program::{Program, Resolution};
 use super::types::{Base, Sampler, Type};
-use crate::syntax::Name;
-use crate::syntax::ast::{Expr, ExprId, ExprKind};
+use shaderlint_syntax::Name;
+use shaderlint_syntax::ast::{Expr, ExprId, ExprKind};
 
 /// The types that a channel may be of. Of two that fit as many lookups the first holds.
 const CANDIDATES: [Sampler; 3] = [Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D];

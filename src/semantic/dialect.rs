@@ -2,7 +2,7 @@
 
 use super::builtins::{BuiltinId, LEGACY_FUNCTIONS, Stage};
 use super::types::Sampler;
-use crate::syntax::{Feature, Version};
+use shaderlint_syntax::{Feature, Version};
 
 /// Lookups that only GLSL ES 1.00 has, and that its shaders hardly do without.
 const OLD_LOOKUPS: [BuiltinId; 2] = [BuiltinId::Texture2D, BuiltinId::TextureCube];
@@ -230,7 +230,7 @@ fn is_completed(text: &str) -> bool {
 /// Whether a text needs GLSL ES 3.00: it has keywords, types or numbers that the language has only
 /// since then, or declares interfaces by `in` and `out`.
 pub fn needs_300(text: &str) -> bool {
-    use crate::syntax::{Lexer, RawKind, TokenKind, WordClass, classify};
+    use shaderlint_syntax::{Lexer, RawKind, TokenKind, WordClass, classify};
     let is_new = |word: &str| {
         let is_word = |version| {
             let class = classify(word, version);
@@ -309,7 +309,7 @@ struct Seen {
 
 impl Seen {
     fn read(&mut self, text: &str) {
-        use crate::syntax::{Lexer, RawKind};
+        use shaderlint_syntax::{Lexer, RawKind};
         let mut lexer = Lexer::new(text, 0);
         let mut behind_hash = false;
         let mut last = "";

@@ -3,7 +3,8 @@
 use super::constant::Value;
 use super::types::{Scalar, Type};
 use super::undefined::Undefined;
-use crate::math::{self, of_one, of_two};
+use shaderlint_math as math;
+use shaderlint_math::{of_one, of_two};
 
 /// Computes a built-in function. `args` are the scalars of each argument; `None` where the result is
 /// not known.
@@ -326,7 +327,7 @@ pub(super) fn inverse(args: &[&[Value]]) -> Option<Vec<Value>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::semantic::BuiltinId::{self, *};
+    use crate::BuiltinId::{self, *};
     use std::f32::consts::PI;
 
     #[track_caller]

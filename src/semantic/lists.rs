@@ -3,7 +3,7 @@
 /// Lists by number. Shaders have thousands of functions and variables, most with one use or two: a
 /// list of its own for each would cost more than what is in it.
 #[derive(Debug)]
-pub(crate) struct Lists<T> {
+pub struct Lists<T> {
     /// By list: where it starts in `entries`; then where the last one ends.
     starts: Vec<u32>,
     entries: Vec<T>,
@@ -21,7 +21,7 @@ impl<T> Default for Lists<T> {
 impl<T: Copy> Lists<T> {
     /// Makes `count` lists of entries that each name their list. The order within a list stays;
     /// an entry whose list there is not is left out.
-    pub(crate) fn of(count: usize, all: impl Iterator<Item = (u32, T)> + Clone) -> Lists<T> {
+    pub fn of(count: usize, all: impl Iterator<Item = (u32, T)> + Clone) -> Lists<T> {
         let mut starts = vec![0; count + 1];
         let mut first = None;
         for (list, entry) in all.clone() {
@@ -52,7 +52,7 @@ impl<T: Copy> Lists<T> {
     }
 
     /// A list; empty where there is none of this number.
-    pub(crate) fn get(&self, number: u32) -> &[T] {
+    pub fn get(&self, number: u32) -> &[T] {
         let start = self.starts.get(number as usize).copied().unwrap_or(0);
         let end = self.starts.get(number as usize + 1).copied().unwrap_or(0);
         let range = start as usize..end as usize;

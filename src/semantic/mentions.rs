@@ -1,8 +1,8 @@
 //! Where each variable is named.
 
 use super::lists::Lists;
-use crate::semantic::{Program, Resolution, VariableId};
-use crate::syntax::ast::{ExprId, Extent};
+use crate::{Program, Resolution, VariableId};
+use shaderlint_syntax::ast::{ExprId, Extent};
 
 /// The expressions that name variables, in the order of the tree.
 #[derive(Default, Debug)]

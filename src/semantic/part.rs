@@ -6,13 +6,13 @@
 //! hang on a name of the host may be there or not.
 
 use super::program::{Function, Program};
-use crate::diagnostic::{Diagnostic, MacroUse, Severity, Subject, error};
-use crate::syntax::{
+use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_diagnostic::{Diagnostic, MacroUse, Severity, Subject, error};
+use shaderlint_syntax::{
     DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify,
     set,
 };
-use crate::text::{Role, Span};
-use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_text::{Role, Span};
 use std::collections::BTreeSet;
 
 /// How much of a shader its text holds.

@@ -4,10 +4,10 @@ use super::builtins::{BuiltinId, Builtins, Overload, Stage};
 use super::constant::{Constant, Pool, Value};
 use super::dialect::Dialect;
 use super::types::{Base, Struct, Type, type_name};
-use crate::diagnostic::MacroUse;
-use crate::syntax::ast::*;
-use crate::syntax::{Name, Names, Token, Tokens, Version, macro_uses};
-use crate::text::{Sources, Span};
+use shaderlint_diagnostic::MacroUse;
+use shaderlint_syntax::ast::*;
+use shaderlint_syntax::{Name, Names, Token, Tokens, Version, macro_uses};
+use shaderlint_text::{Sources, Span};
 use std::sync::Arc;
 
 /// Index of a [`Variable`].

@@ -1,7 +1,7 @@
 //! Which statements are never left at their end, so that nothing behind them runs.
 
-use crate::semantic::Program;
-use crate::syntax::ast::*;
+use crate::Program;
+use shaderlint_syntax::ast::*;
 
 /// By statement: whether what stands behind it never runs.
 #[derive(Default, Debug)]

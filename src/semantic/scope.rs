@@ -1,7 +1,7 @@
 //! What names mean where (GLSL ES 3.00 section 4.2).
 
 use super::program::VariableId;
-use crate::syntax::Name;
+use shaderlint_syntax::Name;
 
 /// What a name stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

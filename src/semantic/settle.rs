@@ -4,8 +4,8 @@
 use super::checker::{Goal, Parsed};
 use super::program::Program;
 use super::unit::{Unit, judge};
-use crate::diagnostic::Diagnostic;
-use crate::syntax::{Choice, Correction, Name, ParseOptions, Token, parse_corrected};
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_syntax::{Choice, Correction, Name, ParseOptions, Token, parse_corrected};
 
 /// Most times that one shader is checked for it.
 const MAX_LOOKS: usize = 8;
@@ -116,11 +116,11 @@ fn with_syntax(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::semantic::dialect::Dialect;
-    use crate::semantic::part::Wholeness;
-    use crate::semantic::{Pass, Stage};
-    use crate::syntax::{parse, preprocess};
-    use crate::text::{Role, Sources};
+    use crate::dialect::Dialect;
+    use crate::part::Wholeness;
+    use crate::{Pass, Stage};
+    use shaderlint_syntax::{parse, preprocess};
+    use shaderlint_text::{Role, Sources};
     use std::sync::Arc;
 
     /// How many errors a check finds that is made for a goal.

@@ -1,7 +1,7 @@
 //! Parts of shaders, as texts show them: statements without a function around them, names that are
 //! declared elsewhere. What such a part says for certain can still be judged.
 
-use crate::syntax::{Lexer, RawKind, TokenKind};
+use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::ops::Range;
 
 /// What a part of a shader is made of.

@@ -1,7 +1,7 @@
 //! Which node stands in which.
 
-use crate::semantic::{FunctionRef, Program};
-use crate::syntax::ast::*;
+use crate::{FunctionRef, Program};
+use shaderlint_syntax::ast::*;
 
 /// The way up from every expression and statement.
 ///

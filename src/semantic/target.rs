@@ -1,8 +1,8 @@
 //! What an expression that is written to names.
 
 use super::{Program, VariableId};
-use crate::syntax::Name;
-use crate::syntax::ast::*;
+use shaderlint_syntax::Name;
+use shaderlint_syntax::ast::*;
 
 /// The variable that an assignment to `target` writes to, wholly or in part.
 pub fn root(program: &Program, target: ExprId) -> Option<VariableId> {

@@ -1,8 +1,8 @@
 //! `#define NAME value // what it is (min~max)`: numbers that an author left to be tuned.
 
-use crate::semantic::Program;
-use crate::syntax::{MacroId, TokenKind};
-use crate::text::Span;
+use crate::Program;
+use shaderlint_syntax::{MacroId, TokenKind};
+use shaderlint_text::Span;
 
 /// A number with the range that its author gives.
 #[derive(Clone, PartialEq, Debug)]

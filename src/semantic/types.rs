@@ -1,6 +1,6 @@
 //! Types (GLSL ES 3.00 section 4.1).
 
-use crate::syntax::{Name, TypeWord};
+use shaderlint_syntax::{Name, TypeWord};
 
 /// What a number or truth value is made of.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -9,9 +9,9 @@ use super::part::{Open, Wholeness, keep_certain};
 use super::program::Program;
 use super::settle::Corrected;
 use super::types::Sampler;
-use crate::diagnostic::{Diagnostic, Origin, Severity, error};
-use crate::syntax::{ParseOptions, Preprocessed, parse, preprocess};
-use crate::text::{FileId, Role, Sources, Span};
+use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
+use shaderlint_syntax::{ParseOptions, Preprocessed, parse, preprocess};
+use shaderlint_text::{FileId, Role, Sources, Span};
 use std::sync::Arc;
 
 /// Most errors that are told of one shader.
@@ -53,7 +53,8 @@ impl Checked {
     }
 }
 
-/// A whole fragment shader without a host, checked; `None` where it is too large.
+/// Checks a complete fragment shader without a host: the short way in, which the tests of all layers
+/// above take. `None` where it is too large.
 pub fn analyze_alone(code: String, role: Role) -> Option<Checked> {
     let mut sources = Sources::new();
     let file = sources.add("", None, role, code)?;
@@ -125,9 +126,9 @@ pub fn analyze(unit: &Unit) -> Checked {
     }
 }
 
-/// A whole fragment shader without a host, checked.
-#[cfg(test)]
-pub(crate) fn analyze_fragment(code: &str) -> Checked {
+/// Checks a complete fragment shader without a host: the short way in, which the tests of all layers
+/// above take.
+pub fn analyze_fragment(code: &str) -> Checked {
     let mut sources = Sources::new();
     let files: Vec<FileId> = sources
         .add("test", None, Role::User, code)

@@ -5,8 +5,8 @@
 //! is marked `spliced`.
 
 use super::token::{RawKind, RawToken, TokenKind};
-use crate::text::Span;
 use memchr::{memchr, memchr3};
+use shaderlint_text::Span;
 
 /// Splits one file into raw tokens, one at a call.
 pub struct Lexer<'a> {

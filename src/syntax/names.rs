@@ -1,8 +1,8 @@
 //! Words: each distinct one is stored once per shader and known by a small number.
 
 use super::token::TokenKind;
-use crate::text::WordIndex;
 use rustc_hash::FxHasher;
+use shaderlint_text::WordIndex;
 use std::hash::Hasher;
 
 /// A distinct word of one shader.

@@ -3,7 +3,7 @@
 
 use super::ast::*;
 use super::{ParseOptions, RawKind, Tokens, parse_corrected, preprocess, tokenize};
-use crate::text::{Role, Sources};
+use shaderlint_text::{Role, Sources};
 use std::ops::Range;
 
 /// What is left of a text.

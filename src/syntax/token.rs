@@ -1,6 +1,6 @@
 //! Tokens, before and after the preprocessor.
 
-use crate::text::Span;
+use shaderlint_text::Span;
 
 /// What a piece of raw text is, before the preprocessor has looked at it.
 ///

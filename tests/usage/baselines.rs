@@ -1,6 +1,6 @@
 //! `--write-baseline` and `--baseline`.
 
-use crate::scratch::{BROKEN, Scratch, WARNED};
+use super::scratch::{BROKEN, Scratch, WARNED};
 
 #[test]
 fn what_was_there_is_left_out_and_what_is_new_is_not() {

@@ -1,6 +1,6 @@
 //! `explain`, `rules`, `reduce`, `completions`, `man`, `--watch`.
 
-use crate::scratch::{BROKEN, Scratch, mended};
+use super::scratch::{BROKEN, Scratch, mended};
 use std::io::{BufRead, BufReader, Read};
 use std::process::Stdio;
 use std::sync::mpsc::{self, Receiver};

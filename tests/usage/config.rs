@@ -1,6 +1,6 @@
 //! `shaderlint.toml`.
 
-use crate::scratch::{CLEAN, Scratch, WARNED, root};
+use super::scratch::{CLEAN, Scratch, WARNED, root};
 use serde_json::Value;
 use std::fs;
 

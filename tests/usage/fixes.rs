@@ -1,6 +1,6 @@
 //! `--fix`, `--unsafe-fixes` and `--diff`.
 
-use crate::scratch::{BROKEN, CLEAN, Scratch, WARNED, mended};
+use super::scratch::{BROKEN, CLEAN, Scratch, WARNED, mended};
 use std::fs;
 
 #[test]

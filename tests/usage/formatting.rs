@@ -1,6 +1,6 @@
 //! `fmt`: what is written, printed and refused, and where the style comes from.
 
-use crate::scratch::Scratch;
+use super::scratch::Scratch;
 
 const UGLY: &str = "void main(){gl_FragColor=vec4( 1.0 ) ;\n}\n";
 const PRETTY: &str = "void main() {\n    gl_FragColor = vec4(1.0);\n}\n";

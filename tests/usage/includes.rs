@@ -1,6 +1,6 @@
 //! Files that shaders name, and ShaderToy's passes in files of their own.
 
-use crate::scratch::Scratch;
+use super::scratch::Scratch;
 
 /// A file with a function.
 const F: &str = "vec2 f() { return vec2(1.0); }\n";

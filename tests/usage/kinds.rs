@@ -1,7 +1,7 @@
 //! Files of every kind that a repository may hold: what is not GLSL ES is never written, byte for
 //! byte, and what is GLSL ES inside of it is mended.
 
-use crate::scratch::Scratch;
+use super::scratch::Scratch;
 use std::collections::BTreeMap;
 use std::fs;
 

@@ -1,7 +1,7 @@
 //! Vertex and fragment shaders that belong together: which are linked, where it is told, and what
 //! is never guessed.
 
-use crate::scratch::Scratch;
+use super::scratch::Scratch;
 
 const VERTEX: &str = "\
 #version 300 es

@@ -1,7 +1,7 @@
 //! Every format for programs, read by a parser. What each format must hold is written down here from
 //! its specification.
 
-use crate::scratch::{BROKEN, CLEAN, Scratch, WARNED};
+use super::scratch::{BROKEN, CLEAN, Scratch, WARNED};
 use serde_json::Value;
 use std::collections::BTreeSet;
 

@@ -1,6 +1,6 @@
 //! Parts of shaders: what is wrong whatever completes them, and what completes them.
 
-use crate::scratch::Scratch;
+use super::scratch::Scratch;
 
 /// The errors in one file.
 #[track_caller]

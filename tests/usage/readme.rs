@@ -4,7 +4,7 @@
 //! there, and what needs a feature is run where the tests are built with it. Names of files that a
 //! reader has, and the repository has not, stand for fixtures.
 
-use crate::scratch::{BROKEN, root};
+use super::scratch::{BROKEN, root};
 use insta_cmd::get_cargo_bin;
 use std::fs;
 use std::path::Path;

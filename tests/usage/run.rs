@@ -1,6 +1,6 @@
 //! `run`: what is drawn, what is said, what is refused.
 
-use crate::scratch::Scratch;
+use super::scratch::Scratch;
 
 /// Red grows to the right, green up; blue is what a uniform says.
 const RAMP: &str = "#version 300 es
@@ -290,7 +290,7 @@ fn pictures_are_drawn_into_the_terminal() {
 #[test]
 fn the_pictures_of_the_readme_are_what_is_drawn() {
     let scratch = Scratch::new(&[]);
-    let templates = crate::scratch::root().join("corpus/templates");
+    let templates = super::scratch::root().join("corpus/templates");
     let shader = templates.join("voxel.glsl");
     let args = [
         "run",

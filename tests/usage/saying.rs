@@ -1,6 +1,6 @@
 //! What a run says besides its findings: summaries, `-v` and `-q`, exit codes, and how much is printed.
 
-use crate::scratch::{BROKEN, CLEAN, Scratch, WARNED};
+use super::scratch::{BROKEN, CLEAN, Scratch, WARNED};
 use serde_json::Value;
 
 #[test]
@@ -287,7 +287,7 @@ fn rules_and_errors_are_listed_for_programs() {
                 "{entry}"
             );
         }
-        let page = crate::scratch::root().join(entry["page"].as_str().unwrap());
+        let page = super::scratch::root().join(entry["page"].as_str().unwrap());
         assert!(page.is_file(), "{entry}");
     }
     let budget = all.iter().find(|e| e["name"] == "step-budget").unwrap();

@@ -1,6 +1,6 @@
 //! `// shaderlint: allow(rule) reason`.
 
-use crate::scratch::Scratch;
+use super::scratch::Scratch;
 
 /// What is found in the body of a shader.
 fn found(body: &str) -> Vec<String> {

@@ -1,7 +1,7 @@
 //! `test`: which tests are found and run, what is said of those that fail, which pictures are
 //! compared and when one is written.
 
-use crate::scratch::Scratch;
+use super::scratch::Scratch;
 use serde_json::Value;
 use std::fs;
 

@@ -1,6 +1,6 @@
 //! What is found by running a shader, and how much of it is run.
 
-use crate::scratch::Scratch;
+use super::scratch::Scratch;
 
 /// A picture that is as good as black wherever it is looked at.
 const BLACK: &str = "void mainImage(out vec4 fragColor, in vec2 fragCoord) {\n    \

@@ -1,8 +1,7 @@
 //! The pages of rules and errors as files, so that every editor can open them.
 
 use super::uri::uri_of;
-use crate::diagnostic::error_page;
-use crate::rules::RULES;
+use crate::rules::{RULES, error_page};
 use gen_lsp_types::Uri;
 use std::collections::HashMap;
 use std::fs;

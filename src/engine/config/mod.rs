@@ -8,12 +8,12 @@ pub use read::{ConfigError, parse, schema};
 
 use super::options::{Desktop, DialectChoice, HostNames, Options};
 use super::path::plain;
-use crate::diagnostic::Severity;
-use crate::format::StyleChoice;
-use crate::lint::trial::TrialLimit;
-use crate::lint::{Failing, OptionValue, Renderer, Rule, Settings, UnknownRule};
-use crate::rules::RULES;
 use globset::GlobSet;
+use shaderlint_diagnostic::Severity;
+use shaderlint_format::StyleChoice;
+use shaderlint_lint::trial::TrialLimit;
+use shaderlint_lint::{Failing, OptionValue, Renderer, Rule, Settings, UnknownRule};
+use shaderlint_rules::RULES;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

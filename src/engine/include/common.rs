@@ -3,8 +3,8 @@
 use super::super::options::{DialectChoice, Options};
 use super::super::world::World;
 use super::passes::{Passes, role};
-use crate::port::PassRole;
-use crate::semantic::{GuessedKind, Pass, guess};
+use shaderlint_port::PassRole;
+use shaderlint_semantic::{GuessedKind, Pass, guess};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

@@ -13,11 +13,11 @@ pub use find::Absence;
 
 use super::path::tidy;
 use super::world::World;
-use crate::diagnostic::{Diagnostic, Severity, error};
-use crate::text::{FileId, Role, Sources, Span};
 use find::{Absent, Found, is_of_package};
 use module::Modules;
 use scan::{Directive, Form, IncludedFile, Manner, Wanted};
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_text::{FileId, Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -4,7 +4,7 @@
 use super::super::world::World;
 use super::find::{Absent, Found};
 use super::scan::{Directive, Form};
-use crate::syntax::{Lexer, RawKind, TokenKind};
+use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 

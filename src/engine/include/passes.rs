@@ -1,7 +1,7 @@
 //! The files of a folder that hold the passes of a ShaderToy project.
 
 use super::super::files::Files;
-use crate::port::PassRole;
+use shaderlint_port::PassRole;
 use std::path::{Path, PathBuf};
 
 /// Endings of the files that hold passes.

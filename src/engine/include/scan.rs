@@ -1,7 +1,7 @@
 //! The directives of a text that name other files, and what decides whether it may stand in a
 //! shader twice.
 
-use crate::syntax::{Lexer, RawKind, TokenKind};
+use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::sync::Arc;
 
 /// Most times that reading starts anew behind a path with the signs of a comment in it.

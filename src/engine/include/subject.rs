@@ -2,7 +2,7 @@
 
 use super::super::world::World;
 use super::find::ENDINGS;
-use crate::engine::FileType;
+use crate::FileType;
 use std::path::{Path, PathBuf};
 
 /// The file that the tests of a file are for. A text with a `#version` stands alone.

@@ -14,5 +14,5 @@ pub use picture::{Picture, PictureFacts};
 pub use player::{player_draw, player_gives};
 pub use project::{Decode, Decoded, PlayOptions, PlayProblem, Played, Player, SOUND_RATE};
 pub use scene::{Given, Scene, Unfit};
-pub(in crate::engine) use supply::Supply;
+pub(crate) use supply::Supply;
 pub use test::{SeenCondition, SeenValue, TestFailure, TestVerdict, run_test, tests};

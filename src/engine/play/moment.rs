@@ -1,7 +1,7 @@
 //! When a picture is drawn, and where the mouse is then.
 
-use crate::math::sine;
-use crate::port::Feed;
+use shaderlint_math::sine;
+use shaderlint_port::Feed;
 
 /// Samples of sound a second, as ShaderToy's player has them.
 const SAMPLE_RATE: f64 = 44_100.0;

@@ -1,6 +1,6 @@
 //! What a draw gives, as a picture and in numbers.
 
-use crate::exec::{Code, Drawn};
+use shaderlint_exec::{Code, Drawn};
 
 /// A picture. Its rows begin at the bottom.
 #[derive(Clone, PartialEq, Debug)]

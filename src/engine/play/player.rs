@@ -1,8 +1,8 @@
 //! What the uniforms of ShaderToy's player are given.
 
 use super::moment::Moment;
-use crate::exec::{Code, Draw};
-use crate::port::Feed;
+use shaderlint_exec::{Code, Draw};
+use shaderlint_port::Feed;
 
 /// What the uniforms of ShaderToy's player are given.
 const PLAYER: [(&str, Feed); 8] = [

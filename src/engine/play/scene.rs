@@ -3,10 +3,10 @@
 
 use super::moment::Moment;
 use super::varyings::Varyings;
-use crate::exec::{Code, CompileOptions, Draw, Refusal, UniformSlot, compile};
-use crate::ir::Module;
-use crate::port::{Bindings, Feed, UniformControl, bindings};
-use crate::semantic::{Program, Storage, Type};
+use shaderlint_exec::{Code, CompileOptions, Draw, Refusal, UniformSlot, compile};
+use shaderlint_ir::Module;
+use shaderlint_port::{Bindings, Feed, UniformControl, bindings};
+use shaderlint_semantic::{Program, Storage, Type};
 
 /// A shader that is ready to be drawn, with all that it is given.
 pub struct Scene {

@@ -3,14 +3,14 @@
 use super::moment::{Button, Moment, Mouse};
 use super::player::{player_draw, player_gives};
 use super::scene::Given;
-use crate::exec::{Code, Draw};
-use crate::lint::trial::{Instant, Supplier};
-use crate::port::{Feed, bindings};
-use crate::semantic::Program;
+use shaderlint_exec::{Code, Draw};
+use shaderlint_lint::trial::{Instant, Supplier};
+use shaderlint_port::{Feed, bindings};
+use shaderlint_semantic::Program;
 use std::cell::OnceCell;
 
 /// What a checked shader is given, found out when that is asked for.
-pub(in crate::engine) struct Supply<'p> {
+pub(crate) struct Supply<'p> {
     program: &'p Program,
     given: OnceCell<Given>,
 }

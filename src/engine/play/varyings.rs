@@ -1,11 +1,11 @@
 //! What varyings hold at each pixel: what the vertex shader of a page sets them to at the corners of
 //! its triangle, and between these what lies between.
 
-use crate::exec::{Code, CompileOptions, Draw, compile, draw};
-use crate::ir::lower;
-use crate::port::VaryingValue;
-use crate::semantic::analyze_alone;
-use crate::text::Role;
+use shaderlint_exec::{Code, CompileOptions, Draw, compile, draw};
+use shaderlint_ir::lower;
+use shaderlint_port::VaryingValue;
+use shaderlint_semantic::analyze_alone;
+use shaderlint_text::Role;
 
 /// The corners of the triangle that covers the picture, from -1 to 1 in it.
 const CORNERS: [[f64; 2]; 3] = [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]];

@@ -6,10 +6,10 @@
 use super::Watch;
 use super::emit::{Compiler, Made, Regs, Value};
 use super::op::less;
-use crate::exec::code::{Checked, F1, F2, F3, Reg};
-use crate::ir::OpId;
-use crate::semantic::builtins::{Axis, BuiltinId, BuiltinKind};
-use crate::semantic::{Scalar, Type};
+use crate::code::{Checked, F1, F2, F3, Reg};
+use shaderlint_ir::OpId;
+use shaderlint_semantic::builtins::{Axis, BuiltinId, BuiltinKind};
+use shaderlint_semantic::{Scalar, Type};
 
 impl Compiler<'_> {
     /// A call of a built-in function; gives what it returns.

@@ -2,10 +2,10 @@
 
 use super::emit::{Compiler, Made, Value};
 use super::layout::scalars;
-use crate::exec::code::{EMPTY, Instr};
-use crate::ir::{OpId, Root, Step};
-use crate::semantic::{FunctionRef, VariableId};
-use crate::syntax::ast::List;
+use crate::code::{EMPTY, Instr};
+use shaderlint_ir::{OpId, Root, Step};
+use shaderlint_semantic::{FunctionRef, VariableId};
+use shaderlint_syntax::ast::List;
 
 impl Compiler<'_> {
     /// A call; gives what it returns.

@@ -4,9 +4,9 @@ use super::Watch;
 use super::emit::Frame;
 use super::emit::{Compiler, Value};
 use super::plan::GLOBALS;
-use crate::exec::code::{CallPath, EMPTY, F1, F2, Instr, Reg, Slot, Target};
-use crate::ir::{CaseLabel, LoopId, Module, OpId, Region, Step, SwitchId};
-use crate::semantic::FunctionRef;
+use crate::code::{CallPath, EMPTY, F1, F2, Instr, Reg, Slot, Target};
+use shaderlint_ir::{CaseLabel, LoopId, Module, OpId, Region, Step, SwitchId};
+use shaderlint_semantic::FunctionRef;
 
 impl Compiler<'_> {
     /// Makes the code: initial values of globals, then the entry.
@@ -32,9 +32,9 @@ impl Compiler<'_> {
         if let Value::Regs(regs) = returned {
             let ty = self.module.function(entry).map(|f| f.returns);
             let regs = self.list(regs).to_vec();
-            self.code.outputs.push(crate::exec::code::OutputSlot {
+            self.code.outputs.push(crate::code::OutputSlot {
                 name: String::new(),
-                ty: ty.unwrap_or(crate::semantic::Type::VOID),
+                ty: ty.unwrap_or(shaderlint_semantic::Type::VOID),
                 regs,
             });
         }

@@ -4,10 +4,10 @@ use super::plan::{Held, Plan};
 use super::probe::Probed;
 use super::registers::Registers;
 use super::{CompileOptions, Persona, Refusal, Watch};
-use crate::exec::code::{CallPath, CheckSite, Code, F1, F2, F3, Inexact, Instr, Reg, Slot, Target};
-use crate::ir::{Module, OpId, Provenance};
-use crate::semantic::{FunctionRef, Program, VariableId};
+use crate::code::{CallPath, CheckSite, Code, F1, F2, F3, Inexact, Instr, Reg, Slot, Target};
 use rustc_hash::FxHashMap;
+use shaderlint_ir::{Module, OpId, Provenance};
+use shaderlint_semantic::{FunctionRef, Program, VariableId};
 
 /// Most instructions of a shader.
 const MAX_INSTRS: usize = 400_000;
@@ -451,7 +451,7 @@ impl<'p> Compiler<'p> {
 
 impl Instr {
     /// The same, with another register to write.
-    pub(in crate::exec) fn to(self, reg: Reg) -> Instr {
+    pub(crate) fn to(self, reg: Reg) -> Instr {
         match self {
             Instr::Move(_, a) => Instr::Move(reg, a),
             Instr::MoveActive(_, a) => Instr::MoveActive(reg, a),
@@ -474,7 +474,7 @@ impl Instr {
     }
 
     /// The register that it writes and no more than writes, in all lanes.
-    pub(in crate::exec) const fn target(self) -> Option<Reg> {
+    pub(crate) const fn target(self) -> Option<Reg> {
         match self {
             Instr::Move(to, _)
             | Instr::One(_, to, _)
@@ -487,7 +487,7 @@ impl Instr {
     }
 
     /// Whether it reads a register, as far as those that [`Instr::target`] knows are concerned.
-    pub(in crate::exec) const fn reads(self, reg: Reg) -> bool {
+    pub(crate) const fn reads(self, reg: Reg) -> bool {
         match self {
             Instr::Move(_, a) | Instr::MoveActive(_, a) | Instr::One(_, _, a) => a == reg,
             Instr::Two(_, _, a, b) => a == reg || b == reg,

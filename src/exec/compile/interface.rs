@@ -2,9 +2,9 @@
 
 use super::emit::{Compiler, Made, Regs, Value};
 use super::layout::scalars;
-use crate::exec::code::{InputSlot, Instr, OutputSlot, SamplerSlot, UniformSlot};
-use crate::ir::Root;
-use crate::semantic::{Base, FunctionRef, Type, Variable, VariableId};
+use crate::code::{InputSlot, Instr, OutputSlot, SamplerSlot, UniformSlot};
+use shaderlint_ir::Root;
+use shaderlint_semantic::{Base, FunctionRef, Type, Variable, VariableId};
 
 /// Most samplers of a shader; browsers have 16 or 32 units.
 const MAX_SAMPLERS: usize = 1024;

@@ -1,7 +1,7 @@
 //! How values lie in scalars: a vector by components, a matrix by columns, an array by elements, a
 //! struct by members.
 
-use crate::semantic::{Base, Program, Type};
+use shaderlint_semantic::{Base, Program, Type};
 
 /// Most scalars of a value.
 pub(super) const MAX_SCALARS: u32 = 1 << 15;

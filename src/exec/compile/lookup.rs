@@ -1,10 +1,10 @@
 //! Lookups in textures.
 
 use super::emit::{Compiler, Made, Value};
-use crate::exec::code::{F2, Instr, LookupQuery, LookupSite, Reg};
-use crate::ir::OpId;
-use crate::semantic::builtins::{Level, Lookup};
-use crate::semantic::{Sampler, Type};
+use crate::code::{F2, Instr, LookupQuery, LookupSite, Reg};
+use shaderlint_ir::OpId;
+use shaderlint_semantic::builtins::{Level, Lookup};
+use shaderlint_semantic::{Sampler, Type};
 
 /// How many coordinates a sampler takes, and whether it compares.
 const fn taken(sampler: Sampler) -> (usize, bool) {
@@ -100,7 +100,7 @@ impl Compiler<'_> {
         }
         // Vertex shaders have no neighbours.
         if query == LookupQuery::Implicit
-            && self.module.stage == Some(crate::semantic::Stage::Vertex)
+            && self.module.stage == Some(shaderlint_semantic::Stage::Vertex)
         {
             query = LookupQuery::Explicit;
             level = vec![self.constant(0)];

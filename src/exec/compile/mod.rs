@@ -19,10 +19,10 @@ mod probe;
 mod registers;
 
 use super::code::Code;
-use crate::ir::{Module, OpId, OpKind, Provenance};
-use crate::semantic::{FunctionRef, Program, VariableId};
-use crate::text::Span;
 use emit::Compiler;
+use shaderlint_ir::{Module, OpId, OpKind, Provenance};
+use shaderlint_semantic::{FunctionRef, Program, VariableId};
+use shaderlint_text::Span;
 
 /// How a shader is compiled.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -130,7 +130,7 @@ pub fn compile(
 /// The `main` of the shader or of the host around it, else what the host calls.
 fn entry(program: &Program, module: &Module) -> Option<FunctionRef> {
     let main = program.names.get("main")?;
-    let is_main = |f: &crate::semantic::Function| f.name == main && f.definition.is_some();
+    let is_main = |f: &shaderlint_semantic::Function| f.name == main && f.definition.is_some();
     let at = program.functions.iter().position(is_main);
     at.map(|n| FunctionRef(n as u32)).or(module.entry)
 }

@@ -2,9 +2,9 @@
 
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
 use super::{Persona, Watch};
-use crate::exec::code::{CheckSite, Checked, Comparison, F1, F2, F3, Instr, Look, Reg};
-use crate::ir::{Binary, OpId, OpKind, Precision, Unary};
-use crate::semantic::{Base, Scalar, Type, Undefined, Value as Constant};
+use crate::code::{CheckSite, Checked, Comparison, F1, F2, F3, Instr, Look, Reg};
+use shaderlint_ir::{Binary, OpId, OpKind, Precision, Unary};
+use shaderlint_semantic::{Base, Scalar, Type, Undefined, Value as Constant};
 
 impl Compiler<'_> {
     /// Code for an operation; gives its value, held once.

@@ -2,10 +2,10 @@
 
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
 use super::layout::{part, scalars};
-use crate::exec::code::{ArraySite, Checked, F2, Instr, Reg};
-use crate::ir::{Access, Lanes, OpId, PlaceId, Root};
-use crate::semantic::{Base, Scalar, Type, VariableId};
+use crate::code::{ArraySite, Checked, F2, Instr, Reg};
 use rustc_hash::FxHashSet;
+use shaderlint_ir::{Access, Lanes, OpId, PlaceId, Root};
+use shaderlint_semantic::{Base, Scalar, Type, VariableId};
 
 /// Where a place lies in its variable, in scalars.
 struct Spot {

@@ -4,10 +4,12 @@
 //! A clock ticks at every operation and step. Making code ticks the same way, so that what is planned
 //! for a tick happens at it.
 
-use crate::ir::{Function, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step};
-use crate::semantic::BuiltinId as B;
-use crate::semantic::{FunctionRef, VariableId};
 use rustc_hash::FxHashMap;
+use shaderlint_ir::{
+    Function, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step,
+};
+use shaderlint_semantic::BuiltinId as B;
+use shaderlint_semantic::{FunctionRef, VariableId};
 
 /// Stands for the initial values of globals where a function is asked for.
 pub(super) const GLOBALS: FunctionRef = FunctionRef(u32::MAX);

@@ -2,10 +2,10 @@
 
 use super::Probe;
 use super::emit::{Compiler, Made, Regs, Value};
-use crate::exec::code::{Instr, OutputSlot, Reg};
-use crate::ir::{OpId, OpKind};
-use crate::semantic::Type;
-use crate::text::Span;
+use crate::code::{Instr, OutputSlot, Reg};
+use shaderlint_ir::{OpId, OpKind};
+use shaderlint_semantic::Type;
+use shaderlint_text::Span;
 
 /// How many scalars are given out.
 const SHOWN: u32 = 4;

@@ -1,8 +1,8 @@
 //! Which registers are taken, and by how many values.
 
-use crate::exec::code::{MAX_REGISTERS, Reg};
-use crate::semantic::VariableId;
+use crate::code::{MAX_REGISTERS, Reg};
 use rustc_hash::FxHashMap;
+use shaderlint_semantic::VariableId;
 
 /// How often a register is held that is never given back.
 const FOREVER: u32 = u32::MAX;

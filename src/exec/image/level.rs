@@ -1,7 +1,7 @@
 //! Which level of its image a lookup reads.
 
 use super::{ImageShape, LevelOf, Lookup, Texture};
-use crate::exec::row::LANES;
+use crate::row::LANES;
 
 /// By lane: the level, with its fraction, within the levels that there are.
 pub(super) fn levels(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {

@@ -2,11 +2,11 @@
 
 use super::level::{levels, vector};
 use super::{Filter, Image, ImageShape, Sampling, Texels, Texture, Wrap, cube};
-use crate::exec::row::LANES;
+use crate::row::LANES;
 use wide::f32x4;
 
 /// What a lookup is given, the coordinates divided already where it projects.
-pub(in crate::exec) struct Lookup<'a> {
+pub(crate) struct Lookup<'a> {
     /// As many as the sampler takes; of arrays the layer comes last.
     pub coordinates: &'a [[f32; LANES]],
     /// What a shadow sampler compares the texels with: 1 where it is not more.
@@ -18,7 +18,7 @@ pub(in crate::exec) struct Lookup<'a> {
 }
 
 /// Where the level of a lookup comes from.
-pub(in crate::exec) enum LevelOf<'a> {
+pub(crate) enum LevelOf<'a> {
     /// From how the coordinates grow in the quad.
     Implicit {
         /// Added to it.
@@ -36,11 +36,7 @@ pub(in crate::exec) enum LevelOf<'a> {
 }
 
 /// What the sampler gives, as bits; the lanes whose bit is not set are not looked up.
-pub(in crate::exec) fn lookup(
-    texture: &Texture,
-    lookup: &Lookup<'_>,
-    lanes: u32,
-) -> [[u32; LANES]; 4] {
+pub(crate) fn lookup(texture: &Texture, lookup: &Lookup<'_>, lanes: u32) -> [[u32; LANES]; 4] {
     let Some(first) = texture.image.level(0).filter(|_| texture.is_complete()) else {
         return incomplete(&texture.image);
     };
@@ -370,7 +366,7 @@ fn number(width: u32, height: u32, [x, y, slice]: [u32; 3]) -> usize {
 
 /// One texel of a level, as bits; outside of the image all are 0, and instead of a level that there
 /// is not the nearest is read, as measured in a browser.
-pub(in crate::exec) fn fetch(
+pub(crate) fn fetch(
     texture: &Texture,
     texel: &[[i32; LANES]],
     level: &[i32; LANES],
@@ -422,7 +418,7 @@ fn bits(texels: &Texels, number: usize) -> [u32; 4] {
 }
 
 /// The size of a level in texels; the layers of an array stay as many.
-pub(in crate::exec) fn size_of(texture: &Texture, level: &[i32; LANES]) -> [[i32; LANES]; 3] {
+pub(crate) fn size_of(texture: &Texture, level: &[i32; LANES]) -> [[i32; LANES]; 3] {
     let mut sizes = [[0; LANES]; 3];
     for (lane, level) in level.iter().enumerate() {
         let Ok(level) = usize::try_from(*level) else {

@@ -8,10 +8,10 @@ mod mipmap;
 #[cfg(test)]
 mod tests;
 
-use crate::semantic::{Sampler, Scalar};
+use shaderlint_semantic::{Sampler, Scalar};
 use std::sync::Arc;
 
-pub(in crate::exec) use lookup::{LevelOf, Lookup, fetch, lookup, size_of};
+pub(crate) use lookup::{LevelOf, Lookup, fetch, lookup, size_of};
 
 /// The longest side of an image.
 const MAX_SIDE: u32 = 8192;

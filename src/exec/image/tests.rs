@@ -1,7 +1,7 @@
 //! Tests of lookups; what they expect was compared with what Chromium draws.
 
 use super::*;
-use crate::exec::row::LANES;
+use crate::row::LANES;
 
 /// A gray image whose texels are these numbers of 255.
 fn gray(shape: ImageShape, size: [u32; 3], texels: &[u8]) -> Image {

@@ -3,10 +3,10 @@
 #![expect(clippy::needless_range_loop, reason = "the registers may be the same")]
 
 use super::{Bank, Machine};
-use crate::exec::code::{F1, F2, F3, Instr, Reg};
-use crate::exec::inexact;
-use crate::exec::row::{PARTS, Row, floats, of_floats, of_unsigned, unsigned};
-use crate::math;
+use crate::code::{F1, F2, F3, Instr, Reg};
+use crate::inexact;
+use crate::row::{PARTS, Row, floats, of_floats, of_unsigned, unsigned};
+use shaderlint_math as math;
 use wide::{f32x8, i32x8};
 
 /// A comparison's answer for eight lanes.

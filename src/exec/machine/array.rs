@@ -1,8 +1,8 @@
 //! Elements whose numbers are computed.
 
 use super::Machine;
-use crate::exec::code::{ArraySite, Reg};
-use crate::exec::row::{LANES, Row};
+use crate::code::{ArraySite, Reg};
+use crate::row::{LANES, Row};
 
 impl Machine<'_> {
     fn site(&self, site: u32) -> ArraySite {

@@ -11,7 +11,7 @@ mod watch;
 use super::code::{Code, EMPTY, Instr, Reg, Target};
 use super::draw::{Draw, Stop};
 use super::row::{LANES, PARTS, Row};
-use crate::semantic::Scalar;
+use shaderlint_semantic::Scalar;
 use watch::Watched;
 use wide::i32x8;
 

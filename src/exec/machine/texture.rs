@@ -1,9 +1,9 @@
 //! Lookups in textures.
 
 use super::Machine;
-use crate::exec::code::{LookupQuery, LookupSite, Reg};
-use crate::exec::image::{LevelOf, Lookup, Texture, fetch, lookup, size_of};
-use crate::exec::row::{LANES, Row};
+use crate::code::{LookupQuery, LookupSite, Reg};
+use crate::image::{LevelOf, Lookup, Texture, fetch, lookup, size_of};
+use crate::row::{LANES, Row};
 
 impl Machine<'_> {
     /// Asks a texture.

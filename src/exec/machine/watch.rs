@@ -1,21 +1,21 @@
 //! What is watched while a shader runs.
 
 use super::{Machine, Tile, mask_of};
-use crate::exec::code::{CallPath, Checked, Code, Look, Reg};
-use crate::exec::row::{LANES, PARTS, Row, floats, of_floats, unsigned};
-use crate::exec::seen::{
+use crate::code::{CallPath, Checked, Code, Look, Reg};
+use crate::row::{LANES, PARTS, Row, floats, of_floats, unsigned};
+use crate::seen::{
     BranchSeen, ComparedSeen, FunctionSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness,
 };
-use crate::ir::{LoopId, OpId, Provenance};
-use crate::math;
-use crate::semantic::{ComparedWith, Comparing, FunctionRef, OperandTest, Scalar, Undefined};
+use shaderlint_ir::{LoopId, OpId, Provenance};
+use shaderlint_math as math;
+use shaderlint_semantic::{ComparedWith, Comparing, FunctionRef, OperandTest, Scalar, Undefined};
 use wide::{f32x8, i32x8};
 
 /// Turns from which on loops are counted alike.
 const MOST_TURNS: usize = 1024;
 
 /// What was seen so far.
-pub(in crate::exec) struct Watched {
+pub(crate) struct Watched {
     /// By lane: what it paid in the tile.
     cost: [i32x8; PARTS],
     /// By lane: the turns of all loops in the tile.

@@ -2,11 +2,11 @@
 //! made of.
 
 use super::{Def, DefId, Defs};
-use crate::flow::layout::length_lane;
-use crate::flow::same::is_same;
-use crate::ir::{Binary, Module, OpId, OpKind, Unary};
-use crate::semantic::BuiltinId;
-use crate::semantic::builtins::Transfer;
+use crate::layout::length_lane;
+use crate::same::is_same;
+use shaderlint_ir::{Binary, Module, OpId, OpKind, Unary};
+use shaderlint_semantic::BuiltinId;
+use shaderlint_semantic::builtins::Transfer;
 
 /// Most parts of a condition, and of a comparison, that are looked at.
 const MAX_PARTS: usize = 24;

@@ -2,10 +2,10 @@
 
 use super::Slot;
 use super::walk::Walker;
-use crate::flow::Calls;
-use crate::ir::{OpKind, Root};
-use crate::semantic::VariableId;
+use crate::Calls;
 use rustc_hash::FxHashSet;
+use shaderlint_ir::{OpKind, Root};
+use shaderlint_semantic::VariableId;
 
 impl Walker<'_> {
     /// By function: whether it writes to nothing of others, and reads no global that changes.

@@ -17,11 +17,11 @@ pub use condition::{Hop, Premise, Refinement, each_comparison, each_load};
 
 use super::Calls;
 use super::layout::Layout;
-use crate::ir::{LoopId, Module, OpId, OpKind, Root};
-use crate::semantic::lists::Lists;
-use crate::semantic::{FunctionRef, Program, VariableId};
-use crate::syntax::ast::List;
 use rustc_hash::FxHashMap;
+use shaderlint_ir::{LoopId, Module, OpId, OpKind, Root};
+use shaderlint_semantic::lists::Lists;
+use shaderlint_semantic::{FunctionRef, Program, VariableId};
+use shaderlint_syntax::ast::List;
 
 /// Index of a [`Def`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

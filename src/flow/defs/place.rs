@@ -1,9 +1,9 @@
 //! Which slots a place stands for.
 
 use super::Slot;
-use crate::flow::layout::{Layout, column_lanes};
-use crate::ir::{Access, Lanes, Module, PlaceId};
-use crate::semantic::Type;
+use crate::layout::{Layout, column_lanes};
+use shaderlint_ir::{Access, Lanes, Module, PlaceId};
+use shaderlint_semantic::Type;
 
 /// The slots of a place.
 #[derive(Clone, Copy, Debug)]

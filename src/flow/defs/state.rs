@@ -2,8 +2,8 @@
 
 use super::walk::{Changes, Walker};
 use super::{Def, DefId, Defs, Slot};
-use crate::ir::{OpId, Root};
-use crate::syntax::ast::List;
+use shaderlint_ir::{OpId, Root};
+use shaderlint_syntax::ast::List;
 
 impl Walker<'_> {
     pub(super) fn is_full(&self) -> bool {

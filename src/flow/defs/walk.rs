@@ -3,14 +3,14 @@
 use super::condition::{each_comparison, each_load};
 use super::place::Spot;
 use super::{Def, DefId, Defs, Guard, Refinement, Slot};
-use crate::flow::Calls;
-use crate::flow::layout::{Layout, length_lane};
-use crate::ir::{
-    self, Binary, LoopId, Module, OpId, OpKind, PlaceId, Region, Root, Run, Step, SwitchId,
-};
-use crate::semantic::lists::Lists;
-use crate::semantic::{FunctionRef, Program};
+use crate::Calls;
+use crate::layout::{Layout, length_lane};
 use rustc_hash::FxHashMap;
+use shaderlint_ir::{
+    self as ir, Binary, LoopId, Module, OpId, OpKind, PlaceId, Region, Root, Run, Step, SwitchId,
+};
+use shaderlint_semantic::lists::Lists;
+use shaderlint_semantic::{FunctionRef, Program};
 
 /// Definitions and entries of lists for each lane of a shader, at most; then nothing more is known.
 const PER_LANE: usize = 24;
@@ -543,7 +543,7 @@ impl<'m> Walker<'m> {
         self.is_alive = false;
         for case in module.cases(found) {
             let labels = module.labels(case);
-            has_default |= labels.contains(&crate::ir::CaseLabel::Default);
+            has_default |= labels.contains(&shaderlint_ir::CaseLabel::Default);
             let fallen = match self.is_alive {
                 true => Some(self.changes(mark)),
                 false => None,

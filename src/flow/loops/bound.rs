@@ -3,11 +3,11 @@
 use super::halving::halves;
 use super::pace::{Pace, Tracer, is_still};
 use super::{Bound, Found, Goes, LoopFacts};
-use crate::flow::defs::{Def, DefId, each_comparison};
-use crate::flow::ranges::Query;
-use crate::ir::{Binary, OpId, OpKind, Provenance, Root};
-use crate::semantic::builtins::Transfer;
-use crate::syntax::ast::ExprId;
+use crate::defs::{Def, DefId, each_comparison};
+use crate::ranges::Query;
+use shaderlint_ir::{Binary, OpId, OpKind, Provenance, Root};
+use shaderlint_semantic::builtins::Transfer;
+use shaderlint_syntax::ast::ExprId;
 
 /// A step that is smaller may as well be none: it is lost when it is added to a counter.
 const LEAST_STEP: f64 = 1e-9;

@@ -1,10 +1,10 @@
 //! Two bounds that come together: each turn puts one of them into the middle.
 
-use crate::flow::defs::{Def, DefId};
-use crate::flow::ranges::Query;
-use crate::ir::{Binary, LoopId, OpId, OpKind};
-use crate::semantic::BuiltinId;
-use crate::semantic::builtins::Transfer;
+use crate::defs::{Def, DefId};
+use crate::ranges::Query;
+use shaderlint_ir::{Binary, LoopId, OpId, OpKind};
+use shaderlint_semantic::BuiltinId;
+use shaderlint_semantic::builtins::Transfer;
 
 /// How deep conditions nest that tell which bound moves.
 const MAX_DEPTH: u32 = 4;

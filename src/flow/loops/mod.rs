@@ -7,10 +7,10 @@ mod pace;
 mod tests;
 
 use super::ranges::Query;
-use crate::ir::{LoopId, Module, OpId, Region, Step};
-use crate::semantic::{FunctionRef, VariableId};
-use crate::syntax::ast::{ExprId, StmtId};
 use rustc_hash::FxHashMap;
+use shaderlint_ir::{LoopId, Module, OpId, Region, Step};
+use shaderlint_semantic::{FunctionRef, VariableId};
+use shaderlint_syntax::ast::{ExprId, StmtId};
 
 /// A loop.
 #[derive(Clone, Copy, Debug)]

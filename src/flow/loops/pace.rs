@@ -1,9 +1,9 @@
 //! How a counter moves: what a turn of a loop makes of the value that it began with.
 
-use crate::flow::defs::{Def, DefId};
-use crate::flow::ranges::{Interval, Query};
-use crate::flow::same::is_same;
-use crate::ir::{Binary, LoopId, OpId, OpKind, Root};
+use crate::defs::{Def, DefId};
+use crate::ranges::{Interval, Query};
+use crate::same::is_same;
+use shaderlint_ir::{Binary, LoopId, OpId, OpKind, Root};
 
 /// How much Euclid's algorithm leaves of a number at least in each turn: the golden ratio.
 const EUCLID: f64 = 0.618;

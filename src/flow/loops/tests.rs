@@ -1,11 +1,11 @@
 //! How often loops turn.
 
 use super::Loops;
-use crate::flow::Calls;
-use crate::flow::defs::Defs;
-use crate::flow::ranges::{Query, Ranges};
-use crate::flow::sample::checked;
-use crate::ir::lower;
+use crate::Calls;
+use crate::defs::Defs;
+use crate::ranges::{Query, Ranges};
+use crate::sample::checked;
+use shaderlint_ir::lower;
 
 /// The bounds of the loops of `void f(int n, float x)`, which is called with 5 and with 9.
 #[track_caller]

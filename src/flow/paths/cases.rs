@@ -5,11 +5,11 @@
 //! question.
 
 use super::conditions::{Conditions, Fact};
-use crate::flow::defs::Def;
-use crate::flow::ranges::Query;
-use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::semantic::Scalar;
-use crate::semantic::builtins::Transfer;
+use crate::defs::Def;
+use crate::ranges::Query;
+use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_semantic::Scalar;
+use shaderlint_semantic::builtins::Transfer;
 
 /// Most values that are put in order.
 const MAX_VALUES: usize = 20;

@@ -2,10 +2,10 @@
 
 use super::cases::{Answer, MAX_CONDITIONS, may_all_be};
 use super::state::Parts;
-use crate::flow::ranges::Query;
-use crate::ir::{Access, Binary, Module, OpId, OpKind, Root, Unary};
-use crate::semantic::{Scalar, Value, VariableId};
+use crate::ranges::Query;
 use rustc_hash::{FxHashMap, FxHasher};
+use shaderlint_ir::{Access, Binary, Module, OpId, OpKind, Root, Unary};
+use shaderlint_semantic::{Scalar, Value, VariableId};
 use std::hash::{Hash, Hasher};
 
 /// How deep conditions are compared.

@@ -14,10 +14,10 @@ mod walk;
 
 use super::Calls;
 use super::ranges::Query;
-use crate::ir::{Module, OpId, OpKind, Root};
-use crate::semantic::{FunctionRef, Mentions, Program, Stage, VariableId};
-use crate::syntax::ast::Extent;
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_ir::{Module, OpId, OpKind, Root};
+use shaderlint_semantic::{FunctionRef, Mentions, Program, Stage, VariableId};
+use shaderlint_syntax::ast::Extent;
 pub use state::Parts;
 use walk::Walk;
 
@@ -127,7 +127,7 @@ fn ignored(module: &Module, calls: &Calls) -> FxHashSet<VariableId> {
 
 fn main(program: &Program) -> Option<FunctionRef> {
     let name = program.names.get("main")?;
-    let is_main = |f: &crate::semantic::Function| f.definition.is_some() && f.name == name;
+    let is_main = |f: &shaderlint_semantic::Function| f.definition.is_some() && f.name == name;
     let at = program.functions.iter().position(is_main)?;
     Some(FunctionRef(at as u32))
 }

@@ -1,7 +1,7 @@
 //! What has a value on the way to a point, and how ways come together.
 
-use crate::semantic::VariableId;
 use rustc_hash::FxHashMap;
+use shaderlint_semantic::VariableId;
 
 /// Parts of a variable, a bit each: the components of a vector, the members of a struct; one bit for
 /// what has none, and the last for all members behind it.

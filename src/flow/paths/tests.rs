@@ -1,12 +1,12 @@
 //! What is without a value, as short sentences.
 
 use super::{Paths, Unset};
-use crate::flow::Calls;
-use crate::flow::defs::Defs;
-use crate::flow::ranges::{Query, Ranges};
-use crate::ir::lower;
-use crate::semantic::{Dialect, Mentions, Pass, Stage, Unit, Wholeness, analyze};
-use crate::text::{Role, Sources};
+use crate::Calls;
+use crate::defs::Defs;
+use crate::ranges::{Query, Ranges};
+use shaderlint_ir::lower;
+use shaderlint_semantic::{Dialect, Mentions, Pass, Stage, Unit, Wholeness, analyze};
+use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
 /// Compares what is found in the last function of some code: `?` where it is behind a condition.
@@ -42,7 +42,7 @@ fn check(code: &str, expected: &str) {
         .functions
         .iter()
         .rposition(|f| f.definition.is_some());
-    let tested = crate::semantic::FunctionRef(tested.unwrap() as u32);
+    let tested = shaderlint_semantic::FunctionRef(tested.unwrap() as u32);
     let found = paths.get(tested).unwrap();
     let say = |word: &str, unset: &Unset| {
         let name = program

@@ -3,14 +3,14 @@
 use super::conditions::Conditions;
 use super::state::{ALL, Parts, Path, State};
 use super::{Findings, Unset};
-use crate::flow::ranges::Query;
-use crate::ir::{
+use crate::ranges::Query;
+use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_ir::{
     Access, Binary, Case, CaseLabel, Loop, LoopId, Module, Op, OpId, OpKind, Place, PlaceId,
     Region, Root, Run, Step, SwitchId,
 };
-use crate::semantic::{Direction, FunctionRef, Mentions, Program, VariableId};
-use crate::syntax::ast::Extent;
-use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_semantic::{Direction, FunctionRef, Mentions, Program, VariableId};
+use shaderlint_syntax::ast::Extent;
 
 /// How deep regions may nest; of a function with deeper ones nothing is said.
 const MAX_DEPTH: u32 = 200;

@@ -3,12 +3,12 @@
 use super::interval::{Interval, above, below};
 use super::node::Node;
 use super::{Query, negated, turned};
-use crate::flow::defs::Refinement;
-use crate::flow::layout::length_lane;
-use crate::flow::same::is_same;
-use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::semantic::builtins::Transfer;
-use crate::semantic::{BuiltinId, Scalar};
+use crate::defs::Refinement;
+use crate::layout::length_lane;
+use crate::same::is_same;
+use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_semantic::builtins::Transfer;
+use shaderlint_semantic::{BuiltinId, Scalar};
 
 /// What a condition leaves of a value.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! Ranges of built-in functions and of what hosts provide.
 
 use super::interval::{Interval, Rounding, Tightness, below, is_power_of_two};
-use crate::semantic::builtins::Transfer;
+use shaderlint_semantic::builtins::Transfer;
 use std::f64::consts::{PI, TAU};
 
 /// The range of a component of a built-in function's result, given those of the arguments at that

@@ -1,10 +1,10 @@
 //! Where a value was copied from, bit for bit.
 
 use super::Query;
-use crate::flow::defs::{Def, DefId, Slot};
-use crate::ir::{OpId, OpKind};
-use crate::semantic::builtins::Transfer;
+use crate::defs::{Def, DefId, Slot};
 use rustc_hash::FxHashSet;
+use shaderlint_ir::{OpId, OpKind};
+use shaderlint_semantic::builtins::Transfer;
 
 /// Most copies that are followed for one question.
 const MAX_COPIES: usize = 600;

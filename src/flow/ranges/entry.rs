@@ -5,9 +5,9 @@ use super::builtin::of_host;
 use super::interval::Interval;
 use super::node::{Node, Subject};
 use super::{Query, fitting, number};
-use crate::flow::defs::{Def, DefId, Refinement, Slot, each_comparison, each_load};
-use crate::ir::{Binary, LoopId, OpKind, Root};
-use crate::semantic::{Scalar, Type};
+use crate::defs::{Def, DefId, Refinement, Slot, each_comparison, each_load};
+use shaderlint_ir::{Binary, LoopId, OpKind, Root};
+use shaderlint_semantic::{Scalar, Type};
 
 /// How many copies are followed at once.
 const MAX_COPIES: u32 = 64;
@@ -141,7 +141,7 @@ impl Query<'_> {
         (range.lo.value <= range.hi.value).then_some(range)
     }
 
-    fn is_float_lane(&self, op: crate::ir::OpId) -> bool {
+    fn is_float_lane(&self, op: shaderlint_ir::OpId) -> bool {
         let ty = self.module.ty(op);
         ty.element().scalar_kind() == Some(Scalar::Float)
     }

@@ -3,8 +3,8 @@
 use super::Query;
 use super::interval::Interval;
 use super::node::Node;
-use crate::flow::layout::column_lanes;
-use crate::ir::OpId;
+use crate::layout::column_lanes;
+use shaderlint_ir::OpId;
 
 /// The terms of a lane of a product: the lanes of the left and right side that are multiplied.
 #[derive(Clone, Copy, Debug)]

@@ -27,12 +27,12 @@ pub use reason::{Giver, Reason, Side};
 use super::defs::{DefId, Defs, Guard, each_comparison};
 use super::layout::length_lane;
 use super::same::is_same;
-use crate::ir::{Binary, Module, OpId, OpKind};
-use crate::semantic::builtins::Transfer;
-use crate::semantic::{FunctionRef, Program, Scalar, Value, VariableId};
-use crate::syntax::ast::ExprId;
 use back::Wanted;
 use node::Node;
+use shaderlint_ir::{Binary, Module, OpId, OpKind};
+use shaderlint_semantic::builtins::Transfer;
+use shaderlint_semantic::{FunctionRef, Program, Scalar, Value, VariableId};
+use shaderlint_syntax::ast::ExprId;
 use solve::Known;
 use std::cell::RefCell;
 

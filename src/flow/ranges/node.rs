@@ -1,7 +1,7 @@
 //! What ranges are asked of: lanes of operations, and definitions, under one number.
 
-use crate::flow::defs::{DefId, Defs};
-use crate::ir::OpId;
+use crate::defs::{DefId, Defs};
+use shaderlint_ir::OpId;
 
 /// A lane of an operation, or a definition.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

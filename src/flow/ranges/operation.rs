@@ -5,13 +5,13 @@ use super::entry::{join, measure};
 use super::interval::{Interval, Tightness};
 use super::node::{Node, Subject};
 use super::{Query, number};
-use crate::flow::defs::Def;
-use crate::flow::layout::{column_lanes, length_lane};
-use crate::flow::same::is_same;
-use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::semantic::builtins::{MAX_PARAMS, Transfer};
-use crate::semantic::{BuiltinId, FunctionRef, Scalar, Type, VariableId};
-use crate::syntax::ast::List;
+use crate::defs::Def;
+use crate::layout::{column_lanes, length_lane};
+use crate::same::is_same;
+use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_semantic::builtins::{MAX_PARAMS, Transfer};
+use shaderlint_semantic::{BuiltinId, FunctionRef, Scalar, Type, VariableId};
+use shaderlint_syntax::ast::List;
 
 /// How far copies of a variable are followed.
 const MAX_COPIES: u32 = 8;

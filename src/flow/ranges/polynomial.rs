@@ -4,9 +4,9 @@
 use super::Query;
 use super::interval::{Interval, above, below};
 use super::node::Node;
-use crate::flow::defs::Def;
-use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::semantic::builtins::Transfer;
+use crate::defs::Def;
+use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_semantic::builtins::Transfer;
 
 /// Most factors of a term; a number stands for none.
 const FACTORS: usize = 4;

@@ -3,11 +3,11 @@
 use super::Query;
 use super::interval::Interval;
 use super::node::{Node, Subject};
-use crate::flow::defs::{Def, DefId, Slot};
-use crate::ir::{Binary, OpId, OpKind, Root, Unary};
-use crate::semantic::builtins::Transfer;
-use crate::semantic::{BuiltinId, VariableId};
-use crate::syntax::ast::List;
+use crate::defs::{Def, DefId, Slot};
+use shaderlint_ir::{Binary, OpId, OpKind, Root, Unary};
+use shaderlint_semantic::builtins::Transfer;
+use shaderlint_semantic::{BuiltinId, VariableId};
+use shaderlint_syntax::ast::List;
 
 /// How many steps back are followed.
 const MAX_STEPS: u32 = 64;

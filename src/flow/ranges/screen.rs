@@ -2,9 +2,9 @@
 
 use super::interval::{Interval, Tightness, below};
 use super::{Query, number};
-use crate::flow::defs::Def;
-use crate::ir::{Binary, OpId, OpKind, Unary};
-use crate::semantic::VariableId;
+use crate::defs::Def;
+use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_semantic::VariableId;
 
 /// How many operations are looked at for one question.
 const BUDGET: u32 = 32;

@@ -3,7 +3,7 @@
 use super::Query;
 use super::interval::Interval;
 use super::node::{Node, Subject};
-use crate::flow::defs::{Def, Defs};
+use crate::defs::{Def, Defs};
 use std::cell::Cell;
 
 /// Most rounds until what still moves is taken for anything.

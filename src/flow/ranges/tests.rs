@@ -1,11 +1,11 @@
 //! Ranges of expressions, as messages say them.
 
 use super::{Interval, Query, Ranges, Rounding};
-use crate::flow::Calls;
-use crate::flow::defs::Defs;
-use crate::flow::sample::checked;
-use crate::ir::lower;
-use crate::syntax::ast::{ExprKind, StmtKind};
+use crate::Calls;
+use crate::defs::Defs;
+use crate::sample::checked;
+use shaderlint_ir::lower;
+use shaderlint_syntax::ast::{ExprKind, StmtKind};
 
 /// The range of what `float test()` returns at its last `return`.
 fn interval(code: &str) -> Interval {

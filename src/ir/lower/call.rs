@@ -3,9 +3,9 @@
 use super::super::form::*;
 use super::Lowerer;
 use super::place::Target;
-use crate::semantic::builtins::Builtins;
-use crate::semantic::{Direction, FunctionRef, Type};
-use crate::syntax::ast::List;
+use shaderlint_semantic::builtins::Builtins;
+use shaderlint_semantic::{Direction, FunctionRef, Type};
+use shaderlint_syntax::ast::List;
 
 impl Lowerer<'_> {
     /// A call of a function of the shader.

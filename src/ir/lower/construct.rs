@@ -2,8 +2,8 @@
 
 use super::super::form::*;
 use super::Lowerer;
-use crate::semantic::{Scalar, Type};
-use crate::syntax::ast::List;
+use shaderlint_semantic::{Scalar, Type};
+use shaderlint_syntax::ast::List;
 
 /// A component of a value: of a matrix, column by column.
 #[derive(Clone, Copy)]

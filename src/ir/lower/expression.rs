@@ -3,8 +3,8 @@
 use super::super::form::*;
 use super::Lowerer;
 use super::place::{Picked, element_of};
-use crate::semantic::{Resolution, Scalar, Type, Value};
-use crate::syntax::ast::*;
+use shaderlint_semantic::{Resolution, Scalar, Type, Value};
+use shaderlint_syntax::ast::*;
 
 /// How many nodes of a right side are looked at before it is taken for more than a few operations.
 const FEW: u32 = 12;

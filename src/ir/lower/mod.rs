@@ -11,11 +11,11 @@ mod precision;
 mod statement;
 
 use super::form::*;
-use crate::semantic::{
+use precision::{Precisions, Returned};
+use shaderlint_semantic::{
     Constant, Direction, FunctionRef, Program, Scalar, Storage, Type, Value, VariableId,
 };
-use crate::syntax::ast::{DeclId, DeclKind, ExprId, FunctionId, Item, List, TokenId};
-use precision::{Precisions, Returned};
+use shaderlint_syntax::ast::{DeclId, DeclKind, ExprId, FunctionId, Item, List, TokenId};
 
 /// How deep expressions and statements may nest; what lies deeper is unknown. The browser refuses
 /// trees deeper than 256.

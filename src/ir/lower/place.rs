@@ -2,9 +2,9 @@
 
 use super::super::form::*;
 use super::Lowerer;
-use crate::semantic::{Base, Scalar, Type, VariableId};
-use crate::syntax::Name;
-use crate::syntax::ast::*;
+use shaderlint_semantic::{Base, Scalar, Type, VariableId};
+use shaderlint_syntax::Name;
+use shaderlint_syntax::ast::*;
 
 /// A place, before it is kept: what its way leads through.
 pub(super) struct Way {

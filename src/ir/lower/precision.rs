@@ -2,9 +2,9 @@
 
 use super::super::form::*;
 use super::Lowerer;
-use crate::semantic::{Base, Program, Sampler, Scalar, Stage, Type, Variable as Declared};
-use crate::syntax::ast::{List, QualifierKind};
 use rustc_hash::FxHashMap;
+use shaderlint_semantic::{Base, Program, Sampler, Scalar, Stage, Type, Variable as Declared};
+use shaderlint_syntax::ast::{List, QualifierKind};
 use std::rc::Rc;
 
 /// The default precisions in the scope at hand.
@@ -142,4 +142,4 @@ impl Lowerer<'_> {
 }
 
 /// By function: how exact what it returns is.
-pub(super) type Returned = FxHashMap<crate::semantic::FunctionRef, Precision>;
+pub(super) type Returned = FxHashMap<shaderlint_semantic::FunctionRef, Precision>;

@@ -2,8 +2,8 @@
 
 use super::super::form::*;
 use super::{Lowerer, precision};
-use crate::semantic::{Base, FunctionRef, Type, VariableId};
-use crate::syntax::ast::*;
+use shaderlint_semantic::{Base, FunctionRef, Type, VariableId};
+use shaderlint_syntax::ast::*;
 
 impl Lowerer<'_> {
     /// The parameters of all functions: what calls need to know.

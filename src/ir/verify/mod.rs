@@ -8,8 +8,8 @@ use super::{
     Case, CaseLabel, Function, Loop, Module, OpId, PlaceId, Provenance, Region, Root, Run, Step,
     Switch,
 };
-use crate::semantic::builtins::Builtins;
-use crate::semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
+use shaderlint_semantic::builtins::Builtins;
+use shaderlint_semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
 use std::fmt;
 
 /// Something that a module must not have.
@@ -407,7 +407,7 @@ impl Verifier<'_> {
         let (program, module) = (self.program, self.module);
         for (i, op) in module.by_expr.iter().enumerate() {
             let Some(op) = *op else { continue };
-            let id = crate::syntax::ast::ExprId(i as u32);
+            let id = shaderlint_syntax::ast::ExprId(i as u32);
             if op.0 as usize >= module.ops.len() {
                 self.tell(format!("expression {i} is no operation"));
             } else if !op::fits(module.ty(op), program.ty(id)) {

@@ -1,10 +1,10 @@
 //! Operations: what they may work on and what they give.
 
 use super::{Verifier, place};
-use crate::ir::{Binary, Module, OpId, OpKind, PlaceId, Root, Unary};
-use crate::semantic::builtins::{BuiltinId, Overload};
-use crate::semantic::{Direction, FunctionRef, Scalar, Type};
-use crate::syntax::ast::List;
+use crate::{Binary, Module, OpId, OpKind, PlaceId, Root, Unary};
+use shaderlint_semantic::builtins::{BuiltinId, Overload};
+use shaderlint_semantic::{Direction, FunctionRef, Scalar, Type};
+use shaderlint_syntax::ast::List;
 
 type Checked = Result<(), String>;
 

@@ -1,7 +1,7 @@
 //! Places: ways into variables, and the types of what stands at their ends.
 
-use crate::ir::{Access, Lanes, Module, PlaceId};
-use crate::semantic::{Base, Program, Scalar, Type};
+use crate::{Access, Lanes, Module, PlaceId};
+use shaderlint_semantic::{Base, Program, Scalar, Type};
 
 /// Whether the way into a place fits the variable, and its type what stands at its end.
 pub(super) fn check(program: &Program, module: &Module, id: PlaceId) -> Result<(), String> {

@@ -2,11 +2,11 @@
 //! that every machine gives the same answer.
 
 use super::{INSTANTS, Instant, Supplier, Trial, TrialShot};
-use crate::exec::{
+use crate::Facts;
+use shaderlint_exec::{
     Code, CompileOptions, Draw, LANES, Sampled, Seen, Watch, quads_all_over, sample,
 };
-use crate::lint::Facts;
-use crate::semantic::Stage;
+use shaderlint_semantic::Stage;
 
 /// The size of the picture whose pixels are run.
 pub const SIZE: [u32; 2] = [1280, 720];

@@ -2,8 +2,8 @@
 
 use super::Trial;
 use super::bench::colors;
-use crate::exec::{CompileOptions, Kind, NumberSeen, Watch};
-use crate::lint::{Context, Facts};
+use crate::{Context, Facts};
+use shaderlint_exec::{CompileOptions, Kind, NumberSeen, Watch};
 
 /// A pixel whose colour is no number that a screen could show, and what made it so.
 #[derive(Clone, PartialEq, Debug)]

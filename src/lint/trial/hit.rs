@@ -1,12 +1,12 @@
 //! Where a shader that marches decides whether a ray has hit something: the condition behind the loop
 //! that hangs on what the loop found, and on whose one side the shader does most.
 
-use crate::exec::Seen;
-use crate::flow::{Uniformity, Varying};
-use crate::ir::{Module, OpId, OpKind, Provenance, Region, Step};
-use crate::lint::Facts;
-use crate::lint::march::{March, MarchGoal};
-use crate::syntax::ast::StmtId;
+use crate::Facts;
+use crate::march::{March, MarchGoal};
+use shaderlint_exec::Seen;
+use shaderlint_flow::{Uniformity, Varying};
+use shaderlint_ir::{Module, OpId, OpKind, Provenance, Region, Step};
+use shaderlint_syntax::ast::StmtId;
 
 /// A condition that tells rays that hit something from those that do not.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -2,11 +2,11 @@
 
 use super::bench::colors;
 use super::{INSTANTS, SIZE, SampledPixel};
-use crate::exec::{Code, CompileOptions, compile, quads_all_over};
-use crate::flow::LoopFacts;
-use crate::ir::{Module, OpKind, lower};
-use crate::lint::Facts;
-use crate::semantic::Value;
+use crate::Facts;
+use shaderlint_exec::{Code, CompileOptions, compile, quads_all_over};
+use shaderlint_flow::LoopFacts;
+use shaderlint_ir::{Module, OpKind, lower};
+use shaderlint_semantic::Value;
 
 /// Channels further apart than this are told apart at a glance.
 pub const APART: f32 = 8.0 / 255.0;

@@ -9,11 +9,11 @@ mod picture;
 mod verdict;
 
 use super::Facts;
-use crate::exec::{CompileOptions, Lean, Persona, Sampled, Seen, Watch};
-use crate::flow::{Uniformity, Varying};
-use crate::ir::{Module, OpId, Root};
-use crate::semantic::{Dialect, Pass, Program, VariableId};
 use rustc_hash::FxHashSet;
+use shaderlint_exec::{CompileOptions, Lean, Persona, Sampled, Seen, Watch};
+use shaderlint_flow::{Uniformity, Varying};
+use shaderlint_ir::{Module, OpId, Root};
+use shaderlint_semantic::{Dialect, Pass, Program, VariableId};
 use std::cell::{Cell, OnceCell, RefCell};
 
 pub use bench::{Bench, SIZE, TrialLimit, colors};
@@ -23,7 +23,7 @@ pub use longer::is_apart;
 pub use picture::{SampledPixel, is_too_bright, luminance, share};
 pub use verdict::{Untold, Verdict};
 
-use crate::exec::{Code, Draw};
+use shaderlint_exec::{Code, Draw};
 
 /// When a picture is looked at.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -125,7 +125,7 @@ const PERSONAS: [Persona; 3] = [
 
 /// What is kept of the trials of a shader.
 #[derive(Default)]
-pub(in crate::lint) struct Tried<'a> {
+pub(crate) struct Tried<'a> {
     pub supplier: Option<&'a dyn Supplier>,
     pub limit: TrialLimit,
     bench: OnceCell<Option<Bench>>,
@@ -201,7 +201,7 @@ impl<'a> Facts<'a> {
             most: self.tried.limit.instructions(),
             ..*options
         };
-        crate::exec::compile(self.program(), self.module(), &options).ok()
+        shaderlint_exec::compile(self.program(), self.module(), &options).ok()
     }
 
     /// What hangs on textures, and on other things that nobody knows.

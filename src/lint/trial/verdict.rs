@@ -1,10 +1,10 @@
 //! What a run says of a finding that was made by reading.
 
 use super::{Trial, percent};
-use crate::exec::{Kind, LoopSeen, NumberSeen, Seen};
-use crate::ir::OpId;
-use crate::lint::Facts;
-use crate::syntax::ast::StmtId;
+use crate::Facts;
+use shaderlint_exec::{Kind, LoopSeen, NumberSeen, Seen};
+use shaderlint_ir::OpId;
+use shaderlint_syntax::ast::StmtId;
 
 /// What a run says of a finding.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -21,7 +21,7 @@ const LEAST_VISITS: u64 = 1000;
 impl Facts<'_> {
     /// What a run says of numbers that go wrong at an operation; nothing where hardly any pixel came
     /// there, or what happens there hangs on what nobody knows.
-    pub(in crate::lint) fn verdict(&self, op: OpId, kinds: &[Kind]) -> Option<Verdict> {
+    pub(crate) fn verdict(&self, op: OpId, kinds: &[Kind]) -> Option<Verdict> {
         let trial = self.trial().filter(|_| self.is_known(op))?;
         let is_one = |kind: Kind, other: OpId| other == op && kinds.contains(&kind);
         let watched = trial.seen.watched.iter();

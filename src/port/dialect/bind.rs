@@ -3,14 +3,12 @@
 use super::DialectFacts;
 use super::feed::{Feed, FeedRow, TextureFeed, TextureRow, USUAL_FEEDS, USUAL_TEXTURES, is_named};
 use super::vertex::{VaryingValue, Vertex, vertex};
-use crate::port::{
-    ControlKind, Input, InputKind, OutputId, SamplerSettings, SignalForm, UniformControl,
-};
-use crate::semantic::tunable::range_behind;
-use crate::semantic::{
+use crate::{ControlKind, Input, InputKind, OutputId, SamplerSettings, SignalForm, UniformControl};
+use serde::Serialize;
+use shaderlint_semantic::tunable::range_behind;
+use shaderlint_semantic::{
     Program, Sampler, Scalar, Stage, Storage, Value, Variable, VariableId, channel,
 };
-use serde::Serialize;
 
 /// A uniform that the player sets.
 #[derive(Clone, PartialEq, Debug, Serialize)]
@@ -52,7 +50,7 @@ pub const MAX_CHANNELS: u8 = 16;
 /// Finds out what a whole shader is to be given. `own` are the inputs and controls that the text
 /// itself describes, `output` is what the pass draws, `partner` the other shader of the pair where
 /// the text brings it.
-pub(in crate::port) fn bind(
+pub(crate) fn bind(
     program: &Program,
     dialect: &DialectFacts,
     own: (&[Input], &[UniformControl]),
@@ -295,11 +293,11 @@ fn widen(control: &mut UniformControl, value: &[f64]) {
 }
 
 /// What stands from a name to the semicolon behind it.
-fn line_end(program: &Program, name: crate::text::Span) -> Option<crate::text::Span> {
+fn line_end(program: &Program, name: shaderlint_text::Span) -> Option<shaderlint_text::Span> {
     let file = program.sources.file_at(name.start)?;
     let rest = file.text.get((name.end - file.base) as usize..)?;
     let end = rest.find(';')? as u32 + 1;
-    Some(crate::text::Span::new(name.start, name.end + end))
+    Some(shaderlint_text::Span::new(name.start, name.end + end))
 }
 
 fn number(value: &Value) -> f64 {
@@ -322,7 +320,7 @@ fn is_color(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::Project;
+    use crate::Project;
 
     const CODE: &str = "#version 300 es\nprecision highp float;\nuniform vec2 u_resolution;\n\
         uniform float gain; // how strong (0.5~4.5)\nuniform vec3 baseColor;\nuniform mat4 turn;\n\

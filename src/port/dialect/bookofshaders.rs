@@ -7,8 +7,8 @@
 use super::complete::{Completion, completions_of};
 use super::feed::{COMMON, Feed, OWN, TextureFeed, USUAL, feed, texture, varying};
 use super::{Clues, DialectFacts, Plan, PlannedPass, Sign};
-use crate::port::OutputId;
-use crate::semantic::Pass;
+use crate::OutputId;
+use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
 pub(super) static FACTS: DialectFacts = DialectFacts {

@@ -2,10 +2,10 @@
 
 use super::TextsBeside;
 use super::complete::{Completion, completions_of};
-use crate::semantic::{Guess, Program, Storage, guess};
-use crate::syntax::{Lexer, RawKind};
-use crate::text::Role;
 use rustc_hash::FxHashSet;
+use shaderlint_semantic::{Guess, Program, Storage, guess};
+use shaderlint_syntax::{Lexer, RawKind};
+use shaderlint_text::Role;
 
 /// A variable that a text declares and something else sets.
 #[derive(Clone, PartialEq, Eq, Debug)]

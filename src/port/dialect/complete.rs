@@ -2,11 +2,11 @@
 //! compiles is taken.
 
 use super::clues::{Clues, VersionAsked};
-use crate::diagnostic::Severity;
-use crate::semantic::builtins::LEGACY_FUNCTIONS;
-use crate::semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
-use crate::syntax::{Lexer, RawKind, Version};
-use crate::text::{Role, Sources};
+use shaderlint_diagnostic::Severity;
+use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
+use shaderlint_semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
+use shaderlint_syntax::{Lexer, RawKind, Version};
+use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
 /// A text, and what goes around it.
@@ -107,7 +107,7 @@ impl Completion {
 }
 
 /// The first candidate that compiles, or else the one with the fewest errors.
-pub(in crate::port) fn best(candidates: Vec<Completion>) -> Option<Completion> {
+pub(crate) fn best(candidates: Vec<Completion>) -> Option<Completion> {
     let mut best: Option<(usize, Completion)> = None;
     for candidate in candidates {
         let found = candidate.check()?.diagnostics;

@@ -15,14 +15,14 @@ use super::feed::{COMMON, Feed, OWN, feed, varying};
 use super::{
     Clues, Completion, Credit, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled,
 };
-use crate::host::preset;
-use crate::port::{
+use crate::{
     ControlChoice, ControlKind, Input, InputKind, OutputId, PassDraw, SignalForm, SizeTerm,
     UniformControl,
 };
-use crate::semantic::{Pass, Stage};
-use crate::syntax::Version;
 use serde_json::{Map, Value};
+use shaderlint_host::preset;
+use shaderlint_semantic::{Pass, Stage};
+use shaderlint_syntax::Version;
 use std::sync::Arc;
 
 pub(super) static FACTS: DialectFacts = DialectFacts {
@@ -544,8 +544,8 @@ pub(super) fn is_identifier(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::Project;
-    use crate::port::dialect::recognise;
+    use crate::Project;
+    use crate::dialect::recognise;
 
     #[track_caller]
     fn known(text: &str) -> &'static str {

@@ -6,7 +6,7 @@
 use super::complete::completions_behind;
 use super::feed::{COMMON, TextureFeed, texture};
 use super::{Clues, DialectFacts, Plan};
-use crate::host::preset;
+use shaderlint_host::preset;
 
 pub(super) static FACTS: DialectFacts = DialectFacts {
     name: "kodi",

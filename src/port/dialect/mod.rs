@@ -30,15 +30,15 @@ pub(super) use bind::bind;
 pub use bind::{Bindings, MAX_CHANNELS, UniformData};
 pub use clues::{Clues, Interfacing};
 pub use complete::Completion;
-pub(in crate::port) use complete::best;
+pub(crate) use complete::best;
 pub(super) use feed::PLACES;
 pub use feed::{Feed, FeedRow, TextureRow, VaryingRow};
 pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
-use crate::semantic::{Pass, Program};
-use crate::text::{Role, SourceFile};
 use feed::is_named;
+use shaderlint_semantic::{Pass, Program};
+use shaderlint_text::{Role, SourceFile};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
@@ -422,7 +422,7 @@ mod tests {
 
     #[test]
     fn every_row_names_types_of_glsl() {
-        use crate::syntax::TypeWord;
+        use shaderlint_syntax::TypeWord;
         for dialect in DIALECTS {
             for ty in dialect.feeds.iter().flat_map(|r| r.types) {
                 let element = ty.split('[').next().unwrap_or(ty);

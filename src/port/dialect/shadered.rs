@@ -11,9 +11,9 @@ use super::complete::completions_of;
 use super::feed::{COMMON, Feed, feed};
 use super::vscode::{joined, quoted};
 use super::{Clues, Completion, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled};
-use crate::port::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl};
-use crate::semantic::Pass;
+use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl};
 use roxmltree::{Document, Node};
+use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
 const NUMBER: &[&str] = &["float"];

@@ -10,7 +10,7 @@ use super::complete::completions_of;
 use super::feed::{COMMON, Feed, OWN, USUAL, feed};
 use super::vscode::{numbers, quoted};
 use super::{Clues, DialectFacts, Plan, Sign, sampled};
-use crate::port::{ControlChoice, ControlKind, Input, InputKind, UniformControl};
+use crate::{ControlChoice, ControlKind, Input, InputKind, UniformControl};
 
 const MOUSE: &[&str] = &["vec4"];
 const NUMBER: &[&str] = &["float"];

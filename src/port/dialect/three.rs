@@ -7,8 +7,8 @@
 use super::complete::{Completion, completions_of, defaults};
 use super::feed::{COMMON, Feed, OWN, TextureFeed, USUAL, feed, texture, varying};
 use super::{Clues, DialectFacts, Plan, Sign};
-use crate::host::preset;
-use crate::syntax::Version;
+use shaderlint_host::preset;
+use shaderlint_syntax::Version;
 
 const MATRIX: &[&str] = &["mat4", "mat3"];
 
@@ -148,7 +148,7 @@ fn plan(clues: &Clues) -> Plan {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::Project;
+    use crate::Project;
 
     #[test]
     fn what_three_brings_is_known_by_its_names() {
@@ -163,7 +163,7 @@ mod tests {
 
     #[track_caller]
     fn draws(text: &str) -> Project {
-        let facts = crate::port::dialect_named("three");
+        let facts = crate::dialect_named("three");
         let project = Project::draft("", text, facts).unwrap();
         let pass = &project.passes[0];
         let code = Completion {
@@ -171,8 +171,9 @@ mod tests {
             ..Completion::bare(&pass.code)
         };
         let found = code.check().unwrap().diagnostics;
-        let is_error =
-            |d: &&crate::diagnostic::Diagnostic| d.severity == crate::diagnostic::Severity::Error;
+        let is_error = |d: &&shaderlint_diagnostic::Diagnostic| {
+            d.severity == shaderlint_diagnostic::Severity::Error
+        };
         assert_eq!(found.iter().filter(is_error).count(), 0, "{found:?}");
         project
     }

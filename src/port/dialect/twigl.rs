@@ -10,7 +10,7 @@
 use super::complete::{Completion, completions_of, defaults};
 use super::feed::{COMMON, Feed, OWN, TextureFeed, feed, texture};
 use super::{Clues, DialectFacts, Plan, Sign};
-use crate::syntax::Version;
+use shaderlint_syntax::Version;
 
 pub(super) static FACTS: DialectFacts = DialectFacts {
     name: "twigl",

@@ -2,8 +2,8 @@
 
 use super::DialectFacts;
 use super::feed::{USUAL_VARYINGS, VaryingRow};
-use crate::semantic::{Program, Scalar, Storage, Type, Variable};
-use crate::syntax::Version;
+use shaderlint_semantic::{Program, Scalar, Storage, Type, Variable};
+use shaderlint_syntax::Version;
 
 /// A vertex shader, and what its varyings hold.
 #[derive(Default)]

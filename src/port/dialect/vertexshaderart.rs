@@ -13,11 +13,9 @@ use super::complete::{best, defaults, modern};
 use super::feed::{COMMON, Feed, OWN, feed};
 use super::isf::{head, object};
 use super::{Clues, Completion, DialectFacts, Plan, Sign, sampled};
-use crate::port::{
-    ControlChoice, ControlKind, Input, InputKind, PassDraw, SignalForm, UniformControl,
-};
-use crate::syntax::Version;
+use crate::{ControlChoice, ControlKind, Input, InputKind, PassDraw, SignalForm, UniformControl};
 use serde_json::{Map, Value};
+use shaderlint_syntax::Version;
 use std::sync::Arc;
 
 pub(super) static FACTS: DialectFacts = DialectFacts {
@@ -185,8 +183,8 @@ fn controls(settings: &Map<String, Value>) -> Vec<UniformControl> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::dialect::recognise;
-    use crate::semantic::Stage;
+    use crate::dialect::recognise;
+    use shaderlint_semantic::Stage;
 
     #[test]
     fn it_is_known_by_its_numbered_vertices() {

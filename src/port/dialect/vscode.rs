@@ -11,11 +11,9 @@ use super::complete::modern;
 use super::feed::{COMMON, Feed, OWN, feed};
 use super::isf::is_identifier;
 use super::{Clues, Completion, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled};
-use crate::port::{
-    ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name,
-};
-use crate::semantic::Pass;
-use crate::syntax::{Lexer, RawKind};
+use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name};
+use shaderlint_semantic::Pass;
+use shaderlint_syntax::{Lexer, RawKind};
 
 pub(super) static FACTS: DialectFacts = DialectFacts {
     name: "vscode-shader-toy",
@@ -664,11 +662,7 @@ mod tests {
 
     #[test]
     fn it_is_known_by_its_directives() {
-        let known = |text: &str| {
-            crate::port::dialect::recognise(&Clues::of(text))
-                .dialect
-                .name
-        };
+        let known = |text: &str| crate::dialect::recognise(&Clues::of(text)).dialect.name;
         let image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
         let main = "void main() { gl_FragColor = vec4(1.0); }";
         assert_eq!(

@@ -7,7 +7,7 @@
 mod stock;
 
 use super::{Input, OutputId, Project};
-use crate::semantic::Pass;
+use shaderlint_semantic::Pass;
 
 /// What stands for a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -69,7 +69,7 @@ pub fn is_gray(input: &Input) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::InputKind;
+    use crate::InputKind;
 
     fn check(kind: InputKind, id: &str, src: &str, expected: &str) {
         let mut input = Input::empty(0, kind);

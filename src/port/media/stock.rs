@@ -4,7 +4,7 @@
 //! sizes are those that ShaderBridge, a converter to ReShade, has for them.
 
 use super::{Generator, StandIn};
-use crate::port::{Input, InputKind};
+use crate::{Input, InputKind};
 
 /// A file of the site.
 pub(super) struct Stock {

@@ -6,12 +6,12 @@ use super::stored::Held;
 use super::types::Sink;
 use super::write::TargetLanguage;
 use super::{Res, Value};
-use crate::ir::OpId;
-use crate::semantic::{Type, VariableId};
-use crate::text::Span;
 use ::naga::front::Typifier;
 use ::naga::{Block, Expression, Handle, Literal, LocalVariable, Statement};
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_ir::OpId;
+use shaderlint_semantic::{Type, VariableId};
+use shaderlint_text::Span;
 
 /// Where a variable of the shader is found in the function.
 #[derive(Clone, Copy)]

@@ -3,13 +3,13 @@
 use super::body::Body;
 use super::types::Sink;
 use super::{Res, Value, lower::FirstRow};
-use crate::ir::OpId;
-use crate::semantic::builtins::Axis;
-use crate::semantic::{BuiltinId, Scalar, Type};
 use ::naga::{
     BinaryOperator as Op, DerivativeAxis, DerivativeControl, Expression, Literal,
     MathFunction as F, RelationalFunction, ScalarKind, UnaryOperator,
 };
+use shaderlint_ir::OpId;
+use shaderlint_semantic::builtins::Axis;
+use shaderlint_semantic::{BuiltinId, Scalar, Type};
 
 impl Body<'_, '_> {
     /// A call of a function of the language.

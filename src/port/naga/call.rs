@@ -3,10 +3,10 @@
 
 use super::body::{Body, Bound};
 use super::{Res, Value};
-use crate::ir::{OpId, OpKind, PlaceId, Root};
-use crate::semantic::FunctionRef;
-use crate::syntax::ast::List;
 use ::naga::MathFunction;
+use shaderlint_ir::{OpId, OpKind, PlaceId, Root};
+use shaderlint_semantic::FunctionRef;
+use shaderlint_syntax::ast::List;
 
 impl Body<'_, '_> {
     /// The value of a call; `None` for one of a function without.

@@ -7,11 +7,11 @@ use super::port::{Leaf, entry_name, leaves, location};
 use super::special::Leaving;
 use super::types::Sink;
 use super::{Res, Value};
-use crate::semantic::{FunctionRef, Stage, Storage, Type};
 use ::naga::{
     Binding, EntryPoint, Expression, FunctionResult, Handle, ShaderStage, Statement, StructMember,
     TypeInner,
 };
+use shaderlint_semantic::{FunctionRef, Stage, Storage, Type};
 
 impl<'p> Lowerer<'p> {
     /// Makes the entry point.

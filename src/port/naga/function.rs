@@ -4,12 +4,12 @@ use super::body::{Body, Bound};
 use super::lower::Lowerer;
 use super::types::Sink;
 use super::{Res, Value};
-use crate::ir::{self, OpKind, Root};
-use crate::semantic::{FunctionRef, Type, VariableId};
 use ::naga::{
     AddressSpace, Expression, FunctionArgument, FunctionResult, Handle, Statement, TypeInner,
 };
 use rustc_hash::FxHashSet;
+use shaderlint_ir::{self as ir, OpKind, Root};
+use shaderlint_semantic::{FunctionRef, Type, VariableId};
 
 /// The functions that `main` needs, each behind all that it calls.
 pub(super) fn order(form: &ir::Module, main: FunctionRef) -> Vec<FunctionRef> {

@@ -5,9 +5,9 @@ use super::lower::{Initialisers, Lowerer};
 use super::stored::Major;
 use super::types::{Sink, compose};
 use super::{Res, Value};
-use crate::ir::Root;
-use crate::semantic::{Constant as Known, Stage, Storage, Type, VariableId};
 use ::naga::{AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryDecorations, Span};
+use shaderlint_ir::Root;
+use shaderlint_semantic::{Constant as Known, Stage, Storage, Type, VariableId};
 
 /// What a variable outside functions is in the module.
 #[derive(Clone, Copy, Debug)]

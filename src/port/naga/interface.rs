@@ -2,7 +2,7 @@
 
 use super::lower::FirstRow;
 use super::write::TargetLanguage;
-use crate::port::SizeTerm;
+use crate::SizeTerm;
 use serde::Serialize;
 
 /// Everything that a shader takes and gives, with its place.

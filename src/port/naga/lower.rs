@@ -9,16 +9,16 @@ use super::types::Sink;
 use super::write::TargetLanguage;
 use super::{Refused, Res, Value};
 use super::{global::Global, uniform::Uniforms};
-use crate::ir::{self, OpId, OpKind};
-use crate::semantic::link::{Block, Interface};
-use crate::semantic::{
-    Function, FunctionRef, Inside, Program, Sampler, Stage, Type, Variable, VariableId,
-};
-use crate::text::Span;
 use ::naga::proc::Layouter;
 use ::naga::{Arena, Expression, Handle, Module};
 use rustc_hash::FxHashMap;
 use serde::Serialize;
+use shaderlint_ir::{self as ir, OpId, OpKind};
+use shaderlint_semantic::link::{Block, Interface};
+use shaderlint_semantic::{
+    Function, FunctionRef, Inside, Program, Sampler, Stage, Type, Variable, VariableId,
+};
+use shaderlint_text::Span;
 
 /// Where the first row of the picture lies.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Serialize)]

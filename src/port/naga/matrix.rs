@@ -3,9 +3,9 @@
 use super::body::Body;
 use super::types::Sink;
 use super::{Res, Value};
-use crate::ir::OpId;
-use crate::semantic::{Scalar, Type};
 use ::naga::{BinaryOperator as Op, Expression, Handle, MathFunction, Statement};
+use shaderlint_ir::OpId;
+use shaderlint_semantic::{Scalar, Type};
 
 impl Body<'_, '_> {
     /// An operator on two matrices, component by component.

@@ -1,6 +1,6 @@
 //! A checked pass in the languages of the other graphics interfaces: WGSL, SPIR-V, HLSL and MSL.
 //!
-//! [`lower`] is a fold over the regions of the middle form (`crate::ir`): its places are naga's
+//! [`lower`] is a fold over the regions of the middle form (`shaderlint_ir`): its places are naga's
 //! pointers, its operations naga's expressions, its control flow naga's statements. Samplers become
 //! a texture and a way to sample it, and rows are turned, here alone. [`write`] has naga check the
 //! outcome and write it. What naga has no words for is refused, with the place and the reason.
@@ -42,9 +42,9 @@ pub use write::{Output, TargetLanguage, write};
 
 use super::payload::{InputData, PassData, passes};
 use super::{Composed, PassUnit, Project, credits};
-use crate::diagnostic::Severity;
-use crate::semantic::Pass;
-use crate::text::Span;
+use shaderlint_diagnostic::Severity;
+use shaderlint_semantic::Pass;
+use shaderlint_text::Span;
 
 /// A shader in another language.
 #[derive(Clone, Debug)]
@@ -65,7 +65,7 @@ pub fn translate(
     picture: FirstRow,
 ) -> Result<Option<TranslatedShader>, Refused> {
     let analysis = composed.analysis(unit);
-    let is_error = |d: &crate::diagnostic::Diagnostic| d.severity == Severity::Error;
+    let is_error = |d: &shaderlint_diagnostic::Diagnostic| d.severity == Severity::Error;
     if analysis.diagnostics.iter().any(is_error) {
         return Ok(None);
     }

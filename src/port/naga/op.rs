@@ -3,12 +3,12 @@
 use super::body::{Body, Given};
 use super::types::{Sink, literal, parts, scalar, size};
 use super::{Res, Value};
-use crate::ir::{Binary, OpId, OpKind, Provenance, Unary};
-use crate::semantic::{Scalar, Type, Value as Constant};
 use ::naga::{
     BinaryOperator as Op, Expression, Literal, MathFunction, RelationalFunction, ScalarKind,
     Statement, UnaryOperator,
 };
+use shaderlint_ir::{Binary, OpId, OpKind, Provenance, Unary};
+use shaderlint_semantic::{Scalar, Type, Value as Constant};
 use std::slice;
 
 impl Body<'_, '_> {

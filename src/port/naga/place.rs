@@ -4,9 +4,9 @@ use super::body::{Body, Bound};
 use super::stored::Held;
 use super::types::{Sink, size};
 use super::{Res, Value};
-use crate::ir::{Access, Lanes, OpId, OpKind, Place, PlaceId, Root};
-use crate::semantic::{Type, VariableId};
 use ::naga::{Expression, SwizzleComponent};
+use shaderlint_ir::{Access, Lanes, OpId, OpKind, Place, PlaceId, Root};
+use shaderlint_semantic::{Type, VariableId};
 
 /// Where a place is found in the function.
 struct Spot {

@@ -3,9 +3,9 @@
 use super::interface::Port;
 use super::lower::Lowerer;
 use super::types::parts;
-use crate::semantic::{Program, Scalar, Stage, Storage, Type, VariableId};
-use crate::syntax::ast::{DeclKind, Item, List, QualifierKind};
 use ::naga::{Binding, Interpolation, Sampling};
+use shaderlint_semantic::{Program, Scalar, Stage, Storage, Type, VariableId};
+use shaderlint_syntax::ast::{DeclKind, Item, List, QualifierKind};
 use std::collections::BTreeSet;
 
 /// A number or vector of a variable that passes between stages. The languages pass nothing else.

@@ -3,9 +3,9 @@
 use super::body::Body;
 use super::types::Sink;
 use super::{Res, Value};
-use crate::ir::{Case, CaseLabel, LoopId, Region, Step, SwitchId};
-use crate::semantic::Scalar;
 use ::naga::{Block, Expression, Statement, SwitchCase, SwitchValue, UnaryOperator};
+use shaderlint_ir::{Case, CaseLabel, LoopId, Region, Step, SwitchId};
+use shaderlint_semantic::Scalar;
 
 impl Body<'_, '_> {
     /// Lowers steps up to the first that nothing passes.

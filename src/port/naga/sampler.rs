@@ -5,9 +5,9 @@ use super::body::Body;
 use super::types::{Sink, image, texel};
 use super::uniform::Pair;
 use super::{Res, Value};
-use crate::ir::{Access, OpId, OpKind};
-use crate::semantic::{Sampler, Scalar, Type, VariableId};
 use ::naga::{Expression, Statement, SwitchCase, SwitchValue, TypeInner};
+use shaderlint_ir::{Access, OpId, OpKind};
+use shaderlint_semantic::{Sampler, Scalar, Type, VariableId};
 
 /// A texture and how it is sampled.
 #[derive(Clone, Copy)]

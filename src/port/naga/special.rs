@@ -6,9 +6,9 @@ use super::port::location;
 use super::types::Sink;
 use super::write::TargetLanguage;
 use super::{Res, Value};
-use crate::ir::Access;
-use crate::semantic::{Scalar, Stage, Type, VariableId};
 use ::naga::{BinaryOperator as Op, Binding, BuiltIn, Expression, GlobalVariable, Handle};
+use shaderlint_ir::Access;
+use shaderlint_semantic::{Scalar, Stage, Type, VariableId};
 
 /// One of them, in a module.
 #[derive(Clone, Copy, Debug)]

@@ -5,9 +5,9 @@ use super::body::Body;
 use super::interface::{BufferMember, Repeated};
 use super::lower::Lowerer;
 use super::{Res, Value};
-use crate::ir::Lanes;
-use crate::semantic::{Base, Scalar, Type};
 use ::naga::{ArraySize, Handle, MathFunction, StructMember, TypeInner};
+use shaderlint_ir::Lanes;
+use shaderlint_semantic::{Base, Scalar, Type};
 use std::num::NonZeroU32;
 
 /// A type as it lies in a buffer.

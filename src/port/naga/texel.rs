@@ -4,10 +4,10 @@ use super::body::Body;
 use super::texture::Shape;
 use super::types::Sink;
 use super::{Res, Value};
-use crate::ir::{Lanes, OpId};
-use crate::semantic::builtins::{Level, Lookup};
-use crate::semantic::{Sampler, Scalar, Type};
 use ::naga::{BinaryOperator as Op, Expression, ImageQuery, Literal, MathFunction};
+use shaderlint_ir::{Lanes, OpId};
+use shaderlint_semantic::builtins::{Level, Lookup};
+use shaderlint_semantic::{Sampler, Scalar, Type};
 
 impl Body<'_, '_> {
     /// The texel that is nearest to some coordinates, which go on from the other side. Levels that

@@ -4,13 +4,13 @@ use super::body::Body;
 use super::sampler::Looked;
 use super::types::{Sink, image, texel};
 use super::{Res, Value};
-use crate::ir::{Lanes, OpId};
-use crate::semantic::builtins::{BuiltinKind, Level, Lookup};
-use crate::semantic::{Sampler, Scalar, Type};
 use ::naga::{
     BinaryOperator as Op, Block, Expression, Handle, ImageQuery, Literal, MathFunction,
     RelationalFunction, SampleLevel, ScalarKind, Statement,
 };
+use shaderlint_ir::{Lanes, OpId};
+use shaderlint_semantic::builtins::{BuiltinKind, Level, Lookup};
+use shaderlint_semantic::{Sampler, Scalar, Type};
 
 /// What a sampler asks of the coordinates.
 pub(super) struct Shape {

@@ -2,12 +2,12 @@
 
 use super::lower::Lowerer;
 use super::{Res, Value};
-use crate::semantic::{Base, Program, Sampler, Scalar, Type, Value as Constant};
 use ::naga::proc::TypeLayout;
 use ::naga::{
     ArraySize, Expression, Handle, ImageClass, ImageDimension, Literal, ScalarKind, Span,
     StructMember, TypeInner, VectorSize,
 };
+use shaderlint_semantic::{Base, Program, Sampler, Scalar, Type, Value as Constant};
 use std::num::NonZeroU32;
 
 /// Takes expressions: a function, or the initialisers of the module.

@@ -9,13 +9,13 @@ use super::stored::{Field, Held, Major, Packing, Record, Stored};
 use super::types::{Sink, image};
 use super::write::TargetLanguage;
 use super::{Res, Value};
-use crate::ir::Place;
-use crate::semantic::{Base, Sampler, Stage, Storage, Type, Variable, VariableId};
 use ::naga::{
     AddressSpace, Expression, GlobalVariable, Handle, MemoryDecorations, ResourceBinding, Span,
     TypeInner,
 };
 use rustc_hash::FxHashMap;
+use shaderlint_ir::Place;
+use shaderlint_semantic::{Base, Sampler, Stage, Storage, Type, Variable, VariableId};
 
 /// The uniforms of a shader.
 #[derive(Default)]

@@ -2,10 +2,10 @@
 
 use super::definition::{Definition, is_operator};
 use super::{Candidate, Case};
-use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::semantic::builtins::Builtins;
-use crate::syntax::{Piece, TokenKind, WordClass, classify};
-use crate::text::{Edit, Span};
+use crate::builtins::Builtins;
+use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_syntax::{Piece, TokenKind, WordClass, classify};
+use shaderlint_text::{Edit, Span};
 
 /// Most places that are tried for one bracket.
 const MAX_PLACES: usize = 24;

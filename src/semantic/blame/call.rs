@@ -2,9 +2,9 @@
 //! missing.
 
 use super::{Candidate, Case, MAX_LOOKED_AT};
-use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::syntax::{Lexer, RawKind, RawToken, TokenKind};
-use crate::text::{Edit, Span};
+use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_syntax::{Lexer, RawKind, RawToken, TokenKind};
+use shaderlint_text::{Edit, Span};
 
 /// Most places that are tried for one `)`.
 const MAX_PLACES: usize = 12;

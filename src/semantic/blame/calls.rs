@@ -1,10 +1,10 @@
 //! The macro calls of a shader, and which errors belong to them.
 
 use super::Candidate;
-use crate::diagnostic::{Diagnostic, Label, error};
-use crate::semantic::program::Program;
-use crate::syntax::{MacroId, Token};
-use crate::text::Span;
+use crate::program::Program;
+use shaderlint_diagnostic::{Diagnostic, Label, error};
+use shaderlint_syntax::{MacroId, Token};
+use shaderlint_text::Span;
 
 /// Most calls that a finding points at.
 const MAX_LABELS: usize = 3;
@@ -112,7 +112,7 @@ pub(super) fn is_in_definition(program: &Program, span: Span) -> bool {
 
 /// Errors of one place in a macro's body are one mistake. Where all calls of the macro make it, the
 /// definition is at fault; where some do not, the calls that do are.
-pub(in crate::semantic) fn gather(program: &Program, errors: Vec<Diagnostic>) -> Vec<Diagnostic> {
+pub(crate) fn gather(program: &Program, errors: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let in_body = |d: &Diagnostic| {
         let outermost = d.macros.last()?.call;
         (!outermost.contains(d.span) && is_in_definition(program, d.span)).then_some(outermost)

@@ -1,9 +1,9 @@
 //! Where the `#endif` belongs that a group lacks.
 
 use super::{Candidate, Case};
-use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::syntax::DIRECTIVES;
-use crate::text::{Edit, Role, Span};
+use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_syntax::DIRECTIVES;
+use shaderlint_text::{Edit, Role, Span};
 
 /// Most places that are tried for one `#endif`.
 const MAX_PLACES: usize = 40;

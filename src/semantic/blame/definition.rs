@@ -2,9 +2,9 @@
 
 use super::calls::Calls;
 use super::{Candidate, Case, MAX_LOOKED_AT};
-use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::syntax::{Macro, MacroId, Piece, TokenKind};
-use crate::text::{Edit, Span};
+use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_syntax::{Macro, MacroId, Piece, TokenKind};
+use shaderlint_text::{Edit, Span};
 
 /// How many lines a definition that lost a `\` may go on for.
 const MAX_LINES: u32 = 40;

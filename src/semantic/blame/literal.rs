@@ -3,9 +3,9 @@
 
 use super::definition::Definition;
 use super::{Candidate, Case};
-use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::syntax::TokenKind;
-use crate::text::Edit;
+use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_syntax::TokenKind;
+use shaderlint_text::Edit;
 
 /// Most numbers of one definition that are looked at.
 const MAX_NUMBERS: usize = 8;
@@ -71,7 +71,7 @@ impl Case<'_> {
         };
         for e in self.errors.iter().filter(undeclared).take(4) {
             let word = self.text(e.span);
-            let stands = |p: &&crate::syntax::Piece| self.text(p.token.span) == word;
+            let stands = |p: &&shaderlint_syntax::Piece| self.text(p.token.span) == word;
             let edits = |name: &str| -> Vec<Edit> {
                 let places = d.of.body.iter().filter(stands);
                 places.map(|p| Edit::replace(p.token.span, name)).collect()

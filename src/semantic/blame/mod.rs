@@ -20,9 +20,9 @@ pub(super) use calls::gather;
 
 use super::program::Program;
 use super::unit::{Unit, analyze_once};
-use crate::diagnostic::{Diagnostic, error};
-use crate::text::{Edit, Span};
 use calls::Calls;
+use shaderlint_diagnostic::{Diagnostic, error};
+use shaderlint_text::{Edit, Span};
 use trial::{Budget, Copy};
 
 /// Most repairs of one shader.

@@ -1,7 +1,7 @@
 //! Where a mistake in a macro or directive is told, and that its fix mends the shader.
 
-use crate::semantic::{Checked, analyze_fragment};
-use crate::text::apply_edits;
+use crate::{Checked, analyze_fragment};
+use shaderlint_text::apply_edits;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n";
 

@@ -1,9 +1,9 @@
 //! Trials: the shader with an edit made, checked again, and what it says brought back to the places
 //! of the text as it is.
 
-use crate::diagnostic::{Diagnostic, Fix};
-use crate::semantic::unit::Unit;
-use crate::text::{Edit, FileId, Sources, Span, apply_edits};
+use crate::unit::Unit;
+use shaderlint_diagnostic::{Diagnostic, Fix};
+use shaderlint_text::{Edit, FileId, Sources, Span, apply_edits};
 use std::sync::Arc;
 
 /// Most bytes that all trials of one shader may check.

@@ -12,9 +12,9 @@ use super::constant::Value;
 use super::fold::set_undefined_to_zero;
 use super::types::Type;
 use super::undefined::Undefined;
-use crate::syntax::Version;
-use crate::syntax::ast::QualifierKind;
 use prototype::Declared;
+use shaderlint_syntax::Version;
+use shaderlint_syntax::ast::QualifierKind;
 use std::ops::Range;
 
 /// Most parameters of a built-in function.
@@ -299,8 +299,8 @@ impl BuiltinStorage {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::syntax::{ParseOptions, parse_corrected, preprocess};
-    use crate::text::{Role, Sources};
+    use shaderlint_syntax::{ParseOptions, parse_corrected, preprocess};
+    use shaderlint_text::{Role, Sources};
     use std::collections::BTreeSet;
 
     #[test]

@@ -7,9 +7,9 @@
 )]
 
 use super::{BuiltinId, BuiltinStorage, BuiltinVariable, MAX_PARAMS, Overload};
-use crate::semantic::types::{Sampler, Scalar, Type};
-use crate::syntax::TypeWord;
-use crate::syntax::ast::QualifierKind;
+use crate::types::{Sampler, Scalar, Type};
+use shaderlint_syntax::TypeWord;
+use shaderlint_syntax::ast::QualifierKind;
 
 /// Number of built-in functions.
 const FUNCTIONS: usize = BuiltinId::ALL.len();

@@ -1,7 +1,7 @@
 //! The columns of the table of built-in functions.
 
-use crate::semantic::fold::Folding;
-use crate::semantic::undefined::Undefined;
+use crate::fold::Folding;
+use crate::undefined::Undefined;
 
 /// What the table says of a built-in function.
 #[derive(Debug)]

@@ -6,7 +6,7 @@ use super::*;
 
 /// What is wrong with an array.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum ArrayError {
+pub(crate) enum ArrayError {
     /// An array without a size.
     NoSize,
     /// An array without a size, whose value could give it one.

@@ -3,7 +3,7 @@
 use super::super::builtins::{BuiltinId, BuiltinKind, LEGACY_FUNCTIONS, Overload};
 use super::super::constant::Value;
 use super::*;
-use crate::semantic::explain::note_written;
+use crate::explain::note_written;
 
 /// Least and greatest offset of a texture lookup.
 const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;

@@ -7,7 +7,7 @@ const MAX_CALL_DEPTH: u32 = 256;
 
 /// What is wrong with calls, all functions of the shader together.
 #[derive(Clone, Debug)]
-pub(in crate::semantic) enum CallError {
+pub(crate) enum CallError {
     /// A call of a function that has no body.
     Undefined(FunctionRef),
     /// Functions of which each calls the next, and the last is the first.

@@ -6,7 +6,7 @@ use super::*;
 
 /// What is wrong with the declaration of a variable.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum DeclarationError {
+pub(crate) enum DeclarationError {
     /// A type without values.
     Void,
     /// A sampler that is neither a uniform nor a parameter.

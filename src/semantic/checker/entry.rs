@@ -6,7 +6,7 @@ use super::*;
 
 /// What is wrong with the function at which a shader starts.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum EntryError {
+pub(crate) enum EntryError {
     /// A shader without `main`.
     Missing,
     /// A shader without the function that its host calls.

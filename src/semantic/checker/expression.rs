@@ -2,7 +2,7 @@
 
 use super::super::constant::Value;
 use super::*;
-use crate::semantic::typing::LENGTH;
+use crate::typing::LENGTH;
 
 impl Checker<'_> {
     /// Checks the expression `root` and everything in it.
@@ -341,7 +341,7 @@ impl Checker<'_> {
         self.report(d);
     }
 
-    pub(in crate::semantic) fn variable_of(&self, id: ExprId) -> Option<VariableId> {
+    pub(crate) fn variable_of(&self, id: ExprId) -> Option<VariableId> {
         match self.info(self.tree.unparen(id)).resolution {
             Resolution::Variable(id) => Some(id),
             _ => None,

@@ -1,7 +1,7 @@
 //! What can be said only when all of the shader is known.
 
 use super::*;
-use crate::semantic::explain::note_uses;
+use crate::explain::note_uses;
 
 /// A loop that never ends, if its variable is never written to.
 #[derive(Clone, Copy, Debug)]

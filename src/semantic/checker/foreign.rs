@@ -2,7 +2,7 @@
 
 use super::qualifier::Wanted;
 use super::*;
-use crate::syntax::{Foreign, Meaning, WordClass, classify, foreign};
+use shaderlint_syntax::{Foreign, Meaning, WordClass, classify, foreign};
 
 impl Checker<'_> {
     fn foreign(&self, name: Name) -> Option<Foreign> {

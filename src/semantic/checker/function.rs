@@ -8,7 +8,7 @@ use std::hash::{Hash, Hasher};
 
 /// What is wrong with a function's header, or with all of its declarations together.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum FunctionError {
+pub(crate) enum FunctionError {
     /// A function that is declared in another.
     Local,
     /// A second prototype, in a version that takes one.

@@ -6,7 +6,7 @@ use super::*;
 
 /// What is wrong with the type of an input or output.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum InterfaceError {
+pub(crate) enum InterfaceError {
     /// A type of which none of this storage can be.
     Type(Wanted, Type),
     /// A truth value.

@@ -4,10 +4,7 @@ use super::*;
 
 impl Checker<'_> {
     /// An expression and all that stands in it, backwards: the operands come right before it.
-    pub(in crate::semantic) fn subtree(
-        &self,
-        id: ExprId,
-    ) -> impl Iterator<Item = (ExprId, &ExprInfo, &Expr)> {
+    pub(crate) fn subtree(&self, id: ExprId) -> impl Iterator<Item = (ExprId, &ExprInfo, &Expr)> {
         let extent = self.tree.expr(id).extent;
         let before = (0..=id.0).rev().map(ExprId);
         let before = before.map_while(|e| {

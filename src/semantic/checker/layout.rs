@@ -8,7 +8,7 @@ const MAX_VERTEX_ATTRIBS: i32 = 16;
 
 /// What is wrong with a `layout(...)`.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum LayoutError {
+pub(crate) enum LayoutError {
     /// A layout of blocks that WebGL has not.
     NotInWebgl(Name),
     /// `location` without a number.

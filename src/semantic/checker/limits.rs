@@ -13,7 +13,7 @@ const MAX_SIZE: u64 = 2 * 1024 * 1024 * 1024;
 
 /// What goes over a limit of the browser's.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum LimitError {
+pub(crate) enum LimitError {
     /// Statements and operators inside each other.
     Depth,
     /// A variable of this size, in bytes, and what it must stay below.

@@ -5,7 +5,7 @@ use super::*;
 
 /// What is wrong with a name that is declared.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum NameError {
+pub(crate) enum NameError {
     /// A name that is not the user's to give, and whose it is.
     Reserved(Name, Owner),
     /// A name that stands for something in the scope already.
@@ -14,7 +14,7 @@ pub(in crate::semantic) enum NameError {
 
 /// Whose names are reserved.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(in crate::semantic) enum Owner {
+pub(crate) enum Owner {
     Language,
     Webgl,
     /// WebGL too, by two underscores.
@@ -64,11 +64,7 @@ impl Checker<'_> {
     }
 
     /// The token that declares what a name stands for.
-    pub(in crate::semantic) fn declaration_token(
-        &self,
-        name: Name,
-        binding: Binding,
-    ) -> Option<TokenId> {
+    pub(crate) fn declaration_token(&self, name: Name, binding: Binding) -> Option<TokenId> {
         match binding {
             Binding::Variable(id) => self.variables.get(id.0 as usize)?.token,
             Binding::Struct(id) | Binding::Block(id) => {

@@ -8,7 +8,7 @@ const MAX_DRAW_BUFFERS: u64 = 8;
 
 /// What is wrong with the outputs of a fragment shader.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum OutputError {
+pub(crate) enum OutputError {
     /// A location that is not among so many.
     Outside(Name, u64),
     /// The location of another output.
@@ -23,7 +23,7 @@ pub(in crate::semantic) enum OutputError {
 
 /// An output of a fragment shader.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) struct Output {
+pub(crate) struct Output {
     pub ident: Ident,
     location: Option<i32>,
     size: u32,

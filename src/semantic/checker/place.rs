@@ -4,7 +4,7 @@ use super::*;
 
 /// What cannot be written to.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum PlaceError {
+pub(crate) enum PlaceError {
     /// An expression that is no part of a variable, and what would write to it.
     NoPlace(ExprId, Writer),
     /// Letters that name a component of so many twice.
@@ -25,7 +25,7 @@ pub(in crate::semantic) enum PlaceError {
 
 /// What writes to a place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(in crate::semantic) enum Writer {
+pub(crate) enum Writer {
     /// `=`, or an operator with it.
     Assign(Option<BinaryOp>),
     /// `++` or `--`, or the qualifier of a parameter.

@@ -4,7 +4,7 @@ use super::*;
 
 /// What is wrong with qualifiers, or with a precision.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum QualifierError {
+pub(crate) enum QualifierError {
     /// What no local variable can be.
     Local,
     /// What can stand at global scope only.
@@ -99,7 +99,7 @@ impl Precisions {
 /// The storage that qualifiers ask for, before it is known what they qualify.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[rustfmt::skip]
-pub(in crate::semantic) enum Wanted {
+pub(crate) enum Wanted {
     None, Const, In, Out, Inout, Uniform, Attribute, Varying, Centroid, Flat, Smooth,
     FlatIn, FlatOut, SmoothIn, SmoothOut, CentroidIn, CentroidOut,
 }

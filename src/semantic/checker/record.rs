@@ -5,7 +5,7 @@ use super::*;
 
 /// What is wrong with a struct or an interface block.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum RecordError {
+pub(crate) enum RecordError {
     /// No members.
     Empty(Record),
     /// A struct that is declared inside another.
@@ -34,7 +34,7 @@ pub(in crate::semantic) enum RecordError {
 
 /// What has members.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(in crate::semantic) enum Record {
+pub(crate) enum Record {
     Struct,
     Block,
 }

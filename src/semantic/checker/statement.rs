@@ -9,7 +9,7 @@ const MAX_DEPTH: u32 = 400;
 
 /// What is wrong with a statement.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum StatementError {
+pub(crate) enum StatementError {
     /// `break` outside of loops and `switch`.
     Break,
     /// `continue` outside of loops.
@@ -24,7 +24,7 @@ pub(in crate::semantic) enum StatementError {
 
 /// What a condition decides on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(in crate::semantic) enum Condition {
+pub(crate) enum Condition {
     /// `? :`
     Choice,
     If,

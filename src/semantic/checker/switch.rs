@@ -5,7 +5,7 @@ use super::*;
 
 /// What is wrong with a `switch`.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum SwitchError {
+pub(crate) enum SwitchError {
     /// A selector that is no integer.
     Selector(ExprId),
     /// A label that is no integer.

@@ -1,8 +1,8 @@
 //! Code in, what is wrong with it out, before words are made of it: a table for each area.
 
 use super::*;
-use crate::semantic::Pass;
-use crate::syntax::{ParseOptions, parse, preprocess};
+use crate::Pass;
+use shaderlint_syntax::{ParseOptions, parse, preprocess};
 
 /// Checks a table of lines `code => what is found first`, and that each variant of the enum `name`
 /// in `source` is found and explained with a message of one line.

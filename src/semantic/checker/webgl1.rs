@@ -4,7 +4,7 @@ use super::*;
 
 /// What WebGL1 does not take of GLSL ES 1.00.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::semantic) enum Restriction {
+pub(crate) enum Restriction {
     /// A loop by this word.
     Loop(&'static str),
     /// A loop that declares no index.

@@ -2,7 +2,7 @@
 
 use super::call::Candidate;
 use super::*;
-use crate::semantic::BuiltinId;
+use crate::BuiltinId;
 
 /// What is usually given for a parameter of a built-in function, by its number, where it is left
 /// out.

@@ -1,7 +1,7 @@
 //! Calls that fit no function: which one was meant, and what differs.
 
 use super::*;
-use crate::semantic::BuiltinId;
+use crate::BuiltinId;
 
 /// Most forms of a function that a message lists.
 const MAX_LISTED: usize = 5;
@@ -41,7 +41,7 @@ fn distance(wanted: Type, found: Type, is_literal: bool) -> u32 {
 
 impl Checker<'_> {
     /// A call of what is a variable.
-    pub(in crate::semantic) fn explain_call_of_variable(
+    pub(crate) fn explain_call_of_variable(
         &self,
         id: ExprId,
         name: Name,
@@ -73,7 +73,7 @@ impl Checker<'_> {
 
     /// A call that fits none of the functions that the shader declares; `None` where the one that is
     /// meant may be among what could not be read.
-    pub(in crate::semantic) fn explain_user_call(
+    pub(crate) fn explain_user_call(
         &self,
         id: ExprId,
         name: Name,
@@ -124,7 +124,7 @@ impl Checker<'_> {
     }
 
     /// A call that fits no form of a built-in function.
-    pub(in crate::semantic) fn explain_builtin_call(
+    pub(crate) fn explain_builtin_call(
         &self,
         id: ExprId,
         name: Name,
@@ -312,7 +312,7 @@ impl Checker<'_> {
         for &(_, arg, wanted) in wrong {
             let fix = wanted.scalar_kind().and_then(|s| self.convert(arg, s));
             let Some(fix) = fix else { return d };
-            safe &= fix.applicability == crate::diagnostic::Applicability::Safe;
+            safe &= fix.applicability == shaderlint_diagnostic::Applicability::Safe;
             titles.push(fix.title.trim_start_matches("write ").to_string());
             edits.extend(fix.edits);
             if arg != first {

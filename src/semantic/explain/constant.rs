@@ -1,11 +1,11 @@
 //! What should be constant and is not.
 
 use super::*;
-use crate::semantic::checker::Wanted;
+use crate::checker::Wanted;
 
 impl Checker<'_> {
     /// The initial value of a constant or a global variable, which is not constant.
-    pub(in crate::semantic) fn explain_initial_value(
+    pub(crate) fn explain_initial_value(
         &self,
         declarator: &Declarator,
         init: ExprId,
@@ -32,7 +32,7 @@ impl Checker<'_> {
     }
 
     /// The offset of a lookup, which is not constant.
-    pub(in crate::semantic) fn explain_dynamic_offset(&self, arg: ExprId) -> Diagnostic {
+    pub(crate) fn explain_dynamic_offset(&self, arg: ExprId) -> Diagnostic {
         let message = "the offset of a lookup must be a constant expression";
         let d = self
             .error_expr(error::NOT_CONSTANT, arg, message)
@@ -41,18 +41,14 @@ impl Checker<'_> {
     }
 
     /// The offset of a lookup, which is too large.
-    pub(in crate::semantic) fn explain_offset(&self, arg: ExprId, offset: i32) -> Diagnostic {
+    pub(crate) fn explain_offset(&self, arg: ExprId, offset: i32) -> Diagnostic {
         let message = format!("the offset {offset} is out of range");
         self.error_expr(error::INDEX_OUT_OF_RANGE, arg, message)
             .note("a lookup can be moved by -8 to 7 texels")
     }
 
     /// Says which part of an expression is not constant.
-    pub(in crate::semantic) fn explain_not_constant(
-        &self,
-        d: Diagnostic,
-        id: ExprId,
-    ) -> Diagnostic {
+    pub(crate) fn explain_not_constant(&self, d: Diagnostic, id: ExprId) -> Diagnostic {
         let culprit = self
             .subtree(id)
             .filter(|(_, info, _)| !info.is_const)

@@ -1,11 +1,11 @@
 //! Words of other languages: what GLSL has for them, and the edit.
 
 use super::*;
-use crate::syntax::{Foreign, Meaning, foreign};
+use shaderlint_syntax::{Foreign, Meaning, foreign};
 
 impl Checker<'_> {
     /// A type that GLSL has under another word; `written` takes its place.
-    pub(in crate::semantic) fn explain_foreign_type(
+    pub(crate) fn explain_foreign_type(
         &self,
         name: Name,
         token: TokenId,
@@ -18,7 +18,7 @@ impl Checker<'_> {
     }
 
     /// What GLSL has nothing for.
-    pub(in crate::semantic) fn explain_absent(
+    pub(crate) fn explain_absent(
         &self,
         rule: &'static str,
         name: Name,
@@ -31,7 +31,7 @@ impl Checker<'_> {
 
     /// `var`, `let` or `auto` at `token`; the type of the value takes the place of the words from
     /// `from` on.
-    pub(in crate::semantic) fn explain_inferred_type(
+    pub(crate) fn explain_inferred_type(
         &self,
         token: TokenId,
         from: TokenId,
@@ -53,7 +53,7 @@ impl Checker<'_> {
 
     /// A call of a function that GLSL has in another form; `None` where the word says nothing of
     /// calls.
-    pub(in crate::semantic) fn explain_foreign_call(
+    pub(crate) fn explain_foreign_call(
         &self,
         id: ExprId,
         name: Name,

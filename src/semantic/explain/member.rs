@@ -1,8 +1,8 @@
 //! Members, components and elements that are not there.
 
 use super::*;
-use crate::semantic::typing::{LENGTH, SWIZZLES};
-use crate::syntax::{Meaning, foreign};
+use crate::typing::{LENGTH, SWIZZLES};
+use shaderlint_syntax::{Meaning, foreign};
 
 /// Most members of a struct that a message lists.
 const MAX_LISTED: usize = 12;
@@ -139,7 +139,7 @@ impl Checker<'_> {
     }
 
     /// A method that is none; only `length()` of arrays is one.
-    pub(in crate::semantic) fn explain_method(
+    pub(crate) fn explain_method(
         &self,
         id: ExprId,
         object: ExprId,
@@ -229,12 +229,7 @@ impl Checker<'_> {
 
     /// Letters that the vector has in the place of those that it has not, or that stand twice where
     /// each may stand once: the one that belongs to the place, else one that is free.
-    pub(in crate::semantic) fn mend_swizzle(
-        &self,
-        text: &str,
-        rows: u8,
-        token: TokenId,
-    ) -> Option<Fix> {
+    pub(crate) fn mend_swizzle(&self, text: &str, rows: u8, token: TokenId) -> Option<Fix> {
         let letters = SWIZZLES
             .iter()
             .find(|set| text.chars().all(|c| set.contains(c)))?;
@@ -266,7 +261,7 @@ impl Checker<'_> {
     }
 
     /// A member of a struct that holds samplers, taken behind `,`.
-    pub(in crate::semantic) fn explain_member_behind_comma(&self, id: ExprId) -> Diagnostic {
+    pub(crate) fn explain_member_behind_comma(&self, id: ExprId) -> Diagnostic {
         let message = "no member can be taken of a struct that holds samplers behind `,`";
         self.error_expr(error::UNSUPPORTED_OPERATION, id, message)
             .note("the browser does not compile it")
@@ -274,7 +269,7 @@ impl Checker<'_> {
     }
 
     /// A constant index that lies outside.
-    pub(in crate::semantic) fn explain_index_range(
+    pub(crate) fn explain_index_range(
         &self,
         object: ExprId,
         index: ExprId,
@@ -294,7 +289,7 @@ impl Checker<'_> {
     }
 
     /// An index that is not constant, where only a constant is taken.
-    pub(in crate::semantic) fn explain_dynamic_index(&self, id: ExprId, what: &str) -> Diagnostic {
+    pub(crate) fn explain_dynamic_index(&self, id: ExprId, what: &str) -> Diagnostic {
         let message = format!("{what} takes a constant index only");
         self.error_expr(error::INVALID_INDEX, id, message)
             .note("in GLSL ES 3.00 the index must be a constant expression (sections 4.1.7, 4.3.6, 4.3.7)")

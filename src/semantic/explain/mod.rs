@@ -33,8 +33,8 @@ mod value;
 mod version;
 mod webgl1;
 
-pub(in crate::semantic) use names::note_uses;
-pub(in crate::semantic) use place::note_written;
+pub(crate) use names::note_uses;
+pub(crate) use place::note_written;
 
 use super::builtins::{Builtins, MAX_PARAMS, Stage};
 use super::checker::*;
@@ -43,16 +43,16 @@ use super::program::*;
 use super::scope::Binding;
 use super::types::*;
 use super::typing::{self, Clash, Misfit, NonNumber};
-use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::syntax::ast::*;
-use crate::syntax::{Feature, Name, Token, TokenKind, Version};
-use crate::text::{Edit, Span};
+use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_syntax::ast::*;
+use shaderlint_syntax::{Feature, Name, Token, TokenKind, Version};
+use shaderlint_text::{Edit, Span};
 
 /// What holds for every value.
 const NO_CONVERSION: &str = "GLSL ES converts nothing by itself (section 4.1.10)";
 
 /// Something that is wrong, as data, of which words can be made.
-pub(in crate::semantic) trait Explain: std::fmt::Debug {
+pub(crate) trait Explain: std::fmt::Debug {
     /// What to say of it.
     fn explain(self, checker: &Checker, at: Extent) -> Diagnostic;
 }
@@ -60,12 +60,7 @@ pub(in crate::semantic) trait Explain: std::fmt::Debug {
 impl Checker<'_> {
     /// What to say of an expression that does not fit. `parts` are its operands or arguments, as
     /// the misfit numbers them.
-    pub(in crate::semantic) fn explain(
-        &self,
-        id: ExprId,
-        parts: &[ExprId],
-        misfit: Misfit,
-    ) -> Diagnostic {
+    pub(crate) fn explain(&self, id: ExprId, parts: &[ExprId], misfit: Misfit) -> Diagnostic {
         use Misfit as M;
         let part = |number: usize| parts.get(number).copied().unwrap_or(id);
         match misfit {
@@ -98,7 +93,7 @@ impl Checker<'_> {
     }
 
     /// A value of type `void` where one is needed.
-    pub(in crate::semantic) fn explain_void(&self, id: ExprId) -> Diagnostic {
+    pub(crate) fn explain_void(&self, id: ExprId) -> Diagnostic {
         let message = "this has no value: its type is `void`";
         self.error_expr(error::VOID_VALUE, id, message)
     }

@@ -1,7 +1,7 @@
 //! Names that are taken, and names that nothing declares: what was probably meant.
 
 use super::*;
-use crate::syntax::{TypeWord, WordClass, classify, keyword_near, type_in_another_case};
+use shaderlint_syntax::{TypeWord, WordClass, classify, keyword_near, type_in_another_case};
 
 /// How far the partner of a bracket is looked for, in tokens.
 const MAX_BRACKETED: TokenId = 200;
@@ -50,7 +50,7 @@ impl Explain for NameError {
 }
 
 /// How often a name that nothing declares is used besides.
-pub(in crate::semantic) fn note_uses(uses: u32) -> String {
+pub(crate) fn note_uses(uses: u32) -> String {
     match uses {
         1 => "it is used once more".to_string(),
         _ => format!("it is used {uses} times more"),
@@ -59,7 +59,7 @@ pub(in crate::semantic) fn note_uses(uses: u32) -> String {
 
 impl Checker<'_> {
     /// A function, block or type where a variable is wanted.
-    pub(in crate::semantic) fn explain_not_a_variable(
+    pub(crate) fn explain_not_a_variable(
         &self,
         name: Name,
         token: TokenId,
@@ -81,11 +81,7 @@ impl Checker<'_> {
     }
 
     /// A variable that nothing declares.
-    pub(in crate::semantic) fn explain_undeclared_variable(
-        &self,
-        name: Name,
-        token: TokenId,
-    ) -> Diagnostic {
+    pub(crate) fn explain_undeclared_variable(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
         let known = self.legacy_variable(name, token);
         match known.or_else(|| self.foreign_value(name, token)) {
@@ -103,11 +99,7 @@ impl Checker<'_> {
     }
 
     /// A name used as a type that is none.
-    pub(in crate::semantic) fn explain_unknown_type(
-        &self,
-        name: Name,
-        token: TokenId,
-    ) -> Diagnostic {
+    pub(crate) fn explain_unknown_type(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
         let message = match self.scopes.get(name) {
             Some(Binding::Variable(_)) => format!("`{text}` is a variable, not a type"),
@@ -119,7 +111,7 @@ impl Checker<'_> {
     }
 
     /// A function of GLSL ES 1.00 in a shader of GLSL ES 3.00.
-    pub(in crate::semantic) fn explain_legacy_function(
+    pub(crate) fn explain_legacy_function(
         &self,
         text: &str,
         new: &str,
@@ -139,11 +131,7 @@ impl Checker<'_> {
     }
 
     /// A function that nothing declares.
-    pub(in crate::semantic) fn explain_undeclared_function(
-        &self,
-        name: Name,
-        token: TokenId,
-    ) -> Diagnostic {
+    pub(crate) fn explain_undeclared_function(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
         let newest = Builtins::of(Version::NEWEST, self.stage);
         if self.version != Version::NEWEST && newest.function(text).is_some() {
@@ -170,7 +158,7 @@ impl Checker<'_> {
     }
 
     /// Writes other brackets in the place of the one at `open` and of its partner.
-    pub(in crate::semantic) fn other_brackets(
+    pub(crate) fn other_brackets(
         &self,
         open: TokenId,
         kind: TokenKind,
@@ -347,7 +335,7 @@ impl Checker<'_> {
     }
 
     /// Edits that put `to` in the place of every use of a name; none where one stands in a macro.
-    pub(in crate::semantic) fn rename_all(&self, name: Name, to: &str) -> Vec<Edit> {
+    pub(crate) fn rename_all(&self, name: Name, to: &str) -> Vec<Edit> {
         let mut edits = Vec::new();
         let mut behind_dot = false;
         if !self.affords(self.tokens.tokens.len()) {
@@ -474,7 +462,7 @@ impl Checker<'_> {
     }
 
     /// Where a name is declared at global scope behind a token.
-    pub(in crate::semantic) fn declared_later(&self, name: Name, token: TokenId) -> Option<Span> {
+    pub(crate) fn declared_later(&self, name: Name, token: TokenId) -> Option<Span> {
         let tree = self.tree;
         tree.items.iter().find_map(|item| {
             let ident = match *item {

@@ -1,7 +1,7 @@
 //! Operands that do not fit their operator, and what GLSL has in its place.
 
 use super::*;
-use crate::semantic::BuiltinId;
+use crate::BuiltinId;
 
 impl Checker<'_> {
     /// Operands that do not fit an operator. `id` is the whole expression, which may be an
@@ -445,7 +445,7 @@ impl Checker<'_> {
     }
 
     /// `=` where `==` must be meant.
-    pub(in crate::semantic) fn compare_instead(&self, id: ExprId) -> Option<Fix> {
+    pub(crate) fn compare_instead(&self, id: ExprId) -> Option<Fix> {
         let ExprKind::Assign(None, left, _) = self.tree.expr(self.tree.unparen(id)).kind else {
             return None;
         };

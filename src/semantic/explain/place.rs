@@ -8,7 +8,7 @@ const MAX_STATEMENT: TokenId = 1000;
 const MAX_RENAMED: usize = 500;
 
 /// What the parameter has to do with it that an argument cannot be written to.
-pub(in crate::semantic) fn note_written(direction: &str) -> String {
+pub(crate) fn note_written(direction: &str) -> String {
     format!("the parameter is `{direction}`: the function writes to it")
 }
 
@@ -67,7 +67,7 @@ impl Checker<'_> {
     }
 
     /// Copies what comes from outside into a variable at the start of the function, and uses that.
-    pub(in crate::semantic) fn copy_first(&self, variable: VariableId) -> Option<Fix> {
+    pub(crate) fn copy_first(&self, variable: VariableId) -> Option<Fix> {
         let function = self.functions.get(self.current?.0 as usize)?;
         let declaration = self.tree.function(function.definition?)?;
         let body = self.tree.stmt(declaration.body?).extent;
@@ -118,7 +118,7 @@ impl Checker<'_> {
     }
 
     /// Takes `const` away from a declaration whose name stands at `token`.
-    pub(in crate::semantic) fn take_const_away(&self, token: Option<TokenId>) -> Option<Fix> {
+    pub(crate) fn take_const_away(&self, token: Option<TokenId>) -> Option<Fix> {
         use TokenKind as T;
         let mut at = token?;
         while !matches!(
@@ -140,7 +140,7 @@ impl Checker<'_> {
 
     /// What to do with a name that is declared a second time: nothing where both say the same, an
     /// assignment where the types are the same, another name where they are not.
-    pub(in crate::semantic) fn second_declaration(
+    pub(crate) fn second_declaration(
         &self,
         ident: Ident,
         first: VariableId,
@@ -227,7 +227,7 @@ impl Checker<'_> {
     }
 
     /// Declares an undeclared variable where it is first set, if all its uses stand behind that.
-    pub(in crate::semantic) fn declaration_where_set(
+    pub(crate) fn declaration_where_set(
         &self,
         name: Name,
         token: TokenId,
@@ -283,7 +283,7 @@ impl Checker<'_> {
     }
 
     /// `1.0 = x` becomes `x = 1.0`.
-    pub(in crate::semantic) fn swap_sides(&self, left: ExprId) -> Option<Fix> {
+    pub(crate) fn swap_sides(&self, left: ExprId) -> Option<Fix> {
         let ExprKind::Assign(None, l, right) = self.tree.expr(self.whole).kind else {
             return None;
         };

@@ -1,7 +1,7 @@
 //! What is wrong with qualifiers, or with a precision.
 
 use super::*;
-use crate::text::Role;
+use shaderlint_text::Role;
 
 impl Explain for QualifierError {
     fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
@@ -84,7 +84,7 @@ impl Checker<'_> {
 
     /// Address of the line behind `#version` and the `#extension`s of the file that a token stands
     /// in: the place for declarations that come first.
-    pub(in crate::semantic) fn line_behind_version(&self, token: TokenId) -> Option<u32> {
+    pub(crate) fn line_behind_version(&self, token: TokenId) -> Option<u32> {
         let code = self.sources.code_at(self.token_span(token).start)?;
         if code.role == Role::Prelude {
             return None;

@@ -1,7 +1,7 @@
 //! How to make vectors of different sizes fit.
 
 use super::*;
-use crate::semantic::BuiltinId;
+use crate::BuiltinId;
 
 /// Longest code that a fix's title shows.
 const MAX_SHOWN: usize = 60;
@@ -29,7 +29,7 @@ impl Checker<'_> {
     }
 
     /// Makes a value as large as a vector that is wanted.
-    pub(in crate::semantic) fn resize(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+    pub(crate) fn resize(&self, value: ExprId, wanted: Type) -> Option<Fix> {
         let (_, 1, have) = self.ty(value).numeric()? else {
             return None;
         };
@@ -96,7 +96,7 @@ impl Checker<'_> {
 
     /// The components that make a vector of `have` one of `size`: the fourth is alpha or w, where 1
     /// means opaque and a point; the others are 0.
-    pub(in crate::semantic) fn added_components(scalar: Scalar, have: u8, size: u8) -> String {
+    pub(crate) fn added_components(scalar: Scalar, have: u8, size: u8) -> String {
         let (zero, one) = match scalar {
             Scalar::Float => ("0.0", "1.0"),
             Scalar::Bool => ("false", "true"),
@@ -145,7 +145,7 @@ impl Checker<'_> {
     }
 
     /// The size of the vector that `id` has to be, as far as the statement around it tells.
-    pub(in crate::semantic) fn wanted_size(&self, id: ExprId) -> Option<u8> {
+    pub(crate) fn wanted_size(&self, id: ExprId) -> Option<u8> {
         let target = self.tree.expr(id).extent;
         let holds = |e: ExprId| self.tree.expr(e).extent.contains(target);
         let mut wanted = self.wanted;

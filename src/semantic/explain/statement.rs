@@ -49,7 +49,7 @@ impl Checker<'_> {
     }
 
     /// A `return` that does not give what the function does.
-    pub(in crate::semantic) fn explain_return(
+    pub(crate) fn explain_return(
         &self,
         value: Option<ExprId>,
         extent: Extent,
@@ -137,12 +137,7 @@ impl Checker<'_> {
     }
 
     /// A condition that is no `bool`.
-    pub(in crate::semantic) fn explain_condition(
-        &self,
-        id: ExprId,
-        ty: Type,
-        of: Condition,
-    ) -> Diagnostic {
+    pub(crate) fn explain_condition(&self, id: ExprId, ty: Type, of: Condition) -> Diagnostic {
         let (what, name) = (of.words(), self.name_of(ty));
         let d = self
             .error_expr(

@@ -1,7 +1,7 @@
 //! A statement in, what is said of it out.
 
-use crate::semantic::analyze_fragment;
-use crate::text::apply_edits;
+use crate::analyze_fragment;
+use shaderlint_text::apply_edits;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n\
                     uniform vec3 size;\nfloat own(vec2 p, float k) { return p.x * k; }\n\

@@ -24,7 +24,7 @@ impl Checker<'_> {
     }
 
     /// A declaration whose initializer does not fit.
-    pub(in crate::semantic) fn explain_initializer(
+    pub(crate) fn explain_initializer(
         &self,
         declarator: &Declarator,
         spec: Option<Extent>,
@@ -51,7 +51,7 @@ impl Checker<'_> {
     }
 
     /// A declaration whose type is not that of its value and its uses.
-    pub(in crate::semantic) fn explain_declared_type(
+    pub(crate) fn explain_declared_type(
         &self,
         rule: &'static str,
         spec: Extent,
@@ -86,7 +86,7 @@ impl Checker<'_> {
 
     /// "a `float` is wanted, but this is `int`": at the value where it is a literal that is easily
     /// mended, else at all of `extent`.
-    pub(in crate::semantic) fn misfit_at(
+    pub(crate) fn misfit_at(
         &self,
         extent: Extent,
         wanted: Type,
@@ -158,7 +158,7 @@ impl Checker<'_> {
     }
 
     /// The token of a literal number, through parentheses and signs.
-    pub(in crate::semantic) fn literal_token(&self, id: ExprId) -> Option<Token> {
+    pub(crate) fn literal_token(&self, id: ExprId) -> Option<Token> {
         let mut at = id;
         loop {
             match self.tree.expr(at).kind {
@@ -182,7 +182,7 @@ impl Checker<'_> {
     }
 
     /// Makes an expression of another scalar kind: a literal is rewritten, everything else wrapped.
-    pub(in crate::semantic) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
+    pub(crate) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
         if let Some(token) = self.literal_token(id)
             && let Some(text) = self.converted_literal(id, &token, to)
         {
@@ -284,7 +284,7 @@ impl Checker<'_> {
     }
 
     /// 0 as a value of a type of numbers.
-    pub(in crate::semantic) fn zero_of(&self, ty: Type) -> Option<String> {
+    pub(crate) fn zero_of(&self, ty: Type) -> Option<String> {
         let zero = match ty.scalar_kind()? {
             Scalar::Float => "0.0",
             Scalar::Int => "0",

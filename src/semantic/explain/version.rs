@@ -4,7 +4,7 @@ use super::*;
 
 impl Checker<'_> {
     /// An operator or method that comes with a later version.
-    pub(in crate::semantic) fn explain_later(&self, id: ExprId) -> Diagnostic {
+    pub(crate) fn explain_later(&self, id: ExprId) -> Diagnostic {
         let what = match self.tree.expr(id).kind {
             ExprKind::Unary(op, _) => format!("the operator `{}`", op.symbol()),
             ExprKind::Binary(op, ..) => format!("the operator `{}`", op.symbol()),
@@ -16,7 +16,7 @@ impl Checker<'_> {
     }
 
     /// A number of a type that a later version has.
-    pub(in crate::semantic) fn explain_unsigned(&self, id: ExprId) -> Diagnostic {
+    pub(crate) fn explain_unsigned(&self, id: ExprId) -> Diagnostic {
         let language = self.version.profile().name;
         self.explain_lack(id, format!("{language} has no unsigned integers"))
     }
@@ -28,7 +28,7 @@ impl Checker<'_> {
     }
 
     /// The suffix of a number, at the end of its token, where the version has none.
-    pub(in crate::semantic) fn explain_suffix(&self, id: ExprId, end: u32) -> Diagnostic {
+    pub(crate) fn explain_suffix(&self, id: ExprId, end: u32) -> Diagnostic {
         let edit = Edit::delete(Span::new(end - 1, end));
         let message = format!("{} has no suffix `f`", self.version.profile().name);
         self.error_expr(error::NEEDS_WEBGL2, id, message)

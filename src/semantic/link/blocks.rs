@@ -3,10 +3,10 @@
 use super::compare::{Comparison, Precisions};
 use super::interface::{Block, Interface};
 use super::{Found, Place};
-use crate::diagnostic::error;
-use crate::semantic::{Base, Field, Type};
-use crate::syntax::ast::TokenId;
+use crate::{Base, Field, Type};
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::error;
+use shaderlint_syntax::ast::TokenId;
 
 /// A member of a block without an instance, whose name is a global one.
 struct Member<'a, 'p> {

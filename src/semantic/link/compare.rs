@@ -1,9 +1,9 @@
 //! Whether two declarations of one thing are the same, and where they differ first.
 
 use super::interface::{Interface, PrecisionWord};
-use crate::semantic::{Base, Field, Type};
-use crate::syntax::ast::TokenId;
+use crate::{Base, Field, Type};
 use rustc_hash::FxHashMap;
+use shaderlint_syntax::ast::TokenId;
 
 /// One of the two declarations: the token that names it, its type and its precision.
 #[derive(Clone, Copy, Debug)]

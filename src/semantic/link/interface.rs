@@ -2,11 +2,11 @@
 //! declarations say.
 
 use super::live::named;
-use crate::semantic::{Base, Program, Scalar, Stage, Storage, Type, VariableId};
-use crate::syntax::Name;
-use crate::syntax::ast::{self, *};
-use crate::text::{Role, Span};
+use crate::{Base, Program, Scalar, Stage, Storage, Type, VariableId};
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_syntax::Name;
+use shaderlint_syntax::ast::{self, *};
+use shaderlint_text::{Role, Span};
 
 /// A precision, as it is written.
 pub type PrecisionWord = &'static str;
@@ -121,7 +121,7 @@ impl<'a> Interface<'a> {
     /// The first token that names a built-in variable, where code that is left does.
     pub fn builtin_use(&self, builtin: &str) -> Option<TokenId> {
         let name = self.program.names.get(builtin)?;
-        let is_it = |v: &crate::semantic::Variable| v.name == name && v.token.is_none();
+        let is_it = |v: &crate::Variable| v.name == name && v.token.is_none();
         let id = self.program.variables.iter().position(is_it)?;
         self.named.get(id).filter(|(_, is_active)| *is_active)?;
         let mut all = self.program.tree.exprs.iter();

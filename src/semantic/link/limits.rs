@@ -3,10 +3,10 @@
 
 use super::interface::{Block, Interface, InterfaceVariable};
 use super::{Found, Place};
-use crate::diagnostic::{Diagnostic, error};
-use crate::semantic::{Base, Stage, Type};
-use crate::syntax::Feature;
+use crate::{Base, Stage, Type};
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::{Diagnostic, error};
+use shaderlint_syntax::Feature;
 
 /// Places for attributes.
 const MAX_ATTRIBUTES: usize = 16;

@@ -1,9 +1,9 @@
 //! Which code is left when the browser has dropped what does nothing: functions that `main` does not
 //! reach, statements and locals whose value nobody uses, branches that never run.
 
-use crate::semantic::CallGraph;
-use crate::semantic::{FunctionRef, Program, Resolution, Value};
-use crate::syntax::ast::*;
+use crate::CallGraph;
+use crate::{FunctionRef, Program, Resolution, Value};
+use shaderlint_syntax::ast::*;
 
 /// By variable: whether anything names it, and whether code that is left does.
 pub fn named(program: &Program) -> Vec<(bool, bool)> {
@@ -68,8 +68,7 @@ impl Live {
 
 /// The functions that `main` reaches.
 fn running(program: &Program) -> Vec<Extent> {
-    let is_main =
-        |f: &crate::semantic::Function| program.names.text(f.name) == "main" && f.params.is_empty();
+    let is_main = |f: &crate::Function| program.names.text(f.name) == "main" && f.params.is_empty();
     let Some(main) = program.functions.iter().position(is_main) else {
         return Vec::new();
     };

@@ -12,14 +12,12 @@ mod uniforms;
 mod varyings;
 
 use super::Program;
-use crate::diagnostic::{Diagnostic, error};
-use crate::syntax::ast::TokenId;
-use crate::text::Span;
 use compare::{Difference, Differing};
-#[cfg(feature = "naga")]
-pub(crate) use interface::Block;
-pub(crate) use interface::Interface;
+pub use interface::{Block, Interface, InterfaceVariable};
 use rustc_hash::FxHashSet;
+use shaderlint_diagnostic::{Diagnostic, error};
+use shaderlint_syntax::ast::TokenId;
+use shaderlint_text::Span;
 
 /// Finds what keeps two shaders without errors from being linked. Both stand in one address space.
 pub fn link(vertex: &Program, fragment: &Program) -> Vec<Diagnostic> {

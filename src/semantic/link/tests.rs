@@ -1,8 +1,8 @@
 //! Pairs of shaders, and what is wrong with them.
 
 use super::link;
-use crate::semantic::{Dialect, Stage, Unit, Wholeness, analyze};
-use crate::text::{Role, Sources};
+use crate::{Dialect, Stage, Unit, Wholeness, analyze};
+use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
 /// Links two shaders and gives what is wrong, a line each: rule, place in the fragment or vertex

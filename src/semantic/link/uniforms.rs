@@ -5,8 +5,8 @@ use super::Found;
 use super::compare::{Comparison, Precisions};
 use super::interface::{Interface, InterfaceVariable};
 use super::varyings::declared;
-use crate::diagnostic::error;
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::error;
 
 /// Asks that uniforms of one name are of one type, and where both stages name them, of one precision.
 pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {

@@ -3,11 +3,11 @@
 use super::compare::{Comparison, Declared, Precisions};
 use super::interface::{Interface, InterfaceVariable};
 use super::{Found, Place};
-use crate::diagnostic::{Label, error};
-use crate::semantic::Storage;
-use crate::syntax::Feature;
-use crate::syntax::ast::TokenId;
+use crate::Storage;
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_diagnostic::{Label, error};
+use shaderlint_syntax::Feature;
+use shaderlint_syntax::ast::TokenId;
 
 /// Asks that what the fragment shader reads is what the vertex shader gives.
 pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {

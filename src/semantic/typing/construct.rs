@@ -1,7 +1,7 @@
 //! Constructors (GLSL ES 3.00 section 5.4).
 
 use super::{Misfit, Types};
-use crate::semantic::types::*;
+use crate::types::*;
 
 /// A type with the size that its constructor's arguments give it.
 pub fn sized(mut ty: Type, arguments: usize) -> Type {

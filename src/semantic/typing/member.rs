@@ -1,8 +1,8 @@
 //! Members, components and elements (GLSL ES 3.00 sections 5.5 and 5.7).
 
 use super::{Misfit, Types};
-use crate::semantic::types::*;
-use crate::syntax::Name;
+use crate::types::*;
+use shaderlint_syntax::Name;
 
 /// What a member is of its object.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

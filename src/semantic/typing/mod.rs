@@ -14,7 +14,7 @@ pub use member::{LENGTH, Member, SWIZZLES, components, element, index, member};
 pub use operator::{assign, binary, choice, compound, condition, returned, sequence, step, unary};
 
 use super::types::*;
-use crate::syntax::{Feature, Version};
+use shaderlint_syntax::{Feature, Version};
 
 /// What types mean in one shader: its structs, and the version of the language.
 #[derive(Clone, Copy)]

@@ -1,9 +1,9 @@
 //! Operators, assignments and `return` (GLSL ES 3.00 sections 5.8, 5.9 and 6.1).
 
 use super::{Clash, Misfit, NonNumber, Types};
-use crate::semantic::types::*;
-use crate::syntax::Feature;
-use crate::syntax::ast::{BinaryOp, UnaryOp};
+use crate::types::*;
+use shaderlint_syntax::Feature;
+use shaderlint_syntax::ast::{BinaryOp, UnaryOp};
 
 /// What becomes of a result.
 #[derive(Clone, Copy, PartialEq, Eq)]

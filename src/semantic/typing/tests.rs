@@ -1,8 +1,8 @@
 //! Types in, a type or a misfit out.
 
 use super::*;
-use crate::syntax::ast::{BinaryOp, UnaryOp};
-use crate::syntax::{Names, TypeWord};
+use shaderlint_syntax::ast::{BinaryOp, UnaryOp};
+use shaderlint_syntax::{Names, TypeWord};
 
 const SYMBOLS: [(&str, BinaryOp); 12] = [
     ("*", BinaryOp::Mul),

@@ -3,10 +3,10 @@
 
 use super::correction::{Certainty, Change, Choice, VALUE_TYPES, change_tokens};
 use super::{Parser, Repairs};
-use crate::diagnostic::Diagnostic;
-use crate::syntax::ast::Tree;
-use crate::syntax::set::{self, TokenSet};
-use crate::syntax::token::{Token, TokenKind};
+use crate::ast::Tree;
+use crate::set::{self, TokenSet};
+use crate::token::{Token, TokenKind};
+use shaderlint_diagnostic::Diagnostic;
 
 /// Tokens behind what has to fit that a trial reads.
 const LOOKAHEAD: usize = 20;
@@ -454,8 +454,8 @@ fn starts_operand(kind: TokenKind) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::syntax::{ParseOptions, Version, parse, preprocess};
-    use crate::text::{Role, Sources, apply_edits};
+    use crate::{ParseOptions, Version, parse, preprocess};
+    use shaderlint_text::{Role, Sources, apply_edits};
 
     /// What is reported of a text, and the text with the fixes of the corrections made.
     fn check(text: &str, messages: &[&str], mended: &str) {

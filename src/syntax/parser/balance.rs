@@ -6,10 +6,10 @@
 
 use super::correction::{Change, Choice, change_tokens, is_structural};
 use super::{Correction, Parser};
-use crate::diagnostic::{Diagnostic, Fix, Subject, error};
-use crate::syntax::set;
-use crate::syntax::token::{Token, TokenKind};
-use crate::text::{Edit, Span};
+use crate::set;
+use crate::token::{Token, TokenKind};
+use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
+use shaderlint_text::{Edit, Span};
 
 /// Most functions whose braces are mended.
 const MAX_PIECES: usize = 6;

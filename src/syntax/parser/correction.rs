@@ -5,11 +5,11 @@
 //! what follows can be read. Where several do, the checker decides: see `semantic::unit`.
 
 use super::Parser;
-use crate::diagnostic::{Diagnostic, Fix, Subject, error};
-use crate::syntax::names::{Name, TypeWord};
-use crate::syntax::set;
-use crate::syntax::token::{Token, TokenKind};
-use crate::text::{Edit, Role, Span};
+use crate::names::{Name, TypeWord};
+use crate::set;
+use crate::token::{Token, TokenKind};
+use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
+use shaderlint_text::{Edit, Role, Span};
 
 /// The types that a missing one may be, the most frequent first.
 pub(super) const VALUE_TYPES: &[(&str, TypeWord)] = &[
@@ -197,7 +197,7 @@ impl Parser<'_> {
         if let Some(fix) = &mut diagnostic.fix
             && certainty == Certainty::Sure
         {
-            fix.applicability = crate::diagnostic::Applicability::Safe;
+            fix.applicability = shaderlint_diagnostic::Applicability::Safe;
         }
         Correction {
             at: self.original(at),

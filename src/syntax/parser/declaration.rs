@@ -2,11 +2,11 @@
 
 use super::attempt::Scope;
 use super::{Parsed, Parser, Reported, append, since};
-use crate::diagnostic::{Diagnostic, Fix, Subject, error};
-use crate::syntax::ast::*;
-use crate::syntax::names::{Name, TypeWord};
-use crate::syntax::token::TokenKind;
-use crate::text::{Edit, Span};
+use crate::ast::*;
+use crate::names::{Name, TypeWord};
+use crate::token::TokenKind;
+use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
+use shaderlint_text::{Edit, Span};
 
 /// Longest rest of a list of parameters that is looked at to its end, in tokens.
 const MAX_PARAMS: usize = 60;

@@ -1,11 +1,11 @@
 //! Expressions (GLSL ES 3.00 sections 5 and 9).
 
 use super::{MAX_PARENS, Parsed, Parser, Reported, append};
-use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::syntax::ast::*;
-use crate::syntax::names::Name;
-use crate::syntax::token::TokenKind;
-use crate::text::{Edit, Span};
+use crate::ast::*;
+use crate::names::Name;
+use crate::token::TokenKind;
+use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_text::{Edit, Span};
 
 /// How tightly an operator binds; a higher number binds more tightly.
 type Power = u8;

@@ -21,10 +21,10 @@ use super::names::{Name, Names, Version};
 use super::preprocessor::{Tokens, macro_uses};
 use super::token::{Token, TokenKind};
 use super::translation::{Translated, translate};
-use crate::diagnostic::{Diagnostic, error};
-use crate::text::{Sources, Span};
 use correction::{Repairs, change_tokens, is_structural};
 use rustc_hash::FxHashSet;
+use shaderlint_diagnostic::{Diagnostic, error};
+use shaderlint_text::{Sources, Span};
 
 /// Deepest nesting of statements and of expressions, parentheses not counted. The browser takes
 /// trees of a depth up to 256.

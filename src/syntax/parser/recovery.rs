@@ -2,12 +2,12 @@
 
 use super::correction::{brace_subject, symbol};
 use super::{Parsed, Parser, Reported};
-use crate::diagnostic::{Diagnostic, Fix, Subject, error};
-use crate::syntax::ast::*;
-use crate::syntax::names::Name;
-use crate::syntax::set::{self, TokenSet};
-use crate::syntax::token::TokenKind;
-use crate::text::{Edit, Span};
+use crate::ast::*;
+use crate::names::Name;
+use crate::set::{self, TokenSet};
+use crate::token::TokenKind;
+use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
+use shaderlint_text::{Edit, Span};
 
 /// Where a line starts further right, it makes no difference how far.
 const MAX_INDENT: usize = 200;

@@ -1,13 +1,13 @@
 //! Words that the language keeps for itself, used as if they were free.
 
 use super::{Parsed, Parser, Reported};
-use crate::diagnostic::{Diagnostic, Fix, Subject, error};
-use crate::syntax::ast::*;
-use crate::syntax::language::LanguageProfile;
-use crate::syntax::names::Name;
-use crate::syntax::set::{self, TokenSet};
-use crate::syntax::token::{Token, TokenKind};
-use crate::text::Edit;
+use crate::ast::*;
+use crate::language::LanguageProfile;
+use crate::names::Name;
+use crate::set::{self, TokenSet};
+use crate::token::{Token, TokenKind};
+use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
+use shaderlint_text::Edit;
 
 /// Reserved words that stand for a type in other languages, and what GLSL has instead.
 #[rustfmt::skip]

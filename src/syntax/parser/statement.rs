@@ -2,10 +2,10 @@
 
 use super::attempt::Scope;
 use super::{Checkpoint, MAX_ERRORS, Parsed, Parser, Reported, append};
-use crate::diagnostic::error;
-use crate::syntax::ast::*;
-use crate::syntax::names::Name;
-use crate::syntax::token::TokenKind;
+use crate::ast::*;
+use crate::names::Name;
+use crate::token::TokenKind;
+use shaderlint_diagnostic::error;
 
 /// Most tokens that are read again before a statement that does not fit.
 const MAX_BEFORE: usize = 300;

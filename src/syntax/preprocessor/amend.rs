@@ -2,10 +2,10 @@
 
 use super::Preprocessor;
 use super::macros::Piece;
-use crate::diagnostic::Fix;
-use crate::syntax::names::{Name, WordClass};
-use crate::syntax::token::TokenKind;
-use crate::text::{Edit, Span};
+use crate::names::{Name, WordClass};
+use crate::token::TokenKind;
+use shaderlint_diagnostic::Fix;
+use shaderlint_text::{Edit, Span};
 
 /// The directives of the language.
 pub const DIRECTIVES: [&str; 13] = [

@@ -1,8 +1,8 @@
 //! The expressions of `#if` and `#elif` (GLSL ES 3.00 section 3.4).
 
 use super::macros::Piece;
-use crate::syntax::token::TokenKind;
-use crate::text::Span;
+use crate::token::TokenKind;
+use shaderlint_text::Span;
 
 /// How deep parentheses and unary operators may nest.
 const MAX_DEPTH: u32 = 1_000;

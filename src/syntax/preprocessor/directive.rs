@@ -4,12 +4,12 @@ use super::amend::meant;
 use super::condition::{Problem, evaluate, evaluate_prefix};
 use super::macros::{Macro, MacroId, Piece};
 use super::{ExtensionUse, Preprocessor, bad, error_at};
-use crate::diagnostic::{Fix, error};
-use crate::syntax::language::Feature;
-use crate::syntax::names::Name;
-use crate::syntax::token::{RawKind, Token, TokenKind};
-use crate::text::{Edit, Role, Span};
+use crate::language::Feature;
+use crate::names::Name;
+use crate::token::{RawKind, Token, TokenKind};
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_diagnostic::{Fix, error};
+use shaderlint_text::{Edit, Role, Span};
 
 /// Extensions that a WebGL2 context knows without being asked, measured in Chromium.
 pub(super) const KNOWN_EXTENSIONS: [&str; 2] = [

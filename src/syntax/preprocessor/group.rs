@@ -3,10 +3,10 @@
 use super::condition::{Problem, evaluate};
 use super::macros::{Expander, Macro, Piece};
 use super::{Group, Input, Preprocessor, error_at};
-use crate::diagnostic::{Fix, error};
-use crate::syntax::names::Name;
-use crate::syntax::token::{Token, TokenKind};
-use crate::text::{Edit, Span};
+use crate::names::Name;
+use crate::token::{Token, TokenKind};
+use shaderlint_diagnostic::{Fix, error};
+use shaderlint_text::{Edit, Span};
 
 /// Deepest nesting of `#if`.
 const MAX_GROUPS: usize = 100_000;

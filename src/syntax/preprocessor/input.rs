@@ -1,7 +1,7 @@
 //! Where the expansion of macros takes its tokens from.
 
 use super::{Piece, Preprocessor, end_token};
-use crate::syntax::token::TokenKind;
+use crate::token::TokenKind;
 use std::ops::Range;
 use std::rc::Rc;
 

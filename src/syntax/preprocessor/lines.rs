@@ -1,6 +1,6 @@
 //! The compiler's number of a line, which goes on through all texts; `#line` sets it.
 
-use crate::text::Sources;
+use shaderlint_text::Sources;
 
 /// The count of lines. Nothing is counted before `__LINE__` asks, which few shaders do.
 #[derive(Default)]

@@ -5,10 +5,10 @@
 //! expanded alone before they are put in.
 
 use super::{Input, List, MAX_GATHERED, Preprocessor, bad, error_at};
-use crate::diagnostic::error;
-use crate::syntax::names::Name;
-use crate::syntax::token::{Token, TokenKind};
-use crate::text::{Sources, Span};
+use crate::names::Name;
+use crate::token::{Token, TokenKind};
+use shaderlint_diagnostic::error;
+use shaderlint_text::{Sources, Span};
 use std::ops::Range;
 use std::rc::Rc;
 

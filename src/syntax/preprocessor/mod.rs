@@ -22,14 +22,14 @@ use super::language::Feature;
 use super::lexer::{Lexer, unsplice};
 use super::names::{Name, Names, Version, WordClass};
 use super::token::{RawKind, RawToken, Token, TokenKind};
-use crate::diagnostic::{Diagnostic, Fix, MacroUse, error};
-use crate::text::{Edit, FileId, Role, Sources, Span};
 use input::{Input, List};
 use lines::LineCount;
 use macros::Expander;
 use memchr::memchr;
 use number::{bad_number, float, integer};
 use rustc_hash::FxHashSet;
+use shaderlint_diagnostic::{Diagnostic, Fix, MacroUse, error};
+use shaderlint_text::{Edit, FileId, Role, Sources, Span};
 
 /// Most tokens that all macro calls of one shader may expand to.
 const MAX_EXPANDED: usize = 1_000_000;

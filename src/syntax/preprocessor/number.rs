@@ -2,9 +2,9 @@
 //! 4.1.3 and 4.1.4).
 
 use super::error_at;
-use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::syntax::token::{Token, TokenKind};
-use crate::text::Edit;
+use crate::token::{Token, TokenKind};
+use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_text::Edit;
 
 /// Kind and value of an integer; `None` where it needs more than 32 bits.
 pub(super) fn integer(text: &str) -> Option<(TokenKind, u32)> {

@@ -1,9 +1,9 @@
 //! Where code stands: in the text, or in the macro body that supplied all of it.
 
 use super::Tokens;
-use crate::syntax::Lexer;
-use crate::syntax::token::Token;
-use crate::text::{Role, Sources, Span};
+use crate::Lexer;
+use crate::token::Token;
+use shaderlint_text::{Role, Sources, Span};
 
 /// Deepest chain of macro calls that is followed.
 const MAX_LEVELS: usize = 32;

@@ -3,10 +3,10 @@
 use super::directive::KNOWN_EXTENSIONS;
 use super::macros::Piece;
 use super::{Preprocessor, error_at};
-use crate::diagnostic::{Diagnostic, Fix, Origin, Severity, error};
-use crate::syntax::names::Version;
-use crate::syntax::token::TokenKind;
-use crate::text::{Edit, Span};
+use crate::names::Version;
+use crate::token::TokenKind;
+use shaderlint_diagnostic::{Diagnostic, Fix, Origin, Severity, error};
+use shaderlint_text::{Edit, Span};
 
 impl Preprocessor<'_> {
     pub(super) fn version(&mut self, span: Span, rest: &[Piece]) {

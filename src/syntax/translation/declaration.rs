@@ -1,7 +1,7 @@
 //! Declarations that GLSL has not, or that it writes in another way.
 
 use super::*;
-use crate::diagnostic::Applicability;
+use shaderlint_diagnostic::Applicability;
 
 /// Words that start a function.
 const FUNCTIONS: &[&str] = &["def", "function", "fn", "func", "fun", "sub", "proc"];

@@ -11,8 +11,8 @@ mod statement;
 use super::foreign::{Meaning, foreign};
 use super::names::{Name, TypeWord, Version, WordClass, classify};
 use super::token::{Token, TokenKind};
-use crate::diagnostic::{Diagnostic, Fix, error};
-use crate::text::{Edit, Sources, Span};
+use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_text::{Edit, Sources, Span};
 use std::cell::Cell;
 
 /// Most forms that are put into GLSL in one shader.

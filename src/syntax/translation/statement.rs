@@ -1,7 +1,7 @@
 //! Heads of statements, and statements, that GLSL has not.
 
 use super::*;
-use crate::syntax::parser::keyword_near;
+use crate::parser::keyword_near;
 
 /// Words for `else if`.
 const ELSE_IF: &[&str] = &["elif", "elseif", "elsif", "elsIf", "elseIf"];

@@ -4,7 +4,7 @@
 //! Each becomes something that fits where it stands and is just as long: mostly a word that nothing
 //! declares, the same for the same expression; nothing between statements; a number beside digits.
 
-use crate::text::kind::is_type;
+use crate::kind::is_type;
 use std::ops::Range;
 
 /// What stands in the bytes of holes that are not filled yet.

@@ -5,7 +5,7 @@
 
 use super::html::{attribute, tag_length};
 use super::{Embedded, Wrapping};
-use crate::text::kind::{Evidence, is_shader};
+use crate::kind::{Evidence, is_shader};
 
 /// Finds them. `lower` is the text in lower case.
 pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) {

@@ -1,7 +1,7 @@
 //! Shaders in the fences of a Markdown text.
 
 use super::{DocumentLanguage, Embedded, Wrapping, extract_into, holes, left_out};
-use crate::text::kind::Evidence;
+use crate::kind::Evidence;
 
 /// Finds them.
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {

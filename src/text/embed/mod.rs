@@ -235,7 +235,7 @@ fn extract_into(language: DocumentLanguage, text: &str, base: usize, found: &mut
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::Span;
+    use crate::Span;
 
     #[test]
     fn edits_stay_inside_the_shader() {

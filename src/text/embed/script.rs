@@ -7,7 +7,7 @@ use super::holes::mask;
 use super::literal::read;
 use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark, tokens};
 use super::{Embedded, Wrapping, is_shader};
-use crate::text::kind::{Chunk, chunk, is_bare};
+use crate::kind::{Chunk, chunk, is_bare};
 use std::collections::HashSet;
 
 /// Finds them. Where the name of the script speaks of shaders, its literals need less evidence.

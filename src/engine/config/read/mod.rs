@@ -9,9 +9,9 @@ mod word_or;
 pub use schema::schema;
 
 use super::{Config, Layer};
-use crate::text::LineIndex;
 use file::{ConfigFile, HostEntry, Patterns};
 use mistake::Mistake;
+use shaderlint_text::LineIndex;
 
 /// What is wrong with a configuration.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -73,8 +73,8 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
 mod tests {
     use super::super::{Adjustment, style};
     use super::*;
-    use crate::format::{Brace, Indentation, StyleChoice};
-    use crate::lint::Renderer;
+    use shaderlint_format::{Brace, Indentation, StyleChoice};
+    use shaderlint_lint::Renderer;
 
     #[track_caller]
     fn wrong(text: &str, line: u32, column: u32, message: &str) {

@@ -4,11 +4,11 @@
 use super::super::Adjustment;
 use super::mistake::{Mistake, none_of, unknown_key};
 use super::word_or::WordOr;
-use crate::diagnostic::{ERRORS, Severity};
-use crate::lint::{Failing, OptionValue, Reach, Rule, RuleOption, nearest_rule};
-use crate::rules::RULES;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use shaderlint_diagnostic::{ERRORS, Severity};
+use shaderlint_lint::{Failing, OptionValue, Reach, Rule, RuleOption, nearest_rule};
+use shaderlint_rules::RULES;
 use std::collections::BTreeMap;
 use toml::{Spanned, Value};
 

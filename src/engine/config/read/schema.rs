@@ -2,12 +2,12 @@
 
 use super::file::ConfigFile;
 use super::rules::{LEVELS, Rules};
-use crate::lint::{Group, Page, Renderer, Rule, RuleOption};
-use crate::rules::RULES;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::{Map, Value, json};
+use shaderlint_lint::{Group, Page, Renderer, Rule, RuleOption};
+use shaderlint_rules::RULES;
 use std::borrow::Cow;
 
 /// The schema, as it is committed in `editors/shaderlint.schema.json`.

@@ -6,10 +6,10 @@ use super::stand_in::{Film, StandIns};
 use super::still::{Decode, Stills};
 use super::target::Target;
 use super::{PlayProblem, Player};
-use crate::engine::play::Moment;
-use crate::exec::{Draw, Filter, Image, ImageShape, Sampling, Stop, Texels, Texture, Wrap};
-use crate::port::{Input, InputKind, OutputId, Project};
-use crate::semantic::Pass;
+use crate::play::Moment;
+use shaderlint_exec::{Draw, Filter, Image, ImageShape, Sampling, Stop, Texels, Texture, Wrap};
+use shaderlint_port::{Input, InputKind, OutputId, Project};
+use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
 /// The texture of the keyboard: three rows of keys, none of which is pressed.

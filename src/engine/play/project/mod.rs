@@ -15,11 +15,11 @@ mod tests;
 use super::moment::Moment;
 use super::picture::Picture;
 use super::scene::Unfit;
-use crate::exec::{CompileOptions, Draw, Drawn, Stop, draw};
-use crate::port::{Composed, Project};
-use crate::semantic::Pass;
 use channel::Channel;
 use shader::Shader;
+use shaderlint_exec::{CompileOptions, Draw, Drawn, Stop, draw};
+use shaderlint_port::{Composed, Project};
+use shaderlint_semantic::Pass;
 use target::{CUBE_SIDE, Target};
 
 pub use problem::PlayProblem;
@@ -303,7 +303,7 @@ impl Player {
     }
 
     /// What a pass runs as, by its number in the project.
-    pub fn code(&self, pass: usize) -> Option<&crate::exec::Code> {
+    pub fn code(&self, pass: usize) -> Option<&shaderlint_exec::Code> {
         let pass = self.passes.iter().find(|p| p.number == pass)?;
         Some(pass.shader.code())
     }

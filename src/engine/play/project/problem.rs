@@ -1,6 +1,6 @@
 //! Why a project is not run, and the words for it.
 
-use crate::exec::Refusal;
+use shaderlint_exec::Refusal;
 use std::fmt;
 
 /// Why a project is not run.

@@ -1,11 +1,13 @@
 //! The shader of a pass, and what is the same for all its channels.
 
 use super::PlayProblem;
-use crate::engine::play::{Moment, Scene, Unfit, player_draw};
-use crate::exec::{Code, CompileOptions, Draw, compile};
-use crate::ir::lower;
-use crate::port::{Bindings, Composed, Feed, PassUnit, Project, ProjectPass, SizeTerm, Wrapper};
-use crate::semantic::Stage;
+use crate::play::{Moment, Scene, Unfit, player_draw};
+use shaderlint_exec::{Code, CompileOptions, Draw, compile};
+use shaderlint_ir::lower;
+use shaderlint_port::{
+    Bindings, Composed, Feed, PassUnit, Project, ProjectPass, SizeTerm, Wrapper,
+};
+use shaderlint_semantic::Stage;
 
 /// The shader of a pass.
 pub(super) enum Shader {

@@ -1,8 +1,8 @@
 //! Sound that nobody hears, as the player makes it up for a texture: a spectrum and a wave.
 
-use crate::exec::{Image, ImageShape, Texels};
-use crate::math::sine;
-use crate::port::{Input, SignalForm};
+use shaderlint_exec::{Image, ImageShape, Texels};
+use shaderlint_math::sine;
+use shaderlint_port::{Input, SignalForm};
 use std::sync::Arc;
 
 /// How many frequencies a texture of sound has, and how many samples of its wave.

@@ -2,8 +2,8 @@
 
 use super::channel::bind;
 use super::{Moment, Player};
-use crate::exec::{Stop, draw};
-use crate::semantic::Pass;
+use shaderlint_exec::{Stop, draw};
+use shaderlint_semantic::Pass;
 
 /// Samples a second.
 pub const SOUND_RATE: u32 = 44_100;

@@ -1,12 +1,12 @@
 //! What stands for files that are not at hand, drawn by their own small shaders.
 
 use super::PlayProblem;
-use crate::engine::play::Picture;
-use crate::exec::{Code, CompileOptions, Draw, Image, ImageShape, Stop, Texels, compile, draw};
-use crate::ir::lower;
-use crate::port::{Input, InputKind, StandIn};
-use crate::semantic::analyze_alone;
-use crate::text::Role;
+use crate::play::Picture;
+use shaderlint_exec::{Code, CompileOptions, Draw, Image, ImageShape, Stop, Texels, compile, draw};
+use shaderlint_ir::lower;
+use shaderlint_port::{Input, InputKind, StandIn};
+use shaderlint_semantic::analyze_alone;
+use shaderlint_text::Role;
 use std::sync::Arc;
 
 /// The stand-ins of a project, each drawn once.

@@ -1,9 +1,9 @@
 //! Pictures and volumes that a project brings with it.
 
-use crate::exec::{Image, ImageProblem, ImageShape, Texels};
-use crate::port::{Input, InputKind, VolumeHead, is_gray};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use shaderlint_exec::{Image, ImageProblem, ImageShape, Texels};
+use shaderlint_port::{Input, InputKind, VolumeHead, is_gray};
 use std::sync::Arc;
 
 /// A picture that was read from a file.
@@ -155,7 +155,7 @@ fn filled<T: Copy>(texel: &[T], mut rest: [T; 4]) -> [T; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exec::ImageShape;
+    use shaderlint_exec::ImageShape;
 
     /// A picture of one column, whose colours are the bytes of the file.
     fn column(file: &[u8]) -> Result<Decoded, String> {

@@ -2,9 +2,9 @@
 
 use super::shader::size_of;
 use super::{PlayProblem, Player};
-use crate::exec::{Image, ImageShape, Texels};
-use crate::port::{InputKind, OutputId, Project, ProjectPass, Wrapper};
-use crate::semantic::Pass;
+use shaderlint_exec::{Image, ImageShape, Texels};
+use shaderlint_port::{InputKind, OutputId, Project, ProjectPass, Wrapper};
+use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
 /// The side of a cube map that a pass draws.

@@ -1,8 +1,8 @@
 //! Tests of whole projects: small ones, of which a few pixels tell whether what they read is right.
 
 use super::*;
-use crate::port::add_stand_ins;
 use serde_json::{Value, json};
+use shaderlint_port::add_stand_ins;
 
 const BUFFERS: [&str; 4] = ["4dXGR8", "XsXGR8", "4sXGR8", "XdfGR8"];
 
@@ -108,9 +108,9 @@ fn uniforms_are_those_of_the_player() {
     let passes = [image(code, &inputs), buffer(0, COUNT, &[])];
     let mut player = player(&passes, [8, 4]).unwrap();
     let moment = Moment {
-        mouse: Some(crate::engine::play::Mouse {
+        mouse: Some(crate::play::Mouse {
             at: [3.5, 2.0],
-            button: crate::engine::play::Button::Down,
+            button: crate::play::Button::Down,
         }),
         ..Moment::at(0.5)
     };

@@ -1,12 +1,12 @@
 //! What a test compared, with the numbers that it saw.
 
 use super::{SIZE, draw_quad};
-use crate::engine::Analysis;
-use crate::engine::play::{Moment, Scene};
-use crate::exec::{CompileOptions, Probe};
-use crate::semantic::{BuiltinId, FunctionRef, Program, Scalar, Type};
-use crate::syntax::ast::{BinaryOp, ExprId, ExprKind};
-use crate::text::Span;
+use crate::Analysis;
+use crate::play::{Moment, Scene};
+use shaderlint_exec::{CompileOptions, Probe};
+use shaderlint_semantic::{BuiltinId, FunctionRef, Program, Scalar, Type};
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_text::Span;
 
 /// Most comparisons that are told of a test.
 const MAX_CONDITIONS: usize = 8;

@@ -6,12 +6,12 @@ mod condition;
 pub use condition::{SeenCondition, SeenValue};
 
 use super::{Moment, Scene};
-use crate::engine::Analysis;
-use crate::exec::{
+use crate::Analysis;
+use shaderlint_exec::{
     Code, CompileOptions, Draw, OutputSlot, Refusal, Sampled, Stop, quads_all_over, sample,
 };
-use crate::semantic::{FunctionRef, Type};
-use crate::text::{FileId, Span};
+use shaderlint_semantic::{FunctionRef, Type};
+use shaderlint_text::{FileId, Span};
 
 /// The picture that tests are run in.
 const SIZE: [u32; 2] = [1280, 720];

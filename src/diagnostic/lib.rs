@@ -2,9 +2,9 @@
 
 mod code;
 
-pub use code::{ERRORS, error, error_page};
+pub use code::{ERRORS, error};
 
-use crate::text::{Edit, Span};
+use shaderlint_text::{Edit, Span};
 use std::sync::Arc;
 
 /// How bad a finding is.

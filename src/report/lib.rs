@@ -20,8 +20,8 @@ mod xml;
 pub use fingerprint::fingerprints;
 pub use summary::{Scope, Summary};
 
-use crate::diagnostic::{Diagnostic, Origin, Severity};
-use crate::text::{Position, Sources, Span};
+use shaderlint_diagnostic::{Diagnostic, Origin, Severity};
+use shaderlint_text::{Position, Sources, Span};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 

@@ -27,6 +27,7 @@ mod double_gamma;
 mod double_underscore;
 mod duplicate_branch;
 mod empty_body;
+mod errors;
 mod exp_overflow;
 mod flat_frame;
 mod float_counter_drift;
@@ -130,7 +131,9 @@ mod washed_out;
 mod webgl1_context;
 mod zero_division;
 
-use crate::lint::Rule;
+use shaderlint_lint::Rule;
+
+pub use errors::error_page;
 
 /// All rules, by name.
 #[rustfmt::skip]

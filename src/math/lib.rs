@@ -14,34 +14,34 @@ mod sine;
 mod single;
 mod trigonometric;
 
-pub(crate) use common::{
+pub use common::{
     ceil, floor, fract, max, min, mix, modulo, round_even, sign, smoothstep, step, trunc,
 };
-pub(crate) use exponential::{
+pub use exponential::{
     acosh, asinh, atanh, cosh, exp, exp2, inverse_sqrt, log, log2, pow, sinh, sqrt, tanh,
 };
-pub(crate) use hash::hash;
-pub(crate) use integer::{
+pub use hash::hash;
+pub use integer::{
     divide_int, divide_uint, float_of_int, float_of_uint, int_of_float, remainder_int,
     remainder_uint, shift_left, shift_right_int, shift_right_uint, uint_of_float,
 };
-pub(crate) use packing::{
+pub use packing::{
     half_bits, half_value, pack_half, pack_snorm, pack_unorm, unpack_half, unpack_snorm,
     unpack_unorm,
 };
-pub(crate) use sine::sine;
-pub(crate) use trigonometric::{acos, asin, atan, atan2, cos, sin, tan};
+pub use sine::sine;
+pub use trigonometric::{acos, asin, atan, atan2, cos, sin, tan};
 
 use wide::f32x8;
 
 /// A function of one number.
-pub(crate) fn of_one(f: impl Fn(f32x8) -> f32x8, x: f32) -> f32 {
+pub fn of_one(f: impl Fn(f32x8) -> f32x8, x: f32) -> f32 {
     let [first, ..] = f(f32x8::splat(x)).to_array();
     first
 }
 
 /// A function of two numbers.
-pub(crate) fn of_two(f: impl Fn(f32x8, f32x8) -> f32x8, x: f32, y: f32) -> f32 {
+pub fn of_two(f: impl Fn(f32x8, f32x8) -> f32x8, x: f32, y: f32) -> f32 {
     of_one(|x| f(x, f32x8::splat(y)), x)
 }
 

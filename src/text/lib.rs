@@ -3,6 +3,7 @@
 //! A [`Sources`] holds every file that one shader is made of, laid end to end in one address space,
 //! so that a [`Span`] of two offsets names both the file and the place in it. Nothing here knows
 //! what the text means.
+#![cfg_attr(test, allow(clippy::string_slice))]
 
 mod content;
 mod edit;

@@ -1,8 +1,11 @@
 //! What a lint rule is, and how rules are run. No rule is in here; they are in `rules/`.
+#![cfg_attr(test, allow(clippy::string_slice))]
 
 mod broken;
 mod change;
 mod context;
+#[cfg(test)]
+mod example_rules;
 pub mod expansion;
 mod facts;
 mod fix;

@@ -3,6 +3,7 @@
 //! A text is *whole* or a *part* by evidence; a host completes a part. What a shader includes, what
 //! holds it (a page, a script, an export) and how it is configured is dealt with here, so that every
 //! front only reads files and prints.
+#![cfg_attr(test, allow(clippy::string_slice))]
 
 mod analysis;
 pub mod config;
@@ -30,7 +31,6 @@ mod shader;
 mod verify;
 mod world;
 
-pub use crate::semantic::Wholeness;
 pub use analysis::Analysis;
 pub use document::{Report, Unread};
 pub use files::{FileType, Files, LoadError, MAX_LOADED, NoFiles};
@@ -41,16 +41,17 @@ pub use mend::{Offer, mend, offer};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};
 pub use part::Shader;
 pub use repair::{Repairs, repair, repair_webgl1, repairable};
+pub use shaderlint_semantic::Wholeness;
 pub use verify::{Original, Verified, equal, verify};
 
-use crate::text::{Content, Encoding};
+use shaderlint_text::{Content, Encoding};
 use world::{Keep, World};
 
 /// Finds what is to be said of a text. `name` is its path, whose ending tells what it may be and
 /// whose folder the files around it are looked for in.
 ///
 /// ```
-/// use shaderlint::engine::{NoFiles, Options, check};
+/// use shaderlint_engine::{NoFiles, Options, check};
 ///
 /// let text = "void mainImage(out vec4 color, in vec2 place) {\n    color = vec3(1.0);\n}\n";
 /// let report = check("image.glsl", text, &Options::default(), &NoFiles);

@@ -25,8 +25,8 @@ mod style;
 #[cfg(test)]
 mod tests;
 
-use crate::text::{Edit, Span};
 use item::items;
+use shaderlint_text::{Edit, Span};
 pub use style::{Brace, Indentation, Style, StyleChoice};
 
 /// What a text is part of.

@@ -1,5 +1,6 @@
 //! What editors ask about a text: what a name means, where it is used, what may be written here. In
 //! offsets of the text, without lines, protocols and files: those are the fronts'.
+#![cfg_attr(test, allow(clippy::string_slice))]
 
 mod actions;
 mod calls;

@@ -1,6 +1,7 @@
 //! From characters to a tree: lexer, preprocessor and parser of GLSL ES 3.00 and 1.00.
 //!
 //! Nothing here fails. Whatever the text is, there is a tree, and a list of what is wrong.
+#![cfg_attr(test, allow(clippy::string_slice))]
 
 pub mod ast;
 mod foreign;

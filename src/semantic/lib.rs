@@ -3,6 +3,7 @@
 //! [`check`] takes a parsed shader and gives a [`Program`], which later layers read and never
 //! change, and what is wrong. The rules follow GLSL ES 3.00 and 1.00 as ANGLE, the compiler of the
 //! browsers, reads them.
+#![cfg_attr(test, allow(clippy::string_slice))]
 
 mod blame;
 pub mod builtins;
@@ -15,7 +16,7 @@ mod explain;
 mod fold;
 mod host;
 pub mod link;
-pub(crate) mod lists;
+pub mod lists;
 mod mentions;
 mod part;
 mod program;
@@ -51,6 +52,5 @@ pub use structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
 pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type, type_name};
 pub use undefined::{ComparedWith, Comparing, OperandTest, Undefined};
-#[cfg(test)]
-pub(crate) use unit::analyze_fragment;
+pub use unit::analyze_fragment;
 pub use unit::{Checked, Unit, analyze, analyze_alone, analyze_part};

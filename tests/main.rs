@@ -1,0 +1,17 @@
+//! All integration tests, in one executable: it is linked once, and its tests share the machine.
+
+mod cli;
+mod corpus;
+mod differential;
+mod formatting;
+mod hostile;
+mod media;
+mod naga;
+mod pages;
+mod port;
+mod properties;
+mod renaming;
+mod tidy;
+mod usage;
+mod verdicts;
+mod words;
