@@ -6,11 +6,14 @@ that the server says is held against the protocol as it is read; what breaks it 
 """
 
 import collections
+import fcntl
 import json
 import os
 import pathlib
+import struct
 import subprocess
 import tempfile
+import termios
 import threading
 import time
 from urllib.parse import unquote, urlparse
@@ -27,8 +30,9 @@ INVALID_PARAMS = -32602
 # What happens to files.
 CREATED, CHANGED, DELETED = 1, 2, 3
 
-# Seconds within which a quiet machine answers many times over.
-PATIENCE = 30
+# Seconds after which an event that is waited for counts as one that never happens. No test expects
+# it to run out: a busy machine is slow, not wrong.
+PATIENCE = 300
 
 
 def uri_of(path):
@@ -224,9 +228,6 @@ class Connection:
 
     def serve(self, message):
         """Answers a request of the server."""
-        with self.changed:
-            self.asked.append(message)
-            self.changed.notify_all()
         result, error = None, None
         try:
             result = self.answer(message["method"], message.get("params"))
@@ -235,6 +236,10 @@ class Connection:
         answer = {"jsonrpc": "2.0", "id": message["id"]}
         answer.update({"error": error} if error else {"result": result})
         self.write(answer)
+        # What a test sends once it sees the request arrives after the answer.
+        with self.changed:
+            self.asked.append(message)
+            self.changed.notify_all()
 
     def answer(self, method, params):
         """What a client that knows nothing answers; `Client` knows more."""
@@ -257,6 +262,14 @@ class Connection:
                 # The server has gone; whoever waits for it hears that.
                 pass
 
+    def wait_until_read(self):
+        """Waits until the server has read all bytes that were sent."""
+        end = time.monotonic() + PATIENCE
+        while struct.unpack("i", fcntl.ioctl(self.process.stdin, termios.FIONREAD, b"\0" * 4))[0]:
+            if time.monotonic() > end:
+                raise TimeoutError("after %d s: the server does not read" % PATIENCE)
+            time.sleep(0.001)
+
     def notify(self, method, params=None):
         """Tells something."""
         self.write({"jsonrpc": "2.0", "method": method, "params": params if params is not None else {}})
@@ -273,9 +286,9 @@ class Connection:
         self.write(message)
         return number
 
-    def wait_until(self, holds, what, timeout=PATIENCE):
+    def wait_until(self, holds, what):
         """Waits until something holds, which is looked at whenever a message comes."""
-        end = time.monotonic() + timeout
+        end = time.monotonic() + PATIENCE
         with self.changed:
             while True:
                 found = holds()
@@ -283,23 +296,23 @@ class Connection:
                     return found
                 left = end - time.monotonic()
                 if left <= 0:
-                    raise TimeoutError("after %d s: %s" % (timeout, what))
+                    raise TimeoutError("after %d s: %s" % (PATIENCE, what))
                 if self.is_closed:
                     raise Violation("the server is gone: %s\n%s" % (what, self.said()))
                 self.changed.wait(left)
 
-    def wait(self, number, timeout=PATIENCE):
+    def wait(self, number):
         """The answer to a question, whole."""
         what = "no answer to %s" % self.pending[number]
-        self.wait_until(lambda: number in self.answers, what, timeout)
+        self.wait_until(lambda: number in self.answers, what)
         with self.changed:
             return self.answers[number]
 
-    def request(self, method, params=None, timeout=PATIENCE):
+    def request(self, method, params=None):
         """Asks something and waits for it. A question that a newer text has overtaken is asked
         again, as editors do."""
         for _ in range(20):
-            answer = self.wait(self.send(method, params), timeout)
+            answer = self.wait(self.send(method, params))
             error = answer.get("error")
             if error is None:
                 return answer["result"]
@@ -312,10 +325,10 @@ class Connection:
         self.errors.seek(0)
         return self.errors.read().decode("utf-8", "replace")[-4000:]
 
-    def finish(self, timeout=PATIENCE):
+    def finish(self):
         """Waits for the end of the process; its exit code."""
-        code = self.process.wait(timeout)
-        self.reader.join(timeout)
+        code = self.process.wait(PATIENCE)
+        self.reader.join(PATIENCE)
         return code
 
     def kill(self):
@@ -323,7 +336,7 @@ class Connection:
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()
-        self.reader.join(5)
+        self.reader.join(PATIENCE)
         for stream in (self.process.stdin, self.process.stdout, self.errors):
             try:
                 stream.close()
@@ -452,15 +465,15 @@ class Client(Connection):
 
     # Questions.
 
-    def at(self, uri, offset, method, timeout=PATIENCE, **more):
+    def at(self, uri, offset, method, **more):
         """Asks about a place."""
         params = {"textDocument": {"uri": uri}, "position": self.lines(uri).position(offset)}
         params.update(more)
-        return self.request(method, params, timeout)
+        return self.request(method, params)
 
-    def of(self, uri, method, timeout=PATIENCE, **more):
+    def of(self, uri, method, **more):
         """Asks about a text."""
-        return self.request(method, dict({"textDocument": {"uri": uri}}, **more), timeout)
+        return self.request(method, dict({"textDocument": {"uri": uri}}, **more))
 
     def published(self, uri, version=None):
         """What was published of a text last, for its present version where none is said; waits
@@ -478,7 +491,7 @@ class Client(Connection):
             "diagnostics"
         ]
 
-    def published_when(self, uri, holds, what="diagnostics stay as they are", timeout=PATIENCE):
+    def published_when(self, uri, holds, what="diagnostics stay as they are"):
         """What was published of a text, once it is as it should be."""
 
         def newest():
@@ -488,16 +501,23 @@ class Client(Connection):
                     return params if holds(params["diagnostics"]) else None
             return None
 
-        return self.wait_until(newest, what, timeout)["diagnostics"]
+        return self.wait_until(newest, what)["diagnostics"]
 
-    def asked_for(self, method, timeout=PATIENCE):
-        """The parameters of the first request of the server of a method; waits for it."""
-        found = self.wait_until(
-            lambda: [m for m in self.asked if m["method"] == method],
-            "the server does not ask for %s" % method,
-            timeout,
-        )
+    def asked_for(self, method, count=1):
+        """The parameters of the first request of a method by the server, once it has been answered
+        `count` times."""
+
+        def requests():
+            found = [m for m in self.asked if m["method"] == method]
+            return found if len(found) >= count else None
+
+        found = self.wait_until(requests, "the server does not ask for %s" % method)
         return found[0].get("params")
+
+    def settle(self):
+        """Returns once the server has sent all answers to earlier messages: slow requests are answered
+        one after the other, and this is the last of them."""
+        self.request("workspace/symbol", {"query": "settle"})
 
     def told(self, method):
         """All notifications of a method so far."""

@@ -142,16 +142,6 @@ def by_rule(diagnostics, rule):
     return found[0]
 
 
-def eventually(ask, timeout=5):
-    """Asks again and again, until the answer is not empty or the time is over; the last answer."""
-    end = time.monotonic() + timeout
-    while True:
-        found = ask()
-        if found or time.monotonic() > end:
-            return found
-        time.sleep(0.02)
-
-
 def refusal(ask, code=None):
     """The error that a question is answered with."""
     try:

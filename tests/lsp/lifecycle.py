@@ -1,7 +1,6 @@
 """How a session begins, goes on and ends; what is said of questions that mean nothing."""
 
 import json
-import time
 
 from client import (
     CANCELLED, CONTENT_MODIFIED, INVALID_PARAMS, INVALID_REQUEST, METHOD_NOT_FOUND, everything,
@@ -225,7 +224,6 @@ def cancelled_questions_have_one_answer_each(case):
         "float f%d(float x) { return sin(x * %d.0) + f%d(x); }\n" % (i, i, i - 1) for i in range(1, 300))
     source = case.write("a.glsl", "float f0(float x) { return x; }\n" + body + GOOD).open(client)
     position = Lines(source.text, client.encoding).position(source.text.index("f7("))
-    sent = []
     place = {"textDocument": {"uri": source.uri}, "position": position}
     questions = [
         ("workspace/symbol", {"query": "f"}),
@@ -234,21 +232,25 @@ def cancelled_questions_have_one_answer_each(case):
         ("textDocument/references", dict(place, context={"includeDeclaration": True})),
         ("textDocument/completion", place),
     ]
-    for number in range(60):
-        sent.append(client.send(*questions[number % 5]))
-        if number % 2:
-            client.notify("$/cancelRequest", {"id": sent[-1]})
-        if number % 7 == 0:
-            client.notify("$/cancelRequest", {"id": sent[number // 2]})
     cancelled = 0
-    for number in sent:
-        error = client.wait(number).get("error")
-        if error:
-            holds(error["code"] in (CANCELLED, CONTENT_MODIFIED), "another error", error)
-            cancelled += error["code"] == CANCELLED
-    holds(cancelled > 0, "none of 30 questions was cancelled in time")
-    # An answer that comes twice comes within this time.
-    time.sleep(0.3)
+    # A server that is faster than its client may have answered all of them: they are asked again.
+    for _ in range(100):
+        sent = []
+        for number in range(60):
+            sent.append(client.send(*questions[number % 5]))
+            if number % 2:
+                client.notify("$/cancelRequest", {"id": sent[-1]})
+            if number % 7 == 0:
+                client.notify("$/cancelRequest", {"id": sent[number // 2]})
+        for number in sent:
+            error = client.wait(number).get("error")
+            if error:
+                holds(error["code"] in (CANCELLED, CONTENT_MODIFIED), "another error", error)
+                cancelled += error["code"] == CANCELLED
+        if cancelled:
+            break
+    holds(cancelled > 0, "no question was cancelled in time")
+    client.settle()
     holds(all(client.answered[n] == 1 for n in sent), "more than one answer")
 
 
@@ -327,9 +329,9 @@ def messages_may_come_in_pieces_and_in_heaps(case):
         messages += b"Content-Type: application/vscode-jsonrpc; charset=utf-8\r\n"
         messages += b"Content-Length: %d\r\n\r\n" % len(body) + body
     client.write_bytes(messages[:11])
-    time.sleep(0.05)
+    client.wait_until_read()
     client.write_bytes(messages[11:777])
-    time.sleep(0.05)
+    client.wait_until_read()
     client.write_bytes(messages[777:])
     for number in numbers:
         holds("result" in client.wait(number), "an error")
