@@ -6,7 +6,9 @@ of it says, by hand.
 
 import asyncio
 import base64
+import concurrent.futures
 import contextlib
+import faulthandler
 import inspect
 import json
 import os
@@ -22,8 +24,8 @@ from mcp import ClientSession, StdioServerParameters
 from mcp.client.stdio import stdio_client
 
 PROGRAM = os.path.abspath(sys.argv[1])
-# Seconds within which a quiet machine answers many times over.
-PATIENCE = 60
+# Seconds after which all of this is ended, with what it waits for: a busy machine is slow, not wrong.
+LIMIT = 900
 # What an answer may hold of text, in bytes, with what is said of the rest.
 MAX_TEXT = 24_200
 
@@ -61,7 +63,7 @@ class Tools:
 
     async def call(self, name, /, **arguments):
         """Calls a tool. Gives its texts, its pictures, and whether it failed."""
-        result = await asyncio.wait_for(self.session.call_tool(name, arguments), PATIENCE)
+        result = await self.session.call_tool(name, arguments)
         texts = [block.text for block in result.content if block.type == "text"]
         pictures = [base64.b64decode(block.data) for block in result.content if block.type == "image"]
         assert texts and all(text.strip() for text in texts), f"{name} answers nothing"
@@ -272,7 +274,7 @@ def test_a_cancelled_call_ends_its_process():
 
 
 def test_a_client_that_goes_at_once():
-    done = subprocess.run([PROGRAM, "mcp"], stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE)
+    done = subprocess.run([PROGRAM, "mcp"], stdin=subprocess.DEVNULL, capture_output=True)
     assert (done.returncode, done.stdout) == (0, b""), done
 
 
@@ -283,7 +285,7 @@ def test_a_client_that_goes_in_the_middle_of_a_call():
         wait_for(lambda: children(server.pid))
         own = children(server.pid)
         server.stdin.close()
-        server.wait(PATIENCE)
+        server.wait()
     wait_for(lambda: not any(os.path.exists(f"/proc/{pid}") for pid in own))
 
 
@@ -304,7 +306,7 @@ def test_what_no_client_says_is_answered_or_passed_over():
         assert "no-such-tool" in answers[2]["error"]["message"], answers
         assert answers[3]["error"]["code"] == -32601, answers
         server.stdin.close()
-        assert server.wait(PATIENCE) == 0
+        assert server.wait() == 0
 
 
 BEGINNING = (
@@ -347,10 +349,9 @@ def children(pid):
 
 
 def wait_for(condition):
-    end = time.monotonic() + PATIENCE
+    """Waits for something that the system does not tell of."""
     while not condition():
-        assert time.monotonic() < end, "waited in vain"
-        time.sleep(0.02)
+        time.sleep(0.005)
 
 
 async def in_session(test):
@@ -358,16 +359,23 @@ async def in_session(test):
         await test(tools)
 
 
+def run(test):
+    if inspect.iscoroutinefunction(test):
+        asyncio.run(in_session(test))
+    else:
+        test()
+
+
 def main():
+    faulthandler.dump_traceback_later(LIMIT, exit=True)
     passed = failed = 0
-    for name, test in list(globals().items()):
-        if not name.startswith("test_"):
-            continue
+    tests = {name: test for name, test in globals().items() if name.startswith("test_")}
+    # Each test has a server and a folder of its own, and one waits some seconds for a server to end.
+    with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        done = {name: pool.submit(run, test) for name, test in tests.items()}
+    for name, outcome in done.items():
         try:
-            if inspect.iscoroutinefunction(test):
-                asyncio.run(in_session(test))
-            else:
-                test()
+            outcome.result()
             passed += 1
         except Exception:
             failed += 1
