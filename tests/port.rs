@@ -4,11 +4,10 @@
 
 use insta_cmd::get_cargo_bin;
 use std::fs;
-use std::io::Write;
+use std::io::{BufRead, BufReader, Read, Write};
 use std::os::unix::fs::symlink;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
-use std::time::Duration;
 
 const CODE: &str =
     "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p / iResolution.xy); }\n";
@@ -392,20 +391,18 @@ fn it_says_what_it_waits_for() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    std::thread::sleep(Duration::from_millis(2_500));
-    running
-        .stdin
-        .take()
-        .unwrap()
-        .write_all(CODE.as_bytes())
-        .unwrap();
-    let out = running.wait_with_output().unwrap();
-    let said = String::from_utf8(out.stderr).unwrap();
+    let mut said = String::new();
+    let mut errors = BufReader::new(running.stderr.take().unwrap());
+    errors.read_line(&mut said).unwrap();
     assert!(
         said.starts_with("waiting for the end of standard input"),
         "{said}"
     );
-    assert_eq!(out.status.code(), Some(0));
+    let mut input = running.stdin.take().unwrap();
+    input.write_all(CODE.as_bytes()).unwrap();
+    drop(input);
+    errors.read_to_string(&mut said).unwrap();
+    assert_eq!(running.wait().unwrap().code(), Some(0), "{said}");
 }
 
 #[test]

@@ -1,7 +1,9 @@
 //! What holds for every text, tried on thousands of random ones.
+//!
+//! They are the same in every run; `SHADERLINT_SEED` sets the seed of others.
 
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
+use proptest::test_runner::{FileFailurePersistence, RngSeed};
 use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, Unread, check, mend};
 use shaderlint::lint::{Allow, Settings};
@@ -187,8 +189,21 @@ fn exports() -> impl Strategy<Value = String> {
     })
 }
 
+/// The seed is printed, which is shown where a property fails.
+fn config() -> ProptestConfig {
+    let seed = std::env::var("SHADERLINT_SEED").map_or(1, |seed| seed.parse().unwrap());
+    println!("SHADERLINT_SEED={seed}");
+    let failures = FileFailurePersistence::Direct("tests/properties.txt");
+    ProptestConfig {
+        cases: 1_000,
+        failure_persistence: Some(Box::new(failures)),
+        rng_seed: RngSeed::Fixed(seed),
+        ..ProptestConfig::default()
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1_000, failure_persistence: Some(Box::new(FileFailurePersistence::Direct("tests/properties.txt"))), ..ProptestConfig::default() })]
+    #![proptest_config(config())]
 
     #[test]
     fn tokens_put_end_to_end_are_the_text(text in prop_oneof![texts(), any::<String>()]) {
