@@ -113,18 +113,15 @@ pub fn report((name, text): &Input, options: &Options) {
 }
 
 /// Asks of every pattern, repeated to `size` bytes and to an eighth of that, how its work `grows`, on as
-/// many threads as there are; gives those of which something is said.
+/// many threads as there are; gives those of which something is said. Shaders are run within `limit`.
 pub fn grown(
     patterns: &[Pattern],
     size: usize,
+    limit: TrialLimit,
     grows: impl Fn(&[Input; 2], &Options) -> Option<String> + Sync,
 ) -> Vec<String> {
     let mut settings = Settings::new(RULES, &["all".to_string()], &[]).unwrap();
-    // Pixels beyond the first few cost the same again, whatever the text.
-    settings.set_trial_limit(TrialLimit {
-        pixels: 64,
-        insists: false,
-    });
+    settings.set_trial_limit(limit);
     let options = Options::new(DialectChoice::Auto, settings);
     let (next, problems) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let one_after_the_other = || {
