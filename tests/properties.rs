@@ -1,6 +1,7 @@
 //! What holds for every text, tried on thousands of random ones.
 //!
-//! They are the same in every run; `SHADERLINT_SEED` sets the seed of others.
+//! They are the same in every run; `SHADERLINT_SEED` sets the seed of others,
+//! and `SHADERLINT_ROUNDS` how many times as many there are.
 
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
@@ -193,9 +194,10 @@ fn exports() -> impl Strategy<Value = String> {
 fn config() -> ProptestConfig {
     let seed = std::env::var("SHADERLINT_SEED").map_or(1, |seed| seed.parse().unwrap());
     println!("SHADERLINT_SEED={seed}");
+    let rounds = std::env::var("SHADERLINT_ROUNDS").map_or(1, |rounds| rounds.parse().unwrap());
     let failures = FileFailurePersistence::Direct("tests/properties.txt");
     ProptestConfig {
-        cases: 1_000,
+        cases: 250 * rounds,
         failure_persistence: Some(Box::new(failures)),
         rng_seed: RngSeed::Fixed(seed),
         ..ProptestConfig::default()

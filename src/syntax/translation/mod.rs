@@ -310,11 +310,14 @@ impl<'a> Translator<'a> {
         let span = self.span(from, behind);
         let next = self.token(behind).span.start;
         let blank = Span::new(span.end, next.max(span.end));
-        let is_blank = self
-            .sources
-            .text(blank)
-            .bytes()
-            .all(|b| matches!(b, b' ' | b'\t'));
+        let file = self.sources.file_at(span.start);
+        // The next token may be in the file after this one.
+        let is_blank = file.is_some_and(|f| f.span().contains(blank))
+            && self
+                .sources
+                .text(blank)
+                .bytes()
+                .all(|b| matches!(b, b' ' | b'\t'));
         let span = if is_blank { span.to(blank) } else { span };
         Some(Fix::safe("take it out", vec![Edit::delete(span)]))
     }
