@@ -1,8 +1,13 @@
-// Every test in a real browser. Prints a line a test and a count; exits with 1 where one fails.
+// The tests in a real browser. Prints a line a test and a count; exits with 1 where one fails.
 //
-//   node all.js [WORD...]   only the tests whose names hold one of the words
-import { rmSync } from 'node:fs';
-import { launch, work } from './browser.js';
+//   node all.js [WORD...]   only the tests whose names hold one of the words, of all there are
+//     --all                 every test; without it, those that are heavy or sweeps are left out
+//     --list                prints the tests instead of running them
+//     --seed N              where random programs begin; 1 without it
+//     --minutes N           how long all of it may take
+import { parseArgs } from 'node:util';
+import { alone, launch } from './browser.js';
+import { compileTests } from './compiled.js';
 import { corpusTests } from './corpus.js';
 import { dialectTests } from './dialects.js';
 import { drawnTests } from './drawn.js';
@@ -12,58 +17,92 @@ import { mediaTests } from './media.js';
 import { moduleTests } from './modules.js';
 import { pageTests } from './page.js';
 import { pixelTests } from './pixels.js';
+import { rewriteTests } from './rewritten.js';
 import { serveTests } from './serve.js';
 import { unitTests } from './units.js';
 import { verdictTests } from './verdicts.js';
 import { webgpuTests } from './webgpu.js';
 
-const words = process.argv.slice(2);
+const { values: options, positionals: words } = parseArgs({
+  allowPositionals: true,
+  options: {
+    all: { type: 'boolean', default: false },
+    list: { type: 'boolean', default: false },
+    seed: { type: 'string', default: '1' },
+    minutes: { type: 'string' },
+  },
+});
+const seed = Number(options.seed);
+const minutes = Number(options.minutes ?? (options.all ? 240 : 20));
+
+/**
+ * @typedef {object} Test
+ * @property {string} name
+ * @property {(context: import('playwright-core').BrowserContext) => Promise<void>} run
+ * @property {object} [context] how its context differs from those of the others
+ * @property {string} [only] why it is run with --all alone, or when it is asked for by a word
+ * @property {boolean} [isLast] whether it counts what the others have found
+ */
+
+/** @type {Test[]} */
 const tests = [
-  ...unitTests,
-  ...pixelTests,
+  ...compileTests(),
+  ...drawnTests(seed),
+  ...verdictTests(seed),
   ...mediaTests,
-  ...pageTests,
-  ...dialectTests,
-  ...hostileTests,
-  ...fixTests,
+  ...(await webgpuTests()),
+  ...(await corpusTests()),
+  ...rewriteTests(),
   ...moduleTests,
   ...serveTests,
-  ...verdictTests,
-  ...drawnTests,
-  ...corpusTests(),
-  ...webgpuTests(),
+  ...pageTests,
+  ...dialectTests,
+  ...fixTests,
+  ...hostileTests,
+  ...pixelTests,
+  ...unitTests,
 ];
-const wanted = tests.filter((t) => words.length === 0 || words.some((w) => t.name.includes(w)));
+const isWanted = (test) => (words.length > 0 ? words.some((w) => test.name.includes(w)) : options.all || !test.only);
+const wanted = tests.filter(isWanted);
 
-/** Seconds that a test may take which does not say so itself: many times what it takes on an idle machine. */
-const PATIENCE = 180;
-
-class Late extends Error {}
-
-/** Gives what a promise gives, unless that takes too long. */
-async function within(seconds, promise) {
-  let timer;
-  const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Late(`took more than ${seconds} s`)), seconds * 1000);
-  });
-  try {
-    return await Promise.race([promise, late]);
-  } finally {
-    clearTimeout(timer);
+if (options.list) {
+  for (const { name, only } of wanted.length < tests.length && words.length > 0 ? wanted : tests) {
+    console.log(only ? `--all    ${name} (${only})` : `default  ${name}`);
   }
+  process.exit(0);
 }
 
-/** Runs one test in a context of its own. */
-async function attempt(browser, test) {
+/** @typedef {{browser: import('playwright-core').Browser, kill: () => Promise<void>}} Running */
+
+/** What is running: tests with what their pages complained of, and browsers. */
+const now = { tests: /** @type {Map<string, string[]>} */ (new Map()), browsers: /** @type {Set<Running>} */ (new Set()), isOver: false };
+
+/** A browser that is ended when time is up. */
+async function start() {
+  const running = await launch();
+  now.browsers.add(running);
+  return running;
+}
+
+/** @param {Running} running */
+async function stop(running) {
+  now.browsers.delete(running);
+  await running.kill();
+}
+
+/** Runs one test in a context and a folder of its own. @param {Running} running @param {Test} test */
+async function attempt({ browser }, test) {
+  const complaints = [];
+  now.tests.set(test.name, complaints);
   const context = await browser.newContext({
     viewport: { width: 480, height: 320 },
     acceptDownloads: true,
     permissions: ['camera', 'microphone'],
     ...test.context,
   });
-  // What is waited for in vain is told by the test, not by its end; but for one that may come late.
-  context.setDefaultTimeout((test.onLate ? 2000 : 900) * (test.seconds ?? PATIENCE));
-  await test.run(context);
+  // What is waited for has no limit of its own: a machine may be as slow as it is.
+  context.setDefaultTimeout(0);
+  await alone(complaints, () => test.run(context));
   await context.close();
 }
 
@@ -75,37 +114,51 @@ let failures = 0;
 function tell(test, since, wrong) {
   const ms = `${Date.now() - since} ms`;
   if (!wrong) return console.log(`ok     ${test.name} (${ms})`);
-  if (wrong instanceof Late && test.onLate) {
-    test.onLate();
-    return console.log(`late   ${test.name} (${ms})`);
-  }
   failures++;
-  return console.log(`FAILED ${test.name} (${ms})\n       ${wrong.message.replace(/\n/g, '\n       ')}`);
+  const words = [...(now.isOver ? ['it was still running when time was up'] : []), wrong.stack, ...(now.tests.get(test.name) ?? [])];
+  return console.log(`FAILED ${test.name} (${ms})\n       ${words.join('\n').replace(/\n/g, '\n       ')}`);
 }
 
 /** Runs tests as long as there are any, in a browser of its own. */
 async function worker() {
-  let running = await launch();
+  let running = await start();
   for (let test = queue.shift(); test; test = queue.shift()) {
     const since = Date.now();
     let wrong = null;
     try {
-      await within(test.seconds ?? PATIENCE, attempt(running.browser, test));
+      await attempt(running, test);
     } catch (error) {
       wrong = error instanceof Error ? error : new Error(String(error));
-      // Whatever the test has left behind ends with its browser.
-      await running.kill();
-      running = await launch();
     }
     tell(test, since, wrong);
+    now.tests.delete(test.name);
+    // Whatever a test has left behind that failed ends with its browser.
+    if (wrong && !now.isOver) {
+      await stop(running);
+      running = await start();
+    }
   }
-  await running.kill();
+  await stop(running);
 }
 
+/** Ends everything, and says what was running: where it waits is in what fails then. */
+async function timeIsUp() {
+  now.isOver = true;
+  console.log(`more than ${minutes} minutes; not ended: ${[...now.tests.keys()].join(', ')}; not begun: ${queue.length}`);
+  queue.length = 0;
+  await Promise.all([...now.browsers].map(stop));
+  // The tests hear of it a little later; whatever has no part in a browser does not.
+  await new Promise((resolve) => { setTimeout(resolve, 1000); });
+  for (const [name, complaints] of now.tests) console.log(`FAILED ${name}`, ...complaints);
+  process.exit(1);
+}
+
+console.log(`${wanted.length} of ${tests.length} tests, seed ${seed}`);
+const limit = setTimeout(timeIsUp, minutes * 60_000);
 await Promise.all([worker(), worker()]);
 queue.push(...wanted.filter((t) => t.isLast));
-await worker();
-rmSync(work, { recursive: true, force: true });
+if (queue.length > 0) await worker();
+clearTimeout(limit);
 const seconds = ((Date.now() - started) / 1000).toFixed(0);
 console.log(`${wanted.length} tests, ${failures} failed, ${seconds} s`);
 process.exit(failures > 0 || wanted.length === 0 ? 1 : 0);

@@ -1,13 +1,29 @@
 // Chromium without a window, drawing by software, and pages in it whose complaints are kept.
 import { chromium } from 'playwright-core';
-import { execFileSync } from 'node:child_process';
+import { AsyncLocalStorage } from 'node:async_hooks';
+import { execFile } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
 
 export const top = fileURLToPath(new URL('../..', import.meta.url));
-export const work = fs.mkdtempSync(path.join(os.tmpdir(), 'shaderport-'));
+const work = fs.mkdtempSync(path.join(os.tmpdir(), 'shaderport-'));
+process.on('exit', () => fs.rmSync(work, { recursive: true, force: true }));
+
+/** @typedef {{folder: string, complaints: string[]}} Surroundings */
+
+/** What belongs to the test that is running: its folder, and what its pages complained of. */
+const surroundings = /** @type {AsyncLocalStorage<Surroundings>} */ (new AsyncLocalStorage());
+
+/** The folder of the test that is running. */
+export const folder = () => surroundings.getStore()?.folder ?? work;
+
+/** Runs a test in a folder of its own. @param {string[]} complaints gets what its pages complain of */
+export function alone(complaints, run) {
+  return surroundings.run({ folder: fs.mkdtempSync(path.join(work, 'test-')), complaints }, run);
+}
 
 const ARGS = [
   '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
@@ -25,38 +41,58 @@ export async function launch() {
   return { browser, kill: () => server.kill() };
 }
 
-/** Runs the converter; gives what it says and its exit code. */
-export function shaderport(...args) {
-  const program = process.env.SHADERPORT || path.join(top, 'target/release/shaderport');
+/** Where a program is, by the variable that may name it. */
+export const program = (name) => process.env[name.toUpperCase()] || path.join(top, 'target/release', name);
+
+/** Runs a program in the folder of the test; gives its exit code, which may be 1, and what it writes. */
+export async function run(command, ...args) {
+  const options = { cwd: folder(), maxBuffer: 1 << 30 };
   try {
-    execFileSync(program, args, { cwd: work, stdio: ['ignore', 'pipe', 'pipe'] });
-    return 0;
+    return { code: 0, ...(await promisify(execFile)(command, args, options)) };
   } catch (error) {
-    if (error.status === 1) return 1;
-    throw new Error(`shaderport ${args.join(' ')}: ${error.stderr ?? error.message}`);
+    if (error.code === 1) return { code: 1, stdout: error.stdout, stderr: error.stderr };
+    throw new Error(`${path.basename(command)} ${args.join(' ')}: ${error.stderr || error.message}`);
   }
 }
 
+/** Runs the converter; gives its exit code and what it says. */
+export const shaderport = (...args) => run(program('shaderport'), ...args);
+
 /** Writes a file to be ported; gives its path. */
 export function put(name, text) {
-  const file = path.join(work, name);
+  const file = path.join(folder(), name);
   fs.mkdirSync(path.dirname(file), { recursive: true });
   fs.writeFileSync(file, text);
   return file;
 }
 
 /** Ports an input to a page; gives the page's address. */
-export function port(input, name, ...args) {
-  const out = path.join(work, `${name}.html`);
-  shaderport(input, '-o', out, '--force', ...args);
+export async function port(input, name, ...args) {
+  const out = path.join(folder(), `${name}.html`);
+  await shaderport(input, '-o', out, '--force', ...args);
   return `file://${out}`;
 }
 
 /** Whether a message of the console is an error or warning that the page itself is the cause of. */
-export function complains(message) {
+function complains(message) {
   // The tests read pixels more often than a page would.
   const isOurs = message.text().includes('GPU stall due to ReadPixels');
   return ['error', 'warning'].includes(message.type()) && !isOurs;
+}
+
+/** Collects errors and warnings of a page's console, and errors that nobody caught. */
+export function listen(page) {
+  const complaints = [];
+  const all = surroundings.getStore()?.complaints;
+  const add = (words) => {
+    complaints.push(words);
+    all?.push(words);
+  };
+  page.on('console', (m) => {
+    if (complains(m)) add(m.text());
+  });
+  page.on('pageerror', (e) => add(`uncaught: ${e.message}`));
+  return complaints;
 }
 
 /**
@@ -65,11 +101,7 @@ export function complains(message) {
  */
 export async function open(context, address, hash = '') {
   const page = await context.newPage();
-  const complaints = [];
-  page.on('console', (m) => {
-    if (complains(m)) complaints.push(m.text());
-  });
-  page.on('pageerror', (e) => complaints.push(`uncaught: ${e.message}`));
+  const complaints = listen(page);
   page.on('dialog', (d) => {
     complaints.push(`dialog: ${d.message()}`);
     void d.dismiss();
@@ -110,4 +142,22 @@ export function differences(a, b) {
   let count = a.length === b.length ? 0 : Math.abs(a.length - b.length);
   for (let i = 0; i < Math.min(a.length, b.length); i++) if (a[i] !== b[i]) count++;
   return count;
+}
+
+/** Lets frames of the page go by: what they would change has changed then. */
+export function frames(page, count = 3) {
+  return page.evaluate(async (n) => {
+    for (let i = 0; i < n; i++) await new Promise((resolve) => { requestAnimationFrame(resolve); });
+  }, count);
+}
+
+/** Waits until the canvas shows just these bytes, or where `isSame` is false, others. */
+export async function becomes(page, bytes, isSame = true) {
+  await page.waitForFunction(([expected, same]) => {
+    const canvas = document.querySelector('canvas');
+    const gl = canvas.getContext('webgl2');
+    const drawn = new Uint8Array(canvas.width * canvas.height * 4);
+    gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, drawn);
+    return same === expected.every((value, i) => value === drawn[i]);
+  }, [bytes, isSame]);
 }

@@ -19,7 +19,7 @@ export const shader = (...renderpass) => ({
   renderpass,
 });
 
-/** Each with the frames whose pixels are compared; `mouse` and `keys` are down from frame 0 on. */
+/** Each with the frames whose pixels are compared, and `later` ones; `mouse` and `keys` are down from frame 0 on. */
 export const CASES = [
   {
     name: 'single pass: time, resolution, frame, dates and unbound channels',
@@ -107,7 +107,8 @@ void mainImage(out vec4 O, vec2 U) {
   },
   {
     name: 'cube map: all faces, and buffers that see the last frame of it',
-    frames: [0, 1, 3],
+    frames: [0, 1],
+    later: [3],
     shader: shader(
       image(`void mainImage(out vec4 O, vec2 U) {
   vec2 p = U / iResolution.xy;

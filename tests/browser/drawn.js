@@ -7,9 +7,9 @@
 // `bvec3 b = bvec3(false);`, `not(b)` is false, and `uvec2(1u) / (u | 1u)` is 0 of a `u` of zeros. A program
 // that differs is drawn again with such values hidden from it; where it agrees then, the mistake is not ours.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
-import { launch, top } from './browser.js';
+import { launch } from './browser.js';
+import { fuzzer } from './fuzzer.js';
 
 /** Programs that are drawn at once. */
 const BATCH = 25;
@@ -57,15 +57,8 @@ function draw({ programs, size }) {
   });
 }
 
-/** What the programs of the fuzzer are, and what `shaderlint` draws of them. */
-function written(...args) {
-  const program = process.env.FUZZ ? [process.env.FUZZ] : ['cargo', 'run', '--quiet', '-p', 'shaderlint-fuzz', '--'];
-  const [command, ...rest] = [...program, ...args];
-  const text = execFileSync(command, rest, { cwd: top, maxBuffer: 1 << 30 }).toString();
-  /** @type {Program[]} */
-  const programs = text.trim().split('\n').map((line) => JSON.parse(line));
-  return programs;
-}
+/** What the programs of the fuzzer are, and what `shaderlint` draws of them. @returns {Promise<Program[]>} */
+const written = (...args) => fuzzer(...args);
 
 const float = (() => {
   const bits = new Uint32Array(1);
@@ -150,16 +143,17 @@ async function agree(context, programs, size) {
 
 const programs = (count, seed) => written('drawn', '--count', `${count}`, '--seed', `${seed}`);
 
-export const drawnTests = [
-  { name: 'drawn: built-in functions', seconds: 300, run: (context) => agree(context, written('builtins'), 64) },
-  { name: 'drawn: programs', seconds: 600, run: (context) => agree(context, programs(300, 1), 8) },
+export const drawnTests = (seed) => [
+  { name: 'drawn: built-in functions', run: async (context) => agree(context, await written('builtins'), 64) },
+  { name: 'drawn: programs', run: async (context) => agree(context, await programs(50, seed), 8) },
+  { name: 'drawn: more programs', only: 'a sweep', run: async (context) => agree(context, await programs(250, seed + 50), 8) },
 ];
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const running = await launch();
   const context = await running.browser.newContext();
   const [count, seed] = process.argv.slice(2).map(Number);
-  const differing = await otherwise(context, programs(count || 1000, seed || 1), 8);
+  const differing = await otherwise(context, await programs(count || 1000, seed || 1), 8);
   const wrong = await otherwise(context, differing.map(hidden), 8);
   for (const { id } of differing) if (!wrong.some((w) => w.id === id)) console.log(`seed ${id}: known values`);
   for (const { id, what, source } of wrong) console.log(`--- seed ${id}: ${what}\n${source}`);

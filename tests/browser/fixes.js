@@ -1,10 +1,10 @@
 // What `shaderlint --fix` writes unasked draws what was drawn before: the browser judges, not the
 // engine that made the fix.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
-import { differences, top, work } from './browser.js';
+import { differences, folder, program, run } from './browser.js';
+import { draw } from './drawing.js';
 import { files } from './recorded.js';
 
 const HEAD = '#version 300 es\nprecision highp float;\nuniform vec3 u;\nuniform ivec2 n;\nout vec4 color;\n';
@@ -37,67 +37,17 @@ void main() { vec2 v = gl_FragCoord.xy; // shaderlint: allow(float-equality)
   color = vec4(v / u.xy, v.x == 3.5, 1.0); }`],
 ];
 
-/** Draws fragment shaders; gives the pixels of each, `null` for one that cannot be drawn alone. */
-function draw(page, sources) {
-  return page.evaluate((all) => {
-    const gl = new OffscreenCanvas(64, 36).getContext('webgl2', { antialias: false });
-    const vertex = `#version 300 es
-void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }`;
-    const made = (type, source) => {
-      const shader = gl.createShader(type);
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      return shader;
-    };
-    /** Gives every uniform numbers of its own. */
-    function fill(program) {
-      const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS);
-      for (let i = 0; i < count; i++) {
-        const { name, type, size } = gl.getActiveUniform(program, i);
-        const place = gl.getUniformLocation(program, name);
-        const widths = {
-          [gl.FLOAT]: '1f', [gl.FLOAT_VEC2]: '2f', [gl.FLOAT_VEC3]: '3f', [gl.FLOAT_VEC4]: '4f',
-          [gl.INT]: '1i', [gl.INT_VEC2]: '2i', [gl.INT_VEC3]: '3i', [gl.INT_VEC4]: '4i',
-        };
-        const form = widths[type];
-        const value = (k) => (form?.endsWith('f') ? 0.75 + 0.25 * (i + k) : 2 + i + k);
-        if (form && place) gl[`uniform${form}v`](place, Array.from({ length: Number(form[0]) * size }, (_, k) => value(k)));
-      }
-    }
-    return all.map((source) => {
-      const program = gl.createProgram();
-      gl.attachShader(program, made(gl.VERTEX_SHADER, vertex));
-      gl.attachShader(program, made(gl.FRAGMENT_SHADER, source));
-      gl.linkProgram(program);
-      if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return null;
-      gl.useProgram(program);
-      fill(program);
-      gl.clear(gl.COLOR_BUFFER_BIT);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
-      const bytes = new Uint8Array(64 * 36 * 4);
-      gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-      gl.deleteProgram(program);
-      return Array.from(bytes);
-    });
-  }, sources);
-}
-
 /** What the fixes make of texts, by name. */
-function fixed(texts) {
-  const folder = fs.mkdtempSync(path.join(work, 'fixes-'));
-  for (const { id, source } of texts) fs.writeFileSync(path.join(folder, `${id}.frag`), source);
-  const program = process.env.SHADERLINT || path.join(top, 'target/release/shaderlint');
-  try {
-    execFileSync(program, ['--fix', '--select', 'all', '--no-config', '-q', folder], { stdio: 'ignore' });
-  } catch (error) {
-    if (error.status !== 1) throw error;
-  }
-  return texts.map(({ id }) => fs.readFileSync(path.join(folder, `${id}.frag`), 'utf8'));
+async function fixed(texts) {
+  const place = (id) => path.join(folder(), `${id}.frag`);
+  for (const { id, source } of texts) fs.writeFileSync(place(id), source);
+  await run(program('shaderlint'), '--fix', '--select', 'all', '--no-config', '-q', folder());
+  return texts.map(({ id }) => fs.readFileSync(place(id), 'utf8'));
 }
 
 /** Asks that what was changed draws as before; gives how many were changed and drawn. */
 async function compare(context, texts) {
-  const after = fixed(texts);
+  const after = await fixed(texts);
   const changed = texts.map((text, i) => ({ ...text, after: after[i] })).filter((t) => t.after !== t.source);
   const page = await context.newPage();
   const drawn = await draw(page, changed.flatMap((t) => [t.source, t.after]));
@@ -121,5 +71,5 @@ async function recordedStay(context) {
 
 export const fixTests = [
   { name: 'fixes: what is written unasked draws the same', run: casesStay },
-  { name: 'fixes: small shaders are drawn as before', seconds: 120, run: recordedStay },
+  { name: 'fixes: small shaders are drawn as before', run: recordedStay },
 ];

@@ -25,7 +25,7 @@ void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
   const toy = shader({ type: 'image', name: short, code, inputs: [], outputs: [] });
   Object.assign(toy.info, { id: short, name: words, username: words, description: short, tags: [short] });
   toy.renderpass[0].inputs.push({ id: short, type: 'texture', channel: 0, filepath: short, sampler: { filter: short, wrap: short } });
-  const address = port(put(`hostile${index}.json`, JSON.stringify(toy)), `hostile${index}`);
+  const address = await port(put(`hostile${index}.json`, JSON.stringify(toy)), `hostile${index}`);
   const { page, complaints } = await open(context, address, '#size=32x18&paused');
   await page.evaluate(() => globalThis.shaderport.ready);
   assert.ok(colors(await frame(page, 1)) > 1, 'it draws');
@@ -48,18 +48,23 @@ void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
 }
 
 async function policy(context) {
-  const address = port(put('policy.glsl', 'void mainImage(out vec4 O, vec2 U) { O = vec4(1.0); }'), 'policy');
+  const address = await port(put('policy.glsl', 'void mainImage(out vec4 O, vec2 U) { O = vec4(1.0); }'), 'policy');
   const { page } = await open(context, address, '#size=32x18&paused');
   const tries = await page.evaluate(async () => {
     const blocked = [];
-    document.addEventListener('securitypolicyviolation', (e) => blocked.push(e.effectiveDirective));
+    const all = new Promise((resolve) => {
+      document.addEventListener('securitypolicyviolation', (e) => {
+        blocked.push(e.effectiveDirective);
+        if (blocked.length === 3) resolve();
+      });
+    });
     const script = document.createElement('script');
     script.textContent = 'globalThis.hacked = 1';
     document.body.append(script);
     const picture = new Image();
     picture.src = 'http://page.test/x.png';
     await fetch('http://page.test/').catch(() => {});
-    await new Promise((resolve) => { setTimeout(resolve, 200); });
+    await all;
     return { hacked: globalThis.hacked, blocked: blocked.sort() };
   });
   assert.equal(tries.hacked, undefined);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { colors, complains, differences, put, shaderport, top, work } from './browser.js';
+import { colors, differences, folder, listen, put, shaderport, top } from './browser.js';
 import { CASES } from './cases.js';
 import { reference } from './reference.js';
 
@@ -47,11 +47,9 @@ export const { ${names.join(', ')} } = all;
 /** A page that may import what was written to the folder of the tests. */
 async function host(context, body) {
   const page = await context.newPage();
-  const complaints = [];
-  page.on('console', (m) => {
-    if (complains(m)) complaints.push(m.text());
-  });
-  page.on('pageerror', (e) => complaints.push(e.message));
+  const complaints = listen(page);
+  // Routes are answered outside of the test.
+  const written = folder();
   await page.route(`${HOST}**`, (route) => {
     const { pathname } = new URL(route.request().url());
     const js = (text) => route.fulfill({ contentType: 'text/javascript', body: text });
@@ -66,24 +64,29 @@ async function host(context, body) {
     if (pathname === '/react.js') return js(commonjs('react'));
     if (pathname === '/react-dom.js') return js(commonjs('react-dom/client'));
     if (pathname === '/favicon.ico') return route.fulfill({ status: 204 });
-    const inside = pathname.startsWith('/packages/') ? path.join(packages, pathname.slice(10)) : path.join(work, pathname);
+    const inside = pathname.startsWith('/packages/') ? path.join(packages, pathname.slice(10)) : path.join(written, pathname);
     return js(fs.readFileSync(inside, 'utf8'));
   });
+  // What waits for a page ends with the first error that nobody caught there.
+  const failed = new Promise((_, reject) => { page.on('pageerror', reject); });
+  failed.catch(() => {});
   await page.goto(HOST);
-  return { page, complaints };
+  /** Waits until the page says so. */
+  const until = (ask) => Promise.race([page.waitForFunction(ask), failed]);
+  return { page, complaints, until };
 }
 
 const named = (word) => CASES.find((c) => c.name.includes(word));
 
 async function mount(context) {
   const test = named('order of the export');
-  shaderport(put('module.json', JSON.stringify(test.shader)), '-o', 'module.js', '--force');
-  const { page, complaints } = await host(context, `
+  await shaderport(put('module.json', JSON.stringify(test.shader)), '-o', 'module.js', '--force');
+  const { page, complaints, until } = await host(context, `
     import { mount } from './module.js';
     const canvas = document.querySelector('canvas');
     globalThis.shader = mount(canvas, { size: [64, 36], paused: true });
     globalThis.second = mount(document.createElement('canvas'), { size: [8, 8] });`);
-  await page.waitForFunction(() => globalThis.shader);
+  await until(() => globalThis.shader);
   const drawn = await page.evaluate(async () => {
     await globalThis.shader.renderFrame(5);
     const gl = document.querySelector('canvas').getContext('webgl2');
@@ -91,24 +94,23 @@ async function mount(context) {
     gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     return Array.from(bytes);
   });
-  const expected = await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5 });
+  const expected = await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] });
   assert.equal(differences(drawn, expected), 0, 'other pixels than the reference player');
   const after = await page.evaluate(async () => {
     const { second } = globalThis;
     await second.ready;
-    await new Promise((resolve) => { setTimeout(resolve, 200); });
-    const played = second.time > 0;
+    while (second.time === 0) await new Promise((resolve) => { requestAnimationFrame(resolve); });
     second.dispose();
-    return [played, second.playing, globalThis.shader.errors];
+    return [second.playing, globalThis.shader.errors];
   });
-  assert.deepEqual(after, [true, false, []]);
+  assert.deepEqual(after, [false, []]);
   assert.deepEqual(complaints, []);
 }
 
 async function three(context) {
   const test = named('order of the export');
-  shaderport(put('three.json', JSON.stringify(test.shader)), '-t', 'three', '-o', 'three.js', '--force');
-  const { page, complaints } = await host(context, `
+  await shaderport(put('three.json', JSON.stringify(test.shader)), '-t', 'three', '-o', 'three.js', '--force');
+  const { page, complaints, until } = await host(context, `
     import { createShader } from './three.js';
     import { Camera, Mesh, PlaneGeometry, Scene, WebGLRenderer } from 'three';
     const canvas = document.querySelector('canvas');
@@ -130,10 +132,10 @@ async function three(context) {
     gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     globalThis.drawn = Array.from(bytes);
     shader.dispose();`);
-  await page.waitForFunction(() => globalThis.drawn).catch(() => {});
+  await until(() => globalThis.drawn);
   assert.deepEqual(complaints, []);
   const drawn = await page.evaluate(() => globalThis.drawn);
-  const expected = await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5 });
+  const expected = await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] });
   assert.equal(differences(drawn, expected), 0, 'other pixels than the reference player');
 }
 
@@ -149,9 +151,9 @@ async function threeStandIns(context) {
   const inputs = [input(0, 'texture', 'Xsf3zn'), input(1, 'volume', '4sfGRr'), input(2, 'cubemap', 'XsX3zn')];
   const toy = { info: {}, renderpass: [{ type: 'image', code, inputs, outputs: [] }] };
   const file = put('three_media.json', JSON.stringify(toy));
-  shaderport(file, '-t', 'three', '-o', 'three_media.js', '--force');
-  shaderport(file, '-o', 'media_module.js', '--force');
-  const { page, complaints } = await host(context, `
+  await shaderport(file, '-t', 'three', '-o', 'three_media.js', '--force');
+  await shaderport(file, '-o', 'media_module.js', '--force');
+  const { page, complaints, until } = await host(context, `
     import { createShader } from './three_media.js';
     import { mount } from './media_module.js';
     import { Camera, Mesh, PlaneGeometry, Scene, WebGLRenderer } from 'three';
@@ -175,22 +177,18 @@ async function threeStandIns(context) {
     const other = document.createElement('canvas');
     await mount(other, { size: [64, 36], paused: true }).renderFrame(0);
     globalThis.both = [drawn, read(other.getContext('webgl2'))];`);
-  await page.waitForFunction(() => globalThis.both).catch(() => {});
+  await until(() => globalThis.both);
   assert.deepEqual(complaints, []);
   const [drawn, expected] = await page.evaluate(() => globalThis.both);
   assert.equal(differences(drawn, expected), 0);
 }
 
-/** How many were drawn by both. */
-let bothDrawn = 0;
-
 /** What both modules draw of a shader file: `frames` of them, behind what a script does with each. */
 async function drawBoth(context, file, frames, change = '') {
-  // Tests run beside each other.
-  const name = `both${(bothDrawn += 1)}`;
-  shaderport(file, '-t', 'three', '-o', `${name}_three.js`, '--force');
-  shaderport(file, '-o', `${name}_module.js`, '--force');
-  const { page, complaints } = await host(context, `
+  const name = 'both';
+  await shaderport(file, '-t', 'three', '-o', `${name}_three.js`, '--force');
+  await shaderport(file, '-o', `${name}_module.js`, '--force');
+  const { page, complaints, until } = await host(context, `
     import { createShader } from './${name}_three.js';
     import { mount } from './${name}_module.js';
     import { Camera, Color, Scene, SRGBColorSpace, WebGLRenderer } from 'three';
@@ -221,10 +219,10 @@ async function drawBoth(context, file, frames, change = '') {
     const drawn = read(renderer.getContext());
     await player.renderFrame(${frames} - 1);
     globalThis.both = [drawn, read(other.getContext('webgl2')), player.errors];`);
-  await page.waitForFunction(() => globalThis.both).catch(() => {});
-  const both = await page.evaluate(() => globalThis.both);
+  await until(() => globalThis.both);
+  const [drawn, module, errors] = await page.evaluate(() => globalThis.both);
   await page.close();
-  return { three: both?.[0] ?? [], module: both?.[1] ?? [], errors: both?.[2], complaints };
+  return { three: drawn, module, errors, complaints };
 }
 
 const DIALECTS = path.join(top, 'tests/fixtures/dialects');
@@ -277,8 +275,8 @@ void main() { gl_FragColor = vec4(on ? tint * gain : vec3(shift, 0.5), 1.0); }`;
 
 async function react(context) {
   const test = named('time, resolution');
-  shaderport(put('react.json', JSON.stringify(test.shader)), '-t', 'react', '-o', 'Shader.js', '--force');
-  const { page, complaints } = await host(context, `
+  await shaderport(put('react.json', JSON.stringify(test.shader)), '-t', 'react', '-o', 'Shader.js', '--force');
+  const { page, complaints, until } = await host(context, `
     import { createElement } from 'react';
     import { createRoot } from 'react-dom/client';
     import { Shader } from './Shader.js';
@@ -287,29 +285,23 @@ async function react(context) {
     globalThis.show = show;
     globalThis.unmount = () => root.unmount();
     show({ paused: false });`);
-  await page.waitForFunction(() => globalThis.mounted?.time > 0.05).catch(() => {});
+  await until(() => globalThis.mounted?.time > 0.05);
   assert.deepEqual(complaints, []);
-  const states = await page.evaluate(async () => {
-    const wait = () => new Promise((resolve) => { setTimeout(resolve, 150); });
-    const seen = [globalThis.mounted.playing];
-    globalThis.show({ paused: true });
-    await wait();
-    seen.push(globalThis.mounted.playing);
-    globalThis.unmount();
-    await wait();
-    seen.push(document.querySelectorAll('canvas').length);
-    return seen;
-  });
-  assert.deepEqual(states, [true, false, 0]);
+  assert.ok(await page.evaluate(() => globalThis.mounted.playing));
+  await page.evaluate(() => globalThis.show({ paused: true }));
+  await until(() => !globalThis.mounted.playing);
+  await page.evaluate(() => globalThis.unmount());
+  await until(() => document.querySelectorAll('canvas').length === 0);
+  assert.deepEqual(complaints, []);
 }
 
 async function misuse(context) {
   const code = '#define N 2.0 // Tunable: n (1.0~3.0)\nvoid mainImage(out vec4 O, vec2 U) { O = vec4(N / 4.0); }';
-  shaderport(put('misuse.glsl', code), '-o', 'misuse.js', '--force');
-  const { page, complaints } = await host(context, `
+  await shaderport(put('misuse.glsl', code), '-o', 'misuse.js', '--force');
+  const { page, complaints, until } = await host(context, `
     import { mount } from './misuse.js';
     globalThis.shader = mount(document.querySelector('canvas'), { size: [8, 8], paused: true });`);
-  await page.waitForFunction(() => globalThis.shader);
+  await until(() => globalThis.shader);
   const seen = await page.evaluate(async () => {
     const { shader } = globalThis;
     await shader.ready;

@@ -5,6 +5,8 @@ import { colors, differences, frame, open, port, put } from './browser.js';
 import { reference } from './reference.js';
 
 const SIZE = { width: 64, height: 36 };
+const DATE = [2024, 4, 6];
+const SECONDS = 4321;
 
 /** Brings mouse and keys to where a case has them in frame 0. */
 function touch(page, { mouse, keys }) {
@@ -28,13 +30,14 @@ function touch(page, { mouse, keys }) {
   );
 }
 
-async function compare(context, test, index) {
-  const address = port(put(`case${index}.json`, JSON.stringify(test.shader)), `case${index}`);
-  const { page, complaints } = await open(context, address, `#size=${SIZE.width}x${SIZE.height}&paused`);
+/** The page of a case draws what the reference player draws. @param {string} [file] where its export is, if there is one */
+export async function compare(context, test, file = put('case.json', JSON.stringify(test.shader))) {
+  const { page, complaints } = await open(context, await port(file, 'case'), `#size=${SIZE.width}x${SIZE.height}&paused`);
+  await page.clock.setFixedTime(new Date(...DATE, 0, 0, SECONDS));
   const blank = await context.newPage();
   await page.evaluate(() => globalThis.shaderport.ready);
   for (const last of test.frames) {
-    const job = { ...SIZE, shader: test.shader, last, mouse: test.mouse, keys: test.keys };
+    const job = { ...SIZE, shader: test.shader, last, mouse: test.mouse, keys: test.keys, date: [...DATE, SECONDS] };
     const expected = await blank.evaluate(reference, job);
     await touch(page, test);
     const drawn = await frame(page, last);
@@ -45,7 +48,10 @@ async function compare(context, test, index) {
   assert.deepEqual(complaints, []);
 }
 
-export const pixelTests = CASES.map((test, index) => ({
-  name: `pixels: ${test.name}`,
-  run: (context) => compare(context, test, index),
-}));
+export const pixelTests = CASES.flatMap((test) => {
+  const name = `pixels: ${test.name}`;
+  const first = { name, run: (context) => compare(context, test) };
+  const { later } = test;
+  if (!later) return [first];
+  return [first, { name: `${name}, later`, only: 'heavy', run: (context) => compare(context, { ...test, frames: later }) }];
+});

@@ -8,9 +8,9 @@
 /**
  * Draws the frames 0 to `last` of an export; gives the pixels of the last.
  * @param {{shader: any, width: number, height: number, last: number,
- *   mouse?: {x: number, y: number}, keys?: number[]}} job
+ *   mouse?: {x: number, y: number}, keys?: number[], date: number[]}} job
  */
-export function reference({ shader, width, height, last, mouse, keys }) {
+export function reference({ shader, width, height, last, mouse, keys, date }) {
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
@@ -175,6 +175,7 @@ void main() { gl_Position = vec4(${corners}[gl_VertexID], 0, 1); }`);
     gl.uniform1f(at('iFrameRate'), 60);
     gl.uniform1f(at('iSampleRate'), 44100);
     gl.uniform1i(at('iFrame'), number);
+    gl.uniform4f(at('iDate'), ...date);
     gl.uniform3fv(at('iChannelResolution'), sizes);
     const [x, y] = mouse ? [Math.floor(mouse.x), Math.floor(mouse.y)] : [0, 0];
     gl.uniform4f(at('iMouse'), x, y, mouse ? x : -0, mouse && number === 0 ? y : -y);

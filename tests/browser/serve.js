@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
-import { pixels, put, top, work } from './browser.js';
+import { folder, frames, pixels, program, put } from './browser.js';
 
 const shader = (red, extra = '') => `#define SPEED 1.0 // how fast (0.0~4.0)
 ${extra}void mainImage(out vec4 O, vec2 U) { O = vec4(${red}, fract(iTime * SPEED), iMouse.x / 255.0, 1.0); }
@@ -11,9 +11,8 @@ ${extra}void mainImage(out vec4 O, vec2 U) { O = vec4(${red}, fract(iTime * SPEE
 
 /** Serves an input; gives the address and what ends it. */
 async function serve(...args) {
-  const program = process.env.SHADERPORT || path.join(top, 'target/release/shaderport');
   const port = args.some((a) => a.startsWith('--serve')) ? [] : ['--serve=0'];
-  const server = spawn(program, [...args, '--watch', ...port], { cwd: work });
+  const server = spawn(program('shaderport'), [...args, '--watch', ...port], { cwd: folder() });
   let said = '';
   const address = await new Promise((resolve, reject) => {
     server.stderr.on('data', (data) => {
@@ -74,12 +73,12 @@ async function savedFile(context) {
     assert.deepEqual(await state(), [12.25, false, before]);
     assert.deepEqual(asked.filter((url) => !url.startsWith(address)), []);
   } finally {
-    end();
+    await end();
   }
 }
 
 async function lateFile(context) {
-  const file = path.join(work, 'late.glsl');
+  const file = path.join(folder(), 'late.glsl');
   fs.rmSync(file, { force: true });
   const { address, end } = await serve(file);
   try {
@@ -89,7 +88,7 @@ async function lateFile(context) {
     fs.writeFileSync(file, shader('1.0'));
     await redBecomes(page, 255);
   } finally {
-    end();
+    await end();
   }
 }
 
@@ -104,7 +103,7 @@ async function includedFile(context) {
     fs.writeFileSync(part, '#define RED 0.0\n');
     await redBecomes(page, 0);
   } finally {
-    end();
+    await end();
   }
 }
 
@@ -131,9 +130,9 @@ async function waysOfSaving(context) {
     fs.writeFileSync(`${file}.new`, shader('1.0'));
     fs.renameSync(`${file}.new`, file);
     await both(255);
-    // As one does that empties the file and takes its time.
+    // As one does that empties the file and takes its time: a page may show that, or not.
     fs.writeFileSync(file, '');
-    await new Promise((resolve) => setTimeout(resolve, 50));
+    await Promise.all(pages.map((page) => frames(page)));
     fs.writeFileSync(file, shader('0.0'));
     await both(0);
     // What is gone is told on the page, which stays, and is over when it is there again.
@@ -145,14 +144,14 @@ async function waysOfSaving(context) {
     fs.writeFileSync(file, shader('1.0'));
     await both(255);
   } finally {
-    end();
+    await end();
   }
 }
 
 async function growingFolder(context) {
   const code = (red) => `void mainImage(out vec4 O, vec2 U) { O = vec4(${red}, 0.0, 0.0, 1.0); }\n`;
   put('grows/image.glsl', code('texture(iChannel0, U / iResolution.xy).r'));
-  const { address, end } = await serve(path.join(work, 'grows'), '--no-stand-ins');
+  const { address, end } = await serve(path.join(folder(), 'grows'), '--no-stand-ins');
   try {
     const page = await visit(context, address);
     await redBecomes(page, 0);
@@ -164,14 +163,20 @@ async function growingFolder(context) {
     put('grows/channels.toml', '# nothing\n');
     await redBecomes(page, 0);
   } finally {
-    end();
+    await end();
   }
 }
 
+/** A port is anybody's between two servers: this is tried with another one until nobody has taken it. */
 async function serverComesBack(context) {
-  const file = put('again.glsl', shader('1.0'));
-  // None of those that the system hands out: another connection could get it in between.
-  const first = await serve(file, `--serve=${20000 + (process.pid % 10000)}`);
+  for (let number = 0; ; number++) {
+    if (await comesBack(context, put(`again${number}.glsl`, shader('1.0')))) return;
+  }
+}
+
+/** Whether the second server got the port of the first. */
+async function comesBack(context, file) {
+  const first = await serve(file);
   const { port } = new URL(first.address);
   const page = await visit(context, first.address);
   await redBecomes(page, 255);
@@ -184,18 +189,19 @@ async function serverComesBack(context) {
   fs.writeFileSync(file, shader('0.0'));
   const second = await serve(file, `--serve=${port}`);
   try {
-    assert.equal(second.address, first.address);
+    if (second.address !== first.address) return false;
     await redBecomes(page, 0);
     await page.waitForFunction(() => globalThis.shaderport.player.clock.time === 7.5);
     assert.equal(await page.inputValue('input[aria-label="SPEED, number"]'), '2.5');
     assert.ok(await page.isVisible('#tune'), 'the panel is as it was');
     // Nobody else may have the port meanwhile, and who asks for it is told of another.
     const third = await serve(file, `--serve=${port}`);
-    third.end();
+    await third.end();
     assert.notEqual(third.address, first.address);
     assert.match(third.said(), new RegExp(`port ${port} is taken`));
+    return true;
   } finally {
-    second.end();
+    await second.end();
   }
 }
 
@@ -222,7 +228,7 @@ async function hiddenTabs(context) {
     });
     await redBecomes(page, 0);
   } finally {
-    end();
+    await end();
   }
 }
 

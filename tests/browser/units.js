@@ -1,18 +1,6 @@
 // Parts of the player that need no page.
 import assert from 'node:assert/strict';
-import fs from 'node:fs';
-import path from 'node:path';
-import vm from 'node:vm';
-import { top } from './browser.js';
-
-/** What some of the player's files declare. */
-function load(files, names) {
-  const player = path.join(top, 'src/port/player');
-  const code = files.map((f) => fs.readFileSync(path.join(player, f), 'utf8')).join('');
-  // The files are scripts that share one scope, not modules.
-  const open = vm.runInThisContext(`(navigator, window) => {\n${code}\nreturn { ${names.join(', ')} };\n}`);
-  return open({ userAgent: '' }, { addEventListener() {} });
-}
+import { load } from './player.js';
 
 function logs() {
   const { mapErrors, readLog } = load(['gl.js', 'log.js'], ['mapErrors', 'readLog']);

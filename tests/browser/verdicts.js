@@ -4,10 +4,10 @@
 //   node verdicts.js ask              records what the browser says of corpus/verdicts
 //   node verdicts.js [COUNT] [SEED]   asks COUNT programs from SEED on, and prints where the two differ
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { launch, top } from './browser.js';
+import { launch } from './browser.js';
+import { fuzzer } from './fuzzer.js';
 import { files, head } from './recorded.js';
 
 /** Shaders that one page compiles at once. */
@@ -56,11 +56,7 @@ async function disagreements(context, shaders) {
 }
 
 /** Programs of `count` seeds, with shaderlint's verdict. */
-function programs(count, seed) {
-  const args = ['run', '--quiet', '-p', 'shaderlint-fuzz', '--', 'write', '--count', `${count}`, '--seed', `${seed}`];
-  const text = execFileSync('cargo', args, { cwd: top, maxBuffer: 1 << 30 }).toString();
-  return text.trim().split('\n').map((line) => JSON.parse(line));
-}
+const programs = (count, seed) => fuzzer('write', '--count', `${count}`, '--seed', `${seed}`);
 
 async function agree(context, shaders) {
   const wrong = await disagreements(context, shaders);
@@ -94,14 +90,14 @@ async function record(context) {
   }
 }
 
-export const verdictTests = [
+export const verdictTests = (seed) => [
   { name: 'verdicts of small shaders', run: isRecorded },
-  { name: 'verdicts of programs', seconds: 600, run: (context) => agree(context, programs(300, 1)) },
+  { name: 'verdicts of programs', run: async (context) => agree(context, await programs(300, seed)) },
 ];
 
 /** Asks for programs, and prints those that are judged otherwise; gives how many there are. */
 async function compare(context, count, seed) {
-  const wrong = await disagreements(context, programs(count, seed));
+  const wrong = await disagreements(context, await programs(count, seed));
   for (const { id, ok, source } of wrong) {
     console.log(`--- seed ${id}: ${ok ? 'refused' : 'accepted'} by the browser alone\n${source}`);
   }

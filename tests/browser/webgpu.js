@@ -2,13 +2,13 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { colors, open, port, put, shaderport, top, work } from './browser.js';
+import { colors, folder, open, port, put, shaderport } from './browser.js';
+import { exportsOf, lightExports, read, sweptExports, templates } from './corpus.js';
 import { beside } from './webgpu_host.js';
 
 const SIZE = { width: 64, height: 36 };
 /** The frame that is compared; those before it are drawn too. */
 const LAST = 6;
-const templates = path.join(top, 'corpus/templates');
 
 /** How many pixels differ by more than two steps of a colour, which two compilers may round apart. */
 export function unequal(a, b) {
@@ -22,26 +22,24 @@ export function unequal(a, b) {
 /** The browser's process for graphics has ended, and with it all that was drawn. */
 class Ended extends Error {}
 
-/** Whether it has, as the player sees it within a second. */
+/** Whether it has: what waits for an answer of that process is told so. */
 function hasEnded() {
-  const { gl, canvas } = globalThis.shaderport.player;
-  return gl.isContextLost() || new Promise((resolve) => {
-    canvas.addEventListener('webglcontextlost', () => resolve(true));
-    setTimeout(() => resolve(gl.isContextLost()), 1000);
-  });
+  const { gl } = globalThis.shaderport.player;
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  return gl.isContextLost();
 }
 
 /** Draws a shader or project in both ways; gives how many pixels differ. */
 async function compare(context, file, name, ...args) {
-  const out = path.join(work, `${name}.wgsl.d`);
+  const out = path.join(folder(), `${name}.wgsl.d`);
   fs.mkdirSync(out, { recursive: true });
-  shaderport(file, '-t', 'wgsl', '-o', out, '--interface', '--force', ...args);
+  await shaderport(file, '-t', 'wgsl', '-o', out, '--interface', '--force', ...args);
   const shaders = fs.readdirSync(out).filter((f) => f.endsWith('.wgsl')).map((f) => path.join(out, f));
   const passes = shaders.map((shader) => ({
     code: fs.readFileSync(shader, 'utf8'),
     told: JSON.parse(fs.readFileSync(`${shader}.json`, 'utf8')),
   }));
-  const { page } = await open(context, port(file, name), `#size=${SIZE.width}x${SIZE.height}&paused`);
+  const { page } = await open(context, await port(file, name), `#size=${SIZE.width}x${SIZE.height}&paused`);
   await page.clock.setFixedTime(new Date('2024-05-06T07:08:09Z'));
   await page.evaluate(() => globalThis.shaderport.ready);
   const failed = (error) => ({ error: error.message });
@@ -77,24 +75,17 @@ async function exported(context, file, name) {
 }
 
 /** Whether the program was built with the languages of naga. */
-function hasWgsl() {
+async function hasWgsl() {
   try {
     const probe = put('probe.glsl', 'void mainImage(out vec4 c, in vec2 f) { c = vec4(1); }\n');
-    return shaderport(probe, '-o', path.join(work, 'probe.wgsl'), '--force') === 0;
+    return (await shaderport(probe, '-o', path.join(folder(), 'probe.wgsl'), '--force')).code === 0;
   } catch {
     return false;
   }
 }
 
-/** Exports without a cube map that a pass draws. */
-function drawable(folder) {
-  const all = fs.readdirSync(folder).filter((f) => f.endsWith('.json')).map((f) => path.join(folder, f));
-  const drawsCube = (file) => {
-    const { renderpass } = [JSON.parse(fs.readFileSync(file, 'utf8'))].flat()[0];
-    return renderpass.some((pass) => pass.type === 'cubemap');
-  };
-  return all.filter((file) => !drawsCube(file));
-}
+/** Whether no pass of an export draws a cube map. */
+const isFlat = (file) => read(file).renderpass.every((pass) => pass.type !== 'cubemap');
 
 /** A project of passes that read themselves, each other and a file that is not at hand. */
 const PASSES = {
@@ -120,11 +111,11 @@ const PASSES = {
 async function passes(context) {
   const reads = ['buffer_a.0=buffer_a,linear,clamp', 'buffer_b.0=buffer_a,nearest', 'buffer_b.1=buffer_b,linear'];
   reads.push('image.0=buffer_b,linear', 'image.2=keyboard');
-  const folder = path.join(work, 'gpu_passes');
+  const sources = path.join(folder(), 'gpu_passes');
   for (const [name, code] of Object.entries(PASSES)) put(`gpu_passes/${name}.glsl`, `${code}\n`);
   const channels = reads.flatMap((read) => ['--channel', read]);
-  const json = path.join(work, 'gpu_passes.json');
-  shaderport(folder, '-o', json, '--force', ...channels);
+  const json = path.join(folder(), 'gpu_passes.json');
+  await shaderport(sources, '-o', json, '--force', ...channels);
   const made = [JSON.parse(fs.readFileSync(json, 'utf8'))].flat()[0];
   const stones = { id: '4dfGRn', filepath: '/media/a/x.jpg', type: 'texture', channel: 1 };
   const image = made.renderpass.find((pass) => pass.type === 'image');
@@ -138,10 +129,9 @@ async function passes(context) {
 }
 
 /** The tests, where the program writes WGSL. */
-export function webgpuTests() {
-  if (!hasWgsl()) return [];
-  const shaders = fs.readdirSync(templates).filter((f) => f.endsWith('.glsl')).map((f) => path.join(templates, f));
-  const tests = shaders.map((file) => ({
+export async function webgpuTests() {
+  if (!(await hasWgsl())) return [];
+  const tests = templates().map((file) => ({
     name: `webgpu: ${path.basename(file)}`,
     run: async (context) => {
       const { count, total } = await compare(context, file, `gpu_${path.basename(file, '.glsl')}`);
@@ -149,14 +139,13 @@ export function webgpuTests() {
     },
   }));
   tests.push({ name: 'webgpu: passes that read each other', run: passes });
-  const cases = process.env.SHADERLINT_CASES && path.join(process.env.SHADERLINT_CASES, 'shadertoy');
-  if (cases && fs.existsSync(cases)) {
-    const every = Number(process.env.EVERY ?? 1);
-    for (const file of drawable(cases).filter((_, i) => i % every === 0)) {
-      const name = path.basename(file, '.json');
-      tests.push({ name: `webgpu export: ${name}`, run: (context) => exported(context, file, name), onLate: () => {} });
-    }
-    tests.push({ name: 'webgpu: most exports look the same', run: mostAreEqual, isLast: true });
+  const light = await lightExports();
+  const swept = sweptExports(exportsOf().filter(isFlat));
+  for (const file of new Set([...light, ...swept])) {
+    const name = path.basename(file, '.json');
+    const only = light.includes(file) ? undefined : 'a sweep';
+    tests.push({ name: `webgpu export: ${name}`, only, run: (context) => exported(context, file, name) });
   }
+  if (light.length + swept.length > 0) tests.push({ name: 'webgpu: most exports look the same', run: mostAreEqual, isLast: true });
   return tests;
 }

@@ -1,7 +1,7 @@
 // Pictures, films, and who made the shader.
 import assert from 'node:assert/strict';
 import { shader } from '../cases.js';
-import { desk, MOVING, openTab, playing, saved, show, time, wait } from './show.js';
+import { desk, MOVING, openTab, saved, show, time } from './show.js';
 
 async function shot(context) {
   const { page } = await show(context, 'shot', MOVING, '#t=1.5&paused');
@@ -67,25 +67,37 @@ async function exactFilm(context) {
 }
 
 async function stopped(context) {
+  await context.clock.install();
   const { page } = await show(context, 'stopped', MOVING, '#scale=0.25');
+  await openTab(page, 'Export');
+  // The page's clock goes by hand, so that the film does not end by itself.
+  await page.clock.pauseAt(Date.now() + 3600e3);
   await page.click('#record');
   assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'true');
-  await openTab(page, 'Export');
-  await page.waitForFunction(() => document.querySelector('progress').value > 0.02);
-  const [film] = await Promise.all([page.waitForEvent('download'), page.click('#record')]);
+  while (await page.evaluate(() => document.querySelector('progress').value < 0.02)) await page.clock.runFor(10);
+  const download = page.waitForEvent('download');
+  await page.click('#record');
+  await page.clock.resume();
+  const film = await download;
   assert.match(film.suggestedFilename(), /^stopped-[\d.]+s\.(webm|mp4)$/);
   assert.ok((await saved(film)).length > 1000, 'the film has frames');
   assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'false');
-  await wait(page, 100);
-  assert.ok(await playing(page), 'it plays on');
+  // It plays on.
+  await page.waitForFunction(() => globalThis.shaderport.player.isPlaying);
 }
 
 async function liveFilm(context) {
+  await context.clock.install();
   const { page } = await show(context, 'live', MOVING, '#scale=0.25');
   await page.evaluate(() => { delete globalThis.VideoEncoder; });
   await openTab(page, 'Export');
-  await page.fill('[name=seconds]', '1');
-  const [made] = await Promise.all([page.waitForEvent('download'), page.click('#export button:text-is("record")')]);
+  await page.fill('[name=seconds]', '600');
+  const download = page.waitForEvent('download');
+  await page.click('#export button:text-is("record")');
+  const number = await page.evaluate(() => globalThis.shaderport.player.clock.number);
+  await page.waitForFunction((n) => globalThis.shaderport.player.clock.number > n + 20, number);
+  await page.clock.fastForward(600e3);
+  const made = await download;
   assert.ok((await saved(made)).length > 1000, 'without an encoder it is filmed as time goes by');
 }
 
@@ -115,7 +127,7 @@ async function words(context) {
 
 export const exportTests = [
   { name: 'page: a picture is saved', run: shot, context: desk },
-  { name: 'page: a film, frame by frame and with its sound', run: exactFilm, context: desk, seconds: 120 },
+  { name: 'page: a film, frame by frame and with its sound', run: exactFilm, context: desk },
   { name: 'page: a film that is stopped', run: stopped, context: desk },
   { name: 'page: a film as time goes by', run: liveFilm, context: desk },
   { name: 'page: descriptions are text and links', run: words, context: desk },

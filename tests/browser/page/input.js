@@ -1,7 +1,7 @@
 // Fingers and keys.
 import assert from 'node:assert/strict';
-import { pixels } from '../browser.js';
-import { desk, MOVING, phone, playing, show, time, wait } from './show.js';
+import { frames, pixels } from '../browser.js';
+import { desk, MOVING, phone, playing, show, time } from './show.js';
 
 const mouse = (page) => page.evaluate(() => globalThis.shaderport.player.mouse.value());
 
@@ -14,14 +14,13 @@ async function fingers(context) {
   await touch('touchMove', [1, 120, 210]);
   await touch('touchStart', [1, 120, 210], [2, 300, 50]);
   await touch('touchMove', [1, 120, 210], [2, 310, 60]);
-  await wait(page, 60);
+  await frames(page);
   assert.deepEqual((await mouse(page)).slice(0, 3), [120, height - 210, 100], 'the second finger does nothing');
   await touch('touchMove', [1, 121, 210]);
-  await wait(page, 60);
+  await page.waitForFunction(() => globalThis.shaderport.player.mouse.value()[0] === 121);
   assert.ok((await mouse(page))[2] > 0, 'nor does it end what the first one does');
   await touch('touchEnd');
-  await wait(page, 60);
-  assert.ok((await mouse(page))[2] < 0);
+  await page.waitForFunction(() => globalThis.shaderport.player.mouse.value()[2] < 0);
 }
 
 async function lostCapture(context) {
@@ -41,7 +40,7 @@ async function lostCapture(context) {
     for (let id = 0; id < 10; id++) if (canvas.hasPointerCapture(id)) canvas.releasePointerCapture(id);
   });
   await page.mouse.move(220, 210);
-  await page.waitForFunction(() => globalThis.shaderport.player.mouse.value()[2] < 0, null, { timeout: 5000 });
+  await page.waitForFunction(() => globalThis.shaderport.player.mouse.value()[2] < 0);
   await page.mouse.up();
 }
 
@@ -62,8 +61,9 @@ async function shortcuts(context) {
   await page.keyboard.press(' ');
   await page.keyboard.press('ArrowRight');
   assert.ok((await time(page)) >= 7, 'five seconds on');
+  await page.evaluate(() => globalThis.shaderport.seek(1e6));
   await page.keyboard.press('r');
-  assert.ok((await time(page)) < 2, 'restart');
+  assert.ok((await time(page)) < 1e6, 'restart');
   const [shot] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('s')]);
   assert.match(shot.suggestedFilename(), /^shortcuts-[\d.]+s\.png$/);
   await page.keyboard.press('?');

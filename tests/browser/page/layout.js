@@ -1,7 +1,7 @@
 // Where things are: the panel beside the picture or below it, the bar, and pages without either.
 import assert from 'node:assert/strict';
-import { colors, pixels } from '../browser.js';
-import { desk, MOVING, openTab, phone, playing, show, time, wait } from './show.js';
+import { colors, frames, pixels } from '../browser.js';
+import { desk, MOVING, openTab, phone, playing, show, time } from './show.js';
 
 const box = (page, selector) => page.locator(selector).boundingBox();
 
@@ -46,7 +46,7 @@ async function dragSheet(page, by) {
   await send('touchStart', y);
   for (let i = 1; i <= 4; i++) await send('touchMove', y + (by * i) / 4);
   await send('touchEnd', null);
-  await wait(page, 100);
+  await frames(page);
 }
 
 async function sheet(context) {
@@ -69,34 +69,44 @@ async function sheet(context) {
 const isIdle = (page) => page.evaluate(() => document.querySelector('#stage').classList.contains('idle'));
 
 async function idleBar(context) {
+  await context.clock.install();
   const { page } = await show(context, 'idle', MOVING, '#scale=0.25');
   await page.mouse.move(300, 200);
+  await page.clock.pauseAt(Date.now() + 3600e3);
+  await page.mouse.move(305, 200);
   assert.ok(!(await isIdle(page)));
+  await page.clock.fastForward(2000);
+  assert.ok(!(await isIdle(page)), 'it waits');
+  await page.clock.fastForward(1000);
   await page.waitForFunction(() => document.querySelector('#stage').classList.contains('idle'));
   await page.waitForFunction(() => getComputedStyle(document.querySelector('#bar')).opacity === '0');
   await page.mouse.move(310, 200);
   assert.ok(!(await isIdle(page)), 'it comes back');
   await page.click('#play');
   await page.mouse.move(310, 200);
-  await wait(page, 2800);
+  await page.clock.fastForward(5000);
   assert.ok(!(await isIdle(page)), 'it stays while the shader stands');
 }
 
 async function fullScreen(context) {
+  await context.clock.install();
   const { page } = await show(context, 'full', MOVING, '#paused');
   await page.click('#full');
   await page.waitForFunction(() => document.fullscreenElement?.id === 'stage');
   const height = await page.evaluate(() => innerHeight);
   await page.waitForFunction((h) => document.querySelector('canvas').clientHeight === h, height);
   await page.mouse.move(300, 100);
+  await page.clock.fastForward(3000);
   await page.waitForFunction(() => document.querySelector('#stage').classList.contains('idle'));
+  // Time stands, so that it does not go by itself meanwhile.
+  await page.clock.pauseAt(Date.now() + 3600e3);
   await page.mouse.move(310, 100);
   assert.ok(!(await isIdle(page)), 'the pointer brings the bar');
-  await page.hover('#play');
-  await wait(page, 2800);
+  await page.hover('#play', { force: true });
+  await page.clock.fastForward(3000);
   assert.ok(await isIdle(page), 'it goes even from under a pointer that rests');
   await page.keyboard.press('c');
-  await page.waitForFunction(() => !document.fullscreenElement, null, { timeout: 5000 });
+  await page.waitForFunction(() => !document.fullscreenElement, null, { polling: 50 });
   assert.ok(await page.isVisible('#code'), 'the code is shown beside the picture');
 }
 
@@ -118,7 +128,7 @@ async function bare(context) {
 
 async function calm(context) {
   const { page, complaints } = await show(context, 'calm', MOVING, '');
-  await wait(page, 200);
+  await frames(page);
   assert.ok(!(await playing(page)));
   assert.equal(await time(page), 0);
   assert.ok(colors(await pixels(page)) > 10, 'the first frame is there');

@@ -1,8 +1,8 @@
 // Files for channels.
 import assert from 'node:assert/strict';
-import { pixels } from '../browser.js';
+import { frames, pixels } from '../browser.js';
 import { shader } from '../cases.js';
-import { desk, drop, openTab, picture, show, wait } from './show.js';
+import { desk, drop, noticed, openTab, picture, show } from './show.js';
 
 const READER = 'void mainImage(out vec4 O, vec2 U) { O = texture(iChannel0, U / iResolution.xy); }';
 const png = async (page, name) => ({ name, type: 'image/png', base64: await picture(page) });
@@ -13,9 +13,9 @@ async function missing(context) {
   await openTab(page, 'Controls');
   assert.match(await page.textContent('#channels'), /Image iChannel0texture \(missing\)/);
   await drop(page, '#picture', { name: 'notes.txt', type: 'text/plain', base64: btoa('hello') });
-  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('notes.txt is neither'));
+  await noticed(page, 'notes.txt is neither');
   await drop(page, '#picture', { name: 'bad.png', type: 'image/png', base64: btoa('hello') });
-  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('bad.png cannot be read as a texture'));
+  await noticed(page, 'bad.png cannot be read as a texture');
   await drop(page, '#picture', await png(page, 'four.png'));
   await page.waitForFunction(() => document.querySelector('#channels').textContent.includes('four.png'));
   assert.ok(!(await page.textContent('#notices')).includes('drop a file'), 'nothing is missing any more');
@@ -29,7 +29,7 @@ async function leftEmpty(context) {
   const { page } = await show(context, 'left_empty', toy, '#size=32x32&paused');
   assert.equal(await page.textContent('#notices'), '');
   await drop(page, '#picture', await png(page, 'four.png'));
-  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('four.png is on iChannel0'));
+  await noticed(page, 'four.png is on iChannel0');
 }
 
 async function onARow(context) {
@@ -57,7 +57,7 @@ async function dismissed(context) {
   await page.click('.notice [aria-label=dismiss]');
   assert.equal(await page.textContent('#notices'), '');
   await page.evaluate(() => globalThis.shaderport.player.setSound(false));
-  await wait(page, 50);
+  await frames(page);
   assert.equal(await page.textContent('#notices'), '', 'it does not come again');
 }
 

@@ -2,7 +2,7 @@
 import { randomUUID } from 'node:crypto';
 import fs from 'node:fs';
 import path from 'node:path';
-import { open, port, put, work } from '../browser.js';
+import { folder, open, port, put } from '../browser.js';
 
 export const MOVING = `#define SPEED 1.0 // Tunable: how fast it moves (0.3~4.0)
 #define STRIPES 4 // Tunable: stripes (1~9)
@@ -20,14 +20,22 @@ export const desk = { viewport: { width: 1000, height: 600 } };
 export async function show(context, name, code, hash = '', ...args) {
   const text = typeof code === 'string' ? code : JSON.stringify(code);
   const file = put(`${name}.${typeof code === 'string' ? 'glsl' : 'json'}`, text);
-  const opened = await open(context, port(file, name, ...args), hash);
+  const opened = await open(context, await port(file, name, ...args), hash);
+  await opened.page.evaluate(() => {
+    const notices = document.querySelector('#notices');
+    globalThis.noticed = [];
+    new MutationObserver(() => globalThis.noticed.push(notices.textContent)).observe(notices, { childList: true, subtree: true });
+  });
   await opened.page.evaluate(() => globalThis.shaderport.ready);
   return opened;
 }
 
 export const time = (page) => page.evaluate(() => globalThis.shaderport.player.clock.time);
 export const playing = (page) => page.evaluate(() => globalThis.shaderport.player.isPlaying);
-export const wait = (page, ms) => page.waitForTimeout(ms);
+
+/** Waits until the page says in a notice what holds some words; notices may be gone before one looks. */
+export const noticed = (page, words) =>
+  page.waitForFunction((w) => globalThis.noticed.some((text) => text.includes(w)), words);
 
 /** Opens the panel at one of its tabs. */
 export async function openTab(page, name) {
@@ -37,7 +45,7 @@ export async function openTab(page, name) {
 
 /** What a download holds. */
 export async function saved(download) {
-  const file = path.join(work, `${randomUUID()}.download`);
+  const file = path.join(folder(), `${randomUUID()}.download`);
   await download.saveAs(file);
   return fs.readFileSync(file);
 }

@@ -1,0 +1,14 @@
+// Parts of the player that need no page.
+import fs from 'node:fs';
+import path from 'node:path';
+import vm from 'node:vm';
+import { top } from './browser.js';
+
+/** What some of the player's files declare. */
+export function load(files, names) {
+  const player = path.join(top, 'src/port/player');
+  const code = files.map((f) => fs.readFileSync(path.join(player, f), 'utf8')).join('');
+  // The files are scripts that share one scope, not modules.
+  const open = vm.runInThisContext(`(navigator, window) => {\n${code}\nreturn { ${names.join(', ')} };\n}`);
+  return open({ userAgent: '' }, { addEventListener() {} });
+}
