@@ -113,15 +113,18 @@ export async function open(context, address, hash = '') {
   return { page, complaints };
 }
 
+/** The bytes that a page has handed over as base64, which it writes many times faster than a list. */
+export const bytesOf = (base64) => Array.from(Buffer.from(base64, 'base64'));
+
 /** The pixels of the canvas. */
-export function pixels(page) {
-  return page.evaluate(() => {
+export async function pixels(page) {
+  return bytesOf(await page.evaluate(() => {
     const canvas = document.querySelector('canvas');
     const gl = canvas.getContext('webgl2');
     const bytes = new Uint8Array(canvas.width * canvas.height * 4);
     gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    return Array.from(bytes);
-  });
+    return bytes.toBase64();
+  }));
 }
 
 /** The pixels of the canvas after frame `n`. */

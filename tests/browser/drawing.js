@@ -1,8 +1,9 @@
 // Fragment shaders drawn by themselves, without a page around them.
+import { bytesOf } from './browser.js';
 
 /** Draws fragment shaders; gives the pixels of each, `null` for one that cannot be drawn alone. @param {object} given values of uniforms */
-export function draw(page, sources, given = {}) {
-  return page.evaluate(({ all, known }) => {
+export async function draw(page, sources, given = {}) {
+  const drawn = await page.evaluate(({ all, known }) => {
     const gl = new OffscreenCanvas(64, 36).getContext('webgl2', { antialias: false });
     const vertex = `#version 300 es
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }`;
@@ -41,7 +42,8 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
       const bytes = new Uint8Array(64 * 36 * 4);
       gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
       gl.deleteProgram(program);
-      return Array.from(bytes);
+      return bytes.toBase64();
     });
   }, { all: sources, known: given });
+  return drawn.map((base64) => base64 && bytesOf(base64));
 }

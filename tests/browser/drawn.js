@@ -8,7 +8,7 @@
 // that differs is drawn again with such values hidden from it; where it agrees then, the mistake is not ours.
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
-import { launch } from './browser.js';
+import { bytesOf, launch } from './browser.js';
 import { fuzzer } from './fuzzer.js';
 
 /** Programs that are drawn at once. */
@@ -53,7 +53,7 @@ function draw({ programs, size }) {
     gl.readPixels(0, 0, size, size, gl.RGBA_INTEGER, gl.UNSIGNED_INT, pixels);
     gl.deleteProgram(program);
     gl.deleteShader(fragment);
-    return { pixels: [...pixels] };
+    return { pixels: new Uint8Array(pixels.buffer).toBase64() };
   });
 }
 
@@ -105,7 +105,8 @@ async function otherwise(context, programs, size) {
     batch.forEach((program, i) => {
       const { refused, pixels } = drawn[i];
       if (!pixels) return wrong.push({ ...program, what: `refused: ${refused}` });
-      const theirs = (n) => pixels.slice(4 * n, 4 * n + 4);
+      const all = new Uint32Array(Uint8Array.from(bytesOf(pixels)).buffer);
+      const theirs = (n) => [...all.subarray(4 * n, 4 * n + 4)];
       const bad = program.pixels.findIndex((mine, n) => !isWithin(program, mine, theirs(n)));
       if (bad >= 0) wrong.push({ ...program, what: `pixel ${bad}: ${program.pixels[bad]}, in the browser ${theirs(bad)}` });
     });

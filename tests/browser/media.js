@@ -1,6 +1,6 @@
 // What stands for files of the site that are not at hand.
 import assert from 'node:assert/strict';
-import { colors, differences, frame, open, port, put } from './browser.js';
+import { bytesOf, colors, differences, frame, open, port, put } from './browser.js';
 import { shader } from './cases.js';
 
 const input = (channel, type, id, sampler) => ({
@@ -19,16 +19,16 @@ async function show(context, name, width, height, what, sampler, code) {
 }
 
 /** The bytes of a square of an input's texture, by rows from its first. */
-function texels(page, side = 256) {
-  return page.evaluate((length) => {
+async function texels(page, side = 256) {
+  return bytesOf(await page.evaluate((length) => {
     const { gl, inputs } = globalThis.shaderport.player;
     const { texture } = inputs.flat().find((i) => i.texture);
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
     const bytes = new Uint8Array(length * length * 4);
     gl.readPixels(0, 0, length, length, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    return Array.from(bytes);
-  }, side);
+    return bytes.toBase64();
+  }, side));
 }
 
 const mean = (numbers) => numbers.reduce((a, b) => a + b, 0) / numbers.length;

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { colors, differences, folder, listen, put, shaderport, top } from './browser.js';
+import { bytesOf, colors, differences, folder, listen, put, shaderport, top } from './browser.js';
 import { CASES } from './cases.js';
 import { reference } from './reference.js';
 
@@ -87,14 +87,14 @@ async function mount(context) {
     globalThis.shader = mount(canvas, { size: [64, 36], paused: true });
     globalThis.second = mount(document.createElement('canvas'), { size: [8, 8] });`);
   await until(() => globalThis.shader);
-  const drawn = await page.evaluate(async () => {
+  const drawn = bytesOf(await page.evaluate(async () => {
     await globalThis.shader.renderFrame(5);
     const gl = document.querySelector('canvas').getContext('webgl2');
     const bytes = new Uint8Array(64 * 36 * 4);
     gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    return Array.from(bytes);
-  });
-  const expected = await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] });
+    return bytes.toBase64();
+  }));
+  const expected = bytesOf(await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] }));
   assert.equal(differences(drawn, expected), 0, 'other pixels than the reference player');
   const after = await page.evaluate(async () => {
     const { second } = globalThis;
@@ -130,12 +130,12 @@ async function three(context) {
     const bytes = new Uint8Array(64 * 36 * 4);
     const gl = renderer.getContext();
     gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    globalThis.drawn = Array.from(bytes);
+    globalThis.drawn = bytes.toBase64();
     shader.dispose();`);
   await until(() => globalThis.drawn);
   assert.deepEqual(complaints, []);
-  const drawn = await page.evaluate(() => globalThis.drawn);
-  const expected = await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] });
+  const drawn = bytesOf(await page.evaluate(() => globalThis.drawn));
+  const expected = bytesOf(await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] }));
   assert.equal(differences(drawn, expected), 0, 'other pixels than the reference player');
 }
 
@@ -171,7 +171,7 @@ async function threeStandIns(context) {
     const read = (gl) => {
       const bytes = new Uint8Array(64 * 36 * 4);
       gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-      return Array.from(bytes).map((v, i) => (i % 4 === 3 ? 255 : v));
+      return bytes.map((v, i) => (i % 4 === 3 ? 255 : v)).toBase64();
     };
     const drawn = read(renderer.getContext());
     const other = document.createElement('canvas');
@@ -179,7 +179,7 @@ async function threeStandIns(context) {
     globalThis.both = [drawn, read(other.getContext('webgl2'))];`);
   await until(() => globalThis.both);
   assert.deepEqual(complaints, []);
-  const [drawn, expected] = await page.evaluate(() => globalThis.both);
+  const [drawn, expected] = (await page.evaluate(() => globalThis.both)).map(bytesOf);
   assert.equal(differences(drawn, expected), 0);
 }
 
@@ -214,7 +214,7 @@ async function drawBoth(context, file, frames, change = '') {
     const read = (gl) => {
       const bytes = new Uint8Array(64 * 36 * 4);
       gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-      return Array.from(bytes).map((v, i) => (i % 4 === 3 ? 255 : v));
+      return bytes.map((v, i) => (i % 4 === 3 ? 255 : v)).toBase64();
     };
     const drawn = read(renderer.getContext());
     await player.renderFrame(${frames} - 1);
@@ -222,7 +222,7 @@ async function drawBoth(context, file, frames, change = '') {
   await until(() => globalThis.both);
   const [drawn, module, errors] = await page.evaluate(() => globalThis.both);
   await page.close();
-  return { three: drawn, module, errors, complaints };
+  return { three: bytesOf(drawn), module: bytesOf(module), errors, complaints };
 }
 
 const DIALECTS = path.join(top, 'tests/fixtures/dialects');

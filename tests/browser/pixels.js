@@ -1,7 +1,7 @@
 // The page draws what the reference player draws, pixel for pixel.
 import assert from 'node:assert/strict';
 import { CASES } from './cases.js';
-import { colors, differences, frame, open, port, put } from './browser.js';
+import { bytesOf, colors, differences, frame, open, port, put } from './browser.js';
 import { reference } from './reference.js';
 
 const SIZE = { width: 64, height: 36 };
@@ -38,7 +38,7 @@ export async function compare(context, test, file = put('case.json', JSON.string
   await page.evaluate(() => globalThis.shaderport.ready);
   for (const last of test.frames) {
     const job = { ...SIZE, shader: test.shader, last, mouse: test.mouse, keys: test.keys, date: [...DATE, SECONDS] };
-    const expected = await blank.evaluate(reference, job);
+    const expected = bytesOf(await blank.evaluate(reference, job));
     await touch(page, test);
     const drawn = await frame(page, last);
     assert.equal(differences(drawn, expected), 0, `frame ${last} has other pixels`);

@@ -6,7 +6,7 @@
 /* eslint max-lines-per-function: off */
 
 /**
- * Draws the frames 0 to `last` of an export; gives the pixels of the last.
+ * Draws the frames 0 to `last` of an export; gives the pixels of the last, in base64.
  * @param {{shader: any, width: number, height: number, last: number,
  *   mouse?: {x: number, y: number}, keys?: number[], date: number[]}} job
  */
@@ -205,5 +205,5 @@ void main() { gl_Position = vec4(${corners}[gl_VertexID], 0, 1); }`);
   const error = gl.getError();
   gl.getExtension('WEBGL_lose_context')?.loseContext();
   if (error) throw new Error(`the reference player: WebGL error ${error}`);
-  return Array.from(bytes);
+  return bytes.toBase64();
 }

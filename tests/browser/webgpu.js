@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { colors, folder, open, port, put, shaderport } from './browser.js';
+import { bytesOf, colors, folder, open, port, put, shaderport } from './browser.js';
 import { exportsOf, lightExports, read, sweptExports, templates } from './corpus.js';
 import { beside } from './webgpu_host.js';
 
@@ -46,8 +46,9 @@ async function compare(context, file, name, ...args) {
   const drawn = await page.evaluate(beside, { passes, last: LAST }).catch(failed);
   if (drawn.error && (await page.evaluate(hasEnded))) throw new Ended(drawn.error);
   assert.equal(drawn.error, undefined);
-  const shown = colors(drawn.theirs);
-  return { count: unequal(drawn.ours, drawn.theirs), total: SIZE.width * SIZE.height, shown };
+  const [ours, theirs] = [drawn.ours, drawn.theirs].map(bytesOf);
+  const shown = colors(theirs);
+  return { count: unequal(ours, theirs), total: SIZE.width * SIZE.height, shown };
 }
 
 const equal = { asked: 0, differing: [], tooMuch: [] };

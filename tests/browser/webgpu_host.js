@@ -6,9 +6,9 @@
 /* eslint max-lines-per-function: off */
 
 /**
- * Draws the frames 0 to `last` in both ways; gives the pixels of the last, the lowest row first.
+ * Draws the frames 0 to `last` in both ways; gives the pixels of the last, the lowest row first, in base64.
  * @param {{passes: {code: string, told: any}[], last: number}} job
- * @returns {Promise<{error?: string, ours?: number[], theirs?: number[]}>}
+ * @returns {Promise<{error?: string, ours?: string, theirs?: string}>}
  */
 export async function beside({ passes, last }) {
   const { player } = globalThis.shaderport;
@@ -289,7 +289,9 @@ export async function beside({ passes, last }) {
     const bytes = new Uint8Array(read.getMappedRange());
     const rows = Array.from({ length: height }, (_, y) => bytes.subarray(y * bytesPerRow, y * bytesPerRow + width * 4));
     if (told.first_row === 'top') rows.reverse();
-    return rows.flatMap((row) => Array.from(row));
+    const all = new Uint8Array(width * height * 4);
+    rows.forEach((row, y) => all.set(row, y * width * 4));
+    return all.toBase64();
   }
 
   const drawable = passes.filter((p) => p.told.pass.order !== undefined);
@@ -309,5 +311,5 @@ export async function beside({ passes, last }) {
   const ours = await picture(prepared[prepared.length - 1].told);
   const error = await device.popErrorScope();
   device.destroy();
-  return error ? { error: error.message } : { ours, theirs: Array.from(theirs) };
+  return error ? { error: error.message } : { ours, theirs: theirs.toBase64() };
 }
