@@ -11,7 +11,7 @@ import { draw } from './drawing.js';
 async function rewritten(context, files) {
   const texts = [];
   for (const file of files) {
-    const out = path.join(folder(), path.basename(file));
+    const out = path.join(folder(), path.parse(file).name);
     await shaderport(file, '-t', 'glsl', '--main', 'rewrite', '-o', out, '--force');
     const shaders = fs.statSync(out).isDirectory() ? fs.readdirSync(out).map((f) => path.join(out, f)) : [out];
     const written = shaders.map((f) => fs.readFileSync(f, 'utf8')).filter((t) => /\nvoid main\(\)/.test(t) && !t.includes('in vec2 pos'));
