@@ -122,7 +122,7 @@ async function sound(context) {
     { type: 'image', name: '', inputs: [], outputs: [], code: 'void mainImage(out vec4 O, vec2 U) { O = vec4(U.x); }' },
     { type: 'sound', name: '', inputs: [], outputs: [], code: 'vec2 mainSound(in int s, float t) { return vec2(sin(6.2831 * 440.0 * t), float(s % 100) / 100.0); }' },
   );
-  const { page, complaints } = await show(context, 'sound', toy);
+  const { page, complaints } = await show(context, 'sound', toy, '#size=32x18');
   await page.click('#sound');
   assert.equal(await page.getAttribute('#sound', 'aria-pressed'), 'true');
   await page.waitForFunction(() => globalThis.shaderport.player.sound?.source);
@@ -178,13 +178,13 @@ async function devices(context) {
     code: 'void mainImage(out vec4 O, vec2 U) { vec2 p = U / iResolution.xy; O = vec4(texture(iChannel0, vec2(p.x, 0.25)).x, texture(iChannel2, vec2(p.x, 0.75)).x, texture(iChannel1, p).x, 1.0); }',
   });
   const { page, complaints } = await show(context, 'devices', toy, '#size=64x36&paused');
-  const silent = await frame(page, 30);
+  const silent = await frame(page, 5);
   assert.ok(colors(silent) > 30, 'a made-up signal stands for what is not heard');
   assert.ok(silent.every((v, i) => i % 4 !== 2 || v === 0), 'no camera, no picture');
   assert.match(await page.textContent('#notices'), /iChannel1 reads the camera/);
   await page.click('#notices button:has-text("allow")');
   await page.waitForFunction(() => document.querySelector('#notices').textContent === '');
-  const seen = await frame(page, 30);
+  const seen = await frame(page, 5);
   assert.ok(seen.some((v, i) => i % 4 === 2 && v > 0), 'what the camera sees');
   assert.deepEqual(complaints, []);
 }

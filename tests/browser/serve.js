@@ -29,6 +29,13 @@ async function serve(...args) {
   return { address, end, said: () => said };
 }
 
+/** Opens what a server shows; it is small, so that playing it takes little. */
+async function visit(context, address, hash = '#size=32x18&paused') {
+  const page = await context.newPage();
+  await page.goto(address + hash);
+  return page;
+}
+
 /** Waits until the first pixel has this red. */
 function redBecomes(page, red) {
   // Not an async function: its promise would be taken for true.
@@ -51,11 +58,11 @@ async function savedFile(context) {
     const page = await context.newPage();
     const asked = [];
     page.on('request', (r) => asked.push(r.url()));
-    await page.goto(address);
+    await page.goto(`${address}#size=32x18`);
     await redBecomes(page, 255);
     await page.click('#play');
     await page.evaluate(() => globalThis.shaderport.seek(12.25));
-    await page.mouse.click(100, 60);
+    await page.mouse.click(10, 8);
     const before = await page.evaluate(() => globalThis.shaderport.player.mouse.value());
     fs.writeFileSync(file, shader('0.0'));
     await redBecomes(page, 0);
@@ -82,8 +89,7 @@ async function lateFile(context) {
   fs.rmSync(file, { force: true });
   const { address, end } = await serve(file);
   try {
-    const page = await context.newPage();
-    await page.goto(address);
+    const page = await visit(context, address);
     await page.waitForFunction(() => document.body.textContent.includes('late.glsl'));
     fs.writeFileSync(file, shader('1.0'));
     await redBecomes(page, 255);
@@ -97,21 +103,13 @@ async function includedFile(context) {
   const file = put('served_whole.glsl', shader('RED', '#include "served_part.glsl"\n'));
   const { address, end } = await serve(file);
   try {
-    const page = await context.newPage();
-    await page.goto(address);
+    const page = await visit(context, address);
     await redBecomes(page, 255);
     fs.writeFileSync(part, '#define RED 0.0\n');
     await redBecomes(page, 0);
   } finally {
     await end();
   }
-}
-
-/** Opens what a server shows. */
-async function visit(context, address) {
-  const page = await context.newPage();
-  await page.goto(address);
-  return page;
 }
 
 async function waysOfSaving(context) {
