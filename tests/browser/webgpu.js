@@ -2,9 +2,12 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { bytesOf, colors, folder, open, port, put, shaderport } from './browser.js';
+import { bytesOf, colors, folder, open, port, program, put, run, shaderport } from './browser.js';
 import { exportsOf, lightExports, read, sweptExports, templates } from './corpus.js';
 import { beside } from './webgpu_host.js';
+
+/** The converter, built with the languages of naga. */
+const CONVERTER = process.env.SHADERPORT_WGSL || program('shaderport');
 
 const SIZE = { width: 64, height: 36 };
 /** The frame that is compared; those before it are drawn too. */
@@ -33,7 +36,7 @@ function hasEnded() {
 async function compare(context, file, name, ...args) {
   const out = path.join(folder(), `${name}.wgsl.d`);
   fs.mkdirSync(out, { recursive: true });
-  await shaderport(file, '-t', 'wgsl', '-o', out, '--interface', '--force', ...args);
+  await run(CONVERTER, file, '-t', 'wgsl', '-o', out, '--interface', '--force', ...args);
   const shaders = fs.readdirSync(out).filter((f) => f.endsWith('.wgsl')).map((f) => path.join(out, f));
   const passes = shaders.map((shader) => ({
     code: fs.readFileSync(shader, 'utf8'),
@@ -79,7 +82,7 @@ async function exported(context, file, name) {
 async function hasWgsl() {
   try {
     const probe = put('probe.glsl', 'void mainImage(out vec4 c, in vec2 f) { c = vec4(1); }\n');
-    return (await shaderport(probe, '-o', path.join(folder(), 'probe.wgsl'), '--force')).code === 0;
+    return (await run(CONVERTER, probe, '-o', path.join(folder(), 'probe.wgsl'), '--force')).code === 0;
   } catch {
     return false;
   }
@@ -131,7 +134,10 @@ async function passes(context) {
 
 /** The tests, where the program writes WGSL. */
 export async function webgpuTests() {
-  if (!(await hasWgsl())) return [];
+  if (!(await hasWgsl())) {
+    if (process.env.SHADERPORT_WGSL) throw new Error(`${CONVERTER} writes no WGSL`);
+    return [];
+  }
   const tests = templates().map((file) => ({
     name: `webgpu: ${path.basename(file)}`,
     run: async (context) => {
