@@ -36,7 +36,7 @@ const ARGS = [
 /** Starts a browser, which can be ended even while it draws. */
 export async function launch() {
   const executablePath = process.env.CHROMIUM || '/usr/bin/chromium';
-  const server = await chromium.launchServer({ executablePath, args: ARGS });
+  const server = await chromium.launchServer({ executablePath, args: ARGS, timeout: 0 });
   const browser = await chromium.connect(server.wsEndpoint());
   return { browser, kill: () => server.kill() };
 }

@@ -115,8 +115,10 @@ async function includedFile(context) {
 async function waysOfSaving(context) {
   const file = put('saved.glsl', shader('1.0'));
   const { address, end } = await serve(file);
+  const other = await context.browser().newContext();
+  other.setDefaultTimeout(0);
   try {
-    const pages = [await visit(context, address), await visit(await context.browser().newContext(), address)];
+    const pages = [await visit(context, address), await visit(other, address)];
     const both = (red) => Promise.all(pages.map((page) => redBecomes(page, red)));
     await both(255);
     // As an editor does that keeps the old file under another name.
@@ -142,6 +144,7 @@ async function waysOfSaving(context) {
     fs.writeFileSync(file, shader('1.0'));
     await both(255);
   } finally {
+    await other.close();
     await end();
   }
 }

@@ -6,12 +6,15 @@ import { chromium } from 'playwright-core';
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
-import net from 'node:net';
 import path from 'node:path';
 
 const work = process.argv[2];
 const program = process.env.CODE_SERVER;
-const WAIT = { timeout: 60_000 };
+/** Minutes that all of it may take. Each step waits for what it needs, however slow the machine is. */
+const MINUTES = Number(process.env.MINUTES ?? 20);
+
+/** What is waited for. */
+let waiting = '';
 
 const BROKEN = `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec2 uv = fragCoord / iResolution.xy;
@@ -91,31 +94,22 @@ function prepare() {
   return shaders;
 }
 
-/** A port that nothing listens on. */
-function freePort() {
-  return new Promise((resolve) => {
-    const server = net.createServer().listen(0, '127.0.0.1', () => {
-      const { port } = server.address();
-      server.close(() => resolve(port));
-    });
-  });
-}
-
-/** Starts the editor; gives its address when it answers. */
+/** Starts the editor at a port that the system chooses; gives its address when it listens. */
 async function start(shaders) {
-  const address = `127.0.0.1:${await freePort()}`;
-  const options = ['--auth', 'none', '--bind-addr', address, '--disable-telemetry', '--disable-update-check'];
-  const log = fs.openSync(path.join(work, 'editor.log'), 'w');
-  const server = spawn(program, args(...options, shaders), { stdio: ['ignore', log, log], detached: true });
-  for (let tries = 0; tries < 120; tries++) {
-    const isUp = await fetch(`http://${address}/healthz`).then((r) => r.ok, () => false);
-    if (isUp) return { server, address: `http://${address}/?folder=${encodeURIComponent(shaders)}` };
-    await new Promise((resolve) => {
-      setTimeout(resolve, 500);
-    });
-  }
-  process.kill(-server.pid, 'SIGKILL');
-  throw new Error(`the editor does not start: ${fs.readFileSync(path.join(work, 'editor.log'), 'utf8')}`);
+  const options = ['--auth', 'none', '--bind-addr', '127.0.0.1:0', '--disable-telemetry', '--disable-update-check'];
+  const server = spawn(program, args(...options, shaders), { stdio: ['ignore', 'pipe', 'pipe'], detached: true });
+  let log = '';
+  const address = await new Promise((resolve, reject) => {
+    for (const stream of [server.stdout, server.stderr]) {
+      stream.on('data', (data) => {
+        log += data;
+        const found = /listening on (http:\/\/127\.0\.0\.1:\d+)/.exec(log);
+        if (found) resolve(found[1]);
+      });
+    }
+    server.on('exit', () => reject(new Error(`the editor does not start: ${log}`)));
+  });
+  return { server, address: `${address}/?folder=${encodeURIComponent(shaders)}` };
 }
 
 async function picture(page, name) {
@@ -126,37 +120,40 @@ async function picture(page, name) {
 
 /** Opens a file, of which a line holds a text: the tab is there before the text is. */
 async function openFile(page, name, text) {
-  await page.locator('.explorer-folders-view .monaco-list-row', { hasText: name }).dblclick(WAIT);
-  await page.locator('.tab.active', { hasText: name }).waitFor(WAIT);
-  await page.locator('.view-line', { hasText: text }).first().waitFor(WAIT);
+  await page.locator('.explorer-folders-view .monaco-list-row', { hasText: name }).dblclick();
+  await page.locator('.tab.active', { hasText: name }).waitFor();
+  await page.locator('.view-line', { hasText: text }).first().waitFor();
 }
 
 /** Chooses from the list that is open. Enter would take what has the focus, which may still move. */
-async function choose(page, title, wait = WAIT) {
-  await page.locator('.quick-input-list .monaco-list-row', { hasText: title }).first().click(wait);
+async function choose(page, title, timeout = 0) {
+  await page.locator('.quick-input-list .monaco-list-row', { hasText: title }).first().click({ timeout });
 }
 
 /** Runs a command by its name. What takes the focus late closes the list, which is opened again then. */
 async function runCommand(page, title) {
-  await until(`the command ${title}`, async () => {
+  await until(`the command ${title}`, async (timeout) => {
     await page.keyboard.press('F1');
-    await page.locator('.quick-input-widget input[type=text]').fill(`>${title}`, { timeout: 3000 });
-    await choose(page, title, { timeout: 3000 });
+    await page.locator('.quick-input-widget input[type=text]').fill(`>${title}`, { timeout });
+    await choose(page, title, timeout);
     return true;
   });
 }
 
-/** Asks again and again until the answer is there. */
+/**
+ * Asks again and again until the answer is there. A try that waits for what does not come is ended after
+ * some milliseconds, of which it has more each time.
+ * @param {(timeout: number) => Promise<any>} ask
+ */
 async function until(what, ask) {
-  const end = Date.now() + WAIT.timeout;
-  while (Date.now() < end) {
-    const answer = await ask().catch(() => null);
+  waiting = what;
+  for (let timeout = 2000; ; timeout *= 1.5) {
+    const answer = await ask(timeout).catch(() => null);
     if (answer) return answer;
     await new Promise((resolve) => {
       setTimeout(resolve, 200);
     });
   }
-  throw new Error(`waited in vain for ${what}`);
 }
 
 /** The frame of the page that plays: the one whose shader holds a text. */
@@ -179,13 +176,13 @@ const time = (frame) => frame.evaluate(() => globalThis.shaderport.player.clock.
 /** What a broken shader looks like. */
 async function findings(page) {
   await openFile(page, 'broken.glsl', 'colour');
-  await page.locator('.squiggly-error').first().waitFor(WAIT);
+  await page.locator('.squiggly-error').first().waitFor();
   await page.keyboard.press('Control+Shift+KeyM');
   const rows = page.locator('.markers-panel .monaco-list-row');
-  await rows.filter({ hasText: 'colour' }).first().waitFor(WAIT);
+  await rows.filter({ hasText: 'colour' }).first().waitFor();
   await picture(page, 'problems');
   await openFile(page, 'scene.js', 'inside of');
-  await page.locator('.squiggly-error').first().waitFor(WAIT);
+  await page.locator('.squiggly-error').first().waitFor();
   await picture(page, 'script');
 }
 
@@ -222,19 +219,19 @@ async function preview(page) {
   const third = await player(page, '// Mended.');
   await third.evaluate(() => globalThis.shaderport.player.setTunable('SPEED', 3));
   await third.evaluate(() => globalThis.dispatchEvent(new Event('input')));
-  await third.locator('#more').click(WAIT);
+  await third.locator('#more').click();
   await picture(page, 'preview-numbers');
   const shell = third.parentFrame();
-  await shell.locator('#write button').click(WAIT);
-  await page.locator('.view-line', { hasText: 'SPEED' }).filter({ hasText: '3.0' }).waitFor(WAIT);
+  await shell.locator('#write button').click();
+  await page.locator('.view-line', { hasText: 'SPEED' }).filter({ hasText: '3.0' }).waitFor();
   const fourth = await player(page, 'SPEED 3.0');
   assert(await fourth.locator('#panel').isVisible(), 'the panel was open');
 
   // The line above the number asks for another one.
-  await page.locator('.codelens-decoration a', { hasText: '0 … 4' }).click(WAIT);
+  await page.locator('.codelens-decoration a', { hasText: '0 … 4' }).click();
   const box = page.locator('.quick-input-widget input[type=text]');
   await box.fill('9');
-  await page.locator('.quick-input-message', { hasText: 'Must be between 0 and 4' }).waitFor(WAIT);
+  await page.locator('.quick-input-message', { hasText: 'Must be between 0 and 4' }).waitFor();
   await box.fill('1');
   await page.keyboard.press('Enter');
   await player(page, 'SPEED 1.0');
@@ -248,28 +245,28 @@ function word(page, line, text) {
 /** What the server answers while somebody writes. */
 async function editing(page) {
   await openFile(page, 'glow.glsl', 'glow');
-  await page.locator('.squiggly-error').first().waitFor(WAIT);
+  await page.locator('.squiggly-error').first().waitFor();
   await word(page, 'level = 1;', '1').click();
   await page.keyboard.press('Control+Period');
-  await page.locator('.action-widget .monaco-list-row').first().waitFor(WAIT);
+  await page.locator('.action-widget .monaco-list-row').first().waitFor();
   await picture(page, 'quick-fix');
   await page.keyboard.press('Enter');
-  await page.locator('.view-line', { hasText: 'level = 1.0;' }).waitFor(WAIT);
+  await page.locator('.view-line', { hasText: 'level = 1.0;' }).waitFor();
 
   await word(page, 'float glow', 'glow').click();
   await page.keyboard.press('F2');
-  await page.locator('.rename-box input').fill('light', WAIT);
+  await page.locator('.rename-box input').fill('light');
   await picture(page, 'rename');
   await page.keyboard.press('Enter');
-  await page.locator('.view-line', { hasText: 'light * level' }).waitFor(WAIT);
+  await page.locator('.view-line', { hasText: 'light * level' }).waitFor();
 
   await runCommand(page, 'Format Document');
-  await page.locator('.view-line', { hasText: 'uv = fragCoord / iResolution' }).waitFor(WAIT);
+  await page.locator('.view-line', { hasText: 'uv = fragCoord / iResolution' }).waitFor();
   await picture(page, 'formatted');
 
-  await until('a hover with a picture', async () => {
-    await word(page, 'light +=', 'light').hover();
-    await page.locator('.monaco-hover img').first().waitFor({ timeout: 5000 });
+  await until('a hover with a picture', async (timeout) => {
+    await word(page, 'light +=', 'light').hover({ timeout });
+    await page.locator('.monaco-hover img').first().waitFor({ timeout });
     return true;
   });
   await picture(page, 'hover');
@@ -278,10 +275,10 @@ async function editing(page) {
   await page.keyboard.press('End');
   await page.keyboard.type('\nfloat s=smooths');
   // What is typed fast may not open the list.
-  await until('a completion', async () => {
+  await until('a completion', async (timeout) => {
     await page.keyboard.press('Escape');
     await page.keyboard.press('Control+Space');
-    await page.locator('.suggest-widget .monaco-list-row', { hasText: 'smoothstep' }).first().waitFor({ timeout: 5000 });
+    await page.locator('.suggest-widget .monaco-list-row', { hasText: 'smoothstep' }).first().waitFor({ timeout });
     return true;
   });
   await picture(page, 'completion');
@@ -289,7 +286,7 @@ async function editing(page) {
   for (let i = 0; i < 'smooths'.length; i++) await page.keyboard.press('Backspace');
   await page.keyboard.type('light;');
   await page.keyboard.press('Control+KeyS');
-  await page.locator('.view-line', { hasText: 's = light;' }).waitFor(WAIT);
+  await page.locator('.view-line', { hasText: 's = light;' }).waitFor();
   await picture(page, 'saved');
 }
 
@@ -297,7 +294,7 @@ async function editing(page) {
 async function hopeless(page) {
   await openFile(page, 'broken.glsl', 'colour');
   await runCommand(page, 'Shaderlint: Open Preview');
-  await page.locator('.tab.active', { hasText: 'Preview broken.glsl' }).waitFor(WAIT);
+  await page.locator('.tab.active', { hasText: 'Preview broken.glsl' }).waitFor();
   await until('why there is no picture', async () => {
     for (const frame of page.frames()) {
       // The view says it, or the page in it.
@@ -324,21 +321,31 @@ async function costMap(page) {
 const { server, address } = await start(prepare());
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM,
+  timeout: 0,
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
 });
 const page = await browser.newPage({ viewport: { width: 1400, height: 860 } });
+page.setDefaultTimeout(0);
+let current = 'start';
+const limit = setTimeout(() => {
+  console.error(`more than ${MINUTES} minutes: ${current} is not done${waiting && `, nor has come ${waiting}`}`);
+  // What is waited for fails then, and says where.
+  void picture(page, 'failed').finally(() => browser.close());
+}, MINUTES * 60_000);
 try {
   await page.goto(address);
-  await page.locator('.monaco-workbench').waitFor(WAIT);
-  await page.locator('.explorer-folders-view').waitFor(WAIT);
+  await page.locator('.monaco-workbench').waitFor();
+  await page.locator('.explorer-folders-view').waitFor();
   for (const step of [findings, preview, editing, costMap, hopeless]) {
+    current = step.name;
     await step(page);
     console.log(`${step.name}: ok`);
   }
 } catch (error) {
-  await picture(page, 'failed');
+  await picture(page, 'failed').catch(() => {});
   throw error;
 } finally {
+  clearTimeout(limit);
   await browser.close();
   // Asked to end, it would wait half a minute for a browser to come back.
   process.kill(-server.pid, 'SIGKILL');
