@@ -37,7 +37,7 @@ async function theirs(browser, file, { size, frames }) {
   const context = await browser.newContext();
   context.setDefaultTimeout(1000 * PATIENCE);
   await context.clock.setFixedTime(new Date(2000, 0, 1));
-  const address = port(file, path.basename(file, '.json'));
+  const address = await port(file, path.basename(file, '.json'));
   const { page } = await open(context, address, `#size=${size.join('x')}&paused`);
   await page.evaluate(() => globalThis.shaderport.ready);
   const drawn = [];
