@@ -103,7 +103,7 @@ async function attempt({ browser }, test) {
   // What is waited for has no limit of its own: a machine may be as slow as it is.
   context.setDefaultTimeout(0);
   await alone(complaints, () => test.run(context));
-  await context.close();
+  if (browser.isConnected()) await context.close();
 }
 
 const started = Date.now();
@@ -132,8 +132,8 @@ async function worker() {
     }
     tell(test, since, wrong);
     now.tests.delete(test.name);
-    // Whatever a test has left behind that failed ends with its browser.
-    if (wrong && !now.isOver) {
+    // Whatever a test has left behind that failed ends with its browser; some end it themselves.
+    if ((wrong || !running.browser.isConnected()) && !now.isOver) {
       await stop(running);
       running = await start();
     }

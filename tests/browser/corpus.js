@@ -32,8 +32,12 @@ const CHOSEN = 16;
 /** Operations of all passes for a frame of 64x36 pixels, up to which an export is light. */
 const LIGHT = 10_000_000;
 
-/** Whether the reference player knows all that the passes read, and no pass is larger than the picture. */
+/** Characters of all passes, up to which it is: what is not run is compiled. */
+const SHORT = 6000;
+
+/** Whether an export is short, the reference player knows all that it reads, and no pass is larger than the picture. */
 function isPlain({ renderpass }) {
+  if (renderpass.map((p) => p.code).join('').length > SHORT) return false;
   const drawn = renderpass.filter((p) => p.type === 'image' || p.type === 'buffer');
   const others = renderpass.filter((p) => p.type === 'cubemap');
   return others.length === 0 && drawn.flatMap((p) => p.inputs).every((i) => i.type === 'buffer' || i.type === 'keyboard');
@@ -106,7 +110,7 @@ async function moves(page, first) {
   return false;
 }
 
-/** Exports of which the process that draws has died, and not of the shader's mistakes. */
+/** Exports of which the process that draws has died, or the browser with it, and not of the shader's mistakes. */
 const lost = [];
 
 async function exported(context, file, name) {
@@ -122,7 +126,8 @@ async function exported(context, file, name) {
     if (asked && !isMoving) moving.still.push(name);
     assert.deepEqual(opened.complaints, []);
   } catch (error) {
-    if (!opened.complaints.some((c) => c.includes('CONTEXT_LOST_WEBGL'))) throw error;
+    const isLost = opened.complaints.some((c) => c.includes('CONTEXT_LOST_WEBGL')) || !context.browser().isConnected();
+    if (!isLost) throw error;
     lost.push(name);
   }
 }

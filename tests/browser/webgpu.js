@@ -73,7 +73,7 @@ async function exported(context, file, name) {
     equal.asked++;
     if (count > 0.001 * total) equal.differing.push(`${name} (${count})`);
   } catch (error) {
-    if (!(error instanceof Ended)) throw error;
+    if (!(error instanceof Ended) && context.browser().isConnected()) throw error;
     equal.tooMuch.push(name);
   }
 }
