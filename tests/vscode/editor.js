@@ -11,7 +11,7 @@ import path from 'node:path';
 const work = process.argv[2];
 const program = process.env.CODE_SERVER;
 /** Minutes that all of it may take. Each step waits for what it needs, however slow the machine is. */
-const MINUTES = Number(process.env.MINUTES ?? 20);
+const MINUTES = Number(process.env.MINUTES ?? 60);
 
 /** What is waited for. */
 let waiting = '';
