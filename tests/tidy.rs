@@ -311,3 +311,36 @@ fn messages_keep_their_style() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// `rules/new`, as CONTRIBUTING.md tells to use it.
+#[cfg(unix)]
+#[test]
+fn a_new_rule_is_a_pair_in_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    for file in ["rules/new", "rules/lib.rs", "src/lint/rule.rs"] {
+        let to = folder.path().join(file);
+        fs::create_dir_all(to.parent().unwrap()).unwrap();
+        fs::copy(root().join(file), to).unwrap();
+    }
+    let new = |args: &[&str]| {
+        let mut command = std::process::Command::new(folder.path().join("rules/new"));
+        command.args(args).output().unwrap().status.success()
+    };
+    assert!(new(&["even-odds", "numeric"]));
+    assert!(!new(&["even-odds"]), "it is there already");
+    assert!(!new(&["other-odds", "groupless"]), "there is no such group");
+    let read = |file: &str| fs::read_to_string(folder.path().join("rules").join(file)).unwrap();
+    assert!(read("even_odds.rs").contains("group: Group::Numeric,"));
+    assert!(Page::new(&read("even_odds.md")).name == "even-odds");
+    let list = read("lib.rs");
+    for (before, after) in [("    &", "::RULE,"), ("mod ", ";")] {
+        let names = list
+            .lines()
+            .filter_map(|l| l.strip_prefix(before)?.strip_suffix(after));
+        let names: Vec<&str> = names.collect();
+        assert!(
+            names.is_sorted() && names.contains(&"even_odds"),
+            "{names:?}"
+        );
+    }
+}
