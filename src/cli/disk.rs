@@ -66,16 +66,19 @@ impl Files for Disk {
 
     fn version(&self, path: &Path) -> Option<u64> {
         let data = fs::metadata(named(path)).ok()?;
-        let modified = data.modified().ok()?;
-        if let Ok(age) = SystemTime::now().duration_since(modified)
-            && age < TICK
-        {
-            return None;
-        }
-        let mut hasher = DefaultHasher::new();
-        (data.len(), modified).hash(&mut hasher);
-        Some(hasher.finish())
+        version_of(data.len(), data.modified().ok()?, SystemTime::now())
     }
+}
+
+/// The version of a file of `size` bytes. There is none while it could change again within the same
+/// tick of the file system's clock.
+fn version_of(size: u64, modified: SystemTime, now: SystemTime) -> Option<u64> {
+    if now.duration_since(modified).is_ok_and(|age| age < TICK) {
+        return None;
+    }
+    let mut hasher = DefaultHasher::new();
+    (size, modified).hash(&mut hasher);
+    Some(hasher.finish())
 }
 
 /// A path as the system knows it: the folder that relative paths count from has no name in them.
@@ -89,28 +92,22 @@ fn named(path: &Path) -> &Path {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::fs::FileTimes;
 
     #[test]
-    fn what_was_written_just_now_has_no_version() -> io::Result<()> {
-        let folder = tempfile::tempdir()?;
-        let path = folder.path().join("a.glsl");
-        fs::write(&path, "float a;")?;
-        let disk = Disk::new();
-        assert_eq!(disk.version(&path), None);
-        let at = |seconds| SystemTime::now() - Duration::from_secs(seconds);
-        let set = |seconds| {
-            let times = FileTimes::new().set_modified(at(seconds));
-            fs::File::options()
-                .write(true)
-                .open(&path)?
-                .set_times(times)
-        };
-        set(2)?;
-        let before = disk.version(&path);
-        set(1)?;
-        assert!(before.is_some() && disk.version(&path) != before);
-        assert!(disk.version(Path::new("")).is_some());
-        Ok(())
+    fn what_was_written_just_now_has_no_version() {
+        let now = SystemTime::now();
+        let at = |age| version_of(8, now - age, now);
+        assert_eq!(at(Duration::ZERO), None);
+        assert_eq!(at(TICK / 2), None);
+        assert!(at(TICK).is_some());
+        assert_ne!(at(TICK), at(2 * TICK));
+        assert_ne!(at(TICK), version_of(9, now - TICK, now));
+        assert!(version_of(8, now + TICK, now).is_some());
+    }
+
+    #[test]
+    fn the_current_folder_has_no_name() {
+        assert_eq!(named(Path::new("")), Path::new("."));
+        assert_eq!(named(Path::new("a")), Path::new("a"));
     }
 }
