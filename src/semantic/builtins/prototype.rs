@@ -23,6 +23,8 @@ pub(super) struct Declared {
     overloads: [Overload; MAX_OVERLOADS],
     /// Number of overloads.
     pub count: usize,
+    /// By function: where its first overload is, or behind all.
+    first: [usize; FUNCTIONS],
     variables: [(&'static str, BuiltinVariable); MAX_VARIABLES],
     /// Number of variables.
     pub variable_count: usize,
@@ -39,6 +41,7 @@ impl Declared {
         let mut declared = Declared {
             overloads: [Overload::NONE; MAX_OVERLOADS],
             count: 0,
+            first: [MAX_OVERLOADS; FUNCTIONS],
             variables: [("", nothing); MAX_VARIABLES],
             variable_count: 0,
         };
@@ -91,6 +94,8 @@ impl Declared {
                 i += 1;
             }
             if !self.has(&overload) {
+                let first = &mut self.first[overload.function as usize];
+                *first = if self.count < *first { self.count } else { *first };
                 self.overloads[self.count] = overload;
                 self.count += 1;
             }
@@ -101,7 +106,7 @@ impl Declared {
     /// Whether there is such an overload of numbers: `min(genType, float)` and
     /// `min(genType, genType)` are one for scalars.
     const fn has(&self, overload: &Overload) -> bool {
-        let mut i = 0;
+        let mut i = self.first[overload.function as usize];
         while i < self.count {
             let other = &self.overloads[i];
             let mut is_same = other.function as u8 == overload.function as u8;
