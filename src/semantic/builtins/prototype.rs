@@ -95,7 +95,11 @@ impl Declared {
             }
             if !self.has(&overload) {
                 let first = &mut self.first[overload.function as usize];
-                *first = if self.count < *first { self.count } else { *first };
+                *first = if self.count < *first {
+                    self.count
+                } else {
+                    *first
+                };
                 self.overloads[self.count] = overload;
                 self.count += 1;
             }
