@@ -173,6 +173,24 @@ function player(page, text) {
 
 const time = (frame) => frame.evaluate(() => globalThis.shaderport.player.clock.time);
 
+/**
+ * Opens the editor and a broken shader. Window and extensions give each other up after times of their own,
+ * which nothing can lengthen: such a window is loaded anew.
+ */
+async function connect(page, address) {
+  await until('an editor with the extension', async (timeout) => {
+    page.setDefaultTimeout(30 * timeout);
+    try {
+      await page.goto(address);
+      await openFile(page, 'broken.glsl', 'colour');
+      await page.locator('.squiggly-error').first().waitFor();
+    } finally {
+      page.setDefaultTimeout(0);
+    }
+    return true;
+  });
+}
+
 /** What a broken shader looks like. */
 async function findings(page) {
   await openFile(page, 'broken.glsl', 'colour');
@@ -333,9 +351,7 @@ const limit = setTimeout(() => {
   void picture(page, 'failed').finally(() => browser.close());
 }, MINUTES * 60_000);
 try {
-  await page.goto(address);
-  await page.locator('.monaco-workbench').waitFor();
-  await page.locator('.explorer-folders-view').waitFor();
+  await connect(page, address);
   for (const step of [findings, preview, editing, costMap, hopeless]) {
     current = step.name;
     await step(page);
