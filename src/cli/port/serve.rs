@@ -99,7 +99,9 @@ impl Server {
 
     /// Whether there is a page.
     pub(super) fn is_empty(&self) -> bool {
-        self.shown.now().version.is_empty()
+        let page = self.shown.page.lock();
+        let page = page.unwrap_or_else(PoisonError::into_inner);
+        page.version.is_empty()
     }
 
     /// Serves until the process is ended.
@@ -119,9 +121,11 @@ impl Page {
 }
 
 impl Shown {
-    fn now(&self) -> Page {
-        let page = self.page.lock();
-        page.unwrap_or_else(PoisonError::into_inner).clone()
+    /// The page, once there is one: a browser may be quicker than the first conversion.
+    fn first(&self) -> Page {
+        let page = self.page.lock().unwrap_or_else(PoisonError::into_inner);
+        let shown = self.changed.wait_while(page, |p| p.version.is_empty());
+        shown.unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// The page, once there is something to tell of it that is not known; after a while in any case.
@@ -163,7 +167,7 @@ fn answer(stream: &TcpStream, address: SocketAddr, shown: &Shown) -> io::Result<
     }
     match request.path.as_str() {
         "/" => {
-            let page = shown.now();
+            let page = shown.first();
             reply(stream, "200 OK", "text/html; charset=utf-8", &page.content)
         }
         "/events" => tell_changes(stream, shown),
@@ -265,6 +269,27 @@ mod tests {
         for (head, expected) in refused {
             assert_eq!(status(head).as_deref(), Some(expected), "{head}");
         }
+    }
+
+    #[test]
+    fn a_browser_that_comes_before_the_first_page_gets_it() {
+        let server = Server::open(0).unwrap();
+        let mut stream = TcpStream::connect(server.address).unwrap();
+        let head = format!("GET / HTTP/1.1\r\nHost: {}\r\n\r\n", server.address);
+        stream.write_all(head.as_bytes()).unwrap();
+        stream
+            .set_read_timeout(Some(Duration::from_millis(100)))
+            .unwrap();
+        let early = stream.read(&mut [0; 1]).unwrap_err().kind();
+        assert!(matches!(
+            early,
+            io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut
+        ));
+        server.show("1", b"hello".to_vec());
+        stream.set_read_timeout(None).unwrap();
+        let mut said = String::new();
+        stream.read_to_string(&mut said).unwrap();
+        assert!(said.ends_with("\r\n\r\nhello"), "{said}");
     }
 
     #[test]
