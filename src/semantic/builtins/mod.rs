@@ -198,41 +198,39 @@ pub struct Builtins {
     variables: &'static [(&'static str, BuiltinVariable)],
 }
 
-/// What some texts declare, as the compiler reads them.
+/// What the compiler has read.
 macro_rules! builtins {
-    ($($text:literal),*) => {{
-        const DECLARED: Declared = Declared::read(&[$(include_str!($text)),*]);
+    ($declared:ident) => {
         Builtins {
-            overloads: &const { DECLARED.overloads::<{ DECLARED.count }>() },
-            starts: DECLARED.starts(),
-            variables: &const { DECLARED.variables::<{ DECLARED.variable_count }>() },
+            overloads: &const { $declared.overloads::<{ $declared.count }>() },
+            starts: $declared.starts(),
+            variables: &const { $declared.variables::<{ $declared.variable_count }>() },
         }
-    }};
+    };
 }
 
-static ES_300_FRAGMENT: Builtins = builtins![
-    "functions_300.glsl",
-    "functions_300_fragment.glsl",
-    "variables_300.glsl",
-    "variables_300_fragment.glsl"
-];
-static ES_300_VERTEX: Builtins = builtins![
-    "functions_300.glsl",
-    "variables_300.glsl",
-    "variables_300_vertex.glsl"
-];
-static ES_100_FRAGMENT: Builtins = builtins![
-    "functions_100.glsl",
-    "functions_100_fragment.glsl",
-    "variables_100.glsl",
-    "variables_100_fragment.glsl"
-];
-static ES_100_VERTEX: Builtins = builtins![
-    "functions_100.glsl",
-    "functions_100_vertex.glsl",
-    "variables_100.glsl",
-    "variables_100_vertex.glsl"
-];
+/// What both stages have is read once: the compiler takes its time for it.
+const OF_300: Declared = Declared::NOTHING
+    .and(include_str!("functions_300.glsl"))
+    .and(include_str!("variables_300.glsl"));
+const OF_300_FRAGMENT: Declared = OF_300
+    .and(include_str!("functions_300_fragment.glsl"))
+    .and(include_str!("variables_300_fragment.glsl"));
+const OF_300_VERTEX: Declared = OF_300.and(include_str!("variables_300_vertex.glsl"));
+const OF_100: Declared = Declared::NOTHING
+    .and(include_str!("functions_100.glsl"))
+    .and(include_str!("variables_100.glsl"));
+const OF_100_FRAGMENT: Declared = OF_100
+    .and(include_str!("functions_100_fragment.glsl"))
+    .and(include_str!("variables_100_fragment.glsl"));
+const OF_100_VERTEX: Declared = OF_100
+    .and(include_str!("functions_100_vertex.glsl"))
+    .and(include_str!("variables_100_vertex.glsl"));
+
+static ES_300_FRAGMENT: Builtins = builtins!(OF_300_FRAGMENT);
+static ES_300_VERTEX: Builtins = builtins!(OF_300_VERTEX);
+static ES_100_FRAGMENT: Builtins = builtins!(OF_100_FRAGMENT);
+static ES_100_VERTEX: Builtins = builtins!(OF_100_VERTEX);
 
 impl Builtins {
     /// What `version` defines for `stage`.
@@ -284,6 +282,15 @@ impl Builtins {
         let at = |i| self.starts.get(i).copied().unwrap_or(0) as usize;
         at(function as usize)..at(function as usize + 1)
     }
+}
+
+impl BuiltinVariable {
+    /// Of nothing; stands where none is yet.
+    const NONE: BuiltinVariable = BuiltinVariable {
+        ty: None,
+        storage: BuiltinStorage::In,
+        precision: None,
+    };
 }
 
 impl BuiltinStorage {

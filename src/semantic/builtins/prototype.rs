@@ -19,6 +19,7 @@ const MAX_OVERLOADS: usize = 640;
 const MAX_VARIABLES: usize = 24;
 
 /// What some texts declare, in their order.
+#[derive(Clone, Copy)]
 pub(super) struct Declared {
     overloads: [Overload; MAX_OVERLOADS],
     /// Number of overloads.
@@ -31,29 +32,22 @@ pub(super) struct Declared {
 }
 
 impl Declared {
-    /// Reads texts in the notation that `functions_300.glsl` explains.
-    pub const fn read(texts: &[&'static str]) -> Declared {
-        let nothing = BuiltinVariable {
-            ty: None,
-            storage: BuiltinStorage::In,
-            precision: None,
-        };
-        let mut declared = Declared {
-            overloads: [Overload::NONE; MAX_OVERLOADS],
-            count: 0,
-            first: [MAX_OVERLOADS; FUNCTIONS],
-            variables: [("", nothing); MAX_VARIABLES],
-            variable_count: 0,
-        };
-        let mut i = 0;
-        while i < texts.len() {
-            let mut words = Words { rest: texts[i] };
-            while words.skip() {
-                declared.declaration(&mut words);
-            }
-            i += 1;
+    /// What no text declares.
+    pub const NOTHING: Declared = Declared {
+        overloads: [Overload::NONE; MAX_OVERLOADS],
+        count: 0,
+        first: [MAX_OVERLOADS; FUNCTIONS],
+        variables: [("", BuiltinVariable::NONE); MAX_VARIABLES],
+        variable_count: 0,
+    };
+
+    /// The same with what a text declares, in the notation that `functions_300.glsl` explains.
+    pub const fn and(mut self, text: &'static str) -> Declared {
+        let mut words = Words { rest: text };
+        while words.skip() {
+            self.declaration(&mut words);
         }
-        declared
+        self
     }
 
     const fn declaration(&mut self, words: &mut Words) {
