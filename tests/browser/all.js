@@ -33,7 +33,7 @@ const { values: options, positionals: words } = parseArgs({
   },
 });
 const seed = Number(options.seed);
-const minutes = Number(options.minutes ?? (options.all ? 720 : 60));
+const minutes = Number(options.minutes ?? (options.all ? 720 : 20));
 
 /**
  * @typedef {object} Test
