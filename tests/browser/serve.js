@@ -13,6 +13,7 @@ ${extra}void mainImage(out vec4 O, vec2 U) { O = vec4(${red}, fract(iTime * SPEE
 async function serve(...args) {
   const port = args.some((a) => a.startsWith('--serve')) ? [] : ['--serve=0'];
   const server = spawn(program('shaderport'), [...args, '--watch', ...port], { cwd: folder() });
+  const ended = new Promise((resolve) => { server.once('exit', resolve); });
   let said = '';
   const address = await new Promise((resolve, reject) => {
     server.stderr.on('data', (data) => {
@@ -24,7 +25,7 @@ async function serve(...args) {
   });
   const end = () => {
     server.kill();
-    return new Promise((resolve) => server.once('exit', resolve));
+    return ended;
   };
   return { address, end, said: () => said };
 }
