@@ -5,7 +5,7 @@ use super::watch::tell;
 use crate::cli::{CLEAN, FAILED};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
-use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -77,12 +77,7 @@ impl Server {
 
     /// Shows a page from now on, and has those who look at an older one load it.
     pub(super) fn show(&self, version: &str, content: Vec<u8>) {
-        let mut page = self
-            .shown
-            .page
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        *page = Page {
+        *self.shown.page() = Page {
             version: version.to_string(),
             content: Arc::new(content),
             trouble: String::new(),
@@ -92,16 +87,13 @@ impl Server {
 
     /// Tells those who look at the page why it is not the newest.
     pub(super) fn tell(&self, trouble: &str) {
-        let page = self.shown.page.lock();
-        page.unwrap_or_else(PoisonError::into_inner).trouble = trouble.replace(['\r', '\n'], " ");
+        self.shown.page().trouble = trouble.replace(['\r', '\n'], " ");
         self.shown.changed.notify_all();
     }
 
     /// Whether there is a page.
     pub(super) fn is_empty(&self) -> bool {
-        let page = self.shown.page.lock();
-        let page = page.unwrap_or_else(PoisonError::into_inner);
-        page.version.is_empty()
+        self.shown.page().is_empty()
     }
 
     /// Serves until the process is ended.
@@ -114,6 +106,11 @@ impl Server {
 }
 
 impl Page {
+    /// Whether it is none yet.
+    fn is_empty(&self) -> bool {
+        self.version.is_empty()
+    }
+
     /// Whether there is nothing to tell to somebody who knows the other.
     fn says(&self, other: &Page) -> bool {
         self.version == other.version && self.trouble == other.trouble
@@ -121,18 +118,23 @@ impl Page {
 }
 
 impl Shown {
+    /// The page as it is now, which nobody changes meanwhile.
+    fn page(&self) -> MutexGuard<'_, Page> {
+        self.page.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// The page, once there is one: a browser may be quicker than the first conversion.
     fn first(&self) -> Page {
-        let page = self.page.lock().unwrap_or_else(PoisonError::into_inner);
-        let shown = self.changed.wait_while(page, |p| p.version.is_empty());
+        let shown = self.changed.wait_while(self.page(), |p| p.is_empty());
         shown.unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// The page, once there is something to tell of it that is not known; after a while in any case.
     fn next(&self, known: &Page) -> Page {
-        let page = self.page.lock().unwrap_or_else(PoisonError::into_inner);
         let is_known = |page: &mut Page| page.says(known);
-        let waited = self.changed.wait_timeout_while(page, PULSE, is_known);
+        let waited = self
+            .changed
+            .wait_timeout_while(self.page(), PULSE, is_known);
         waited.unwrap_or_else(PoisonError::into_inner).0.clone()
     }
 }
