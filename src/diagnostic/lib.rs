@@ -2,7 +2,7 @@
 
 mod code;
 
-pub use code::{ERRORS, error};
+pub use code::{Certainty, ERRORS, ErrorKind, Facet, Lack, error};
 
 use shaderlint_text::{Edit, Span};
 use std::sync::Arc;
@@ -138,6 +138,8 @@ impl Subject {
 pub struct Diagnostic {
     /// Name of the finding, which is also the name of its page.
     pub rule: &'static str,
+    /// What kind of compile error it is, for code that decides; `None` of rules.
+    pub kind: Option<ErrorKind>,
     /// Whether the compiler or a lint rule speaks.
     pub origin: Origin,
     /// How bad it is.
@@ -165,9 +167,23 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// A compile error; `rule` is one of [`error`].
-    pub fn error(rule: &'static str, span: Span, message: impl Into<String>) -> Diagnostic {
-        Diagnostic::new(rule, Origin::Compiler, Severity::Error, span, message)
+    /// A compile error; `kind` is one of [`error`].
+    pub fn error(kind: ErrorKind, span: Span, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::of(kind, Severity::Error, span, message)
+    }
+
+    /// What is said of code that may be a compile error; `kind` is one of [`error`].
+    pub fn of(
+        kind: ErrorKind,
+        severity: Severity,
+        span: Span,
+        message: impl Into<String>,
+    ) -> Diagnostic {
+        let d = Diagnostic::new(kind.name, Origin::Compiler, severity, span, message);
+        Diagnostic {
+            kind: Some(kind),
+            ..d
+        }
     }
 
     /// A finding with all that is not optional.
@@ -180,6 +196,7 @@ impl Diagnostic {
     ) -> Diagnostic {
         Diagnostic {
             rule,
+            kind: None,
             origin,
             severity,
             message: message.into(),
@@ -193,6 +210,26 @@ impl Diagnostic {
             fix: None,
             part: None,
         }
+    }
+
+    /// Whether it is an error of this kind.
+    pub fn is(&self, kind: ErrorKind) -> bool {
+        self.kind == Some(kind)
+    }
+
+    /// Whether it is an error of a kind with this facet.
+    pub fn has(&self, facet: Facet) -> bool {
+        self.kind.is_some_and(|kind| kind.has(facet))
+    }
+
+    /// How sure it is in a part of a shader.
+    pub fn certainty(&self) -> Certainty {
+        self.kind.map_or(Certainty::Never, |kind| kind.certainty)
+    }
+
+    /// What the shader lacks, if that is the error.
+    pub fn lacks(&self) -> Option<Lack> {
+        self.kind?.lacks
     }
 
     /// Says what an error of the syntax is about.

@@ -9,7 +9,7 @@ use super::part::{Part, Shader, ask_first, check_part};
 use super::shader::shader_part;
 use super::world::{Keep, World};
 use super::{embedded, foreign, partner};
-use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_lint::{Allows, Judged};
 use shaderlint_port::{Project, ProjectError, compose};
 use shaderlint_rules::RULES;
@@ -245,7 +245,7 @@ fn no_project(error: ProjectError, text: &str) -> Unread {
 
 /// What is wrong with a shader file that holds no text to be judged.
 fn unreadable(text: &str, encoding: Encoding) -> Option<Diagnostic> {
-    let error = |rule, message| Some(Diagnostic::error(rule, Span::at(0), message));
+    let error = |kind, message| Some(Diagnostic::error(kind, Span::at(0), message));
     match encoding {
         Encoding::Utf16 => error(
             error::INVALID_ENCODING,
@@ -272,10 +272,10 @@ fn report_damage(input: &SplitInput, offset: u32, diagnostics: &mut Vec<Diagnost
         return;
     }
     let span = Span::new(start, start + '\u{fffd}'.len_utf8() as u32);
-    let rule = error::INVALID_ENCODING;
+    let kind = error::INVALID_ENCODING;
     let message = "the file is not UTF-8 from here on";
     diagnostics.push(
-        Diagnostic::new(rule, Origin::Compiler, Severity::Warning, span, message)
+        Diagnostic::of(kind, Severity::Warning, span, message)
             .note("a browser reads U+FFFD in the place of such bytes"),
     );
 }

@@ -217,7 +217,7 @@ pub fn tell_fix(diagnostic: &mut Diagnostic) {
         return;
     };
     if fix.applicability == Applicability::Safe || diagnostic.help.is_empty() {
-        let is_version = diagnostic.rule == error::VERSION_PLACEMENT;
+        let is_version = diagnostic.is(error::VERSION_PLACEMENT);
         diagnostic.help.push(if is_version {
             "start the string right with `#version`".to_string()
         } else {

@@ -3,7 +3,7 @@
 
 use super::input::SplitInput;
 use super::options::{Desktop, Options};
-use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_text::embed::Embedded;
 use shaderlint_text::kind::{Decision, Evidence, Tongue, reason};
 use shaderlint_text::{FileId, Span};
@@ -51,7 +51,7 @@ pub(super) fn inside(
 }
 
 fn tell(evidence: &Evidence, text: &str, base: u32, tongue: Tongue, why: &str) -> Diagnostic {
-    let rule = error::UNSUPPORTED_VERSION;
+    let kind = error::UNSUPPORTED_VERSION;
     if let Some(version) = evidence.version.filter(|v| v.is_desktop()) {
         let start = version.at;
         let line = text.get(start..).unwrap_or("");
@@ -61,14 +61,14 @@ fn tell(evidence: &Evidence, text: &str, base: u32, tongue: Tongue, why: &str) -
         let start = base + start as u32;
         let span = Span::new(start, start + line.len() as u32);
         let message = format!("WebGL2 has no GLSL version {}", version.number);
-        return Diagnostic::error(rule, span, message)
+        return Diagnostic::error(kind, span, message)
             .note("this is GLSL for OpenGL or Vulkan; nothing else is said of it")
             .help("`desktop = \"port\"` in shaderlint.toml checks it as GLSL ES 3.00, `desktop = \"skip\"` passes it over");
     }
     let sign = evidence.first_sign(tongue).unwrap_or(0..0);
     let span = Span::new(base + sign.start as u32, base + sign.end as u32);
     let message = format!("this shader is {tongue}, which WebGL does not compile");
-    Diagnostic::new(rule, Origin::Compiler, Severity::Info, span, message)
+    Diagnostic::of(kind, Severity::Info, span, message)
         .note(format!("{why}; nothing else is said of it"))
         .help("`desktop = \"skip\"` in shaderlint.toml passes it over")
 }

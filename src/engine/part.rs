@@ -134,7 +134,7 @@ fn tell_part(
     if wholeness != Wholeness::Whole {
         // The program around a part knows its names.
         let names = checked.diagnostics.iter_mut();
-        let renamed = names.filter(|d| d.rule == error::RESERVED_WORD);
+        let renamed = names.filter(|d| d.is(error::RESERVED_WORD));
         renamed.for_each(|d| ask_first(std::slice::from_mut(d)));
     }
     diagnostics.append(&mut checked.diagnostics);
@@ -214,14 +214,14 @@ fn run_rules(
 /// Keeps what is wrong even if the hosts give other names, or are not the ones that were guessed.
 fn keep_under_hosts(sources: &Sources, readings: &Readings, diagnostics: &mut Vec<Diagnostic>) {
     if readings.renames {
-        diagnostics.retain(|d| d.rule != error::RESERVED_WORD);
+        diagnostics.retain(|d| !d.is(error::RESERVED_WORD));
     }
     if readings.is_guessed && !readings.needs_300() {
         // Where only the project speaks for a host, the text may go by another way, as GLSL ES 1.00.
         diagnostics.retain(|d| {
             let word = classify(sources.text(d.span), Version::Es100);
-            let is_free = d.rule == error::RESERVED_WORD && word == WordClass::Plain;
-            d.rule != error::BUILTIN_REDEFINITION && !is_free
+            let is_free = d.is(error::RESERVED_WORD) && word == WordClass::Plain;
+            !d.is(error::BUILTIN_REDEFINITION) && !is_free
         });
     }
 }

@@ -3,7 +3,7 @@
 
 use super::options::{DialectChoice, Options};
 use super::prelude::{behind_version, prelude, with_host};
-use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Lack, Severity};
 use shaderlint_host::{HostVersion, Preset};
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{
@@ -344,10 +344,7 @@ impl Readings {
                     let is_wrong = checked.diagnostics.iter().any(is_error);
                     let with_version = |r| analyze(&unit(r, Wholeness::Whole)).diagnostics;
                     let would_be = || others.first().map_or(Vec::new(), with_version);
-                    let is_open = |d: &Diagnostic| {
-                        let rules = [error::MISSING_OUTPUT, error::OUTPUT_LOCATION];
-                        lacks_something(d) || rules.contains(&d.rule)
-                    };
+                    let is_open = |d: &Diagnostic| d.lacks().is_some();
                     let is_left = |d: &Diagnostic| is_error(d) && !is_open(d);
                     !is_wrong || would_be().iter().any(is_left)
                 }
@@ -382,7 +379,7 @@ pub fn lacking(checked: &Checked) -> Option<BTreeSet<String>> {
     }
     let undeclared = diagnostics
         .iter()
-        .filter(|d| matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE))
+        .filter(|d| d.lacks() == Some(Lack::Name))
         .map(|d| program.sources.text(d.span).to_string());
     Some(open.names.iter().cloned().chain(undeclared).collect())
 }
@@ -470,11 +467,5 @@ fn is_error(diagnostic: &Diagnostic) -> bool {
 
 /// Whether an error says that a shader lacks what its host may have.
 fn lacks_something(diagnostic: &Diagnostic) -> bool {
-    [
-        error::UNDECLARED_NAME,
-        error::UNKNOWN_TYPE,
-        error::MISSING_PRECISION,
-        error::NEEDS_WEBGL2,
-    ]
-    .contains(&diagnostic.rule)
+    matches!(diagnostic.lacks(), Some(Lack::Name | Lack::Setting))
 }

@@ -1,6 +1,6 @@
 //! The errors of a project that have one answer, mended in all of its passes.
 
-use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_lint::{Allow, Look, fix, without_pictures};
 use shaderlint_port::{Composed, Project, add_repairs, compose};
 use shaderlint_text::{Role, SourceFile, Sources, Span};
@@ -73,9 +73,8 @@ pub fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Option<Repa
         let place = |address: u32| address.saturating_sub(added);
         done.span = Span::new(place(done.span.start), place(done.span.end));
     }
-    let version = Diagnostic::new(
+    let version = Diagnostic::of(
         error::LEGACY_GLSL,
-        Origin::Compiler,
         Severity::Info,
         Span::at(0),
         "repaired: add `#version 300 es`",

@@ -3,7 +3,7 @@
 
 use super::words::each_word;
 use rustc_hash::FxHashSet;
-use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Facet, Severity};
 use shaderlint_semantic::CallGraph;
 use shaderlint_semantic::{Function, FunctionRef, Program, Type};
 use shaderlint_syntax::ast::{ExprKind, Item, StmtKind};
@@ -121,12 +121,7 @@ impl<'a> Broken<'a> {
     fn mark_error(&mut self, program: &Program, error: &Diagnostic) {
         // A brace that is missing or too many moves what stands where; a conditional without its
         // end, too.
-        let moves = [
-            error::UNBALANCED_CONDITIONAL,
-            error::UNTERMINATED_COMMENT,
-            error::MACRO_BUDGET,
-        ];
-        self.whole |= error.subject.is_brace() || moves.contains(&error.rule);
+        self.whole |= error.subject.is_brace() || error.has(Facet::Moves);
         let calls = error.macros.iter().map(|m| m.call);
         let labels = error.labels.iter().map(|l| l.span);
         let others: Vec<Span> = calls.chain(labels).collect();

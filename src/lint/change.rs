@@ -1,7 +1,7 @@
 //! What edits do to the places and errors of a text.
 
 use super::Look;
-use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Facet, Severity};
 use shaderlint_text::{Edit, Span};
 
 /// Where places behind edits come from; there may be very many of both.
@@ -135,24 +135,10 @@ impl<'a> Change<'a> {
             let place = self.origin(d);
             let offset = d.span.start.saturating_sub(self.after.span.start);
             let is_hidden = !self.moves.has_inserted(offset) && !judged.has_seen(place);
-            self.is_known(d, place) || (is_hidden && !SYNTAX.contains(&d.rule))
+            self.is_known(d, place) || (is_hidden && !d.has(Facet::Reads))
         })
     }
 }
-
-/// What the parser and the preprocessor say. They judge all that they read.
-const SYNTAX: &[&str] = &[
-    error::SYNTAX_ERROR,
-    error::MISSING_SEMICOLON,
-    error::UNCLOSED_DELIMITER,
-    error::STRAY_SEMICOLON,
-    error::UNBALANCED_CONDITIONAL,
-    error::UNTERMINATED_COMMENT,
-    error::INVALID_CHARACTER,
-    error::BAD_DIRECTIVE,
-    error::MACRO_ARGUMENTS,
-    error::LOCAL_FUNCTION,
-];
 
 #[cfg(test)]
 mod tests {

@@ -20,7 +20,8 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
         let Some(found) = errors.get(index) else {
             return;
         };
-        let fix = match found.rule {
+        let Some(kind) = found.kind else { continue };
+        let fix = match kind {
             // The name is what the language objects to: another one is the only way.
             error::BUILTIN_REDEFINITION => found.fix.clone().map(|fix| Fix {
                 applicability: Applicability::Safe,
@@ -186,7 +187,7 @@ fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
     for (qualifiers, declarator) in globals(program) {
         let is_reported = |e: &Diagnostic| {
             let init = declarator.init.map(|i| program.expr_span(i));
-            e.rule == error::NOT_CONSTANT && Some(e.span) == init
+            e.is(error::NOT_CONSTANT) && Some(e.span) == init
         };
         if !errors.iter().any(is_reported) {
             continue;

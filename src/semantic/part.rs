@@ -7,7 +7,7 @@
 
 use super::program::{Function, Program};
 use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_diagnostic::{Diagnostic, MacroUse, Severity, Subject, error};
+use shaderlint_diagnostic::{Certainty, Diagnostic, Lack, MacroUse, Severity, Subject, error};
 use shaderlint_syntax::{
     DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify,
     set,
@@ -33,66 +33,6 @@ const MAX_EMPTY_CALLS: usize = 1_000;
 /// Farthest that a bracket's partner is looked for, in tokens.
 const MAX_LOOK: usize = 400;
 
-/// How sure an error of some kind is in a part.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Certainty {
-    /// It holds between what the part declares.
-    Meaning,
-    /// It holds where no word that may be a macro stands near.
-    Syntax,
-    /// A host may mend it.
-    Never,
-}
-
-/// How sure errors of a kind are in a part. Kinds that are not named here are those that a host
-/// may mend: what is missing, what stands in the wrong place, what only one version has.
-fn certainty(rule: &str) -> Certainty {
-    match rule {
-        error::INT_FLOAT_MIX
-        | error::VECTOR_SIZE
-        | error::TYPE_MISMATCH
-        | error::CONDITION_TYPE
-        | error::CONSTRUCTOR_ARGUMENTS
-        | error::ARGUMENT_MISMATCH
-        | error::RETURN_TYPE
-        | error::SWIZZLE_OUT_OF_RANGE
-        | error::INVALID_SWIZZLE
-        | error::NO_SUCH_FIELD
-        | error::INVALID_INDEX
-        | error::INDEX_OUT_OF_RANGE
-        | error::NOT_ASSIGNABLE
-        | error::INTEGER_LENGTH
-        | error::UNSUPPORTED_OPERATION
-        | error::INVALID_SWITCH
-        | error::INVALID_PARAMETER
-        | error::INVALID_STRUCT
-        | error::SAMPLER_RESTRICTION
-        | error::FUNCTION_MISMATCH
-        | error::BUILTIN_REDEFINITION
-        | error::RESERVED_WORD
-        | error::REDEFINITION
-        | error::NOT_A_VARIABLE
-        | error::MACRO_ARGUMENTS
-        | error::MACRO_REDEFINITION
-        | error::BAD_DIRECTIVE
-        | error::UNBALANCED_CONDITIONAL
-        | error::MISSING_RETURN
-        | error::VOID_VALUE
-        | error::INVALID_ARRAY => Certainty::Meaning,
-        error::SYNTAX_ERROR
-        | error::MISSING_SEMICOLON
-        | error::UNCLOSED_DELIMITER
-        | error::INITIALIZER_LIST
-        | error::FOREIGN_SYNTAX
-        | error::LOCAL_FUNCTION
-        | error::INVALID_NUMBER
-        | error::FAULTY_MACRO
-        | error::INVALID_CHARACTER
-        | error::UNTERMINATED_COMMENT => Certainty::Syntax,
-        _ => Certainty::Never,
-    }
-}
-
 /// What a part leaves open.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Open {
@@ -115,9 +55,9 @@ pub(super) fn keep_certain(
     let is_torn = wholeness == Wholeness::Excerpt
         || diagnostics
             .iter()
-            .any(|d| certainty(d.rule) == Certainty::Syntax && part.is_excused(d));
+            .any(|d| d.certainty() == Certainty::Syntax && part.is_excused(d));
     diagnostics.retain_mut(|d| {
-        if matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE) {
+        if d.lacks() == Some(Lack::Name) {
             if slips.contains(&d.span) {
                 d.severity = Severity::Warning;
                 return true;
@@ -181,10 +121,10 @@ impl<'p> Part<'p> {
         if !file.is_some_and(|f| f.role == Role::User && f.span().contains(d.span)) {
             return false;
         }
-        match certainty(d.rule) {
+        match d.certainty() {
             Certainty::Never => false,
             // Programs that put something into a text mark the place by characters of ASCII.
-            Certainty::Syntax if d.rule == error::INVALID_CHARACTER => {
+            Certainty::Syntax if d.is(error::INVALID_CHARACTER) => {
                 !self.program.sources.text(d.span).is_ascii()
             }
             Certainty::Syntax => !self.is_torn_apart(d, is_torn) && !self.is_excused(d),
@@ -200,7 +140,7 @@ impl<'p> Part<'p> {
             return false;
         };
         let forms = self.own_functions.iter().filter(|(own, _)| own == name);
-        certainty(d.rule) == Certainty::Meaning
+        d.certainty() == Certainty::Meaning
             && forms.count() == 1
             && self.is_user(d.span)
             && self.is_user(*place)
@@ -218,7 +158,7 @@ impl<'p> Part<'p> {
         is_outside
             || is_cut
             || self.is_call(d)
-            || is_torn && (is_brace || d.rule == error::LOCAL_FUNCTION)
+            || is_torn && (is_brace || d.is(error::LOCAL_FUNCTION))
     }
 
     /// Whether what was taken for the head of a function without its type is a call: a statement that
@@ -273,7 +213,8 @@ impl<'p> Part<'p> {
         if self.is_of_own_call(d) {
             return false;
         }
-        match d.rule {
+        let Some(kind) = d.kind else { return true };
+        match kind {
             // Other releases of a host have other members.
             error::NO_SUCH_FIELD => d.labels.iter().any(|l| self.is_user(l.span)),
             error::MISSING_RETURN => !is_torn && !self.holds_group(d.span),
@@ -390,7 +331,7 @@ impl<'p> Part<'p> {
         if self.is_foreign(d.span) || self.is_empty_call(at) {
             return true;
         }
-        let is_delimiter = d.rule == error::UNCLOSED_DELIMITER && !d.subject.is_brace();
+        let is_delimiter = d.is(error::UNCLOSED_DELIMITER) && !d.subject.is_brace();
         if is_delimiter && self.is_unbalanced(at) {
             return false;
         }
@@ -398,7 +339,7 @@ impl<'p> Part<'p> {
         let is_operand = |i: usize| matches!(kind(i), T::Identifier | T::RightParen);
         let before = at.saturating_sub(1);
         let callee = self.callee(before);
-        if d.rule == error::MISSING_SEMICOLON {
+        if d.is(error::MISSING_SEMICOLON) {
             let word = callee.unwrap_or(before);
             let starts = word.checked_sub(1).map_or(T::End, kind);
             let is_alone = matches!(starts, T::Semicolon | T::LeftBrace | T::RightBrace | T::End);
@@ -558,10 +499,13 @@ impl<'p> Part<'p> {
                 && own.any(|(name, span)| name.0 == t.value && !self.is_user(*span))
         };
         let mut statement = self.statement(d.span).filter_map(|i| self.token(i));
-        let may_be_call = matches!(
-            d.rule,
-            error::ARGUMENT_MISMATCH | error::VECTOR_SIZE | error::INT_FLOAT_MIX
-        );
+        let may_be_call = [
+            error::ARGUMENT_MISMATCH,
+            error::VECTOR_SIZE,
+            error::INT_FLOAT_MIX,
+        ]
+        .iter()
+        .any(|kind| d.is(*kind));
         may_be_call && statement.any(of_host)
     }
 
@@ -570,7 +514,7 @@ impl<'p> Part<'p> {
     fn slips(&self, diagnostics: &[Diagnostic]) -> FxHashSet<Span> {
         let named = diagnostics
             .iter()
-            .filter(|d| matches!(d.rule, error::UNDECLARED_NAME | error::UNKNOWN_TYPE))
+            .filter(|d| d.lacks() == Some(Lack::Name))
             .filter(|d| d.fix.is_some());
         let mut counts: FxHashMap<u32, usize> = FxHashMap::default();
         let mut found = FxHashSet::default();
@@ -646,7 +590,7 @@ fn known_names(program: &Program) -> FxHashSet<Name> {
 
 /// Whether an error is about a brace without its partner.
 fn is_unclosed_brace(d: &Diagnostic) -> bool {
-    d.rule == error::UNCLOSED_DELIMITER && d.subject.is_brace()
+    d.is(error::UNCLOSED_DELIMITER) && d.subject.is_brace()
 }
 
 /// The calls of macros that stand for nothing, as the user sees them.

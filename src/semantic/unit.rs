@@ -9,7 +9,7 @@ use super::part::{Open, Wholeness, keep_certain};
 use super::program::Program;
 use super::settle::Corrected;
 use super::types::Sampler;
-use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Facet, Severity, error};
 use shaderlint_syntax::{ParseOptions, Preprocessed, parse, preprocess};
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::sync::Arc;
@@ -110,9 +110,9 @@ pub fn analyze(unit: &Unit) -> Checked {
     // An entry that stands behind an `#if` without its end is there, only not read.
     if diagnostics
         .iter()
-        .any(|d| d.rule == error::UNBALANCED_CONDITIONAL)
+        .any(|d| d.is(error::UNBALANCED_CONDITIONAL))
     {
-        diagnostics.retain(|d| d.rule != error::MISSING_MAIN);
+        diagnostics.retain(|d| !d.is(error::MISSING_MAIN));
     }
     if unit.wholeness != Wholeness::Whole {
         keep_own(unit.sources, &mut diagnostics);
@@ -202,8 +202,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
         // What the lexer says of a piece of a foreign form is no second mistake.
         let is_told = |d: &Diagnostic| {
             let mut forms = translated.diagnostics.iter().map(|form| form.span);
-            d.rule == error::INVALID_NUMBER
-                && forms.any(|form| form != d.span && form.contains(d.span))
+            d.is(error::INVALID_NUMBER) && forms.any(|form| form != d.span && form.contains(d.span))
         };
         diagnostics.retain(|d| !is_told(d));
         diagnostics.extend(problems);
@@ -231,7 +230,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
 /// rest of the text is only not used.
 fn judge_cut(sources: &Sources, cut: Span, diagnostics: &mut Vec<Diagnostic>) {
     let count = diagnostics.len();
-    diagnostics.retain(|d| d.span.end < cut.start && !LEFT_OPEN.contains(&d.rule));
+    diagnostics.retain(|d| d.span.end < cut.start && !d.has(Facet::EndsEarly));
     let severity = if diagnostics.len() < count {
         Severity::Error
     } else {
@@ -244,23 +243,13 @@ fn judge_cut(sources: &Sources, cut: Span, diagnostics: &mut Vec<Diagnostic>) {
     if severity == Severity::Error || rest.is_some_and(|r| !r.trim_matches(['\0', '\n']).is_empty())
     {
         let message = "a NUL character ends the shader here";
-        let rule = error::INVALID_CHARACTER;
+        let kind = error::INVALID_CHARACTER;
         diagnostics.push(
-            Diagnostic::new(rule, Origin::Compiler, severity, cut, message)
+            Diagnostic::of(kind, severity, cut, message)
                 .note("the browser reads nothing of what stands behind it"),
         );
     }
 }
-
-/// What is reported where a shader ends too early, wherever it stands.
-const LEFT_OPEN: &[&str] = &[
-    error::MISSING_MAIN,
-    error::UNWRAPPED_MAINIMAGE,
-    error::UNBALANCED_CONDITIONAL,
-    error::UNCLOSED_DELIMITER,
-    error::UNTERMINATED_COMMENT,
-    error::UNDEFINED_FUNCTION,
-];
 
 fn limit(diagnostics: &mut Vec<Diagnostic>) {
     if diagnostics.len() >= MAX_ERRORS {

@@ -24,7 +24,7 @@ struct Written {
 impl Case<'_> {
     pub(super) fn broken_calls(&self) -> Vec<Candidate> {
         let mut all = Vec::new();
-        let of_calls = |d: &&Diagnostic| d.rule == error::MACRO_ARGUMENTS;
+        let of_calls = |d: &&Diagnostic| d.is(error::MACRO_ARGUMENTS);
         for d in self.errors.iter().filter(of_calls).take(MAX_LOOKED_AT) {
             if let Some(call) = self.written(d.span.start) {
                 self.unclosed_call(&call, &mut all);

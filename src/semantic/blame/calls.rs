@@ -130,7 +130,7 @@ pub(crate) fn gather(program: &Program, errors: Vec<Diagnostic>) -> Vec<Diagnost
         };
         let known = heads.iter_mut().find(|(at, _)| {
             out.get(*at)
-                .is_some_and(|o| o.rule == d.rule && o.span == d.span)
+                .is_some_and(|o| o.kind == d.kind && o.span == d.span)
         });
         match known {
             Some((_, places)) => places.push(call),
@@ -165,7 +165,7 @@ impl Calls {
 fn point(d: &mut Diagnostic, places: &[Span], used: usize) {
     let Some(&first) = places.first() else { return };
     // What is told once for all uses of a name.
-    let once = d.rule == error::UNDECLARED_NAME;
+    let once = d.is(error::UNDECLARED_NAME);
     if places.len() < used && !once {
         let body = std::mem::replace(&mut d.span, first);
         d.labels.insert(

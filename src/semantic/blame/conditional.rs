@@ -97,7 +97,7 @@ fn directive(line: &str) -> Option<&str> {
 impl Case<'_> {
     /// The places where a lost `#endif` may have stood, the likeliest first.
     pub(super) fn conditionals(&self) -> Vec<Candidate> {
-        let is_open = |d: &&Diagnostic| d.rule == error::UNBALANCED_CONDITIONAL && d.fix.is_none();
+        let is_open = |d: &&Diagnostic| d.is(error::UNBALANCED_CONDITIONAL) && d.fix.is_none();
         let Some(found) = self
             .errors
             .iter()
@@ -158,7 +158,7 @@ impl Case<'_> {
     fn lost_openings(&self) -> Vec<Candidate> {
         let is_lone = |d: &&Diagnostic| {
             let word = directive(self.text(d.span));
-            d.rule == error::UNBALANCED_CONDITIONAL
+            d.is(error::UNBALANCED_CONDITIONAL)
                 && d.labels.is_empty()
                 && matches!(word, Some("else" | "elif" | "endif"))
         };

@@ -66,8 +66,7 @@ impl Case<'_> {
         let Some(params) = &d.of.params else { return };
         let is_used = |index: usize| d.of.body.iter().any(|p| p.token.expansion == index as u32);
         let undeclared = |e: &&Diagnostic| {
-            e.rule == error::UNDECLARED_NAME
-                && e.macros.iter().any(|m| m.definition == d.of.name_span)
+            e.is(error::UNDECLARED_NAME) && e.macros.iter().any(|m| m.definition == d.of.name_span)
         };
         for e in self.errors.iter().filter(undeclared).take(4) {
             let word = self.text(e.span);

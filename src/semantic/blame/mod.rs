@@ -21,7 +21,7 @@ pub(super) use calls::gather;
 use super::program::Program;
 use super::unit::{Unit, analyze_once};
 use calls::Calls;
-use shaderlint_diagnostic::{Diagnostic, error};
+use shaderlint_diagnostic::{Diagnostic, Facet};
 use shaderlint_text::{Edit, Span};
 use trial::{Budget, Copy};
 
@@ -100,7 +100,7 @@ fn repair(
 
 /// Whether both speak of the same mistake.
 fn same(a: &Diagnostic, b: &Diagnostic) -> bool {
-    a.rule == b.rule && a.span.start == b.span.start
+    a.kind == b.kind && a.span.start == b.span.start
 }
 
 /// Takes away the fixes of definitions that no trial has proved.
@@ -179,7 +179,7 @@ impl Case<'_> {
     /// The fixes of errors in directives: behind them the shader is what it was meant to be.
     fn own_fixes(&self) -> Vec<Candidate> {
         let in_directive = |d: &&Diagnostic| {
-            IN_DIRECTIVES.contains(&d.rule) || calls::is_in_definition(self.program, d.span)
+            d.has(Facet::Directive) || calls::is_in_definition(self.program, d.span)
         };
         let found = self.errors.iter().filter(in_directive);
         let candidate = |d: &Diagnostic| {
@@ -198,10 +198,3 @@ impl Case<'_> {
         self.unit.sources.is_user(span.start)
     }
 }
-
-/// What is said of directives.
-const IN_DIRECTIVES: &[&str] = &[
-    error::BAD_DIRECTIVE,
-    error::PREPROCESSOR_EXPRESSION,
-    error::UNBALANCED_CONDITIONAL,
-];

@@ -166,7 +166,7 @@ impl Checker<'_> {
         if let Some(d) = self
             .diagnostics
             .get_mut(index)
-            .filter(|d| d.span == span && d.rule == error::UNDECLARED_NAME)
+            .filter(|d| d.span == span && d.is(error::UNDECLARED_NAME))
         {
             d.fix = Some(fix);
         }

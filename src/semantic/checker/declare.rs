@@ -319,7 +319,7 @@ impl<'a> Checker<'a> {
         is_meant: bool,
     ) {
         let span = self.token_span(ident.token);
-        let is_it = |d: &Diagnostic| d.rule == error::REDEFINITION && d.span == span;
+        let is_it = |d: &Diagnostic| d.is(error::REDEFINITION) && d.span == span;
         if self.diagnostics.last().is_some_and(is_it) {
             let fix = self.second_declaration(ident, first, ty, spec, is_meant);
             if let Some(d) = self.diagnostics.last_mut() {

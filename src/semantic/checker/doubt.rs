@@ -87,7 +87,8 @@ impl Checker<'_> {
         let rule = self
             .diagnostics
             .pop()
-            .map_or(error::TYPE_MISMATCH, |d| d.rule);
+            .and_then(|d| d.kind)
+            .unwrap_or(error::TYPE_MISMATCH);
         let d = self.explain_declared_type(rule, spec, declarator, ty, init);
         self.report(d);
     }

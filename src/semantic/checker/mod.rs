@@ -60,7 +60,7 @@ use qualifier::Precisions;
 pub(super) use qualifier::{QualifierError, Wanted};
 pub(super) use record::{Record, RecordError};
 use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_diagnostic::{Diagnostic, error};
+use shaderlint_diagnostic::{Diagnostic, ErrorKind, error};
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Feature, Name, Names, Token, TokenKind, Tokens, Version, macro_uses};
 use shaderlint_text::{Role, Sources, Span};
@@ -461,7 +461,7 @@ impl<'a> Checker<'a> {
 
     pub(super) fn error(
         &self,
-        rule: &'static str,
+        rule: ErrorKind,
         extent: Extent,
         message: impl Into<String>,
     ) -> Diagnostic {
@@ -483,7 +483,7 @@ impl<'a> Checker<'a> {
 
     pub(super) fn error_at(
         &self,
-        rule: &'static str,
+        rule: ErrorKind,
         token: TokenId,
         message: impl Into<String>,
     ) -> Diagnostic {
@@ -492,7 +492,7 @@ impl<'a> Checker<'a> {
 
     pub(super) fn error_expr(
         &self,
-        rule: &'static str,
+        rule: ErrorKind,
         expr: ExprId,
         message: impl Into<String>,
     ) -> Diagnostic {

@@ -20,7 +20,7 @@ impl Checker<'_> {
     /// What GLSL has nothing for.
     pub(crate) fn explain_absent(
         &self,
-        rule: &'static str,
+        rule: ErrorKind,
         name: Name,
         token: TokenId,
         why: &'static str,
@@ -88,7 +88,7 @@ impl Checker<'_> {
 
     fn foreign_error(
         &self,
-        rule: &'static str,
+        rule: ErrorKind,
         token: TokenId,
         found: Foreign,
         what: &str,

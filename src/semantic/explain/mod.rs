@@ -43,7 +43,7 @@ use super::program::*;
 use super::scope::Binding;
 use super::types::*;
 use super::typing::{self, Clash, Misfit, NonNumber};
-use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, error};
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Feature, Name, Token, TokenKind, Version};
 use shaderlint_text::{Edit, Span};

@@ -3,7 +3,7 @@
 use super::*;
 
 impl Record {
-    fn rule(self) -> &'static str {
+    fn rule(self) -> ErrorKind {
         match self {
             Record::Struct => error::INVALID_STRUCT,
             Record::Block => error::INTERFACE_BLOCK,

@@ -53,7 +53,7 @@ impl Checker<'_> {
     /// A declaration whose type is not that of its value and its uses.
     pub(crate) fn explain_declared_type(
         &self,
-        rule: &'static str,
+        rule: ErrorKind,
         spec: Extent,
         declarator: &Declarator,
         ty: Type,
@@ -70,7 +70,7 @@ impl Checker<'_> {
             .fix(Fix::safe(format!("declare it as `{found}`"), vec![edit]))
     }
 
-    fn rule_for(&self, wanted: Type, found: Type, clash: Clash) -> &'static str {
+    fn rule_for(&self, wanted: Type, found: Type, clash: Clash) -> ErrorKind {
         let has_bool = |t: Type| t.element().scalar_kind() == Some(Scalar::Bool);
         match clash {
             Clash::Scalars if has_bool(wanted) || has_bool(found) => error::TYPE_MISMATCH,
@@ -91,7 +91,7 @@ impl Checker<'_> {
         extent: Extent,
         wanted: Type,
         value: ExprId,
-        rule: &'static str,
+        rule: ErrorKind,
     ) -> Diagnostic {
         let found = self.ty(value);
         let (wn, fname) = (self.name_of(wanted), self.name_of(found));

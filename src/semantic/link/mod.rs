@@ -15,7 +15,7 @@ use super::Program;
 use compare::{Difference, Differing};
 pub use interface::{Block, Interface, InterfaceVariable};
 use rustc_hash::FxHashSet;
-use shaderlint_diagnostic::{Diagnostic, error};
+use shaderlint_diagnostic::{Diagnostic, ErrorKind, error};
 use shaderlint_syntax::ast::TokenId;
 use shaderlint_text::Span;
 
@@ -102,7 +102,7 @@ impl Found {
     /// diagnostic, so that more can be said; `None` where it was told before.
     fn differ(
         &mut self,
-        rule: &'static str,
+        rule: ErrorKind,
         message: String,
         first: Place,
         second: Place,
@@ -131,7 +131,7 @@ impl Found {
     }
 
     /// Reports something at one place.
-    fn at(&mut self, rule: &'static str, message: String, at: Place) -> Option<&mut Diagnostic> {
+    fn at(&mut self, rule: ErrorKind, message: String, at: Place) -> Option<&mut Diagnostic> {
         if at.interface.is_hosts(at.token) || !self.told.insert(at.span()) {
             return None;
         }
@@ -144,7 +144,7 @@ impl Found {
     /// Reports two declarations that should be the same. `what` is the thing in words.
     fn difference(
         &mut self,
-        rule: &'static str,
+        rule: ErrorKind,
         what: &str,
         vertex: &Interface,
         fragment: &Interface,

@@ -4,11 +4,11 @@
 //! the fault lies where they do not. There every place for one more brace, and every brace that may
 //! be one too many, is weighed by the indentation of the lines under it, and the best are read.
 
-use super::correction::{Change, Choice, change_tokens, is_structural};
+use super::correction::{Change, Choice, change_tokens};
 use super::{Correction, Parser};
 use crate::set;
 use crate::token::{Token, TokenKind};
-use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
+use shaderlint_diagnostic::{Diagnostic, Facet, Fix, Subject, error};
 use shaderlint_text::{Edit, Span};
 
 /// Most functions whose braces are mended.
@@ -192,8 +192,7 @@ impl Parser<'_> {
         let mut trial = self.trial(tokens);
         trial.translation_unit();
         let is_fault = |d: &&Diagnostic| {
-            is_structural(d.rule)
-                || [error::STRAY_SEMICOLON, error::LOCAL_FUNCTION].contains(&d.rule)
+            d.has(Facet::Grammar) || d.is(error::STRAY_SEMICOLON) || d.is(error::LOCAL_FUNCTION)
         };
         trial.diagnostics.iter().filter(is_fault).count()
     }

@@ -91,16 +91,6 @@ pub(super) struct Repairs {
     pub reached: Option<usize>,
 }
 
-/// Whether an error says that the grammar does not fit, which one token may mend.
-pub(super) fn is_structural(rule: &str) -> bool {
-    [
-        error::SYNTAX_ERROR,
-        error::UNCLOSED_DELIMITER,
-        error::MISSING_SEMICOLON,
-    ]
-    .contains(&rule)
-}
-
 /// Makes a change in a list of tokens.
 pub(super) fn change_tokens(tokens: &mut Vec<Token>, at: usize, change: Change) {
     match change {

@@ -21,9 +21,9 @@ use super::names::{Name, Names, Version};
 use super::preprocessor::{Tokens, macro_uses};
 use super::token::{Token, TokenKind};
 use super::translation::{Translated, translate};
-use correction::{Repairs, change_tokens, is_structural};
+use correction::{Repairs, change_tokens};
 use rustc_hash::FxHashSet;
-use shaderlint_diagnostic::{Diagnostic, error};
+use shaderlint_diagnostic::{Diagnostic, ErrorKind, Facet, error};
 use shaderlint_text::{Sources, Span};
 
 /// Deepest nesting of statements and of expressions, parentheses not counted. The browser takes
@@ -79,7 +79,7 @@ pub fn parse(
     options: ParseOptions,
 ) -> Parse {
     let mut parse = parse_corrected(sources, tokens, names, options, &[]);
-    if (parse.has_unknown_types || parse.diagnostics.iter().any(is_unreadable))
+    if (parse.has_unknown_types || parse.diagnostics.iter().any(|d| d.has(Facet::ForeignForm)))
         && let Some(found) = translate(sources, &tokens.tokens, options.version)
     {
         tokens.tokens = found.tokens;
@@ -87,7 +87,7 @@ pub fn parse(
         parse.translated = found.translated;
         parse.tree.lost.extend(&parse.translated.lost);
     }
-    let is_broken = |d: &Diagnostic| is_structural(d.rule) || d.rule == error::LOCAL_FUNCTION;
+    let is_broken = |d: &Diagnostic| d.has(Facet::Grammar) || d.is(error::LOCAL_FUNCTION);
     let broken = parse.diagnostics.iter().filter(|d| is_broken(d)).count();
     if broken == 0 || broken > MAX_BROKEN {
         return parse;
@@ -107,19 +107,6 @@ pub fn parse(
     parse.tree.lost.extend(&translated.lost);
     parse.translated = translated;
     parse
-}
-
-/// Whether an error may come of a form that GLSL has not.
-fn is_unreadable(diagnostic: &Diagnostic) -> bool {
-    [
-        error::SYNTAX_ERROR,
-        error::UNCLOSED_DELIMITER,
-        error::MISSING_SEMICOLON,
-        error::RESERVED_WORD,
-        error::FOREIGN_SYNTAX,
-        error::LOCAL_FUNCTION,
-    ]
-    .contains(&diagnostic.rule)
 }
 
 /// Parses with corrections that [`parse`] proposed, and makes no others. `tokens` become what is
@@ -367,8 +354,8 @@ impl<'a> Parser<'a> {
         self.depth -= 1;
     }
 
-    fn error_here(&self, rule: &'static str, message: impl Into<String>) -> Diagnostic {
-        Diagnostic::error(rule, self.next().span, message)
+    fn error_here(&self, kind: ErrorKind, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::error(kind, self.next().span, message)
     }
 
     /// Whether no further error is reported, so that none needs its place to be looked for.
@@ -384,7 +371,7 @@ impl<'a> Parser<'a> {
 
     /// Reports an error at `token`, with the macros that the token came through.
     fn report_at(&mut self, mut diagnostic: Diagnostic, token: &Token) {
-        if is_structural(diagnostic.rule) && self.fault.is_none() {
+        if diagnostic.has(Facet::Grammar) && self.fault.is_none() {
             self.fault = Some(self.at);
         }
         if self.has_many_errors() {

@@ -28,7 +28,7 @@ use macros::Expander;
 use memchr::memchr;
 use number::{bad_number, float, integer};
 use rustc_hash::FxHashSet;
-use shaderlint_diagnostic::{Diagnostic, Fix, MacroUse, error};
+use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, MacroUse, error};
 use shaderlint_text::{Edit, FileId, Role, Sources, Span};
 
 /// Most tokens that all macro calls of one shader may expand to.
@@ -166,8 +166,8 @@ struct Preprocessor<'a> {
     diagnostics: Vec<Diagnostic>,
 }
 
-fn error_at(rule: &'static str, span: Span, message: impl Into<String>) -> Diagnostic {
-    Diagnostic::error(rule, span, message)
+fn error_at(kind: ErrorKind, span: Span, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::error(kind, span, message)
 }
 
 fn end_token(at: u32) -> Token {
@@ -526,7 +526,7 @@ impl<'a> Preprocessor<'a> {
                 let again = self
                     .diagnostics
                     .last()
-                    .is_some_and(|d| d.rule == error::TOKEN_PASTE && d.span == token.span);
+                    .is_some_and(|d| d.is(error::TOKEN_PASTE) && d.span == token.span);
                 if !again {
                     let d = error_at(error::TOKEN_PASTE, token.span, "`#` cannot stand here")
                         .note("GLSL ES has no `##` and no `#x`: a macro may hold them, but not be used")
@@ -590,7 +590,7 @@ impl<'a> Preprocessor<'a> {
         let d = bad_character(token, c);
         match self.diagnostics.last_mut() {
             Some(last)
-                if last.rule == error::INVALID_CHARACTER
+                if last.is(error::INVALID_CHARACTER)
                     && last.span.end == d.span.start
                     && token.is_direct() =>
             {

@@ -5,7 +5,7 @@ use super::macros::Piece;
 use super::{Preprocessor, error_at};
 use crate::names::Version;
 use crate::token::TokenKind;
-use shaderlint_diagnostic::{Diagnostic, Fix, Origin, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_text::{Edit, Span};
 
 impl Preprocessor<'_> {
@@ -199,8 +199,8 @@ impl Preprocessor<'_> {
         let file = self.sources.file_at(span.start);
         if file.is_some_and(|f| f.base == span.start && f.part.is_none()) {
             let message = "the file starts with a byte order mark";
-            let rule = error::INVALID_CHARACTER;
-            let d = Diagnostic::new(rule, Origin::Compiler, Severity::Warning, span, message);
+            let kind = error::INVALID_CHARACTER;
+            let d = Diagnostic::of(kind, Severity::Warning, span, message);
             return self.report(
                 d.note("the invisible character U+FEFF is no part of GLSL; `fetch` leaves it out, other ways to load a file may not")
                     .fix(Fix::safe("take it out", vec![Edit::delete(span)])),
