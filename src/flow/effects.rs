@@ -1,7 +1,7 @@
 //! What expressions and functions do besides giving a value.
 
 use super::{Calls, Writes};
-use shaderlint_ir::{Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step};
+use shaderlint_ir::{Module, OpId, OpKind, PlaceId, Provenance, Root, Step};
 use shaderlint_semantic::{FunctionRef, Program, Structure, VariableId};
 use shaderlint_syntax::ast::ExprId;
 
@@ -130,33 +130,9 @@ fn summary(module: &Module, writes: &Writes, id: FunctionRef) -> Summary {
         }
         found.acts |= is_store;
     }
-    found.acts |= discards(module, body);
+    let mut steps = module.steps_in(module.steps(body));
+    found.acts |= steps.any(|step| matches!(step, Step::Discard(_)));
     found
-}
-
-/// Whether a region may end the pixel.
-fn discards(module: &Module, region: Region) -> bool {
-    let mut todo = vec![region];
-    while let Some(region) = todo.pop() {
-        for step in module.steps(region) {
-            match *step {
-                Step::Discard(_) => return true,
-                Step::If {
-                    then, otherwise, ..
-                } => todo.extend([then, otherwise]),
-                Step::Loop(id) => {
-                    let parts = module.looped(id).map(|l| [l.test, l.body, l.step]);
-                    todo.extend(parts.into_iter().flatten());
-                }
-                Step::Switch(id) => {
-                    let cases = module.switch(id).map_or(&[][..], |s| module.cases(s));
-                    todo.extend(cases.iter().map(|c| c.body));
-                }
-                _ => {}
-            }
-        }
-    }
-    false
 }
 
 fn is_temporary(module: &Module, place: PlaceId) -> bool {

@@ -7,7 +7,10 @@
 //! too little.
 
 use rustc_hash::FxHashMap;
-use shaderlint_ir::{LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Run, Step};
+use shaderlint_ir::{
+    Loop, LoopId, Module, OpId, OpKind, Outcome, PlaceId, Provenance, Region, Root, Run, Switch,
+    Visit,
+};
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::StmtId;
@@ -109,7 +112,7 @@ impl Uniformity {
             control: (module.ops.len() + module.variables.len() + module.functions.len()) as u32,
         };
         let mut walk = Walk::new(module, first);
-        walk.module();
+        walk.all();
         let Walk {
             edges,
             controls,
@@ -254,6 +257,8 @@ struct Walk<'m> {
     /// From a node to one that differs where it does.
     edges: Vec<(u32, u32)>,
     controls: Vec<Control>,
+    /// That of what is being walked.
+    control: ControlId,
     partings: Vec<Parting>,
     control_of: Vec<ControlId>,
     loops: Vec<Turns>,
@@ -261,6 +266,171 @@ struct Walk<'m> {
     bodies: Vec<ControlId>,
     /// Where a local is declared: what is written there is the same for all that have it.
     declared_in: FxHashMap<VariableId, ControlId>,
+}
+
+impl Outcome for Leaves {
+    const GO: Leaves = Leaves {
+        returns: None,
+        breaks: None,
+        continues: None,
+    };
+
+    fn stops(&self) -> bool {
+        false
+    }
+}
+
+impl<'m> Visit<'m> for Walk<'m> {
+    type Out = Leaves;
+
+    fn module(&self) -> &'m Module {
+        self.module
+    }
+
+    fn region(&mut self, region: Region) -> Leaves {
+        let outer = self.control;
+        let mut leaves = Leaves::default();
+        // What parts those that are still here from those that came in.
+        let mut since: Option<PartingId> = None;
+        for step in self.module.steps(region) {
+            let left = self.step(step);
+            let left = match since {
+                Some(_) => self.all_through(left, since),
+                None => left,
+            };
+            let mut way = left.returns;
+            self.join(&mut way, left.breaks);
+            self.join(&mut way, left.continues);
+            if way.is_some() {
+                // Behind it are those that did not leave.
+                self.control = self.add_control(Some(self.control), way);
+                since = way;
+            }
+            self.join_all(&mut leaves, left);
+        }
+        self.control = outer;
+        leaves
+    }
+
+    fn run(&mut self, run: Run) -> Leaves {
+        for op in run.ops() {
+            if let Some(slot) = self.control_of.get_mut(op.0 as usize) {
+                *slot = self.control;
+            }
+            self.op(op);
+        }
+        Leaves::default()
+    }
+
+    fn op(&mut self, id: OpId) -> Leaves {
+        let module = self.module;
+        let value = Varying::Value(id);
+        match module.op(id).kind {
+            OpKind::Store(place, written) => self.store(id, place, written),
+            OpKind::Call(callee, operands) => {
+                let params = module
+                    .function(callee)
+                    .map_or(&[][..], |f| module.parameters(f));
+                for (&operand, &param) in module.operands(operands).iter().zip(params) {
+                    self.edge(Varying::Value(operand), Varying::Variable(param));
+                }
+                self.edge(Varying::Returned(callee), value);
+                if let Some(&body) = self.bodies.get(callee.0 as usize) {
+                    self.edge(Varying::Control(self.control), Varying::Control(body));
+                }
+            }
+            OpKind::Returned(call, number) => match module.op(call).kind {
+                OpKind::Call(callee, _) => {
+                    let params = module.function(callee).map(|f| module.parameters(f));
+                    let param = params.and_then(|p| p.get(number as usize));
+                    if let Some(&param) = param {
+                        self.edge(Varying::Variable(param), value);
+                    }
+                }
+                _ => self.edge(Varying::Value(call), value),
+            },
+            kind => {
+                if let OpKind::Load(place) = kind {
+                    let variable = Varying::Variable(module.place(place).variable);
+                    self.edge(variable, value);
+                }
+                module.each_operand(id, |operand| {
+                    if !matches!(module.op(operand).kind, OpKind::Const(_)) {
+                        self.edge(Varying::Value(operand), value);
+                    }
+                });
+            }
+        }
+        Leaves::default()
+    }
+
+    fn branch(&mut self, condition: OpId, sides: [Region; 2], _: Provenance) -> Leaves {
+        let mut leaves = Leaves::default();
+        for side in sides {
+            let left = self.side(condition, side);
+            self.join_all(&mut leaves, left);
+        }
+        leaves
+    }
+
+    /// Those that leave a loop part from those that stay in it; behind it they meet again.
+    fn looped(&mut self, id: LoopId, looped: &'m Loop) -> Leaves {
+        let control = self.control;
+        let parting = self.add_parting(None, looped.condition.map(Varying::Value));
+        let inside = self.add_control(Some(control), Some(parting));
+        if let Some(slot) = self.controls.get_mut(inside.0 as usize) {
+            slot.looped = Some(id);
+        }
+        if let Some(slot) = self.loops.get_mut(id.0 as usize) {
+            slot.inside = inside;
+            slot.outside = control;
+        }
+        self.within(looped.test, inside);
+        let left = self.within(looped.body, inside);
+        self.within(looped.step, inside);
+        for way in [left.breaks, left.returns].into_iter().flatten() {
+            self.edge(Varying::Parting(way), Varying::Parting(parting));
+        }
+        Leaves {
+            returns: self.through(left.returns, Some(parting)),
+            ..Leaves::default()
+        }
+    }
+
+    fn switch(&mut self, switch: &'m Switch) -> Leaves {
+        let mut leaves = Leaves::default();
+        for case in self.module.cases(switch) {
+            let left = self.side(switch.selector, case.body);
+            self.join_all(&mut leaves, left);
+        }
+        leaves.breaks = None;
+        leaves
+    }
+
+    fn breaks(&mut self, stmt: StmtId) -> Leaves {
+        let breaks = Some(self.add_parting(Some(stmt), None));
+        Leaves {
+            breaks,
+            ..Leaves::GO
+        }
+    }
+
+    fn continues(&mut self, stmt: StmtId) -> Leaves {
+        let continues = Some(self.add_parting(Some(stmt), None));
+        Leaves {
+            continues,
+            ..Leaves::GO
+        }
+    }
+
+    fn returns(&mut self, value: Option<OpId>, stmt: StmtId) -> Leaves {
+        let returns = Some(self.add_parting(Some(stmt), None));
+        self.returned(value, self.control);
+        Leaves {
+            returns,
+            ..Leaves::GO
+        }
+    }
 }
 
 impl<'m> Walk<'m> {
@@ -275,6 +445,7 @@ impl<'m> Walk<'m> {
             first,
             edges: Vec::with_capacity(module.ops.len() * 2),
             controls: Vec::new(),
+            control: outside,
             partings: Vec::new(),
             control_of: vec![outside; module.ops.len()],
             loops: vec![turns; module.loops.len()],
@@ -295,11 +466,11 @@ impl<'m> Walk<'m> {
         walk
     }
 
-    fn module(&mut self) {
-        self.region(self.module.globals, ControlId(0));
+    fn all(&mut self) {
+        self.within(self.module.globals, ControlId(0));
         for (i, function) in self.module.functions.iter().enumerate() {
             if let (Some(body), Some(&control)) = (function.body, self.bodies.get(i)) {
-                self.region(body, control);
+                self.within(body, control);
             }
         }
     }
@@ -371,72 +542,18 @@ impl<'m> Walk<'m> {
     }
 
     /// Walks a region whose start is run by the pixels of `control`.
-    fn region(&mut self, region: Region, control: ControlId) -> Leaves {
-        let mut control = control;
-        let mut leaves = Leaves::default();
-        // What parts those that are still here from those that came in.
-        let mut since: Option<PartingId> = None;
-        for &step in self.module.steps(region) {
-            let left = self.step(step, control);
-            let left = match since {
-                Some(_) => self.all_through(left, since),
-                None => left,
-            };
-            let mut way = left.returns;
-            self.join(&mut way, left.breaks);
-            self.join(&mut way, left.continues);
-            if way.is_some() {
-                // Behind it are those that did not leave.
-                control = self.add_control(Some(control), way);
-                since = way;
-            }
-            self.join_all(&mut leaves, left);
-        }
-        leaves
-    }
-
-    fn step(&mut self, step: Step, control: ControlId) -> Leaves {
-        let mut leaves = Leaves::default();
-        match step {
-            Step::Run(run) => self.run(run, control),
-            Step::If {
-                condition,
-                then,
-                otherwise,
-                ..
-            } => {
-                for side in [then, otherwise] {
-                    let left = self.branch(condition, side, control);
-                    self.join_all(&mut leaves, left);
-                }
-            }
-            Step::Loop(id) => leaves = self.looped(id, control),
-            Step::Switch(id) => {
-                let module = self.module;
-                if let Some(switch) = module.switch(id) {
-                    for case in module.cases(switch) {
-                        let left = self.branch(switch.selector, case.body, control);
-                        self.join_all(&mut leaves, left);
-                    }
-                }
-                leaves.breaks = None;
-            }
-            Step::Break(stmt) => leaves.breaks = Some(self.add_parting(Some(stmt), None)),
-            Step::Continue(stmt) => leaves.continues = Some(self.add_parting(Some(stmt), None)),
-            Step::Return(value, stmt) => {
-                leaves.returns = Some(self.add_parting(Some(stmt), None));
-                self.returned(value, control);
-            }
-            Step::Discard(_) => {}
-        }
+    fn within(&mut self, region: Region, control: ControlId) -> Leaves {
+        let outer = std::mem::replace(&mut self.control, control);
+        let leaves = self.region(region);
+        self.control = outer;
         leaves
     }
 
     /// Code that a value leads into.
-    fn branch(&mut self, condition: OpId, side: Region, control: ControlId) -> Leaves {
+    fn side(&mut self, condition: OpId, side: Region) -> Leaves {
         let parting = Some(self.add_parting(None, Some(Varying::Value(condition))));
-        let inside = self.add_control(Some(control), parting);
-        let left = self.region(side, inside);
+        let inside = self.add_control(Some(self.control), parting);
+        let left = self.within(side, inside);
         self.all_through(left, parting)
     }
 
@@ -450,32 +567,6 @@ impl<'m> Walk<'m> {
         // Some give back this, others something else.
         let body = self.bodies.get(function.0 as usize).copied();
         self.part_since(body, control, returned);
-    }
-
-    /// Those that leave a loop part from those that stay in it; behind it they meet again.
-    fn looped(&mut self, id: LoopId, control: ControlId) -> Leaves {
-        let Some(&looped) = self.module.looped(id) else {
-            return Leaves::default();
-        };
-        let parting = self.add_parting(None, looped.condition.map(Varying::Value));
-        let inside = self.add_control(Some(control), Some(parting));
-        if let Some(slot) = self.controls.get_mut(inside.0 as usize) {
-            slot.looped = Some(id);
-        }
-        if let Some(slot) = self.loops.get_mut(id.0 as usize) {
-            slot.inside = inside;
-            slot.outside = control;
-        }
-        self.region(looped.test, inside);
-        let left = self.region(looped.body, inside);
-        self.region(looped.step, inside);
-        for way in [left.breaks, left.returns].into_iter().flatten() {
-            self.edge(Varying::Parting(way), Varying::Parting(parting));
-        }
-        Leaves {
-            returns: self.through(left.returns, Some(parting)),
-            ..Leaves::default()
-        }
     }
 
     /// What is done in `control` differs where its pixels part since they were in `from`; `None`
@@ -500,58 +591,9 @@ impl<'m> Walk<'m> {
         self.edge(Varying::Control(at), what);
     }
 
-    fn run(&mut self, run: Run, control: ControlId) {
-        for op in run.ops() {
-            if let Some(slot) = self.control_of.get_mut(op.0 as usize) {
-                *slot = control;
-            }
-            self.op(op, control);
-        }
-    }
-
-    fn op(&mut self, id: OpId, control: ControlId) {
-        let module = self.module;
-        let value = Varying::Value(id);
-        match module.op(id).kind {
-            OpKind::Store(place, written) => self.store(id, place, written, control),
-            OpKind::Call(callee, operands) => {
-                let params = module
-                    .function(callee)
-                    .map_or(&[][..], |f| module.parameters(f));
-                for (&operand, &param) in module.operands(operands).iter().zip(params) {
-                    self.edge(Varying::Value(operand), Varying::Variable(param));
-                }
-                self.edge(Varying::Returned(callee), value);
-                if let Some(&body) = self.bodies.get(callee.0 as usize) {
-                    self.edge(Varying::Control(control), Varying::Control(body));
-                }
-            }
-            OpKind::Returned(call, number) => match module.op(call).kind {
-                OpKind::Call(callee, _) => {
-                    let params = module.function(callee).map(|f| module.parameters(f));
-                    let param = params.and_then(|p| p.get(number as usize));
-                    if let Some(&param) = param {
-                        self.edge(Varying::Variable(param), value);
-                    }
-                }
-                _ => self.edge(Varying::Value(call), value),
-            },
-            kind => {
-                if let OpKind::Load(place) = kind {
-                    let variable = Varying::Variable(module.place(place).variable);
-                    self.edge(variable, value);
-                }
-                module.each_operand(id, |operand| {
-                    if !matches!(module.op(operand).kind, OpKind::Const(_)) {
-                        self.edge(Varying::Value(operand), value);
-                    }
-                });
-            }
-        }
-    }
-
     /// What differs is written, or to different places, or by some pixels only.
-    fn store(&mut self, id: OpId, place: PlaceId, written: OpId, control: ControlId) {
+    fn store(&mut self, id: OpId, place: PlaceId, written: OpId) {
+        let control = self.control;
         let module = self.module;
         let variable = module.place(place).variable;
         let is_temporary = module.variable(variable).map(|v| v.root) == Some(Root::Temporary);

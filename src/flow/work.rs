@@ -118,8 +118,7 @@ impl Work {
                 }
                 Step::Loop(id) => self.looped(module, id, times, cost),
                 Step::Switch(id) => {
-                    let cases = module.switch(id).map_or(&[][..], |s| module.cases(s));
-                    let cases = cases.iter().map(|c| c.body);
+                    let cases = module.cases_of(id).iter().map(|c| c.body);
                     cases.map(|c| self.region(module, c, times, cost)).sum()
                 }
                 _ => 0.0,
@@ -209,15 +208,8 @@ impl Work {
                 });
                 calls.collect()
             }
-            Step::If {
-                then, otherwise, ..
-            } => vec![region(then), region(otherwise)],
             Step::Loop(id) => vec![(self.turns_of(id), Heaviest::Loop(id))],
-            Step::Switch(id) => {
-                let cases = module.switch(id).map_or(&[][..], |s| module.cases(s));
-                cases.iter().map(|c| region(c.body)).collect()
-            }
-            _ => Vec::new(),
+            _ => module.inside(step).into_iter().map(region).collect(),
         }
     }
 

@@ -8,6 +8,7 @@ mod print;
 #[cfg(test)]
 mod tests;
 mod verify;
+mod walk;
 
 pub use form::{
     Access, Binary, Case, CaseLabel, Function, Lanes, Loop, LoopId, Module, Op, OpId, OpKind,
@@ -17,3 +18,4 @@ pub use form::{
 pub use lower::lower;
 pub use print::print;
 pub use verify::{Problem, verify};
+pub use walk::{Outcome, Visit};

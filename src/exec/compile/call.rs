@@ -3,7 +3,7 @@
 use super::emit::{Compiler, Made, Value};
 use super::layout::scalars;
 use crate::code::{EMPTY, Instr};
-use shaderlint_ir::{OpId, Root, Step};
+use shaderlint_ir::{OpId, Root, Step, Visit};
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::List;
 
@@ -91,7 +91,7 @@ impl Compiler<'_> {
     }
 
     /// A `return`.
-    pub fn returns(&mut self, value: Option<OpId>) {
+    pub fn returned(&mut self, value: Option<OpId>) {
         self.tick();
         let Some(frame) = self.frames.last() else {
             return;

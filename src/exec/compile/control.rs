@@ -5,46 +5,24 @@ use super::emit::Frame;
 use super::emit::{Compiler, Value};
 use super::plan::GLOBALS;
 use crate::code::{CallPath, EMPTY, F1, F2, Instr, Reg, Slot, Target};
-use shaderlint_ir::{CaseLabel, LoopId, Module, OpId, Region, Step, SwitchId};
+use shaderlint_ir::{
+    CaseLabel, Loop, LoopId, Module, OpId, Provenance, Region, Run, Step, Switch, Visit,
+};
 use shaderlint_semantic::FunctionRef;
+use shaderlint_syntax::ast::StmtId;
 
-impl Compiler<'_> {
-    /// Makes the code: initial values of globals, then the entry.
-    pub fn run(&mut self, entry: FunctionRef) {
-        self.clear_outer();
-        self.open_probe();
-        let globals = self.frame(GLOBALS);
-        self.frames.push(globals);
-        self.region(self.module.globals);
-        self.frames.pop();
-        if self.entry_parameters(entry).is_none() {
-            return;
-        }
-        let Some(body) = self.module.function(entry).and_then(|f| f.body) else {
-            let _: Option<()> = self.refuse("a shader without `main`");
-            return;
-        };
-        let frame = self.frame(entry);
-        self.frames.push(frame);
-        self.begin_frame();
-        self.region(body);
-        let returned = self.end_frame();
-        if let Value::Regs(regs) = returned {
-            let ty = self.module.function(entry).map(|f| f.returns);
-            let regs = self.list(regs).to_vec();
-            self.code.outputs.push(crate::code::OutputSlot {
-                name: String::new(),
-                ty: ty.unwrap_or(shaderlint_semantic::Type::VOID),
-                regs,
-            });
-        }
-        self.close_probe();
+impl<'m> Visit<'m> for Compiler<'m> {
+    type Out = ();
+
+    fn module(&self) -> &'m Module {
+        self.module
     }
 
     /// Code for a region; of one whose lanes all come back, the rest is passed over when none are
     /// left.
-    pub fn region(&mut self, region: Region) {
-        let steps = self.module.steps(region);
+    fn region(&mut self, region: Region) {
+        let module = self.module;
+        let steps = module.steps(region);
         let mut skips: Vec<Target> = Vec::new();
         for (at, step) in steps.iter().enumerate() {
             if self.has_failed() {
@@ -57,7 +35,7 @@ impl Compiler<'_> {
             }
             self.step(step);
             let is_last = at + 1 == steps.len();
-            if !is_last && leaves(self.module, step) {
+            if !is_last && leaves(module, step) {
                 skips.push(self.push(Instr::SkipIfNone(0)));
             }
         }
@@ -66,92 +44,41 @@ impl Compiler<'_> {
         }
     }
 
-    fn step(&mut self, step: &Step) {
-        match *step {
-            Step::Run(run) => {
-                for op in run.ops() {
-                    self.op = op;
-                    self.tick();
-                    let value = self.operation(op).unwrap_or_default();
-                    let value = self.narrowed(op, value);
-                    if let Some(slot) = self.values.get_mut(op.0 as usize) {
-                        *slot = value;
-                    }
-                    self.probe(op);
-                    self.tidy();
-                    if self.has_failed() {
-                        return;
-                    }
-                }
+    fn run(&mut self, run: Run) {
+        for op in run.ops() {
+            self.op = op;
+            self.tick();
+            let value = self.operation(op).unwrap_or_default();
+            let value = self.narrowed(op, value);
+            if let Some(slot) = self.values.get_mut(op.0 as usize) {
+                *slot = value;
             }
-            Step::If {
-                condition,
-                then,
-                otherwise,
-                origin,
-            } => {
-                self.tick();
-                let condition = self.condition(condition);
-                if self.watches(Watch::Flow) {
-                    let known = self.code.branches.len() as u32;
-                    let site = *self.branch_sites.entry(origin).or_insert(known);
-                    if site == known {
-                        self.code.branches.push(origin);
-                    }
-                    self.push(Instr::Branch(site, condition));
-                }
-                self.parted(condition, then, otherwise);
-            }
-            Step::Loop(id) => self.looped(id),
-            Step::Switch(id) => self.switch(id),
-            Step::Break(_) => {
-                self.tick();
-                self.push(Instr::Halt);
-            }
-            Step::Continue(_) => {
-                self.tick();
-                let waiting = self.frames.last().and_then(|f| f.waiting.last()).copied();
-                self.push(Instr::Wait(waiting.unwrap_or(EMPTY)));
-            }
-            Step::Return(value, _) => self.returns(value),
-            Step::Discard(_) => {
-                self.tick();
-                self.push(Instr::Discard);
+            self.probe(op);
+            self.tidy();
+            if self.has_failed() {
+                return;
             }
         }
         self.tidy();
     }
 
-    fn condition(&mut self, op: OpId) -> Reg {
-        let regs = self.operand(op);
-        self.reg(regs, 0)
-    }
-
-    fn parted(&mut self, condition: Reg, then: Region, otherwise: Region) {
-        let mark = self.slots();
-        let others = self.slot();
-        let mut jump = self.push(Instr::If {
-            condition,
-            others,
-            to: 0,
-        });
-        self.tidy();
-        self.region(then);
-        if !self.module.steps(otherwise).is_empty() {
-            self.land(jump);
-            jump = self.push(Instr::Else { others, to: 0 });
-            self.region(otherwise);
-        }
-        self.land(jump);
-        self.push(Instr::EndIf { others });
-        self.give_back_slots(mark);
-    }
-
-    fn looped(&mut self, id: LoopId) {
+    fn branch(&mut self, condition: OpId, sides: [Region; 2], origin: Provenance) {
         self.tick();
-        let Some(l) = self.module.looped(id).copied() else {
-            return;
-        };
+        let condition = self.condition(condition);
+        if self.watches(Watch::Flow) {
+            let known = self.code.branches.len() as u32;
+            let site = *self.branch_sites.entry(origin).or_insert(known);
+            if site == known {
+                self.code.branches.push(origin);
+            }
+            self.push(Instr::Branch(site, condition));
+        }
+        self.parted(condition, sides);
+        self.tidy();
+    }
+
+    fn looped(&mut self, id: LoopId, l: &'m Loop) {
+        self.tick();
         let mark = self.slots();
         let (came, waiting) = (self.slot(), self.slot());
         self.push(Instr::Keep(came));
@@ -203,34 +130,12 @@ impl Compiler<'_> {
         self.tick();
     }
 
-    fn test(
-        &mut self,
-        test: Region,
-        condition: Option<OpId>,
-        watched: Option<u32>,
-        exits: &mut Vec<Target>,
-    ) {
-        self.region(test);
-        self.tick();
-        if let Some(condition) = condition {
-            let condition = self.condition(condition);
-            if let Some(number) = watched {
-                self.push(Instr::Exhaust(number, condition));
-            }
-            exits.push(self.push(Instr::While { condition, to: 0 }));
-        }
-        self.tidy();
-    }
-
-    fn switch(&mut self, id: SwitchId) {
+    fn switch(&mut self, switch: &'m Switch) {
         self.tick();
         let module = self.module;
-        let Some(switch) = module.switch(id) else {
-            return;
-        };
         let mark = self.slots();
         let selector = self.condition(switch.selector);
-        let marks = self.case_marks(id, selector);
+        let marks = self.case_marks(switch, selector);
         let (came, waiting) = (self.slot(), self.slot());
         self.push(Instr::Keep(came));
         self.push(Instr::Keep(waiting));
@@ -256,12 +161,111 @@ impl Compiler<'_> {
         self.give_back_slots(mark);
     }
 
-    /// By case: where the lanes are marked that begin there.
-    fn case_marks(&mut self, id: SwitchId, selector: Reg) -> Vec<Slot> {
-        let module = self.module;
-        let Some(switch) = module.switch(id) else {
-            return Vec::new();
+    fn breaks(&mut self, _: StmtId) {
+        self.tick();
+        self.push(Instr::Halt);
+        self.tidy();
+    }
+
+    fn continues(&mut self, _: StmtId) {
+        self.tick();
+        let waiting = self.frames.last().and_then(|f| f.waiting.last()).copied();
+        self.push(Instr::Wait(waiting.unwrap_or(EMPTY)));
+        self.tidy();
+    }
+
+    fn returns(&mut self, value: Option<OpId>, _: StmtId) {
+        self.returned(value);
+        self.tidy();
+    }
+
+    fn discards(&mut self, _: StmtId) {
+        self.tick();
+        self.push(Instr::Discard);
+        self.tidy();
+    }
+}
+
+impl Compiler<'_> {
+    /// Makes the code: initial values of globals, then the entry.
+    pub fn run(&mut self, entry: FunctionRef) {
+        self.clear_outer();
+        self.open_probe();
+        let globals = self.frame(GLOBALS);
+        self.frames.push(globals);
+        self.region(self.module.globals);
+        self.frames.pop();
+        if self.entry_parameters(entry).is_none() {
+            return;
+        }
+        let Some(body) = self.module.function(entry).and_then(|f| f.body) else {
+            let _: Option<()> = self.refuse("a shader without `main`");
+            return;
         };
+        let frame = self.frame(entry);
+        self.frames.push(frame);
+        self.begin_frame();
+        self.region(body);
+        let returned = self.end_frame();
+        if let Value::Regs(regs) = returned {
+            let ty = self.module.function(entry).map(|f| f.returns);
+            let regs = self.list(regs).to_vec();
+            self.code.outputs.push(crate::code::OutputSlot {
+                name: String::new(),
+                ty: ty.unwrap_or(shaderlint_semantic::Type::VOID),
+                regs,
+            });
+        }
+        self.close_probe();
+    }
+
+    fn condition(&mut self, op: OpId) -> Reg {
+        let regs = self.operand(op);
+        self.reg(regs, 0)
+    }
+
+    fn parted(&mut self, condition: Reg, [then, otherwise]: [Region; 2]) {
+        let mark = self.slots();
+        let others = self.slot();
+        let mut jump = self.push(Instr::If {
+            condition,
+            others,
+            to: 0,
+        });
+        self.tidy();
+        self.region(then);
+        if !self.module.steps(otherwise).is_empty() {
+            self.land(jump);
+            jump = self.push(Instr::Else { others, to: 0 });
+            self.region(otherwise);
+        }
+        self.land(jump);
+        self.push(Instr::EndIf { others });
+        self.give_back_slots(mark);
+    }
+
+    fn test(
+        &mut self,
+        test: Region,
+        condition: Option<OpId>,
+        watched: Option<u32>,
+        exits: &mut Vec<Target>,
+    ) {
+        self.region(test);
+        self.tick();
+        if let Some(condition) = condition {
+            let condition = self.condition(condition);
+            if let Some(number) = watched {
+                self.push(Instr::Exhaust(number, condition));
+            }
+            exits.push(self.push(Instr::While { condition, to: 0 }));
+        }
+        self.tidy();
+    }
+
+    /// By case: where the lanes are marked that begin there.
+    fn case_marks(&mut self, switch: &Switch, selector: Reg) -> Vec<Slot> {
+        let module = self.module;
         let mut all: Option<Reg> = None;
         let mut marks = Vec::new();
         let mut default = None;
@@ -359,16 +363,6 @@ impl Compiler<'_> {
 
 /// Whether some lanes may not come out of a step.
 fn leaves(module: &Module, step: &Step) -> bool {
-    let inner = |region| module.steps(region).iter().any(|s| leaves(module, s));
-    match *step {
-        Step::Run(_) => false,
-        Step::Break(_) | Step::Continue(_) | Step::Return(..) | Step::Discard(_) => true,
-        Step::If {
-            then, otherwise, ..
-        } => inner(then) || inner(otherwise),
-        Step::Loop(id) => module.looped(id).is_some_and(|l| inner(l.body)),
-        Step::Switch(id) => module
-            .switch(id)
-            .is_some_and(|s| module.cases(s).iter().any(|c| inner(c.body))),
-    }
+    let mut inside = module.inside(step).into_iter();
+    step.is_jump() || inside.any(|r| module.steps(r).iter().any(|s| leaves(module, s)))
 }

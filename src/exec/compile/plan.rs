@@ -6,10 +6,12 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{
-    Function, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step,
+    Function, Loop, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Step, Switch,
+    Visit,
 };
 use shaderlint_semantic::BuiltinId as B;
 use shaderlint_semantic::{FunctionRef, VariableId};
+use shaderlint_syntax::ast::StmtId;
 
 /// Stands for the initial values of globals where a function is asked for.
 pub(super) const GLOBALS: FunctionRef = FunctionRef(u32::MAX);
@@ -199,6 +201,98 @@ fn is_alias(kind: OpKind) -> bool {
     )
 }
 
+impl<'m> Visit<'m> for Planner<'m> {
+    type Out = ();
+
+    fn module(&self) -> &'m Module {
+        self.module
+    }
+
+    fn region(&mut self, region: Region) {
+        self.part(region, None);
+    }
+
+    fn op(&mut self, id: OpId) {
+        self.clock += 1;
+        set(&mut self.plan.made, id, self.clock);
+        self.ops.push(id);
+        let module = self.module;
+        module.each_operand(id, |operand| self.used(operand));
+        match module.op(id).kind {
+            OpKind::Load(place) => self.touched(module.place(place).variable),
+            OpKind::Store(place, _) => self.stored(id, place),
+            OpKind::Call(callee, _) => {
+                for variable in self.effects.get(&callee).into_iter().flatten() {
+                    let writes = self.plan.writes.entry(*variable).or_default();
+                    writes.push(self.clock);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn branch(&mut self, condition: OpId, sides: [Region; 2], _: Provenance) {
+        self.clock += 1;
+        self.used(condition);
+        sides.into_iter().for_each(|side| self.region(side));
+    }
+
+    fn looped(&mut self, id: LoopId, l: &'m Loop) {
+        self.clock += 1;
+        self.around.push(Around {
+            start: self.clock,
+            pending: Vec::new(),
+        });
+        let module = self.module;
+        let body = (!continues(module, module.steps(l.body))).then_some(id);
+        if l.tests_first {
+            self.test(id, l.test, l.condition);
+            self.part(l.body, body);
+            self.part(l.step, Some(id));
+        } else {
+            self.part(l.body, body);
+            self.test(id, l.test, l.condition);
+        }
+        self.clock += 1;
+        self.loop_ends.insert(id, self.clock);
+        for held in self.around.pop().map_or(Vec::new(), |a| a.pending) {
+            match held {
+                Held::Value(op) => raise(&mut self.plan.last, op, self.clock),
+                Held::Variable(variable) => {
+                    if let Some(about) = self.plan.variables.get_mut(variable.0 as usize) {
+                        about.last = about.last.max(self.clock);
+                    }
+                }
+            }
+        }
+    }
+
+    fn switch(&mut self, switch: &'m Switch) {
+        self.clock += 1;
+        self.used(switch.selector);
+        for case in self.module.cases(switch) {
+            self.region(case.body);
+        }
+    }
+
+    fn breaks(&mut self, _: StmtId) {
+        self.clock += 1;
+    }
+
+    fn continues(&mut self, _: StmtId) {
+        self.clock += 1;
+    }
+
+    fn returns(&mut self, value: Option<OpId>, _: StmtId) {
+        self.clock += 1;
+        value.into_iter().for_each(|v| self.used(v));
+    }
+
+    fn discards(&mut self, _: StmtId) {
+        self.clock += 1;
+    }
+}
+
 impl Planner<'_> {
     /// Counts the stores of the functions that run.
     fn stores(&mut self, functions: &[FunctionRef]) {
@@ -253,7 +347,7 @@ impl Planner<'_> {
         };
         self.effects_of(id, &function);
         let home = (self.next_region, self.clock);
-        let leaves = self.leaves(self.module.steps(body), true);
+        let leaves = leaves(self.module, self.module.steps(body));
         for variable in self.module.parameters(&function) {
             let root = self.module.variable(*variable).map(|v| v.root);
             let is_given_back = matches!(root, Some(Root::ParameterOut | Root::ParameterInout));
@@ -268,23 +362,6 @@ impl Planner<'_> {
         if let Some(slot) = self.plan.leaves_early.get_mut(id.0 as usize) {
             *slot = leaves;
         }
-    }
-
-    /// Whether there is a `return` that is not the last thing of all.
-    fn leaves(&self, steps: &[Step], is_last: bool) -> bool {
-        let module = self.module;
-        let inner = |region| self.leaves(module.steps(region), false);
-        steps.iter().enumerate().any(|(i, step)| match *step {
-            Step::Return(..) => !is_last || i + 1 < steps.len(),
-            Step::If {
-                then, otherwise, ..
-            } => inner(then) || inner(otherwise),
-            Step::Loop(id) => module.looped(id).is_some_and(|l| inner(l.body)),
-            Step::Switch(id) => module
-                .switch(id)
-                .is_some_and(|s| module.cases(s).iter().any(|c| inner(c.body))),
-            _ => false,
-        })
     }
 
     fn effects_of(&mut self, id: FunctionRef, function: &Function) {
@@ -315,7 +392,7 @@ impl Planner<'_> {
     /// Walks through a body, and then settles what only its end tells.
     fn walk(&mut self, function: FunctionRef, body: Region) {
         self.plan.starts.insert(function, self.clock);
-        self.region(body, None);
+        self.region(body);
         self.clock += 1;
         let known = self.module.function(function);
         for variable in known.map_or(&[][..], |f| self.module.parameters(f)) {
@@ -349,7 +426,8 @@ impl Planner<'_> {
         plan.ends.insert(function, ends);
     }
 
-    fn region(&mut self, region: Region, part: Option<LoopId>) {
+    /// A region; of a loop that it is a part of, where each turn begins with it.
+    fn part(&mut self, region: Region, part: Option<LoopId>) {
         self.regions.push((self.next_region, part));
         self.next_region += 1;
         for step in self.module.steps(region) {
@@ -358,95 +436,10 @@ impl Planner<'_> {
         self.regions.pop();
     }
 
-    fn step(&mut self, step: &Step) {
-        match *step {
-            Step::Run(run) => run.ops().for_each(|op| self.op(op)),
-            Step::If {
-                condition,
-                then,
-                otherwise,
-                ..
-            } => {
-                self.clock += 1;
-                self.used(condition);
-                self.region(then, None);
-                self.region(otherwise, None);
-            }
-            Step::Loop(id) => self.looped(id),
-            Step::Switch(id) => {
-                self.clock += 1;
-                let Some(switch) = self.module.switch(id) else {
-                    return;
-                };
-                self.used(switch.selector);
-                for case in self.module.cases(switch) {
-                    self.region(case.body, None);
-                }
-            }
-            Step::Return(value, _) => {
-                self.clock += 1;
-                value.into_iter().for_each(|v| self.used(v));
-            }
-            Step::Break(_) | Step::Continue(_) | Step::Discard(_) => self.clock += 1,
-        }
-    }
-
-    fn looped(&mut self, id: LoopId) {
-        self.clock += 1;
-        let Some(l) = self.module.looped(id).copied() else {
-            return;
-        };
-        self.around.push(Around {
-            start: self.clock,
-            pending: Vec::new(),
-        });
-        let module = self.module;
-        let body = (!continues(module, module.steps(l.body))).then_some(id);
-        if l.tests_first {
-            self.test(id, l.test, l.condition);
-            self.region(l.body, body);
-            self.region(l.step, Some(id));
-        } else {
-            self.region(l.body, body);
-            self.test(id, l.test, l.condition);
-        }
-        self.clock += 1;
-        self.loop_ends.insert(id, self.clock);
-        for held in self.around.pop().map_or(Vec::new(), |a| a.pending) {
-            match held {
-                Held::Value(op) => raise(&mut self.plan.last, op, self.clock),
-                Held::Variable(variable) => {
-                    if let Some(about) = self.plan.variables.get_mut(variable.0 as usize) {
-                        about.last = about.last.max(self.clock);
-                    }
-                }
-            }
-        }
-    }
-
     fn test(&mut self, id: LoopId, test: Region, condition: Option<OpId>) {
-        self.region(test, Some(id));
+        self.part(test, Some(id));
         self.clock += 1;
         condition.into_iter().for_each(|c| self.used(c));
-    }
-
-    fn op(&mut self, id: OpId) {
-        self.clock += 1;
-        set(&mut self.plan.made, id, self.clock);
-        self.ops.push(id);
-        let module = self.module;
-        module.each_operand(id, |operand| self.used(operand));
-        match module.op(id).kind {
-            OpKind::Load(place) => self.touched(module.place(place).variable),
-            OpKind::Store(place, _) => self.stored(id, place),
-            OpKind::Call(callee, _) => {
-                for variable in self.effects.get(&callee).into_iter().flatten() {
-                    let writes = self.plan.writes.entry(*variable).or_default();
-                    writes.push(self.clock);
-                }
-            }
-            _ => {}
-        }
     }
 
     /// A value is used at this tick: in a loop that began after it was made, until the end of that.
@@ -535,17 +528,24 @@ impl Plan {
 
 /// Whether a `continue` of the loop around stands in steps.
 fn continues(module: &Module, steps: &[Step]) -> bool {
-    let inner = |region| continues(module, module.steps(region));
-    steps.iter().any(|step| match *step {
+    steps.iter().any(|step| match step {
         Step::Continue(_) => true,
-        Step::If {
-            then, otherwise, ..
-        } => inner(then) || inner(otherwise),
-        Step::Switch(id) => module
-            .switch(id)
-            .is_some_and(|s| module.cases(s).iter().any(|c| inner(c.body))),
-        _ => false,
+        Step::Loop(_) => false,
+        _ => {
+            let mut inside = module.inside(step).into_iter();
+            inside.any(|region| continues(module, module.steps(region)))
+        }
     })
+}
+
+/// Whether there is a `return` that is not the last of all steps.
+fn leaves(module: &Module, steps: &[Step]) -> bool {
+    let early = match steps {
+        [early @ .., Step::Return(..)] => early,
+        all => all,
+    };
+    let mut inside = module.steps_in(early);
+    inside.any(|step| matches!(step, Step::Return(..)))
 }
 
 fn at(ticks: &[u32], op: OpId) -> u32 {

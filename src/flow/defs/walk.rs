@@ -7,10 +7,11 @@ use crate::Calls;
 use crate::layout::{Layout, length_lane};
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{
-    self as ir, Binary, LoopId, Module, OpId, OpKind, PlaceId, Region, Root, Run, Step, SwitchId,
+    self as ir, Binary, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Run, Visit,
 };
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, Program};
+use shaderlint_syntax::ast::StmtId;
 
 /// Definitions and entries of lists for each lane of a shader, at most; then nothing more is known.
 const PER_LANE: usize = 24;
@@ -96,6 +97,214 @@ fn numbered(sizes: impl Iterator<Item = u32>) -> (Vec<u32>, Vec<u32>) {
     }
     firsts.push(owners.len() as u32);
     (firsts, owners)
+}
+
+impl<'m> Visit<'m> for Walker<'m> {
+    type Out = ();
+
+    fn module(&self) -> &'m Module {
+        self.module
+    }
+
+    /// Operations, in order. The right side of `&&` and the sides of `?:` that are simple enough to
+    /// run in any case are only used where the condition holds, and see it so.
+    fn run(&mut self, run: Run) {
+        let module = self.module;
+        self.enter_guard(run.first);
+        let mut cover: Vec<(OpId, OpId, OpId, bool)> = Vec::new();
+        for op in run.ops() {
+            match module.op(op).kind {
+                OpKind::Select {
+                    condition,
+                    then,
+                    otherwise,
+                } => {
+                    cover.push((condition, then, condition, true));
+                    cover.push((then, otherwise, condition, false));
+                }
+                OpKind::Binary(Binary::And, a, b) => cover.push((a, b, a, true)),
+                OpKind::Binary(Binary::Or, a, b) => cover.push((a, b, a, false)),
+                _ => {}
+            }
+        }
+        cover.retain(|(behind, last, ..)| run.contains(*behind) && behind < last);
+        if cover.is_empty() {
+            run.ops().for_each(|op| self.op(op));
+            return;
+        }
+        // Outer ones first.
+        cover.sort_unstable_by_key(|(behind, last, ..)| (behind.0, std::cmp::Reverse(last.0)));
+        let mut next = cover.into_iter().peekable();
+        let mut open: Vec<(OpId, usize, Option<u32>)> = Vec::new();
+        for op in run.ops() {
+            self.op(op);
+            while let Some((_, mark, guard)) = open.pop_if(|(last, ..)| *last <= op) {
+                self.roll_back(mark);
+                self.guard = guard;
+                self.enter_guard(OpId(op.0 + 1));
+            }
+            while let Some((_, last, condition, truth)) = next.next_if(|(at, ..)| *at <= op) {
+                open.push((last, self.trail.len(), self.guard));
+                self.refine(condition, truth);
+                self.enter_guard(OpId(op.0 + 1));
+            }
+        }
+        if let Some(&(_, mark, guard)) = open.first() {
+            self.roll_back(mark);
+            self.guard = guard;
+        }
+    }
+
+    #[inline]
+    fn op(&mut self, op: OpId) {
+        match self.module.op(op).kind {
+            OpKind::Load(place) => self.load(op, place),
+            OpKind::Store(place, value) => self.store(place, value),
+            OpKind::Call(function, _) => self.call(op, function),
+            _ => {}
+        }
+    }
+
+    fn branch(&mut self, condition: OpId, [then, otherwise]: [Region; 2], _: Provenance) {
+        let (since, mark, guard, was_alive) =
+            (self.next(), self.trail.len(), self.guard, self.is_alive);
+        let side = |walker: &mut Self, region, truth| {
+            walker.is_alive = was_alive;
+            walker.refine(condition, truth);
+            walker.region(region);
+            let changes = match walker.is_alive {
+                true => walker.changes(mark),
+                false => Changes::new(),
+            };
+            walker.roll_back(mark);
+            walker.guard = guard;
+            (walker.is_alive, changes)
+        };
+        let (is_then, first) = side(self, then, true);
+        let (is_otherwise, second) = side(self, otherwise, false);
+        self.is_alive = is_then || is_otherwise;
+        match (is_then, is_otherwise) {
+            (true, true) => self.merge(&[first, second], since, Some(condition)),
+            (true, false) => {
+                self.apply(&first);
+                self.push_guard(condition, true);
+            }
+            (false, true) => {
+                self.apply(&second);
+                self.push_guard(condition, false);
+            }
+            (false, false) => {}
+        }
+    }
+
+    fn looped(&mut self, id: LoopId, found: &'m ir::Loop) {
+        let first = self.next();
+        let was_alive = self.is_alive;
+        let heads = self.heads(id, found);
+        let (mark, guard) = (self.trail.len(), self.guard);
+        self.frames.push(Frame {
+            is_loop: true,
+            mark,
+            breaks: Vec::new(),
+            continues: Vec::new(),
+        });
+        let mut exits = Vec::new();
+        if found.tests_first {
+            self.region(found.test);
+            self.test(found.condition, mark, &mut exits);
+        }
+        self.region(found.body);
+        self.go_on(mark, first);
+        self.region(found.step);
+        if !found.tests_first {
+            self.region(found.test);
+            self.test(found.condition, mark, &mut exits);
+        }
+        for (slot, head) in heads {
+            let now = self.get(slot);
+            let is_back = self.is_alive;
+            if let Some(Def::Head { init, back, .. }) = self.defs.defs.get_mut(head.0 as usize) {
+                *back = if is_back { now } else { *init };
+            }
+        }
+        self.roll_back(mark);
+        self.guard = guard;
+        exits.extend(self.frames.pop().map_or(Vec::new(), |f| f.breaks));
+        self.is_alive = was_alive && !exits.is_empty();
+        match &exits[..] {
+            [] => {}
+            [only] => self.apply(only),
+            _ => self.merge(&exits, first, None),
+        }
+        let end = self.next();
+        if let Some(slot) = self.defs.loop_defs.get_mut(id.0 as usize) {
+            *slot = (first, end);
+        }
+    }
+
+    fn switch(&mut self, found: &'m ir::Switch) {
+        let module = self.module;
+        let (since, mark, guard, was_alive) =
+            (self.next(), self.trail.len(), self.guard, self.is_alive);
+        self.frames.push(Frame {
+            is_loop: false,
+            mark,
+            breaks: Vec::new(),
+            continues: Vec::new(),
+        });
+        let mut has_default = false;
+        self.is_alive = false;
+        for case in module.cases(found) {
+            let labels = module.labels(case);
+            has_default |= labels.contains(&shaderlint_ir::CaseLabel::Default);
+            let fallen = match self.is_alive {
+                true => Some(self.changes(mark)),
+                false => None,
+            };
+            self.roll_back(mark);
+            if let Some(fallen) = fallen {
+                self.merge(&[Changes::new(), fallen], since, None);
+            }
+            self.is_alive = was_alive;
+            self.guard = guard;
+            self.region(case.body);
+        }
+        let mut exits = Vec::new();
+        if self.is_alive {
+            exits.push(self.changes(mark));
+        }
+        self.roll_back(mark);
+        self.guard = guard;
+        exits.extend(self.frames.pop().map_or(Vec::new(), |f| f.breaks));
+        if !has_default {
+            exits.push(Changes::new());
+        }
+        self.is_alive = was_alive && !exits.is_empty();
+        match &exits[..] {
+            [] => {}
+            [only] => self.apply(only),
+            _ => self.merge(&exits, since, None),
+        }
+    }
+
+    fn breaks(&mut self, _: StmtId) {
+        self.leave(|frame| Some(&mut frame.breaks));
+    }
+
+    fn continues(&mut self, _: StmtId) {
+        self.leave(|frame| frame.is_loop.then_some(&mut frame.continues));
+    }
+
+    fn returns(&mut self, value: Option<OpId>, _: StmtId) {
+        if self.is_alive {
+            self.leave_function(value);
+        }
+        self.is_alive = false;
+    }
+
+    fn discards(&mut self, _: StmtId) {
+        self.is_alive = false;
+    }
 }
 
 impl<'m> Walker<'m> {
@@ -224,34 +433,6 @@ impl<'m> Walker<'m> {
         }
     }
 
-    fn region(&mut self, region: Region) {
-        let module = self.module;
-        for step in module.steps(region) {
-            match *step {
-                Step::Run(run) => self.run(run),
-                Step::If {
-                    condition,
-                    then,
-                    otherwise,
-                    ..
-                } => self.branch(condition, then, otherwise),
-                Step::Loop(id) => self.looped(id),
-                Step::Switch(id) => self.switch(id),
-                Step::Break(_) => self.leave(|frame| Some(&mut frame.breaks)),
-                Step::Continue(_) => {
-                    self.leave(|frame| frame.is_loop.then_some(&mut frame.continues));
-                }
-                Step::Return(value, _) => {
-                    if self.is_alive {
-                        self.leave_function(value);
-                    }
-                    self.is_alive = false;
-                }
-                Step::Discard(_) => self.is_alive = false,
-            }
-        }
-    }
-
     /// Leaves the innermost frame that has such a way out.
     fn leave(&mut self, way: impl Fn(&mut Frame) -> Option<&mut Vec<Changes>>) {
         if !self.is_alive {
@@ -277,38 +458,6 @@ impl<'m> Walker<'m> {
     /// The number that the next definition will have.
     fn next(&self) -> DefId {
         DefId(self.defs.defs.len() as u32)
-    }
-
-    fn branch(&mut self, condition: OpId, then: Region, otherwise: Region) {
-        let (since, mark, guard, was_alive) =
-            (self.next(), self.trail.len(), self.guard, self.is_alive);
-        let side = |walker: &mut Self, region, truth| {
-            walker.is_alive = was_alive;
-            walker.refine(condition, truth);
-            walker.region(region);
-            let changes = match walker.is_alive {
-                true => walker.changes(mark),
-                false => Changes::new(),
-            };
-            walker.roll_back(mark);
-            walker.guard = guard;
-            (walker.is_alive, changes)
-        };
-        let (is_then, first) = side(self, then, true);
-        let (is_otherwise, second) = side(self, otherwise, false);
-        self.is_alive = is_then || is_otherwise;
-        match (is_then, is_otherwise) {
-            (true, true) => self.merge(&[first, second], since, Some(condition)),
-            (true, false) => {
-                self.apply(&first);
-                self.push_guard(condition, true);
-            }
-            (false, true) => {
-                self.apply(&second);
-                self.push_guard(condition, false);
-            }
-            (false, false) => {}
-        }
     }
 
     fn push_guard(&mut self, condition: OpId, truth: bool) {
@@ -368,54 +517,6 @@ impl<'m> Walker<'m> {
 
     fn spot(&self, place: PlaceId) -> Option<Spot> {
         Spot::of(self.module, &self.defs.layout, &self.defs.slots, place)
-    }
-
-    fn looped(&mut self, id: LoopId) {
-        let Some(found) = self.module.looped(id).copied() else {
-            return;
-        };
-        let first = self.next();
-        let was_alive = self.is_alive;
-        let heads = self.heads(id, &found);
-        let (mark, guard) = (self.trail.len(), self.guard);
-        self.frames.push(Frame {
-            is_loop: true,
-            mark,
-            breaks: Vec::new(),
-            continues: Vec::new(),
-        });
-        let mut exits = Vec::new();
-        if found.tests_first {
-            self.region(found.test);
-            self.test(found.condition, mark, &mut exits);
-        }
-        self.region(found.body);
-        self.go_on(mark, first);
-        self.region(found.step);
-        if !found.tests_first {
-            self.region(found.test);
-            self.test(found.condition, mark, &mut exits);
-        }
-        for (slot, head) in heads {
-            let now = self.get(slot);
-            let is_back = self.is_alive;
-            if let Some(Def::Head { init, back, .. }) = self.defs.defs.get_mut(head.0 as usize) {
-                *back = if is_back { now } else { *init };
-            }
-        }
-        self.roll_back(mark);
-        self.guard = guard;
-        exits.extend(self.frames.pop().map_or(Vec::new(), |f| f.breaks));
-        self.is_alive = was_alive && !exits.is_empty();
-        match &exits[..] {
-            [] => {}
-            [only] => self.apply(only),
-            _ => self.merge(&exits, first, None),
-        }
-        let end = self.next();
-        if let Some(slot) = self.defs.loop_defs.get_mut(id.0 as usize) {
-            *slot = (first, end);
-        }
     }
 
     /// The heads of what a loop writes to.
@@ -523,113 +624,6 @@ impl<'m> Walker<'m> {
         match &ways[..] {
             [only] => self.apply(only),
             _ => self.merge(&ways, since, None),
-        }
-    }
-
-    fn switch(&mut self, id: SwitchId) {
-        let module = self.module;
-        let Some(found) = module.switch(id) else {
-            return;
-        };
-        let (since, mark, guard, was_alive) =
-            (self.next(), self.trail.len(), self.guard, self.is_alive);
-        self.frames.push(Frame {
-            is_loop: false,
-            mark,
-            breaks: Vec::new(),
-            continues: Vec::new(),
-        });
-        let mut has_default = false;
-        self.is_alive = false;
-        for case in module.cases(found) {
-            let labels = module.labels(case);
-            has_default |= labels.contains(&shaderlint_ir::CaseLabel::Default);
-            let fallen = match self.is_alive {
-                true => Some(self.changes(mark)),
-                false => None,
-            };
-            self.roll_back(mark);
-            if let Some(fallen) = fallen {
-                self.merge(&[Changes::new(), fallen], since, None);
-            }
-            self.is_alive = was_alive;
-            self.guard = guard;
-            self.region(case.body);
-        }
-        let mut exits = Vec::new();
-        if self.is_alive {
-            exits.push(self.changes(mark));
-        }
-        self.roll_back(mark);
-        self.guard = guard;
-        exits.extend(self.frames.pop().map_or(Vec::new(), |f| f.breaks));
-        if !has_default {
-            exits.push(Changes::new());
-        }
-        self.is_alive = was_alive && !exits.is_empty();
-        match &exits[..] {
-            [] => {}
-            [only] => self.apply(only),
-            _ => self.merge(&exits, since, None),
-        }
-    }
-
-    /// Operations, in order. The right side of `&&` and the sides of `?:` that are simple enough to
-    /// run in any case are only used where the condition holds, and see it so.
-    fn run(&mut self, run: Run) {
-        let module = self.module;
-        self.enter_guard(run.first);
-        let mut cover: Vec<(OpId, OpId, OpId, bool)> = Vec::new();
-        for op in run.ops() {
-            match module.op(op).kind {
-                OpKind::Select {
-                    condition,
-                    then,
-                    otherwise,
-                } => {
-                    cover.push((condition, then, condition, true));
-                    cover.push((then, otherwise, condition, false));
-                }
-                OpKind::Binary(Binary::And, a, b) => cover.push((a, b, a, true)),
-                OpKind::Binary(Binary::Or, a, b) => cover.push((a, b, a, false)),
-                _ => {}
-            }
-        }
-        cover.retain(|(behind, last, ..)| run.contains(*behind) && behind < last);
-        if cover.is_empty() {
-            run.ops().for_each(|op| self.op(op));
-            return;
-        }
-        // Outer ones first.
-        cover.sort_unstable_by_key(|(behind, last, ..)| (behind.0, std::cmp::Reverse(last.0)));
-        let mut next = cover.into_iter().peekable();
-        let mut open: Vec<(OpId, usize, Option<u32>)> = Vec::new();
-        for op in run.ops() {
-            self.op(op);
-            while let Some((_, mark, guard)) = open.pop_if(|(last, ..)| *last <= op) {
-                self.roll_back(mark);
-                self.guard = guard;
-                self.enter_guard(OpId(op.0 + 1));
-            }
-            while let Some((_, last, condition, truth)) = next.next_if(|(at, ..)| *at <= op) {
-                open.push((last, self.trail.len(), self.guard));
-                self.refine(condition, truth);
-                self.enter_guard(OpId(op.0 + 1));
-            }
-        }
-        if let Some(&(_, mark, guard)) = open.first() {
-            self.roll_back(mark);
-            self.guard = guard;
-        }
-    }
-
-    #[inline]
-    fn op(&mut self, op: OpId) {
-        match self.module.op(op).kind {
-            OpKind::Load(place) => self.load(op, place),
-            OpKind::Store(place, value) => self.store(place, value),
-            OpKind::Call(function, _) => self.call(op, function),
-            _ => {}
         }
     }
 

@@ -8,7 +8,7 @@ mod tests;
 
 use super::ranges::Query;
 use rustc_hash::FxHashMap;
-use shaderlint_ir::{LoopId, Module, OpId, Region, Step};
+use shaderlint_ir::{Loop, LoopId, Module, OpId, Step, Switch, Visit};
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::{ExprId, StmtId};
 
@@ -68,12 +68,14 @@ impl Loops {
         let module = query.module;
         let mut finder = Finder {
             module,
+            function: FunctionRef(0),
             open: Vec::new(),
             found: Vec::new(),
         };
         for (number, function) in (0..).zip(&module.functions) {
             if let Some(body) = function.body {
-                finder.region(FunctionRef(number), body);
+                finder.function = FunctionRef(number);
+                finder.region(body);
             }
         }
         let found = finder.found.into_iter();
@@ -115,57 +117,21 @@ struct Found {
 /// Looks for loops.
 struct Finder<'m> {
     module: &'m Module,
+    function: FunctionRef,
     /// The loops and `switch` statements around; of loops, their number in `found`.
     open: Vec<Option<usize>>,
     found: Vec<Found>,
 }
 
-impl Finder<'_> {
-    fn region(&mut self, function: FunctionRef, region: Region) {
-        let module = self.module;
-        for step in module.steps(region) {
-            match *step {
-                Step::Run(_) | Step::Continue(_) => {}
-                Step::If {
-                    then, otherwise, ..
-                } => {
-                    self.region(function, then);
-                    self.region(function, otherwise);
-                }
-                Step::Switch(id) => {
-                    self.open.push(None);
-                    if let Some(found) = module.switch(id) {
-                        let bodies = module.cases(found).iter().map(|c| c.body);
-                        bodies.for_each(|body| self.region(function, body));
-                    }
-                    self.open.pop();
-                }
-                Step::Loop(id) => self.looped(function, id),
-                Step::Break(_) => {
-                    let innermost = self.open.last().copied().flatten();
-                    self.leave(innermost);
-                }
-                Step::Return(..) | Step::Discard(_) => {
-                    let around: Vec<usize> = self.open.iter().copied().flatten().collect();
-                    around
-                        .into_iter()
-                        .for_each(|number| self.leave(Some(number)));
-                }
-            }
-        }
+impl<'m> Visit<'m> for Finder<'m> {
+    type Out = ();
+
+    fn module(&self) -> &'m Module {
+        self.module
     }
 
-    fn leave(&mut self, number: Option<usize>) {
-        if let Some(found) = number.and_then(|n| self.found.get_mut(n)) {
-            found.ends_early = true;
-        }
-    }
-
-    fn looped(&mut self, function: FunctionRef, id: LoopId) {
+    fn looped(&mut self, id: LoopId, looped: &'m Loop) {
         let module = self.module;
-        let Some(looped) = module.looped(id) else {
-            return;
-        };
         let head = looped.condition.map(|condition| Goes {
             condition,
             truth: true,
@@ -191,13 +157,45 @@ impl Finder<'_> {
         self.open.push(Some(self.found.len()));
         self.found.push(Found {
             id,
-            function,
+            function: self.function,
             goes,
             ends_early: false,
         });
-        self.region(function, looped.test);
-        self.region(function, looped.body);
-        self.region(function, looped.step);
+        looped.parts().into_iter().for_each(|p| self.region(p));
         self.open.pop();
+    }
+
+    fn switch(&mut self, switch: &'m Switch) {
+        self.open.push(None);
+        for case in self.module.cases(switch) {
+            self.region(case.body);
+        }
+        self.open.pop();
+    }
+
+    fn breaks(&mut self, _: StmtId) {
+        let innermost = self.open.last().copied().flatten();
+        self.leave(innermost);
+    }
+
+    fn returns(&mut self, _: Option<OpId>, _: StmtId) {
+        self.leave_all();
+    }
+
+    fn discards(&mut self, _: StmtId) {
+        self.leave_all();
+    }
+}
+
+impl Finder<'_> {
+    fn leave_all(&mut self) {
+        let around: Vec<usize> = self.open.iter().copied().flatten().collect();
+        around.into_iter().for_each(|n| self.leave(Some(n)));
+    }
+
+    fn leave(&mut self, number: Option<usize>) {
+        if let Some(found) = number.and_then(|n| self.found.get_mut(n)) {
+            found.ends_early = true;
+        }
     }
 }

@@ -7,10 +7,10 @@ use crate::ranges::Query;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::{
     Access, Binary, Case, CaseLabel, Loop, LoopId, Module, Op, OpId, OpKind, Place, PlaceId,
-    Region, Root, Run, Step, SwitchId,
+    Provenance, Region, Root, Run, Step, Switch, Visit,
 };
 use shaderlint_semantic::{Direction, FunctionRef, Mentions, Program, VariableId};
-use shaderlint_syntax::ast::Extent;
+use shaderlint_syntax::ast::{Extent, StmtId};
 
 /// How deep regions may nest; of a function with deeper ones nothing is said.
 const MAX_DEPTH: u32 = 200;
@@ -63,8 +63,158 @@ pub(super) struct Walk<'x> {
     exit: u32,
     /// The operation that comes next.
     next: u32,
+    /// How deep regions nest here.
+    depth: u32,
     too_deep: bool,
     findings: Findings,
+}
+
+impl<'x> Visit<'x> for Walk<'x> {
+    type Out = ();
+
+    fn module(&self) -> &'x Module {
+        self.module
+    }
+
+    fn region(&mut self, region: Region) {
+        self.too_deep |= self.depth > MAX_DEPTH;
+        if self.too_deep {
+            return;
+        }
+        let held = self.conditions.mark();
+        self.depth += 1;
+        for step in self.module.steps(region) {
+            self.step(step);
+        }
+        self.depth -= 1;
+        self.conditions.undo(held);
+    }
+
+    fn run(&mut self, run: Run) {
+        self.next = run.first.0 + run.len;
+        if self.state.dead {
+            return;
+        }
+        let module = self.module;
+        for id in run.ops() {
+            match module.op(id).kind {
+                OpKind::Load(place) if self.is_open() => {
+                    let variable = module.place(place).variable;
+                    self.conditions.loaded(module, id, variable);
+                    self.read(id, place);
+                }
+                OpKind::Store(place, value) => self.store(id, place, module.op(value)),
+                OpKind::Call(..) => self.conditions.called(),
+                _ => {}
+            }
+        }
+    }
+
+    fn branch(&mut self, condition: OpId, [then, otherwise]: [Region; 2], _: Provenance) {
+        let known = self.known(condition);
+        let start = self.next;
+        let mark = self.state.mark();
+        let was_dead = self.state.dead;
+        let compared = self.compared(condition);
+        let is_next = compared.is_some() && compared == self.compared;
+        let outer = self.compared.take();
+        self.state.dead |= known == Some(false);
+        self.side(condition, true, then);
+        let first = self.state.path(mark);
+        self.state.undo(mark);
+        self.state.dead = was_dead || known == Some(true);
+        self.compared = compared;
+        self.side(condition, false, otherwise);
+        self.compared = outer;
+        let second = self.state.path(mark);
+        // Two values have been told apart and nothing is left for others: there are none.
+        let is_empty = self.module.steps(otherwise).is_empty();
+        let second = second.filter(|_| !(is_next && is_empty && first.is_some()));
+        let paths: Vec<Path> = first.iter().chain(&second).cloned().collect();
+        self.state.join(mark, &paths);
+        if was_dead || !self.is_open() {
+            return;
+        }
+        match (first, second) {
+            (Some(first), Some(second)) => self.compare(condition, &first, &second),
+            (None, None) => {}
+            (first, _) => {
+                self.exit = self.exit.max(if is_next && is_empty { 0 } else { start });
+                if !(is_next && is_empty) {
+                    self.conditions
+                        .learn(self.module, condition, first.is_some());
+                }
+            }
+        }
+    }
+
+    fn looped(&mut self, _: LoopId, found: &'x Loop) {
+        let (start, last) = (self.next, last_op(found));
+        self.turn_over(start, last);
+        let is_endless = found.condition.is_none_or(|c| self.known(c) == Some(true));
+        let before = self.writes.len();
+        if found.tests_first {
+            self.region(found.test);
+        }
+        let mark = self.begin(start, last);
+        let was_dead = self.state.dead;
+        self.region(found.body);
+        self.region(found.step);
+        if !found.tests_first {
+            self.region(found.test);
+        }
+        let path = match self.state.path(mark) {
+            // No turn comes to its end, but the loop may not turn at all.
+            None if !was_dead && found.tests_first => Some(Path::default()),
+            path => path,
+        };
+        self.end(mark, path.filter(|_| !is_endless));
+        self.keep(before);
+    }
+
+    fn switch(&mut self, found: &'x Switch) {
+        let module = self.module;
+        let start = self.next;
+        let mark = self.begin(start, None);
+        let was_dead = self.state.dead;
+        let cases = module.cases(found);
+        let mut has_default = false;
+        for case in cases {
+            has_default |= module.labels(case).contains(&CaseLabel::Default);
+            // A label is reached from the top too, where less has a value.
+            self.state.undo(mark);
+            self.state.dead = was_dead;
+            self.guarded_region(case.body, start);
+        }
+        let path = self.state.path(mark);
+        let has_left = self.frames.last().is_some_and(|f| f.exits.is_some());
+        // Whoever tells several values apart that the shader made has all that there are.
+        let is_told =
+            cases.len() > 1 && !self.is_outside(found.selector) && (path.is_some() || has_left);
+        let has_default = has_default || self.has_all(found.selector, cases);
+        let path = match path {
+            _ if !has_default && !was_dead && !is_told => Some(Path::default()),
+            path => path,
+        };
+        self.end(mark, path);
+    }
+
+    fn breaks(&mut self, _: StmtId) {
+        self.leave_frame();
+    }
+
+    fn continues(&mut self, _: StmtId) {
+        self.state.dead = true;
+    }
+
+    fn returns(&mut self, _: Option<OpId>, stmt: StmtId) {
+        self.leave(self.program.tree.stmt(stmt).extent);
+        self.state.dead = true;
+    }
+
+    fn discards(&mut self, _: StmtId) {
+        self.state.dead = true;
+    }
 }
 
 impl<'x> Walk<'x> {
@@ -96,6 +246,7 @@ impl<'x> Walk<'x> {
             compared: None,
             exit: 0,
             next: 0,
+            depth: 0,
             too_deep: false,
             findings: Findings::default(),
         }
@@ -147,7 +298,8 @@ impl<'x> Walk<'x> {
                 self.taken.insert(variable, 0);
             }
         }
-        self.region(body, 0);
+        self.depth = 0;
+        self.region(body);
         self.findings.reaches_end = !self.state.dead;
         let definition = self.program.function(id).and_then(|f| f.definition);
         let end = definition.and_then(|d| self.program.tree.function(d));
@@ -176,58 +328,6 @@ impl<'x> Walk<'x> {
 
     fn written(&self, variable: VariableId) -> Parts {
         self.ever.get(&variable).copied().unwrap_or(0)
-    }
-
-    fn region(&mut self, region: Region, depth: u32) {
-        self.too_deep |= depth > MAX_DEPTH;
-        if self.too_deep {
-            return;
-        }
-        let held = self.conditions.mark();
-        for step in self.module.steps(region) {
-            self.step(step, depth);
-        }
-        self.conditions.undo(held);
-    }
-
-    fn step(&mut self, step: &Step, depth: u32) {
-        match *step {
-            Step::Run(run) => self.run(run),
-            Step::If {
-                condition,
-                then,
-                otherwise,
-                ..
-            } => self.branch(condition, then, otherwise, depth),
-            Step::Loop(id) => self.looped(id, depth),
-            Step::Switch(id) => self.switch(id, depth),
-            Step::Break(_) => self.leave_frame(),
-            Step::Continue(_) | Step::Discard(_) => self.state.dead = true,
-            Step::Return(_, stmt) => {
-                self.leave(self.program.tree.stmt(stmt).extent);
-                self.state.dead = true;
-            }
-        }
-    }
-
-    fn run(&mut self, run: Run) {
-        self.next = run.first.0 + run.len;
-        if self.state.dead {
-            return;
-        }
-        let module = self.module;
-        for id in run.ops() {
-            match module.op(id).kind {
-                OpKind::Load(place) if self.is_open() => {
-                    let variable = module.place(place).variable;
-                    self.conditions.loaded(module, id, variable);
-                    self.read(id, place);
-                }
-                OpKind::Store(place, value) => self.store(id, place, module.op(value)),
-                OpKind::Call(..) => self.conditions.called(),
-                _ => {}
-            }
-        }
     }
 
     fn store(&mut self, id: OpId, place: PlaceId, value: &Op) {
@@ -261,60 +361,22 @@ impl<'x> Walk<'x> {
         })
     }
 
-    fn branch(&mut self, condition: OpId, then: Region, otherwise: Region, depth: u32) {
-        let known = self.known(condition);
-        let start = self.next;
-        let mark = self.state.mark();
-        let was_dead = self.state.dead;
-        let compared = self.compared(condition);
-        let is_next = compared.is_some() && compared == self.compared;
-        let outer = self.compared.take();
-        self.state.dead |= known == Some(false);
-        self.side(condition, true, then, depth);
-        let first = self.state.path(mark);
-        self.state.undo(mark);
-        self.state.dead = was_dead || known == Some(true);
-        self.compared = compared;
-        self.side(condition, false, otherwise, depth);
-        self.compared = outer;
-        let second = self.state.path(mark);
-        // Two values have been told apart and nothing is left for others: there are none.
-        let is_empty = self.module.steps(otherwise).is_empty();
-        let second = second.filter(|_| !(is_next && is_empty && first.is_some()));
-        let paths: Vec<Path> = first.iter().chain(&second).cloned().collect();
-        self.state.join(mark, &paths);
-        if was_dead || !self.is_open() {
-            return;
-        }
-        match (first, second) {
-            (Some(first), Some(second)) => self.compare(condition, &first, &second),
-            (None, None) => {}
-            (first, _) => {
-                self.exit = self.exit.max(if is_next && is_empty { 0 } else { start });
-                if !(is_next && is_empty) {
-                    self.conditions
-                        .learn(self.module, condition, first.is_some());
-                }
-            }
-        }
-    }
-
     /// One side of a branch.
-    fn side(&mut self, condition: OpId, truth: bool, region: Region, depth: u32) {
+    fn side(&mut self, condition: OpId, truth: bool, region: Region) {
         let held = self.conditions.mark();
         let start = condition.0 + 1;
         if self.is_open() {
             self.conditions.learn(self.module, condition, truth);
         }
-        self.guarded_region(region, start, depth);
+        self.guarded_region(region, start);
         self.conditions.undo(held);
     }
 
     /// A region that runs where a condition at `start` has one of its answers.
-    fn guarded_region(&mut self, region: Region, start: u32, depth: u32) {
+    fn guarded_region(&mut self, region: Region, start: u32) {
         let last = last_in(self.module, region).unwrap_or(start);
         self.branches.push((start, last));
-        self.region(region, depth + 1);
+        self.region(region);
         self.branches.pop();
     }
 
@@ -419,33 +481,6 @@ impl<'x> Walk<'x> {
         }
     }
 
-    fn looped(&mut self, id: LoopId, depth: u32) {
-        let Some(&found) = self.module.looped(id) else {
-            return;
-        };
-        let (start, last) = (self.next, last_op(&found));
-        self.turn_over(start, last);
-        let is_endless = found.condition.is_none_or(|c| self.known(c) == Some(true));
-        let before = self.writes.len();
-        if found.tests_first {
-            self.region(found.test, depth + 1);
-        }
-        let mark = self.begin(start, last);
-        let was_dead = self.state.dead;
-        self.region(found.body, depth + 1);
-        self.region(found.step, depth + 1);
-        if !found.tests_first {
-            self.region(found.test, depth + 1);
-        }
-        let path = match self.state.path(mark) {
-            // No turn comes to its end, but the loop may not turn at all.
-            None if !was_dead && found.tests_first => Some(Path::default()),
-            path => path,
-        };
-        self.end(mark, path.filter(|_| !is_endless));
-        self.keep(before);
-    }
-
     /// What a loop writes to is another at each turn.
     fn turn_over(&mut self, start: u32, last: Option<u32>) {
         if !self.is_open() {
@@ -461,36 +496,6 @@ impl<'x> Walk<'x> {
                 _ => {}
             }
         }
-    }
-
-    fn switch(&mut self, id: SwitchId, depth: u32) {
-        let module = self.module;
-        let Some(found) = module.switch(id) else {
-            return;
-        };
-        let start = self.next;
-        let mark = self.begin(start, None);
-        let was_dead = self.state.dead;
-        let cases = module.cases(found);
-        let mut has_default = false;
-        for case in cases {
-            has_default |= module.labels(case).contains(&CaseLabel::Default);
-            // A label is reached from the top too, where less has a value.
-            self.state.undo(mark);
-            self.state.dead = was_dead;
-            self.guarded_region(case.body, start, depth);
-        }
-        let path = self.state.path(mark);
-        let has_left = self.frames.last().is_some_and(|f| f.exits.is_some());
-        // Whoever tells several values apart that the shader made has all that there are.
-        let is_told =
-            cases.len() > 1 && !self.is_outside(found.selector) && (path.is_some() || has_left);
-        let has_default = has_default || self.has_all(found.selector, cases);
-        let path = match path {
-            _ if !has_default && !was_dead && !is_told => Some(Path::default()),
-            path => path,
-        };
-        self.end(mark, path);
     }
 
     /// Whether there is a case for every value that a selector may have.
@@ -747,20 +752,13 @@ fn last_op(looped: &Loop) -> Option<u32> {
 }
 
 fn last_in(module: &Module, region: Region) -> Option<u32> {
-    module
-        .steps(region)
-        .iter()
-        .rev()
-        .find_map(|step| match *step {
-            Step::Run(run) => (run.first.0 + run.len).checked_sub(1),
-            Step::If {
-                then, otherwise, ..
-            } => last_in(module, otherwise).or_else(|| last_in(module, then)),
-            Step::Loop(id) => last_op(module.looped(id)?),
-            Step::Switch(id) => {
-                let cases = module.cases(module.switch(id)?).iter().rev();
-                cases.into_iter().find_map(|c| last_in(module, c.body))
-            }
-            _ => None,
-        })
+    let mut steps = module.steps(region).iter().rev();
+    steps.find_map(|step| match *step {
+        Step::Run(run) => (run.first.0 + run.len).checked_sub(1),
+        Step::Loop(id) => last_op(module.looped(id)?),
+        _ => {
+            let mut inside = module.inside(step).into_iter().rev();
+            inside.find_map(|region| last_in(module, region))
+        }
+    })
 }

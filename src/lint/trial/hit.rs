@@ -110,24 +110,12 @@ fn work(facts: &Facts, region: Region) -> f64 {
 
 fn work_of(facts: &Facts, steps: &[Step]) -> f64 {
     let module = facts.module();
-    let work = steps.iter().map(|step| match *step {
-        Step::Run(run) => run.ops().map(|op| operation(facts, module, op)).sum(),
-        Step::If {
-            then, otherwise, ..
-        } => work(facts, then) + work(facts, otherwise),
-        Step::Loop(id) => {
-            let inside = module.looped(id);
-            inside.map_or(0.0, |l| {
-                l.ops.ops().map(|op| operation(facts, module, op)).sum()
-            })
-        }
-        Step::Switch(id) => module.switch(id).map_or(0.0, |switch| {
-            let cases = module.cases(switch).iter();
-            cases.map(|case| work(facts, case.body)).sum()
-        }),
-        Step::Break(_) | Step::Continue(_) | Step::Return(..) | Step::Discard(_) => 0.0,
+    let runs = module.steps_in(steps).filter_map(|step| match *step {
+        Step::Run(run) => Some(run),
+        _ => None,
     });
-    work.sum()
+    let ops = runs.flat_map(|run| run.ops());
+    ops.map(|op| operation(facts, module, op)).sum()
 }
 
 fn operation(facts: &Facts, module: &Module, op: OpId) -> f64 {

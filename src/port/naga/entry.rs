@@ -11,6 +11,7 @@ use ::naga::{
     Binding, EntryPoint, Expression, FunctionResult, Handle, ShaderStage, Statement, StructMember,
     TypeInner,
 };
+use shaderlint_ir::Visit;
 use shaderlint_semantic::{FunctionRef, Stage, Storage, Type};
 
 impl<'p> Lowerer<'p> {

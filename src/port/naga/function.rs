@@ -8,7 +8,7 @@ use ::naga::{
     AddressSpace, Expression, FunctionArgument, FunctionResult, Handle, Statement, TypeInner,
 };
 use rustc_hash::FxHashSet;
-use shaderlint_ir::{self as ir, OpKind, Root};
+use shaderlint_ir::{self as ir, OpKind, Root, Visit};
 use shaderlint_semantic::{FunctionRef, Type, VariableId};
 
 /// The functions that `main` needs, each behind all that it calls.

@@ -4,16 +4,25 @@ use super::body::Body;
 use super::types::Sink;
 use super::{Res, Value};
 use ::naga::{Block, Expression, Statement, SwitchCase, SwitchValue, UnaryOperator};
-use shaderlint_ir::{Case, CaseLabel, LoopId, Region, Step, SwitchId};
+use shaderlint_ir::{
+    Case, CaseLabel, Loop, LoopId, Module, OpId, Provenance, Region, Switch, Visit,
+};
 use shaderlint_semantic::Scalar;
+use shaderlint_syntax::ast::StmtId;
 
-impl Body<'_, '_> {
+impl<'p> Visit<'p> for Body<'_, 'p> {
+    type Out = Res<()>;
+
+    fn module(&self) -> &'p Module {
+        self.lowerer.form
+    }
+
     /// Lowers steps up to the first that nothing passes.
-    pub(super) fn region(&mut self, region: Region) -> Res<()> {
+    fn region(&mut self, region: Region) -> Res<()> {
         self.depth += 1;
         for step in self.lowerer.form.steps(region) {
             self.check_limits()?;
-            self.step(*step)?;
+            self.step(step)?;
             if self.is_terminated() {
                 break;
             }
@@ -22,41 +31,24 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    fn step(&mut self, step: Step) -> Res<()> {
-        match step {
-            Step::Run(run) => run.ops().try_for_each(|op| self.operation(op))?,
-            Step::If {
-                condition,
-                then,
-                otherwise,
-                ..
-            } => {
-                let condition = self.value(condition)?;
-                let accept = self.nested(|it| it.region(then))?;
-                let reject = self.nested(|it| it.region(otherwise))?;
-                self.push(Statement::If {
-                    condition,
-                    accept,
-                    reject,
-                });
-            }
-            Step::Loop(id) => self.repeat(id)?,
-            Step::Switch(id) => self.switch(id)?,
-            Step::Break(_) => self.push(Statement::Break),
-            Step::Continue(_) => self.push(Statement::Continue),
-            Step::Return(value, _) => {
-                let value = value.map(|value| self.value(value)).transpose()?;
-                self.push(Statement::Return { value });
-            }
-            Step::Discard(_) => self.push(Statement::Kill),
-        }
+    fn op(&mut self, op: OpId) -> Res<()> {
+        self.operation(op)
+    }
+
+    fn branch(&mut self, condition: OpId, sides: [Region; 2], _: Provenance) -> Res<()> {
+        let [then, otherwise] = sides;
+        let condition = self.value(condition)?;
+        let accept = self.nested(|it| it.region(then))?;
+        let reject = self.nested(|it| it.region(otherwise))?;
+        self.push(Statement::If {
+            condition,
+            accept,
+            reject,
+        });
         Ok(())
     }
 
-    fn repeat(&mut self, id: LoopId) -> Res<()> {
-        let Some(looped) = self.lowerer.form.looped(id).copied() else {
-            return self.lowerer.refuse("this loop is not known");
-        };
+    fn looped(&mut self, _: LoopId, looped: &'p Loop) -> Res<()> {
         let in_loop = std::mem::replace(&mut self.in_loop, true);
         let in_switch = std::mem::replace(&mut self.in_switch, false);
         let body = self.nested(|it| {
@@ -92,25 +84,9 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    fn leave_unless(&mut self, condition: Value) -> Res<()> {
-        let reject = self.nested(|it| {
-            it.push(Statement::Break);
-            Ok(())
-        })?;
-        self.push(Statement::If {
-            condition,
-            accept: Block::new(),
-            reject,
-        });
-        Ok(())
-    }
-
     /// Naga lets nothing but empty cases fall through, so what follows is written out again.
-    fn switch(&mut self, id: SwitchId) -> Res<()> {
+    fn switch(&mut self, switch: &'p Switch) -> Res<()> {
         let form = self.lowerer.form;
-        let Some(switch) = form.switch(id) else {
-            return self.lowerer.refuse("this `switch` is not known");
-        };
         let selector = self.value(switch.selector)?;
         let scalar = form.scalar(switch.selector);
         let in_switch = std::mem::replace(&mut self.in_switch, true);
@@ -139,6 +115,42 @@ impl Body<'_, '_> {
             });
         }
         self.push(Statement::Switch { selector, cases });
+        Ok(())
+    }
+
+    fn breaks(&mut self, _: StmtId) -> Res<()> {
+        self.push(Statement::Break);
+        Ok(())
+    }
+
+    fn continues(&mut self, _: StmtId) -> Res<()> {
+        self.push(Statement::Continue);
+        Ok(())
+    }
+
+    fn returns(&mut self, value: Option<OpId>, _: StmtId) -> Res<()> {
+        let value = value.map(|value| self.value(value)).transpose()?;
+        self.push(Statement::Return { value });
+        Ok(())
+    }
+
+    fn discards(&mut self, _: StmtId) -> Res<()> {
+        self.push(Statement::Kill);
+        Ok(())
+    }
+}
+
+impl Body<'_, '_> {
+    fn leave_unless(&mut self, condition: Value) -> Res<()> {
+        let reject = self.nested(|it| {
+            it.push(Statement::Break);
+            Ok(())
+        })?;
+        self.push(Statement::If {
+            condition,
+            accept: Block::new(),
+            reject,
+        });
         Ok(())
     }
 
