@@ -6,7 +6,6 @@ pub mod defs;
 mod effects;
 mod gradients;
 mod jumps;
-mod layout;
 mod live;
 mod loops;
 mod paths;

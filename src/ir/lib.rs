@@ -3,6 +3,7 @@
 #![cfg_attr(test, allow(clippy::string_slice, clippy::unreachable))]
 
 mod form;
+mod layout;
 mod lower;
 mod print;
 #[cfg(test)]
@@ -15,6 +16,7 @@ pub use form::{
     Place, PlaceId, Precision, Provenance, Region, Root, Run, Step, Switch, SwitchId, Unary,
     Variable,
 };
+pub use layout::{Layout, Part, column_lanes, length_lane};
 pub use lower::lower;
 pub use print::print;
 pub use verify::{Problem, verify};

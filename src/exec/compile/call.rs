@@ -1,7 +1,6 @@
 //! Calls: the body of a function in the place of each.
 
 use super::emit::{Compiler, Made, Value};
-use super::layout::scalars;
 use crate::code::{EMPTY, Instr};
 use shaderlint_ir::{OpId, Root, Step, Visit};
 use shaderlint_semantic::{FunctionRef, VariableId};
@@ -45,7 +44,7 @@ impl Compiler<'_> {
             self.set_variable(parameter, value);
             return Some(());
         }
-        let Some(count) = scalars(self.program, known.ty) else {
+        let Some(count) = self.scalars(known.ty) else {
             return self.refuse("a parameter of more than 32,768 scalars");
         };
         let from = self.in_registers(value);
@@ -73,7 +72,7 @@ impl Compiler<'_> {
         let known = self.module.function(function).copied();
         let ty = known.map(|f| f.returns).filter(|t| !t.is_void());
         let result = ty.and_then(|ty| {
-            let count = scalars(self.program, ty);
+            let count = self.scalars(ty);
             if count.is_none() {
                 let _: Made<()> = self.refuse("a result of more than 32,768 scalars");
             }

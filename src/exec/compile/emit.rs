@@ -6,7 +6,7 @@ use super::registers::Registers;
 use super::{CompileOptions, Persona, Refusal, Watch};
 use crate::code::{CallPath, CheckSite, Code, F1, F2, F3, Inexact, Instr, Reg, Slot, Target};
 use rustc_hash::FxHashMap;
-use shaderlint_ir::{Module, OpId, Provenance};
+use shaderlint_ir::{Layout, Module, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Program, VariableId};
 
 /// Most instructions of a shader.
@@ -66,6 +66,7 @@ pub(super) struct Frame {
 /// Code that is being made.
 pub(super) struct Compiler<'p> {
     pub program: &'p Program,
+    pub layout: Layout,
     pub module: &'p Module,
     pub plan: &'p Plan,
     pub options: CompileOptions,
@@ -113,6 +114,7 @@ impl<'p> Compiler<'p> {
     ) -> Compiler<'p> {
         Compiler {
             program,
+            layout: Layout::of(program),
             module,
             plan,
             options,

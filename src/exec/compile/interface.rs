@@ -1,7 +1,6 @@
 //! What a shader takes and gives: uniforms, samplers, inputs, outputs.
 
 use super::emit::{Compiler, Made, Regs, Value};
-use super::layout::scalars;
 use crate::code::{InputSlot, Instr, OutputSlot, SamplerSlot, UniformSlot};
 use shaderlint_ir::Root;
 use shaderlint_semantic::{Base, FunctionRef, Type, Variable, VariableId};
@@ -55,7 +54,7 @@ impl Compiler<'_> {
                 }
             }
             Base::Struct(_) | Base::Block(_) => {
-                scalars(program, ty)?;
+                self.scalars(ty)?;
                 let fields = &program.struct_of(ty.element())?.fields;
                 for at in 0..ty.array.max(1) {
                     for field in fields {
@@ -72,7 +71,7 @@ impl Compiler<'_> {
                 let name = name.to_string();
                 let at = self.code.uniform_words;
                 self.code.uniforms.push(UniformSlot { name, ty, at });
-                self.code.uniform_words += scalars(program, ty)?;
+                self.code.uniform_words += self.scalars(ty)?;
             }
         }
         Some(())
@@ -95,7 +94,7 @@ impl Compiler<'_> {
     /// The registers of a variable that has none yet: an input, an output or a global.
     pub fn open(&mut self, variable: VariableId) -> Made<Value> {
         let known = *self.module.variable(variable)?;
-        let count = scalars(self.program, known.ty);
+        let count = self.scalars(known.ty);
         let Some(count) = count else {
             return self.refuse("a variable of more than 32,768 scalars");
         };
@@ -159,7 +158,7 @@ impl Compiler<'_> {
         let function = *self.module.function(entry)?;
         for &parameter in self.module.parameters(&function) {
             let known = *self.module.variable(parameter)?;
-            let Some(count) = scalars(self.program, known.ty) else {
+            let Some(count) = self.scalars(known.ty) else {
                 return self.refuse("a parameter of more than 32,768 scalars");
             };
             let first = self.registers.row(count, parameter, true);

@@ -10,7 +10,6 @@ mod call;
 mod control;
 mod emit;
 mod interface;
-mod layout;
 mod lookup;
 mod op;
 mod place;

@@ -423,7 +423,7 @@ impl Compiler<'_> {
     }
 
     fn extract(&mut self, a: OpId, number: u32) -> Made<Value> {
-        let found = super::layout::part(self.program, self.module.ty(a), number);
+        let found = self.part_at(self.module.ty(a), number);
         let Some((at, inner, count)) = found else {
             return self.refuse("a part of a value of more than 32,768 scalars");
         };

@@ -1,11 +1,13 @@
 //! Reads and writes of variables and of parts of values.
 
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
-use super::layout::{part, scalars};
 use crate::code::{ArraySite, Checked, F2, Instr, Reg};
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{Access, Lanes, OpId, PlaceId, Root};
 use shaderlint_semantic::{Base, Scalar, Type, VariableId};
+
+/// Most scalars of a value.
+const MAX_SCALARS: u32 = 1 << 15;
 
 /// Where a place lies in its variable, in scalars.
 struct Spot {
@@ -265,15 +267,27 @@ impl Compiler<'_> {
     }
 
     fn part_of(&mut self, ty: Type, number: u32) -> Made<(u32, Type, u32)> {
-        match part(self.program, ty, number) {
+        match self.part_at(ty, number) {
             Some(found) => Some(found),
             None => self.refuse("a value of more than 32,768 scalars"),
         }
     }
 
+    /// The first scalar of a part with a number, its type, and how many such parts there are.
+    pub fn part_at(&self, ty: Type, number: u32) -> Option<(u32, Type, u32)> {
+        let part = self.layout.part(ty, number)?;
+        Some((part.scalar?, part.ty, self.layout.count(ty)))
+    }
+
+    /// How many scalars a type has, if they are not too many.
+    pub fn scalars(&self, ty: Type) -> Option<u32> {
+        let found = self.layout.scalars(ty);
+        found.filter(|count| *count <= MAX_SCALARS)
+    }
+
     /// How many scalars a type has.
     pub fn scalars_of(&mut self, ty: Type) -> Made<u32> {
-        match scalars(self.program, ty) {
+        match self.scalars(ty) {
             Some(count) => Some(count),
             None => self.refuse("a value of more than 32,768 scalars"),
         }

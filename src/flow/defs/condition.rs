@@ -2,9 +2,8 @@
 //! made of.
 
 use super::{Def, DefId, Defs};
-use crate::layout::length_lane;
 use crate::same::is_same;
-use shaderlint_ir::{Binary, Module, OpId, OpKind, Unary};
+use shaderlint_ir::{Binary, Module, OpId, OpKind, Unary, length_lane};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_semantic::builtins::Transfer;
 

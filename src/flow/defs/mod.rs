@@ -16,9 +16,8 @@ mod walk;
 pub use condition::{Hop, Premise, Refinement, each_comparison, each_load};
 
 use super::Calls;
-use super::layout::Layout;
 use rustc_hash::FxHashMap;
-use shaderlint_ir::{LoopId, Module, OpId, OpKind, Root};
+use shaderlint_ir::{Layout, LoopId, Module, OpId, OpKind, Root};
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, Program, VariableId};
 use shaderlint_syntax::ast::List;
@@ -353,7 +352,7 @@ impl Defs {
                 let number = *lanes.numbers().get(lane as usize)?;
                 Some((a, number as u32))
             }
-            OpKind::Extract(a, number) => Some((a, self.layout.part(module.ty(a), number)? + lane)),
+            OpKind::Extract(a, number) => Some((a, self.layout.lane(module.ty(a), number)? + lane)),
             OpKind::Compose(list) if found.ty.is_array() => {
                 let one = module.operands(list);
                 (one.len() == 1).then(|| one.first().map(|a| (*a, lane)))?

@@ -1,8 +1,7 @@
 //! Which slots a place stands for.
 
 use super::Slot;
-use crate::layout::{Layout, column_lanes};
-use shaderlint_ir::{Access, Lanes, Module, PlaceId};
+use shaderlint_ir::{Access, Lanes, Layout, Module, PlaceId, column_lanes};
 use shaderlint_semantic::Type;
 
 /// The slots of a place.
@@ -47,9 +46,8 @@ impl Spot {
         for access in module.path(place) {
             match *access {
                 Access::Member(number) => {
-                    let (first, ty) = layout.member(spot.ty, number)?;
-                    spot.first.0 += first;
-                    spot.ty = ty;
+                    spot.first.0 += layout.lane(spot.ty, number)?;
+                    spot.ty = layout.part(spot.ty, number)?.ty;
                 }
                 Access::Element(number) => spot.element(layout, Some(number))?,
                 Access::Computed(_) => spot.element(layout, None)?,
@@ -81,7 +79,7 @@ impl Spot {
             self.vector = Some((self.first, rows));
         }
         match number {
-            Some(number) => self.first.0 += layout.part(self.ty, number)?,
+            Some(number) => self.first.0 += layout.lane(self.ty, number)?,
             None => *self.picks.get_mut(pick)? = (all, stride),
         }
         self.ty = inner;

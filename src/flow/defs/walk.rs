@@ -4,10 +4,10 @@ use super::condition::{each_comparison, each_load};
 use super::place::Spot;
 use super::{Def, DefId, Defs, Guard, Refinement, Slot};
 use crate::Calls;
-use crate::layout::{Layout, length_lane};
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{
-    self as ir, Binary, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Run, Visit,
+    self as ir, Binary, Layout, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root,
+    Run, Visit, length_lane,
 };
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, Program};

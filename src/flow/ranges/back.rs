@@ -4,9 +4,8 @@ use super::interval::{Interval, above, below};
 use super::node::Node;
 use super::{Query, negated, turned};
 use crate::defs::Refinement;
-use crate::layout::length_lane;
 use crate::same::is_same;
-use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_ir::{Binary, OpId, OpKind, Unary, length_lane};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_semantic::{BuiltinId, Scalar};
 

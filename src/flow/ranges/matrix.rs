@@ -3,8 +3,7 @@
 use super::Query;
 use super::interval::Interval;
 use super::node::Node;
-use crate::layout::column_lanes;
-use shaderlint_ir::OpId;
+use shaderlint_ir::{OpId, column_lanes};
 
 /// The terms of a lane of a product: the lanes of the left and right side that are multiplied.
 #[derive(Clone, Copy, Debug)]

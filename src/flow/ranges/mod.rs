@@ -25,16 +25,15 @@ pub use interval::{End, Interval, Rounding, Tightness};
 pub use reason::{Giver, Reason, Side};
 
 use super::defs::{DefId, Defs, Guard, each_comparison};
-use super::layout::length_lane;
 use super::same::is_same;
 use back::Wanted;
 use node::Node;
-use shaderlint_ir::{Binary, Module, OpId, OpKind};
+use shaderlint_ir::{Binary, Module, OpId, OpKind, length_lane};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_semantic::{FunctionRef, Program, Scalar, Value, VariableId};
 use shaderlint_syntax::ast::ExprId;
 use solve::Known;
-use std::cell::RefCell;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// How many conditions around an operation are looked at.
 const MAX_GUARDS: usize = 24;
@@ -42,7 +41,7 @@ const MAX_GUARDS: usize = 24;
 /// What is known of a shader's numbers so far.
 #[derive(Default, Debug)]
 pub struct Ranges {
-    known: RefCell<Known>,
+    known: Mutex<Known>,
     /// By variable: whether code that is not understood may write to it.
     hidden_variables: Vec<bool>,
     /// By function: whether nobody knows what it returns, and what it is given.
@@ -76,6 +75,10 @@ impl Ranges {
         self.hidden_variables = hidden.collect();
     }
 
+    fn known(&self) -> MutexGuard<'_, Known> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     fn hides_variable(&self, id: VariableId) -> bool {
         self.hidden_variables.get(id.0 as usize) == Some(&true)
     }
@@ -91,14 +94,14 @@ impl<'x> Query<'x> {
         let Some(node) = Node::lane(self.defs, op, lane) else {
             return Interval::ANY;
         };
-        let mut known = self.ranges.known.borrow_mut();
+        let mut known = self.ranges.known();
         // What never has a value is not looked into.
         known.solve(self, node).unwrap_or(Interval::ANY)
     }
 
     /// The range of a definition.
     pub fn def(&self, def: DefId) -> Interval {
-        let mut known = self.ranges.known.borrow_mut();
+        let mut known = self.ranges.known();
         let node = Node::def(self.defs, def);
         known.solve(self, node).unwrap_or(Interval::ANY)
     }
@@ -141,10 +144,10 @@ impl<'x> Query<'x> {
     fn is_reached(&self, op: OpId) -> bool {
         let guards = self.defs.guards(op).take(MAX_GUARDS);
         let mut guards = guards.map(|(number, guard)| {
-            let known = self.ranges.known.borrow().is_met(number);
+            let known = self.ranges.known().is_met(number);
             known.unwrap_or_else(|| {
                 let is_met = self.is_met(guard);
-                let mut known = self.ranges.known.borrow_mut();
+                let mut known = self.ranges.known();
                 known.keep_met(number, is_met, self.defs);
                 is_met
             })
@@ -173,7 +176,7 @@ impl<'x> Query<'x> {
 
     fn wanted(&self, comparison: OpId, truth: bool, is_right: bool) -> Wanted {
         Wanted::of(self, comparison, truth, (is_right, 0), |node| {
-            let known = self.ranges.known.borrow_mut().solve(self, node);
+            let known = self.ranges.known().solve(self, node);
             Some(known.unwrap_or(Interval::ANY))
         })
     }

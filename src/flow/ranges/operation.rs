@@ -6,9 +6,8 @@ use super::interval::{Interval, Tightness};
 use super::node::{Node, Subject};
 use super::{Query, number};
 use crate::defs::Def;
-use crate::layout::{column_lanes, length_lane};
 use crate::same::is_same;
-use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_ir::{Binary, OpId, OpKind, Unary, column_lanes, length_lane};
 use shaderlint_semantic::builtins::{MAX_PARAMS, Transfer};
 use shaderlint_semantic::{BuiltinId, FunctionRef, Scalar, Type, VariableId};
 use shaderlint_syntax::ast::List;
@@ -143,7 +142,7 @@ impl Query<'_> {
             OpKind::Load(_) => return get(Node::def(defs, defs.seen(op, at))),
             OpKind::Unary(Unary::Negate, a) => return of(a, at),
             OpKind::Extract(a, number) => {
-                let part = defs.layout.part(module.ty(a), number)?;
+                let part = defs.layout.lane(module.ty(a), number)?;
                 return of(a, part + at);
             }
             OpKind::Call(function, list) => return self.call(function, list, at, get),

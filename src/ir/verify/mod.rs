@@ -5,8 +5,8 @@ mod op;
 mod place;
 
 use super::{
-    Case, CaseLabel, Function, Loop, Module, OpId, PlaceId, Provenance, Region, Root, Run, Step,
-    Switch,
+    Case, CaseLabel, Function, Layout, Loop, Module, OpId, PlaceId, Provenance, Region, Root, Run,
+    Step, Switch,
 };
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
@@ -34,6 +34,7 @@ impl fmt::Display for Problem {
 pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
     let mut verifier = Verifier {
         program,
+        layout: Layout::of(program),
         module,
         builtins: Builtins::of(program.version, program.stage),
         at: At::default(),
@@ -75,6 +76,7 @@ struct At {
 
 struct Verifier<'a> {
     program: &'a Program,
+    layout: Layout,
     module: &'a Module,
     builtins: &'static Builtins,
     at: At,

@@ -130,8 +130,8 @@ fn scalar_of(ty: Type) -> Type {
 }
 
 fn constant_fits(v: &Verifier<'_>, ty: Type, len: usize) -> Checked {
-    let scalars = place::scalars(v.program, ty);
-    holds(scalars == Some(len as u64) || ty.is_error(), || {
+    let scalars = v.layout.scalars(ty);
+    holds(scalars == Some(len as u32) || ty.is_error(), || {
         format!("a constant of {len} scalars is no {}", v.name(ty))
     })
 }

@@ -1,7 +1,7 @@
 //! Places: ways into variables, and the types of what stands at their ends.
 
 use crate::{Access, Lanes, Module, PlaceId};
-use shaderlint_semantic::{Base, Program, Scalar, Type};
+use shaderlint_semantic::{Program, Scalar, Type};
 
 /// Whether the way into a place fits the variable, and its type what stands at its end.
 pub(super) fn check(program: &Program, module: &Module, id: PlaceId) -> Result<(), String> {
@@ -106,22 +106,4 @@ pub(super) fn repeats(module: &Module, id: PlaceId) -> bool {
     };
     let mask = lanes.numbers().iter().fold(0u8, |mask, n| mask | 1 << n);
     mask.count_ones() != lanes.count() as u32
-}
-
-/// How many scalars something is made of; `None` where that is not known, or it has none.
-pub(super) fn scalars(program: &Program, ty: Type) -> Option<u64> {
-    let one = match ty.base {
-        Base::Numeric { columns, rows, .. } => columns as u64 * rows as u64,
-        Base::Struct(_) => {
-            let fields = &program.struct_of(ty)?.fields;
-            let sizes = fields.iter().map(|f| scalars(program, f.ty));
-            sizes.sum::<Option<u64>>()?
-        }
-        _ => return None,
-    };
-    match ty.array {
-        0 => Some(one),
-        Type::UNSIZED => None,
-        size => one.checked_mul(size as u64),
-    }
 }

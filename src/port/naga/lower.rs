@@ -13,7 +13,7 @@ use ::naga::proc::Layouter;
 use ::naga::{Arena, Expression, Handle, Module};
 use rustc_hash::FxHashMap;
 use serde::Serialize;
-use shaderlint_ir::{self as ir, OpId, OpKind};
+use shaderlint_ir::{self as ir, Layout, OpId, OpKind};
 use shaderlint_semantic::link::{Block, Interface};
 use shaderlint_semantic::{
     Function, FunctionRef, Inside, Program, Sampler, Stage, Type, Variable, VariableId,
@@ -56,6 +56,8 @@ pub struct Lowered {
 /// The module that is being made.
 pub(super) struct Lowerer<'p> {
     pub(super) program: &'p Program,
+    /// How its values lie.
+    pub(super) layout: Layout,
     /// The program, resolved.
     pub(super) form: &'p ir::Module,
     pub(super) origin: FirstRow,
@@ -102,6 +104,7 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
     let varyings = options.vertex.map_or(Vec::new(), varyings);
     let mut lowerer = Lowerer {
         program,
+        layout: Layout::of(program),
         form: &form,
         origin: options.first_row,
         is_position_invariant: interface.is_invariant("gl_Position"),

@@ -1,7 +1,7 @@
 //! Operations: naga's expressions.
 
 use super::body::{Body, Given};
-use super::types::{Sink, literal, parts, scalar, size};
+use super::types::{Sink, literal, scalar, size};
 use super::{Res, Value};
 use ::naga::{
     BinaryOperator as Op, Expression, Literal, MathFunction, RelationalFunction, ScalarKind,
@@ -111,7 +111,8 @@ impl Body<'_, '_> {
                 if !ty.is_matrix() {
                     return Ok(self.splat(number, ty));
                 }
-                let columns = parts(self.lowerer.program, ty).into_iter();
+                let columns: Vec<Type> = self.lowerer.layout.parts(ty).collect();
+                let columns = columns.into_iter();
                 let columns = columns.map(|column| self.splat(number, column)).collect();
                 self.compose(ty, columns)
             }
@@ -182,7 +183,8 @@ impl Body<'_, '_> {
             let one = self.constant(Type::scalar(scalar), &mut slice::from_ref(one))?;
             return Ok(self.splat(one, ty));
         }
-        let parts = parts(self.lowerer.program, ty).into_iter();
+        let parts: Vec<Type> = self.lowerer.layout.parts(ty).collect();
+        let parts = parts.into_iter();
         let components: Res<Vec<Value>> = parts.map(|part| self.constant(part, values)).collect();
         self.compose(ty, components?)
     }
@@ -338,7 +340,8 @@ impl Body<'_, '_> {
         }
         self.check_limits()?;
         let mut all: Option<Value> = None;
-        for (i, part) in (0..).zip(parts(self.lowerer.program, ty)) {
+        let parts: Vec<Type> = self.lowerer.layout.parts(ty).collect();
+        for (i, part) in (0..).zip(parts) {
             let (a, b) = (self.part(l, i), self.part(r, i));
             let equal = self.equal(a, b, part)?;
             all = Some(match all {

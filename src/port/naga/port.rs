@@ -2,8 +2,8 @@
 
 use super::interface::Port;
 use super::lower::Lowerer;
-use super::types::parts;
 use ::naga::{Binding, Interpolation, Sampling};
+use shaderlint_ir::Layout;
 use shaderlint_semantic::{Program, Scalar, Stage, Storage, Type, VariableId};
 use shaderlint_syntax::ast::{DeclKind, Item, List, QualifierKind};
 use std::collections::BTreeSet;
@@ -98,13 +98,21 @@ pub(super) fn leaves(program: &Program, storage: Storage, known: &[(String, u32)
     let mut all: Vec<Vec<Leaf>> = Vec::new();
     let mut taken: BTreeSet<u32> = known.iter().map(|(_, location)| *location).collect();
     let mut free = Vec::new();
+    let layout = Layout::of(program);
     for (id, qualifiers) in declarations(program) {
         let Some(variable) = program.variable(id).filter(|v| v.storage == storage) else {
             continue;
         };
         let name = program.names.text(variable.name);
         let mut inner = Vec::new();
-        split(program, id, name, variable.ty, &mut Vec::new(), &mut inner);
+        split(
+            (program, &layout),
+            id,
+            name,
+            variable.ty,
+            &mut Vec::new(),
+            &mut inner,
+        );
         let mut given = program.tree.qualifiers(qualifiers).iter();
         let is_centroid = given.any(|q| q.kind == QualifierKind::Centroid);
         inner.iter_mut().for_each(|l| l.is_centroid = is_centroid);
@@ -144,7 +152,7 @@ fn number_from(leaves: &mut [Leaf], first: u32) {
 
 /// The numbers and vectors that a value is made of.
 pub(super) fn split(
-    program: &Program,
+    (program, layout): (&Program, &Layout),
     variable: VariableId,
     name: &str,
     ty: Type,
@@ -163,14 +171,14 @@ pub(super) fn split(
         return;
     }
     let found = program.struct_of(ty).filter(|_| !ty.is_array());
-    for (i, part) in (0..).zip(parts(program, ty)) {
+    for (i, part) in (0..).zip(layout.parts(ty)) {
         let field = found.and_then(|s| s.fields.get(i as usize));
         let inner = match field {
             Some(field) => format!("{name}.{}", program.names.text(field.name)),
             None => format!("{name}[{i}]"),
         };
         path.push(i);
-        split(program, variable, &inner, part, path, into);
+        split((program, layout), variable, &inner, part, path, into);
         path.pop();
     }
 }

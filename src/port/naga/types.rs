@@ -7,7 +7,7 @@ use ::naga::{
     ArraySize, Expression, Handle, ImageClass, ImageDimension, Literal, ScalarKind, Span,
     StructMember, TypeInner, VectorSize,
 };
-use shaderlint_semantic::{Base, Program, Sampler, Scalar, Type, Value as Constant};
+use shaderlint_semantic::{Base, Sampler, Scalar, Type, Value as Constant};
 use std::num::NonZeroU32;
 
 /// Takes expressions: a function, or the initialisers of the module.
@@ -219,7 +219,7 @@ pub(super) fn compose<'p>(
         let found = values.next().copied().and_then(literal);
         return Ok(found.map(|l| sink.add(Expression::Literal(l))));
     }
-    let parts = parts(sink.lowerer().program, ty);
+    let parts: Vec<Type> = sink.lowerer().layout.parts(ty).collect();
     let mut components = Vec::new();
     for part in parts {
         match compose(sink, part, values)? {
@@ -229,27 +229,4 @@ pub(super) fn compose<'p>(
     }
     let ty = sink.lowerer().ty(ty)?;
     Ok(Some(sink.add(Expression::Compose { ty, components })))
-}
-
-/// The types of the parts that a value is composed of.
-pub(super) fn parts(program: &Program, ty: Type) -> Vec<Type> {
-    if ty.is_array() {
-        return vec![ty.element(); ty.array as usize];
-    }
-    match ty.base {
-        Base::Numeric {
-            scalar,
-            columns: 1,
-            rows,
-        } => vec![Type::scalar(scalar); rows as usize],
-        Base::Numeric {
-            scalar,
-            columns,
-            rows,
-        } => vec![Type::vector(scalar, rows); columns as usize],
-        Base::Struct(_) => program
-            .struct_of(ty)
-            .map_or(Vec::new(), |s| s.fields.iter().map(|f| f.ty).collect()),
-        _ => Vec::new(),
-    }
 }
