@@ -1,9 +1,10 @@
 //! A checked shader that outlives the call that checked it: what editors and runs keep.
 
-use shaderlint_ir::{Module, lower};
+use shaderlint_ir::Module;
+use shaderlint_lint::{Facts, Known};
 use shaderlint_semantic::{Checked, Program, Wholeness};
 use shaderlint_text::Sources;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// A checked shader, and what else is found out of it, each when it is first asked for. It owns all
 /// that it speaks of; threads can share it.
@@ -14,16 +15,17 @@ pub struct Analysis {
     pub wholeness: Wholeness,
     /// Whether the browser would refuse it as it stands.
     pub has_errors: bool,
-    module: OnceLock<Arc<Module>>,
+    known: Arc<Known>,
 }
 
 impl Analysis {
-    pub(super) fn new(checked: Checked, has_errors: bool) -> Analysis {
+    /// `known` is what the rules have found out already.
+    pub(super) fn new(checked: Checked, has_errors: bool, known: Arc<Known>) -> Analysis {
         Analysis {
             program: Arc::new(checked.program),
             wholeness: checked.wholeness,
             has_errors,
-            module: OnceLock::new(),
+            known,
         }
     }
 
@@ -34,7 +36,12 @@ impl Analysis {
 
     /// The shader in the middle form.
     pub fn module(&self) -> &Arc<Module> {
-        self.module.get_or_init(|| Arc::new(lower(&self.program)))
+        self.known.module(&self.program)
+    }
+
+    /// What the shader does. Whatever was asked for before is still known.
+    pub fn facts(&self) -> Facts<'_> {
+        Facts::of(&self.program, &self.known)
     }
 }
 

@@ -8,7 +8,9 @@ use super::play::Supply;
 use super::reading::{Reading, Readings, Standing, lacking};
 use super::world::Keep;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Severity, error};
-use shaderlint_lint::{Allows, Around, Judged, Settings, Unrun, keep_comments, lint_within};
+use shaderlint_lint::{
+    Allows, Around, Facts, Judged, Known, Settings, Unrun, keep_comments, lint_within,
+};
 use shaderlint_port::PassUnit;
 use shaderlint_rules::RULES;
 use shaderlint_semantic::{Checked, Dialect, Stage, Wholeness};
@@ -76,16 +78,17 @@ pub fn check_part(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(Shader, Option<Judged>)> {
     let mut checked = understand(sources, part, hosts, options)?;
+    let known = Arc::default();
     let told = tell_part(
         sources,
         part,
-        &mut checked,
+        (&mut checked, &known),
         &options.settings,
         allows,
         diagnostics,
     )?;
     if keep == Keep::Programs {
-        part.analysis = Some(Analysis::new(checked, told.0.has_errors));
+        part.analysis = Some(Analysis::new(checked, told.0.has_errors, known));
     }
     Some(told)
 }
@@ -119,7 +122,7 @@ fn understand(
 fn tell_part(
     sources: &Sources,
     part: &Part,
-    checked: &mut Checked,
+    (checked, found): (&mut Checked, &Arc<Known>),
     settings: &Settings,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
@@ -129,7 +132,7 @@ fn tell_part(
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
     let errors = checked.diagnostics.iter().filter(is_error).count();
     allows.expect(&checked.program, RULES, &mut checked.diagnostics);
-    let (unrun, left_out) = run_rules(part, checked, settings, allows, diagnostics);
+    let (unrun, left_out) = run_rules(part, (checked, found), settings, allows, diagnostics);
     keep_under_hosts(sources, &part.readings, &mut checked.diagnostics);
     if wholeness != Wholeness::Whole {
         // The program around a part knows its names.
@@ -174,7 +177,7 @@ fn tell_part(
 /// many.
 fn run_rules(
     part: &Part,
-    checked: &Checked,
+    (checked, known): (&Checked, &Arc<Known>),
     settings: &Settings,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
@@ -192,7 +195,9 @@ fn run_rules(
         mipmapped: part.mipmapped,
         supplier: (wholeness == Wholeness::Whole).then_some(&supply),
     };
-    let unrun = lint_within(program, around, errors, RULES, settings, &mut found);
+    let mut facts = Facts::of(program, known);
+    facts.around = around;
+    let unrun = lint_within(facts, errors, RULES, settings, &mut found);
     if unrun != Unrun::Everywhere {
         allows.apply(program, RULES, &mut found);
     }

@@ -5,7 +5,7 @@ use super::hover::operations;
 use super::navigate::name_at;
 use super::symbol::{Symbol, declared_at};
 use shaderlint_lint::Facts;
-use shaderlint_semantic::{FunctionRef, Program};
+use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::Span;
 use std::collections::BTreeMap;
@@ -38,8 +38,7 @@ pub fn call_item(document: &Document, offset: u32) -> Option<CallItem> {
     let Symbol::Function(function) = name.symbol else {
         return None;
     };
-    let facts = Facts::new(spot.program());
-    item(document, &facts, function)
+    item(document, &spot.analysis.facts(), function)
 }
 
 fn item(document: &Document, facts: &Facts, function: FunctionRef) -> Option<CallItem> {
@@ -70,14 +69,15 @@ pub fn incoming(documents: &[&Document], document: &Document, offset: u32) -> Ve
     let origin = document.origin(spot.program(), name.symbol);
     let mut found = Vec::new();
     for document in documents {
-        for (program, index) in document.shaders() {
+        let analyses = document.report.analyses.iter();
+        for (analysis, (program, index)) in analyses.zip(document.shaders()) {
             let own = index.all().iter().find_map(|o| match o.symbol {
                 Symbol::Function(id) if document.origin(program, o.symbol) == origin => Some(id),
                 _ => None,
             });
             let calls = program.calls.iter().filter(|c| Some(c.callee) == own);
             let callers = calls.filter_map(|c| Some((c.caller?, c.expr)));
-            found.extend(links(document, program, callers));
+            found.extend(links(document, &analysis.facts(), callers));
         }
     }
     // Passes and includes are read more than once.
@@ -94,18 +94,19 @@ pub fn outgoing(document: &Document, offset: u32) -> Vec<CallLink> {
     let Symbol::Function(own) = name.symbol else {
         return Vec::new();
     };
-    let program = spot.program();
-    let calls = program.calls.iter().filter(|c| c.caller == Some(own));
-    links(document, program, calls.map(|c| (c.callee, c.expr)))
+    let facts = spot.analysis.facts();
+    let calls = facts.program().calls.iter();
+    let calls = calls.filter(|c| c.caller == Some(own));
+    links(document, &facts, calls.map(|c| (c.callee, c.expr)))
 }
 
 /// Functions, each with its calls.
 fn links(
     document: &Document,
-    program: &Program,
+    facts: &Facts,
     calls: impl Iterator<Item = (FunctionRef, ExprId)>,
 ) -> Vec<CallLink> {
-    let facts = Facts::new(program);
+    let program = facts.program();
     let mut by_function: BTreeMap<FunctionRef, Vec<Span>> = BTreeMap::new();
     for (other, call) in calls {
         let first = program.tree.expr(call).extent.first;
@@ -117,7 +118,7 @@ fn links(
             .extend(place.map(|p| p.span));
     }
     let links = by_function.into_iter().filter_map(|(other, calls)| {
-        let item = item(document, &facts, other)?;
+        let item = item(document, facts, other)?;
         Some(CallLink { item, calls })
     });
     links.collect()

@@ -50,10 +50,10 @@ pub fn hints(
     seen: &[Option<RunSeen>],
 ) -> Vec<Hint> {
     let mut found = Vec::new();
-    for (number, (program, _)) in document.shaders().enumerate() {
+    for (number, analysis) in document.report.analyses.iter().enumerate() {
         let mut finder = Finder {
             document,
-            program,
+            program: &analysis.program,
             within,
             found: &mut found,
         };
@@ -61,7 +61,7 @@ pub fn hints(
             finder.parameters();
         }
         if options.turns {
-            finder.turns(seen.get(number).and_then(Option::as_ref));
+            finder.turns(&analysis.facts(), seen.get(number).and_then(Option::as_ref));
         }
         if options.types {
             finder.types();
@@ -133,9 +133,8 @@ impl Finder<'_> {
         }
     }
 
-    fn turns(&mut self, seen: Option<&RunSeen>) {
+    fn turns(&mut self, facts: &Facts, seen: Option<&RunSeen>) {
         let program = self.program;
-        let facts = Facts::new(program);
         for known in &facts.loops().all {
             let stmt = program.tree.stmt(known.stmt);
             let body = match stmt.kind {

@@ -25,7 +25,7 @@ pub struct Hover {
 /// What is known of what stands at an offset; `seen` is what runs of the shader have shown.
 pub fn hover(document: &Document, offset: u32, seen: Option<&RunSeen>) -> Option<Hover> {
     let spot = document.spot(offset)?;
-    let facts = Facts::new(spot.program());
+    let facts = spot.analysis.facts();
     let (span, text) = match spot.name() {
         Some(name) => (name.span, of_name(&spot, &facts, name)),
         None => without_name(&spot, &facts, seen)?,

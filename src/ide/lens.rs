@@ -3,7 +3,6 @@
 use super::document::Document;
 use super::hover::operations;
 use super::run::RunSeen;
-use shaderlint_lint::Facts;
 use shaderlint_semantic::tunable::tunables;
 use shaderlint_text::Span;
 
@@ -44,7 +43,7 @@ pub fn lenses(document: &Document, seen: &[Option<RunSeen>]) -> Vec<Lens> {
     let analyses = document.report.analyses.iter();
     for (number, analysis) in analyses.enumerate() {
         let program = &analysis.program;
-        let facts = Facts::new(program);
+        let facts = analysis.facts();
         let entry = facts.entry().filter(|_| !analysis.has_errors);
         let decl = entry.and_then(|e| program.function(e)?.definition);
         let decl = decl.and_then(|d| program.tree.function(d));

@@ -2,6 +2,7 @@
 
 use super::*;
 use shaderlint_engine::{NoFiles, Options};
+use shaderlint_lint::Settings;
 use shaderlint_semantic::VariableId;
 use shaderlint_text::{Span, apply_edits};
 use std::sync::Arc;
@@ -176,6 +177,45 @@ fn what_is_known_is_said() {
         "void main() { float s = 0.0; |for (int i = 0; i < 7; i++) s += 1.0; color = vec4(s); }\n",
     );
     assert!(text.contains("turns 7 times"), "{text}");
+}
+
+#[test]
+fn what_was_found_out_is_kept() {
+    let text = format!(
+        "{HEAD}float f(float x) {{ return fract(x); }}\n\
+         void main() {{ float s = 0.0; for (int i = 0; i < 7; i++) s += f(time); color = vec4(s); }}\n"
+    );
+    let options = Options {
+        settings: Arc::new(Settings::of_rules(&[])),
+        ..Options::default()
+    };
+    let document = Document::new("/a.frag", text.into(), Arc::new(options), &NoFiles);
+    let at = |word: &str| document.text.find(word).expect(word) as u32;
+    let all = Span::new(0, document.text.len() as u32);
+    let turns = HintOptions {
+        parameters: false,
+        turns: true,
+        types: false,
+    };
+    let ask = |question: usize| {
+        match question {
+            0 => assert!(hover(&document, at("x); }"), None).is_some()),
+            1 => assert!(!lenses(&document, &[]).is_empty()),
+            2 => assert!(!hints(&document, all, turns, &[]).is_empty()),
+            3 => assert!(call_item(&document, at("f(float")).is_some()),
+            4 => assert!(!outgoing(&document, at("main")).is_empty()),
+            _ => assert!(!incoming(&[&document], &document, at("f(float")).is_empty()),
+        }
+        document.report.analyses[0].facts().answers()
+    };
+    // No rule has asked anything. Each question is answered in what the document keeps, and once.
+    assert_eq!(document.report.analyses[0].facts().answers(), 0);
+    let once = ask(0);
+    assert!(once > 0);
+    let all: Vec<usize> = (1..6).map(ask).collect();
+    assert!(all.is_sorted() && all.iter().all(|n| *n >= once), "{all:?}");
+    let last = all.last().copied();
+    assert!((0..6).map(ask).all(|n| Some(n) == last));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use super::march::{March, marches};
 use super::trial::{Supplier, Tried};
 use super::unseen::Unseen;
 use super::words::count;
+use shaderlint_diagnostic::Diagnostic;
 use shaderlint_flow::defs::Defs;
 use shaderlint_flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
 use shaderlint_flow::{
@@ -19,6 +20,7 @@ use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::Span;
 use shaderlint_text::embed::Embedder;
 use std::cell::OnceCell;
+use std::sync::{Arc, OnceLock};
 
 /// What is known of where a shader stands and runs, that its text does not say.
 #[derive(Clone, Copy, Default)]
@@ -34,61 +36,100 @@ pub struct Around<'a> {
 /// A bias that takes the sharpest level of a texture for certain.
 const SHARPEST: f32 = -8.0;
 
+/// Answers that a shader alone gives, each made when it is first asked for. It can be kept as long as
+/// the shader, and shared.
+#[derive(Default, Debug)]
+pub struct Known {
+    module: OnceLock<Arc<Module>>,
+    structure: OnceLock<Structure>,
+    calls: OnceLock<Calls>,
+    loops: OnceLock<Loops>,
+    mentions: OnceLock<Mentions>,
+    defs: OnceLock<Defs>,
+    live: OnceLock<Live>,
+    ranges: OnceLock<Ranges>,
+    paths: OnceLock<Paths>,
+    entry: OnceLock<Option<FunctionRef>>,
+    effects: OnceLock<Effects>,
+    writes: OnceLock<Writes>,
+    reach: OnceLock<Reachability>,
+    work: OnceLock<Work>,
+    uniformity: OnceLock<Uniformity>,
+    gradients: OnceLock<Vec<Gradient>>,
+    marches: OnceLock<Vec<March>>,
+}
+
+impl Known {
+    /// The middle form of the shader.
+    pub fn module(&self, program: &Program) -> &Arc<Module> {
+        self.module.get_or_init(|| Arc::new(lower(program)))
+    }
+
+    /// How many questions have been answered for good.
+    fn answers(&self) -> usize {
+        let all = [
+            self.module.get().is_some(),
+            self.structure.get().is_some(),
+            self.calls.get().is_some(),
+            self.loops.get().is_some(),
+            self.mentions.get().is_some(),
+            self.defs.get().is_some(),
+            self.live.get().is_some(),
+            self.ranges.get().is_some(),
+            self.paths.get().is_some(),
+            self.entry.get().is_some(),
+            self.effects.get().is_some(),
+            self.writes.get().is_some(),
+            self.reach.get().is_some(),
+            self.work.get().is_some(),
+            self.uniformity.get().is_some(),
+            self.gradients.get().is_some(),
+            self.marches.get().is_some(),
+        ];
+        all.into_iter().filter(|is_known| *is_known).count()
+    }
+}
+
 /// Answers about one shader.
 pub struct Facts<'a> {
     program: &'a Program,
-    module: OnceCell<Module>,
-    structure: OnceCell<Structure>,
-    calls: OnceCell<Calls>,
-    loops: OnceCell<Loops>,
-    mentions: OnceCell<Mentions>,
-    defs: OnceCell<Defs>,
-    live: OnceCell<Live>,
-    ranges: OnceCell<Ranges>,
-    paths: OnceCell<Paths>,
-    entry: OnceCell<Option<FunctionRef>>,
-    effects: OnceCell<Effects>,
-    writes: OnceCell<Writes>,
-    reach: OnceCell<Reachability>,
+    known: Arc<Known>,
     unseen: OnceCell<Unseen<'a>>,
-    work: OnceCell<Work>,
-    uniformity: OnceCell<Uniformity>,
-    gradients: OnceCell<Vec<Gradient>>,
-    marches: OnceCell<Vec<March>>,
     pub(super) tried: Tried<'a>,
     /// What is known of where it runs.
     pub around: Around<'a>,
     /// What of the shader has errors.
-    pub broken: Broken<'a>,
+    pub(super) broken: Broken<'a>,
 }
 
 impl<'a> Facts<'a> {
-    /// Nothing has been asked yet.
-    pub fn new(program: &'a Program) -> Facts<'a> {
+    /// Nothing is known of where the shader runs. `known` is of the same shader.
+    pub fn of(program: &'a Program, known: &Arc<Known>) -> Facts<'a> {
         Facts {
             program,
-            module: OnceCell::new(),
-            structure: OnceCell::new(),
-            calls: OnceCell::new(),
-            loops: OnceCell::new(),
-            mentions: OnceCell::new(),
-            defs: OnceCell::new(),
-            live: OnceCell::new(),
-            ranges: OnceCell::new(),
-            paths: OnceCell::new(),
-            entry: OnceCell::new(),
-            effects: OnceCell::new(),
-            writes: OnceCell::new(),
-            reach: OnceCell::new(),
+            known: known.clone(),
             unseen: OnceCell::new(),
-            work: OnceCell::new(),
-            uniformity: OnceCell::new(),
-            gradients: OnceCell::new(),
-            marches: OnceCell::new(),
             tried: Tried::default(),
             around: Around::default(),
             broken: Broken::default(),
         }
+    }
+
+    /// Makes it know what the errors leave; what was found out without them does not count.
+    pub(super) fn break_at(&mut self, errors: &[Diagnostic]) {
+        self.broken = Broken::of(self.program, errors);
+        if self.broken.any() {
+            let module = self.known.module(self.program).clone();
+            self.known = Arc::new(Known {
+                module: module.into(),
+                ..Known::default()
+            });
+        }
+    }
+
+    /// How many questions about the shader alone have been answered, here or before.
+    pub fn answers(&self) -> usize {
+        self.known.answers()
     }
 
     /// The shader.
@@ -98,38 +139,43 @@ impl<'a> Facts<'a> {
 
     /// The shader's middle form.
     pub fn module(&self) -> &Module {
-        self.module.get_or_init(|| lower(self.program))
+        self.known.module(self.program)
     }
 
     /// Which node stands in which.
     pub fn structure(&self) -> &Structure {
-        self.structure.get_or_init(|| Structure::of(self.program))
+        self.known
+            .structure
+            .get_or_init(|| Structure::of(self.program))
     }
 
     /// Who calls whom.
     pub fn calls(&self) -> &Calls {
-        self.calls.get_or_init(|| Calls::of(self.module()))
+        self.known.calls.get_or_init(|| Calls::of(self.module()))
     }
 
     /// The loops.
     pub fn loops(&self) -> &Loops {
-        self.loops.get_or_init(|| Loops::of(self.ranges()))
+        self.known.loops.get_or_init(|| Loops::of(self.ranges()))
     }
 
     /// Where variables are named.
     pub fn mentions(&self) -> &Mentions {
-        self.mentions.get_or_init(|| Mentions::of(self.program))
+        self.known
+            .mentions
+            .get_or_init(|| Mentions::of(self.program))
     }
 
     /// Where variables are written to, and which are read.
     pub fn writes(&self) -> &Writes {
-        self.writes
+        self.known
+            .writes
             .get_or_init(|| Writes::of(self.program, self.module(), self.mentions()))
     }
 
     /// How much the functions do.
     pub fn work(&self) -> &Work {
-        self.work.get_or_init(|| {
+        self.known.work.get_or_init(|| {
             let turns = self.loops().turns();
             let turns = |l: &shaderlint_ir::Loop| turns.get(&l.stmt).copied().flatten();
             Work::of(self.module(), self.calls(), turns)
@@ -138,7 +184,7 @@ impl<'a> Facts<'a> {
 
     /// What differs from pixel to pixel; nothing does where nothing draws pixels.
     pub fn uniformity(&self) -> &Uniformity {
-        self.uniformity.get_or_init(|| {
+        self.known.uniformity.get_or_init(|| {
             let has_pixels = self.program.stage == Stage::Fragment && self.entry().is_some();
             match has_pixels {
                 true => Uniformity::of(self.module()),
@@ -149,7 +195,7 @@ impl<'a> Facts<'a> {
 
     /// The calls that take derivatives where neighbouring pixels may have parted.
     pub fn gradients(&self) -> &[Gradient] {
-        self.gradients.get_or_init(|| {
+        self.known.gradients.get_or_init(|| {
             let mut found = gradients(self.module(), self.calls(), || self.uniformity());
             found.retain(|gradient| self.chooses_level(gradient.call));
             found
@@ -180,7 +226,7 @@ impl<'a> Facts<'a> {
 
     /// The loops that march along a ray.
     pub fn marches(&self) -> &[March] {
-        self.marches.get_or_init(|| {
+        self.known.marches.get_or_init(|| {
             let (shader, loops) = ((self.program, self.module()), (self.loops(), self.calls()));
             marches(shader, loops, self.defs(), self.entry())
         })
@@ -188,7 +234,7 @@ impl<'a> Facts<'a> {
 
     /// What has a value when, on the paths through the functions.
     pub fn paths(&self) -> &Paths {
-        self.paths.get_or_init(|| {
+        self.known.paths.get_or_init(|| {
             let shader = (self.program, self.module());
             Paths::of(shader, self.calls(), self.mentions(), &|| self.ranges())
         })
@@ -196,13 +242,15 @@ impl<'a> Facts<'a> {
 
     /// Which write each read sees.
     pub fn defs(&self) -> &Defs {
-        self.defs
+        self.known
+            .defs
             .get_or_init(|| Defs::of(self.program, self.module(), self.calls()))
     }
 
     /// Which writes are ever read.
     pub fn live(&self) -> &Live {
-        self.live
+        self.known
+            .live
             .get_or_init(|| Live::of(self.module(), self.defs()))
     }
 
@@ -212,7 +260,7 @@ impl<'a> Facts<'a> {
             program: self.program,
             module: self.module(),
             defs: self.defs(),
-            ranges: self.ranges.get_or_init(|| {
+            ranges: self.known.ranges.get_or_init(|| {
                 let mut ranges = Ranges::default();
                 if self.broken.any() {
                     ranges.forget(self.program, |name| self.broken.has(name));
@@ -319,12 +367,12 @@ impl<'a> Facts<'a> {
 
     /// The function that draws: `mainImage` and its kin, or `main`.
     pub fn entry(&self) -> Option<FunctionRef> {
-        *self.entry.get_or_init(|| self.program.entry())
+        *self.known.entry.get_or_init(|| self.program.entry())
     }
 
     /// Which expressions and functions do more than give a value.
     pub fn effects(&self) -> &Effects {
-        self.effects.get_or_init(|| {
+        self.known.effects.get_or_init(|| {
             let (module, structure) = (self.module(), self.structure());
             Effects::of(self.program, module, structure, self.calls(), self.writes())
         })
@@ -332,7 +380,9 @@ impl<'a> Facts<'a> {
 
     /// Behind which statements nothing runs.
     pub fn reach(&self) -> &Reachability {
-        self.reach.get_or_init(|| Reachability::of(self.program))
+        self.known
+            .reach
+            .get_or_init(|| Reachability::of(self.program))
     }
 
     /// The words that the compiler does not see.

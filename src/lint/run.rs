@@ -2,14 +2,15 @@
 
 use super::broken::Broken;
 use super::{
-    Around, BinaryExpr, Builtin, Check, Context, DeclaredName, DeclaredVariable, Facts, Named,
-    Rule, Settings, Shape,
+    BinaryExpr, Builtin, Check, Context, DeclaredName, DeclaredVariable, Facts, Named, Rule,
+    Settings, Shape,
 };
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_semantic::{FunctionRef, Program, VariableId};
 use shaderlint_syntax::Macro;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Role, Span};
+use std::sync::Arc;
 
 /// Where rules did not run, since what stands there has errors.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
@@ -36,31 +37,23 @@ pub fn lint(
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    lint_within(
-        program,
-        Around::default(),
-        &[],
-        rules,
-        settings,
-        diagnostics,
-    );
+    let facts = Facts::of(program, &Arc::default());
+    lint_within(facts, &[], rules, settings, diagnostics);
 }
 
-/// Runs the selected rules over a shader that stands in a page or script, as far as it is free of
-/// the errors given. Says where they did not run.
-pub fn lint_within<'a>(
-    program: &'a Program,
-    around: Around<'a>,
+/// Runs the selected rules over the shader that facts are of, as far as it is free of the errors
+/// given. Says where they did not run.
+pub fn lint_within(
+    mut facts: Facts,
     errors: &[Diagnostic],
     rules: &[&'static Rule],
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Unrun {
-    let mut facts = Facts::new(program);
-    facts.around = around;
-    facts.tried.supplier = around.supplier;
+    let program = facts.program();
+    facts.tried.supplier = facts.around.supplier;
     facts.tried.limit = settings.trial_limit();
-    facts.broken = Broken::of(program, errors);
+    facts.break_at(errors);
     if facts.broken.whole() {
         return Unrun::Everywhere;
     }

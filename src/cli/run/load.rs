@@ -9,14 +9,15 @@ use crate::diagnostic::Severity;
 use crate::engine::play::{Moment, PlayOptions, Player, Scene, Unfit};
 use crate::engine::{Options, check};
 use crate::exec::{Code, CompileOptions, Drawn, Refusal, Stop, Watch, draw};
-use crate::ir::{Module, Provenance, lower};
+use crate::ir::{Module, Provenance};
+use crate::lint::Known;
 use crate::port::{Composed, PassUnit, Project, Wrapper, add_stand_ins, missing};
 use crate::report::{Format, Reporter};
 use crate::semantic::{Pass, Program, Stage, Storage};
 use crate::text::{Sources, Span};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Why there is nothing to draw.
 #[derive(Debug)]
@@ -80,7 +81,9 @@ pub struct Shot {
     /// What draws it.
     play: Play,
     /// Its middle form.
-    pub module: Module,
+    pub module: Arc<Module>,
+    /// What was found out of it.
+    pub known: Arc<Known>,
     /// The index of its unit.
     unit: usize,
     /// Its number in the project.
@@ -275,7 +278,8 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, Trouble> {
         let words = format!("{name}: it draws with a vertex shader; only fragment shaders are run");
         return Err(Trouble::Words(words));
     }
-    let module = lower(program);
+    let known = Arc::<Known>::default();
+    let module = known.module(program).clone();
     let probe = match setting.show {
         Some(show) => Some(show::probe(show, composed, unit, program, &module)?),
         None => None,
@@ -302,6 +306,7 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, Trouble> {
     let mut shot = Shot {
         play,
         module,
+        known,
         unit: at,
         pass: unit.pass,
         size,

@@ -35,7 +35,7 @@ pub struct LoopRow {
 
 /// All loops that pixels came to, those with the most turns first.
 pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<LoopRow> {
-    let facts = Facts::new(program);
+    let facts = Facts::of(program, &shot.known);
     let known = facts.loops();
     let mut seen: Vec<&LoopSeen> = seen.loops.iter().filter(|l| l.entries > 0).collect();
     seen.sort_by_key(|l| (std::cmp::Reverse(l.turns), l.id));
