@@ -1,6 +1,7 @@
 //! Shaders in the elements of a page.
 
-use super::{DocumentLanguage, Embedded, Wrapping, extract_into, holes::mask, is_shader, listing};
+use super::{DocumentLanguage, Embedded, Wrapping, extract_into, holes::mask, listing};
+use crate::kind::Scanned;
 use std::ops::Range;
 
 /// Finds those of a page.
@@ -32,7 +33,9 @@ pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
                 found,
             );
         } else if !is_escaped(content)
-            && (kind.contains("shader") || kind.contains("glsl") || is_shader(content))
+            && (kind.contains("shader")
+                || kind.contains("glsl")
+                || Scanned::of(content).is_shader())
         {
             let id = attribute(element.head, "id").unwrap_or("");
             let masked = mask(content);

@@ -5,7 +5,7 @@
 
 use super::html::{attribute, tag_length};
 use super::{Embedded, Wrapping};
-use crate::kind::{Evidence, is_shader};
+use crate::kind::Scanned;
 
 /// Finds them. `lower` is the text in lower case.
 pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) {
@@ -106,8 +106,9 @@ fn is_taken(element: &Element, code: &str) -> bool {
     }
     // Another language is named.
     let is_other = words().any(|w| matches!(w, "language" | "lang"));
-    let evidence = Evidence::of(code);
-    !is_other && is_shader(code) && (evidence.is_glsl() || element.name == "textarea")
+    let scanned = Scanned::of(code);
+    let is_clear = || scanned.evidence().is_glsl() || element.name == "textarea";
+    !is_other && scanned.is_shader() && is_clear()
 }
 
 /// What a browser shows of the text of an element, byte for byte.

@@ -22,7 +22,6 @@ mod token;
 pub use holes::mask;
 pub use together::{Asked, asked, together};
 
-use super::kind::is_shader;
 use super::{Edit, Span};
 use std::fmt;
 

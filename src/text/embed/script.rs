@@ -6,8 +6,8 @@ use super::context::{LiteralContext, grown};
 use super::holes::mask;
 use super::literal::read;
 use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark, tokens};
-use super::{Embedded, Wrapping, is_shader};
-use crate::kind::{Chunk, chunk, is_bare};
+use super::{Embedded, Wrapping};
+use crate::kind::{Chunk, Scanned};
 use std::collections::HashSet;
 
 /// Finds them. Where the name of the script speaks of shaders, its literals need less evidence.
@@ -97,15 +97,16 @@ fn is_taken(code: &str, context: &LiteralContext, is_named: bool) -> bool {
     if context.is_pattern && !is_balanced(code) {
         return false;
     }
-    let chunk = || chunk(code);
-    if context.is_message || is_bare(code) || context.is_pattern && chunk() == Chunk::No {
+    let scanned = Scanned::of(code);
+    let is_part = || scanned.chunk() != Chunk::No;
+    if context.is_message || scanned.is_bare() || context.is_pattern && !is_part() {
         return false;
     }
-    if is_shader(code) {
+    if scanned.is_shader() {
         return true;
     }
     is_balanced(code)
-        && match chunk() {
+        && match scanned.chunk() {
             Chunk::Clear => true,
             Chunk::Likely => context.names_shader || is_named,
             Chunk::No => false,

@@ -1,7 +1,9 @@
 //! Parts of shaders without a `main`, in the strings of programs: what is certain enough to be one.
 
 use super::evidence::{Evidence, is_type};
+use super::has_main;
 use super::scan::{ScanKind, ScanToken, tokens};
+use std::cell::OnceCell;
 
 /// How much speaks for a text being a part of a shader.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -14,36 +16,61 @@ pub enum Chunk {
     No,
 }
 
-/// How much speaks for a text being a part of a shader that stands for itself: functions and
-/// declarations, no statements.
-pub fn chunk(text: &str) -> Chunk {
-    if !text.contains([';', '{']) {
-        return Chunk::No;
-    }
-    let all = tokens(text);
-    let (functions, interface) = (has_function(&all), has_interface(&all));
-    if !functions && !interface {
-        return Chunk::No;
-    }
-    let evidence = Evidence::of(text);
-    match () {
-        () if functions && evidence.is_glsl() => Chunk::Clear,
-        () if evidence.may_be_part() => Chunk::Likely,
-        () => Chunk::No,
-    }
+/// The text of a string, read once for all that is asked of it.
+pub struct Scanned<'a> {
+    text: &'a str,
+    all: Vec<ScanToken<'a>>,
+    evidence: OnceCell<Evidence<'a>>,
 }
 
-/// Whether there is nothing in a text but directives and comments.
-pub fn is_bare(text: &str) -> bool {
-    let mut goes_on = false;
-    let mut in_directive = false;
-    tokens(text).iter().all(|token| {
-        if token.is_first && !goes_on {
-            in_directive = token.text == "#";
+impl<'a> Scanned<'a> {
+    /// Reads a text.
+    pub fn of(text: &'a str) -> Scanned<'a> {
+        Scanned {
+            text,
+            all: tokens(text),
+            evidence: OnceCell::new(),
         }
-        goes_on = token.text == "\\";
-        in_directive
-    })
+    }
+
+    /// What speaks for one language or another in it.
+    pub fn evidence(&self) -> &Evidence<'a> {
+        let read = || Evidence::read(self.text, &self.all);
+        self.evidence.get_or_init(read)
+    }
+
+    /// How much speaks for its being a part of a shader that stands for itself: functions and
+    /// declarations, no statements.
+    pub fn chunk(&self) -> Chunk {
+        let (functions, interface) = (has_function(&self.all), has_interface(&self.all));
+        let may_be_part = self.text.contains([';', '{']) && (functions || interface);
+        match () {
+            () if !may_be_part => Chunk::No,
+            () if functions && self.evidence().is_glsl() => Chunk::Clear,
+            () if self.evidence().may_be_part() => Chunk::Likely,
+            () => Chunk::No,
+        }
+    }
+
+    /// Whether there is nothing in it but directives and comments.
+    pub fn is_bare(&self) -> bool {
+        let mut goes_on = false;
+        let mut in_directive = false;
+        self.all.iter().all(|token| {
+            if token.is_first && !goes_on {
+                in_directive = token.text == "#";
+            }
+            goes_on = token.text == "\\";
+            in_directive
+        })
+    }
+
+    /// Whether it is a shader beyond doubt: it starts with `#version` or has a `main`, and is
+    /// nothing else.
+    pub fn is_shader(&self) -> bool {
+        let is_candidate = self.text.trim_start().starts_with("#version") || has_main(self.text);
+        is_candidate && self.evidence().may_be_glsl()
+    }
 }
 
 /// The tokens outside of directives, with how many brackets are open.
@@ -102,7 +129,7 @@ mod tests {
 
     #[track_caller]
     fn check(text: &str, expected: Chunk) {
-        assert_eq!(chunk(text), expected, "{text}");
+        assert_eq!(Scanned::of(text).chunk(), expected, "{text}");
     }
 
     #[test]
@@ -118,6 +145,7 @@ mod tests {
 
     #[test]
     fn directives_alone_are_bare() {
+        let is_bare = |text| Scanned::of(text).is_bare();
         assert!(is_bare("#version 300 es\n// x\n#define A \\\n 1\n"));
         assert!(is_bare(""));
         assert!(!is_bare("#version 300 es\nfloat a;"));

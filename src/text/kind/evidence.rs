@@ -165,16 +165,20 @@ pub struct Evidence<'a> {
 impl<'a> Evidence<'a> {
     /// Reads a text.
     pub fn of(text: &'a str) -> Evidence<'a> {
-        let all = tokens(text);
+        Evidence::read(text, &tokens(text))
+    }
+
+    /// Looks at the tokens of a text.
+    pub(super) fn read(text: &'a str, all: &[ScanToken]) -> Evidence<'a> {
         let mut evidence = Evidence {
             text,
-            version: version(&all),
+            version: version(all),
             seen: Vec::new(),
             has_quotes: false,
             sentences: 0,
             has_prose: false,
             changes: 0,
-            start: start(&all),
+            start: start(all),
             tags: 0,
             has_types: false,
         };
@@ -184,16 +188,16 @@ impl<'a> Evidence<'a> {
         let mut in_directive = false;
         for (i, token) in all.iter().enumerate() {
             if token.is_first {
-                evidence.judge_row(&all, row..i);
+                evidence.judge_row(all, row..i);
                 (row, in_directive) = (i, token.text == "#");
                 let is_margin = token.at == 0 || text.as_bytes().get(token.at - 1) == Some(&b'\n');
                 let is_change = matches!(token.text, "+" | "-");
                 evidence.changes += usize::from(is_margin && is_change);
             }
             if signs.may_start(token.text) {
-                evidence.note(signs, &all, i);
+                evidence.note(signs, all, i);
             }
-            evidence.tags += usize::from(token.kind == ScanKind::Mark && is_tag(&all, i));
+            evidence.tags += usize::from(token.kind == ScanKind::Mark && is_tag(all, i));
             if in_directive {
                 evidence.has_types |=
                     matches!(token.text, "define" | "ifdef" | "endif" | "version");
@@ -202,7 +206,7 @@ impl<'a> Evidence<'a> {
             }
             if token.kind != ScanKind::Word {
                 evidence.has_quotes |= token.kind == ScanKind::Quoted;
-                evidence.judge_row(&all, row..i);
+                evidence.judge_row(all, row..i);
                 row = i + 1;
             }
             let next = all.get(i + 1);
@@ -210,7 +214,7 @@ impl<'a> Evidence<'a> {
                 || next.is_some_and(|n| n.kind == ScanKind::Word || n.text == "(")
                     && is_type(token.text);
         }
-        evidence.judge_row(&all, row..all.len());
+        evidence.judge_row(all, row..all.len());
         evidence
     }
 

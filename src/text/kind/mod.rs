@@ -10,7 +10,7 @@ mod made;
 mod scan;
 mod signs;
 
-pub use chunk::{Chunk, chunk, is_bare};
+pub use chunk::{Chunk, Scanned};
 use evidence::starts_as_web;
 pub use evidence::{Evidence, VersionLine, is_type};
 pub use made::made;
@@ -335,13 +335,6 @@ pub fn own_directive(text: &str) -> Option<&str> {
     })
 }
 
-/// Whether a text that something else holds is a shader beyond doubt: it starts with `#version` or
-/// has a `main`, and is nothing else.
-pub fn is_shader(code: &str) -> bool {
-    let is_candidate = code.trim_start().starts_with("#version") || has_main(code);
-    is_candidate && Evidence::of(code).may_be_glsl()
-}
-
 /// Whether a text defines `main` or `mainImage`.
 pub fn has_main(code: &str) -> bool {
     code.match_indices("void").any(|(at, word)| {
@@ -523,6 +516,7 @@ mod tests {
 
     #[test]
     fn shaders_in_literals_are_told_from_other_programs() {
+        let is_shader = |text| Scanned::of(text).is_shader();
         assert!(is_shader("void main() {}"));
         assert!(is_shader("\n#version 300 es\n"));
         assert!(!is_shader(
