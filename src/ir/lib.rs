@@ -2,6 +2,7 @@
 //! the shader does: analyses, back ends, an executor.
 #![cfg_attr(test, allow(clippy::string_slice, clippy::unreachable))]
 
+pub mod expand;
 mod form;
 mod layout;
 mod lower;
@@ -16,8 +17,8 @@ pub use form::{
     Place, PlaceId, Precision, Provenance, Region, Root, Run, Step, Switch, SwitchId, Unary,
     Variable,
 };
-pub use layout::{Layout, Part, column_lanes, length_lane};
+pub use layout::{Layout, PartLayout, column_lanes, length_lane};
 pub use lower::lower;
 pub use print::print;
 pub use verify::{Problem, verify};
-pub use walk::{Outcome, Visit};
+pub use walk::{Visit, Visited};

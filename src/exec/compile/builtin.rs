@@ -8,6 +8,7 @@ use super::emit::{Compiler, Made, Regs, Value};
 use super::op::less;
 use crate::code::{Checked, F1, F2, F3, Reg};
 use shaderlint_ir::OpId;
+use shaderlint_ir::expand::{self, Arithmetic, Operator};
 use shaderlint_semantic::builtins::{Axis, BuiltinId, BuiltinKind};
 use shaderlint_semantic::{Scalar, Type};
 
@@ -40,9 +41,9 @@ impl Compiler<'_> {
         let third = operands.get(2).and_then(|op| self.module.scalar(*op));
         // `mix` with truth values chooses.
         let chooses = third == Some(Scalar::Bool);
-        let made = match self.by_component(function, scalar, chooses, &arguments) {
-            Some(made) => made,
-            None => self.whole(id, function, operands, &arguments)?,
+        let recipe = recipe(function, scalar, arguments.len(), chooses);
+        let Some(made) = self.follow(id, recipe, operands, &arguments) else {
+            return self.refuse(format!("`{}`", function.name()));
         };
         if self.watches(Watch::Comparisons) {
             self.watch_threshold(id, function, &arguments);
@@ -138,213 +139,142 @@ impl Compiler<'_> {
         }
     }
 
-    /// Functions that work on each component by itself; `None` for others.
-    fn by_component(
-        &mut self,
-        function: BuiltinId,
-        scalar: Scalar,
-        chooses: bool,
-        arguments: &[Regs],
-    ) -> Option<Vec<Reg>> {
-        use BuiltinId as B;
-        let count = arguments.iter().map(|a| a.len).max()?;
-        let at = |c: &Self, k: usize, n: u32| {
-            let regs = arguments.get(k).copied().unwrap_or_default();
-            c.spread(regs, n)
-        };
-        if let (Some(f), 1) = (one_of(function, scalar), arguments.len()) {
-            return Some(self.each(count, |c, n| {
-                let a = at(c, 0, n);
-                c.s1(f, a)
-            }));
-        }
-        if let (Some(f), 2) = (two_of(function, scalar), arguments.len()) {
-            return Some(self.each(count, |c, n| {
-                let (a, b) = (at(c, 0, n), at(c, 1, n));
-                c.s2(f, a, b)
-            }));
-        }
-        let made = match function {
-            B::GreaterThan | B::GreaterThanEqual => {
-                let f = less(scalar, function == B::GreaterThanEqual);
-                self.each(count, |c, n| {
-                    let (a, b) = (at(c, 1, n), at(c, 0, n));
-                    c.s2(f, a, b)
-                })
-            }
-            B::Radians | B::Degrees => {
-                let pi = std::f32::consts::PI;
-                let factor = match function {
-                    B::Radians => pi / 180.0,
-                    _ => 180.0 / pi,
-                };
-                let factor = self.float(factor);
-                self.each(count, |c, n| {
-                    let a = at(c, 0, n);
-                    c.s2(F2::Multiply, a, factor)
-                })
-            }
-            B::Clamp => {
-                let (low, high) = match scalar {
-                    Scalar::Float => (F2::Max, F2::Min),
-                    Scalar::Uint => (F2::UintMax, F2::UintMin),
-                    _ => (F2::IntMax, F2::IntMin),
-                };
-                self.each(count, |c, n| {
-                    let (x, a, b) = (at(c, 0, n), at(c, 1, n), at(c, 2, n));
-                    let x = c.s2(low, x, a);
-                    c.s2(high, x, b)
-                })
-            }
-            B::Mix | B::Smoothstep => {
-                let [a, b, t] = arguments else {
-                    return None;
-                };
-                self.each(count, |c, n| {
-                    let (a, b, t) = (c.spread(*a, n), c.spread(*b, n), c.spread(*t, n));
-                    match function {
-                        B::Mix if chooses => c.s3(F3::Select, t, b, a),
-                        B::Mix => c.s3(F3::Mix, a, b, t),
-                        _ => c.s3(F3::Smoothstep, a, b, t),
-                    }
-                })
-            }
-            B::FloatBitsToInt | B::FloatBitsToUint | B::IntBitsToFloat | B::UintBitsToFloat => {
-                self.each(count, |c, n| at(c, 0, n))
-            }
-            _ => return None,
-        };
-        Some(made)
-    }
-
-    /// Functions of whole values.
-    fn whole(
+    /// Makes a function by its recipe; `None` where the arguments do not fit it.
+    fn follow(
         &mut self,
         id: OpId,
-        function: BuiltinId,
+        recipe: Recipe,
         operands: &[OpId],
         arguments: &[Regs],
-    ) -> Made<Vec<Reg>> {
-        use BuiltinId as B;
-        let none = Regs::default();
-        let (a, b) = match *arguments {
-            [] => (none, none),
-            [a] => (a, none),
-            [a, b, ..] => (a, b),
-        };
+    ) -> Option<Vec<Reg>> {
+        let count = arguments.iter().map(|a| a.len).max()?;
+        let argument = |k: usize| arguments.get(k).copied().unwrap_or_default();
+        let (a, b, c) = (argument(0), argument(1), argument(2));
         let size = operands
             .first()
             .and_then(|op| self.module.ty(*op).numeric());
-        let (_, columns, rows) = size.unwrap_or((Scalar::Float, 1, 1));
-        Some(match function {
-            B::Length => vec![self.length(a)],
-            B::Distance => {
-                let difference = self.each(a.len, |c, n| {
-                    let (a, b) = (c.reg(a, n), c.reg(b, n));
-                    c.s2(F2::Subtract, a, b)
-                });
-                let difference = self.listed(difference);
-                vec![self.length(difference)]
-            }
-            B::Dot => vec![self.dot(a, b)],
-            B::Cross => self.cross(a, b),
-            B::Normalize => {
-                let square = self.dot(a, a);
-                let inverse = self.s1(F1::InverseSqrt, square);
-                self.each(a.len, |c, n| {
-                    let a = c.reg(a, n);
-                    c.s2(F2::Multiply, a, inverse)
+        let (columns, rows) =
+            size.map_or((1, 1), |(_, columns, rows)| (columns.into(), rows.into()));
+        Some(match recipe {
+            Recipe::One(f) => self.each(count, |c, n| {
+                let a = c.spread(a, n);
+                c.s1(f, a)
+            }),
+            Recipe::Two(f) => self.each(count, |c, n| {
+                let (a, b) = (c.spread(a, n), c.spread(b, n));
+                c.s2(f, a, b)
+            }),
+            Recipe::Turned(f) => self.each(count, |c, n| {
+                let (a, b) = (c.spread(b, n), c.spread(a, n));
+                c.s2(f, a, b)
+            }),
+            Recipe::Three(f, [i, j, k]) => self.each(count, |c, n| {
+                let [a, b, t] = [i, j, k].map(|k| c.spread(argument(k), n));
+                c.s3(f, a, b, t)
+            }),
+            Recipe::Times(factor) => {
+                let factor = self.float(factor);
+                self.each(count, |c, n| {
+                    let a = c.spread(a, n);
+                    c.s2(F2::Multiply, a, factor)
                 })
             }
-            B::FaceForward | B::Reflect | B::Refract => self.bent(function, arguments),
-            B::Any | B::All => {
-                let f = if function == B::Any { F2::Or } else { F2::And };
-                let mut made = self.reg(a, 0);
-                for n in 1..a.len {
-                    let next = self.reg(a, n);
-                    made = self.s2(f, made, next);
-                }
-                vec![made]
-            }
-            B::Modf => {
-                let whole = self.each(a.len, |c, n| {
-                    let a = c.reg(a, n);
-                    c.one(F1::Trunc, a)
-                });
-                let made = self.each(a.len, |c, n| {
-                    let whole = whole.get(n as usize).copied().unwrap_or(0);
-                    let a = c.reg(a, n);
-                    c.s2(F2::Subtract, a, whole)
-                });
-                let whole = self.listed(whole);
-                self.taken_back.insert((id, 1), Value::Regs(whole));
-                made
-            }
-            _ => return self.of_matrices(function, [columns, rows], a, b),
-        })
-    }
-
-    /// Functions of matrices.
-    fn of_matrices(
-        &mut self,
-        function: BuiltinId,
-        [columns, rows]: [u8; 2],
-        a: Regs,
-        b: Regs,
-    ) -> Made<Vec<Reg>> {
-        use BuiltinId as B;
-        Some(match function {
-            B::OuterProduct => {
-                let mut made = Vec::new();
-                for c in 0..b.len {
-                    for r in 0..a.len {
-                        let (x, y) = (self.reg(a, r), self.reg(b, c));
-                        made.push(self.s2(F2::Multiply, x, y));
-                    }
-                }
-                made
-            }
-            B::Transpose => {
-                let (columns, rows) = (columns as u32, rows as u32);
-                let turned = (0..rows).flat_map(|r| (0..columns).map(move |c| c * rows + r));
-                turned.map(|n| self.reg(a, n)).collect()
-            }
-            B::Determinant => {
-                let m = self.list(a).to_vec();
-                vec![self.determinant(&m, columns as usize)]
-            }
-            B::Inverse => {
-                let m = self.list(a).to_vec();
-                self.inverse(&m, columns as usize)
-            }
-            _ => return self.of_bits(function, a),
-        })
-    }
-
-    /// Functions that pack two numbers into one.
-    fn of_bits(&mut self, function: BuiltinId, a: Regs) -> Made<Vec<Reg>> {
-        use BuiltinId as B;
-        Some(match function {
-            B::PackHalf2x16 | B::PackSnorm2x16 | B::PackUnorm2x16 => {
-                let f = match function {
-                    B::PackHalf2x16 => F2::PackHalf,
-                    B::PackSnorm2x16 => F2::PackSnorm,
-                    _ => F2::PackUnorm,
-                };
+            Recipe::Clamp(low, high) => self.each(count, |each, n| {
+                let (x, from, to) = (each.spread(a, n), each.spread(b, n), each.spread(c, n));
+                let x = each.s2(low, x, from);
+                each.s2(high, x, to)
+            }),
+            Recipe::SameBits => self.each(count, |c, n| c.spread(a, n)),
+            Recipe::AllOf(f) => vec![self.all_of(f, a)],
+            Recipe::Pack(f) => {
                 let (low, high) = (self.reg(a, 0), self.reg(a, 1));
                 vec![self.s2(f, low, high)]
             }
-            B::UnpackHalf2x16 | B::UnpackSnorm2x16 | B::UnpackUnorm2x16 => {
-                let (low, high) = match function {
-                    B::UnpackHalf2x16 => (F1::HalfLow, F1::HalfHigh),
-                    B::UnpackSnorm2x16 => (F1::SnormLow, F1::SnormHigh),
-                    _ => (F1::UnormLow, F1::UnormHigh),
-                };
+            Recipe::Unpack(low, high) => {
                 let a = self.reg(a, 0);
                 vec![self.s1(low, a), self.s1(high, a)]
             }
-            other => return self.refuse(format!("`{}`", other.name())),
+            Recipe::Dot => vec![self.dot(a, b)],
+            Recipe::Length => vec![self.length(a)],
+            Recipe::Distance => vec![self.distance(a, b)],
+            Recipe::Cross => self.cross(a, b),
+            Recipe::Normalize => self.normalize(a),
+            Recipe::Modf => self.modf(id, a),
+            Recipe::Transpose => {
+                let turned = (0..rows).flat_map(|r| (0..columns).map(move |c| c * rows + r));
+                turned.map(|n| self.reg(a, n)).collect()
+            }
+            Recipe::OuterProduct => self.outer_product(a, b),
+            Recipe::FaceForward | Recipe::Reflect | Recipe::Refract => {
+                self.bent(recipe, [a, b, c])?
+            }
+            Recipe::Determinant => vec![self.determinant(a, columns as usize)?],
+            Recipe::Inverse => self.inverse(a, columns as usize)?,
+            Recipe::Apart => return None,
         })
+    }
+
+    /// All components in one.
+    fn all_of(&mut self, f: F2, a: Regs) -> Reg {
+        let mut made = self.reg(a, 0);
+        for n in 1..a.len {
+            let next = self.reg(a, n);
+            made = self.s2(f, made, next);
+        }
+        made
+    }
+
+    fn outer_product(&mut self, column: Regs, row: Regs) -> Vec<Reg> {
+        let cells = (0..row.len).flat_map(|c| (0..column.len).map(move |r| (r, c)));
+        let product = |(r, c)| {
+            let (x, y) = (self.reg(column, r), self.reg(row, c));
+            self.s2(F2::Multiply, x, y)
+        };
+        cells.map(product).collect()
+    }
+
+    /// `faceforward`, `reflect` and `refract`.
+    fn bent(&mut self, recipe: Recipe, arguments: [Regs; 3]) -> Option<Vec<Reg>> {
+        let [a, b, c] = arguments.map(|regs| self.list(regs).to_vec());
+        Some(match recipe {
+            Recipe::FaceForward => expand::face_forward(self, [&a, &b, &c]),
+            Recipe::Reflect => expand::reflect(self, &a, &b),
+            _ => expand::refract(self, &a, &b, *c.first()?),
+        })
+    }
+
+    fn distance(&mut self, a: Regs, b: Regs) -> Reg {
+        let difference = self.each(a.len, |c, n| {
+            let (a, b) = (c.reg(a, n), c.reg(b, n));
+            c.s2(F2::Subtract, a, b)
+        });
+        let difference = self.listed(difference);
+        self.length(difference)
+    }
+
+    fn normalize(&mut self, a: Regs) -> Vec<Reg> {
+        let square = self.dot(a, a);
+        let inverse = self.s1(F1::InverseSqrt, square);
+        self.each(a.len, |c, n| {
+            let a = c.reg(a, n);
+            c.s2(F2::Multiply, a, inverse)
+        })
+    }
+
+    /// What `modf` returns; the whole part is what the call leaves in its second parameter.
+    fn modf(&mut self, id: OpId, a: Regs) -> Vec<Reg> {
+        let whole = self.each(a.len, |c, n| {
+            let a = c.reg(a, n);
+            c.one(F1::Trunc, a)
+        });
+        let made = self.each(a.len, |c, n| {
+            let whole = whole.get(n as usize).copied().unwrap_or(0);
+            let a = c.reg(a, n);
+            c.s2(F2::Subtract, a, whole)
+        });
+        let whole = self.listed(whole);
+        self.taken_back.insert((id, 1), Value::Regs(whole));
+        made
     }
 
     fn dot(&mut self, a: Regs, b: Regs) -> Reg {
@@ -367,144 +297,156 @@ impl Compiler<'_> {
         self.each(3, |c, n| {
             let (i, j) = ((n + 1) % 3, (n + 2) % 3);
             let (ai, aj, bi, bj) = (c.reg(a, i), c.reg(a, j), c.reg(b, i), c.reg(b, j));
-            c.difference_of_products(ai, bj, aj, bi)
+            let (left, right) = (c.s2(F2::Multiply, ai, bj), c.s2(F2::Multiply, aj, bi));
+            c.s2(F2::Subtract, left, right)
         })
     }
 
-    fn difference_of_products(&mut self, a: Reg, b: Reg, c: Reg, d: Reg) -> Reg {
-        let (left, right) = (self.s2(F2::Multiply, a, b), self.s2(F2::Multiply, c, d));
-        self.s2(F2::Subtract, left, right)
+    fn determinant(&mut self, a: Regs, size: usize) -> Option<Reg> {
+        let cells = self.list(a).to_vec();
+        expand::determinant(self, &cells, size)
     }
 
-    /// `faceforward`, `reflect` and `refract`.
-    fn bent(&mut self, function: BuiltinId, arguments: &[Regs]) -> Vec<Reg> {
-        let (Some(&first), Some(&second)) = (arguments.first(), arguments.get(1)) else {
-            return Vec::new();
-        };
-        let third = arguments.get(2).copied().unwrap_or_default();
-        let zero = self.constant(0);
-        match function {
-            BuiltinId::FaceForward => {
-                let product = self.dot(third, second);
-                let faces = self.s2(F2::Less, product, zero);
-                self.each(first.len, |c, n| {
-                    let along = c.reg(first, n);
-                    let against = c.s1(F1::Negate, along);
-                    c.s3(F3::Select, faces, along, against)
-                })
-            }
-            BuiltinId::Reflect => {
-                let product = self.dot(first, second);
-                let twice = self.s2(F2::Add, product, product);
-                self.each(first.len, |c, n| {
-                    let (i, normal) = (c.reg(first, n), c.reg(second, n));
-                    let back = c.s2(F2::Multiply, twice, normal);
-                    c.s2(F2::Subtract, i, back)
-                })
-            }
-            _ => {
-                let (eta, one) = (self.reg(third, 0), self.float(1.0));
-                let product = self.dot(second, first);
-                let square = self.s2(F2::Multiply, product, product);
-                let rest = self.s2(F2::Subtract, one, square);
-                let eta_square = self.s2(F2::Multiply, eta, eta);
-                let scaled = self.s2(F2::Multiply, eta_square, rest);
-                let k = self.s2(F2::Subtract, one, scaled);
-                let is_total = self.s2(F2::Less, k, zero);
-                let root = self.s1(F1::Sqrt, k);
-                let along = self.s2(F2::Multiply, eta, product);
-                let along = self.s2(F2::Add, along, root);
-                self.each(first.len, |c, n| {
-                    let (i, normal) = (c.reg(first, n), c.reg(second, n));
-                    let kept = c.s2(F2::Multiply, eta, i);
-                    let bent = c.s2(F2::Multiply, along, normal);
-                    let made = c.s2(F2::Subtract, kept, bent);
-                    c.s3(F3::Select, is_total, zero, made)
-                })
-            }
-        }
-    }
-
-    /// The matrix of `size` columns without a column and a row.
-    fn minor(m: &[Reg], size: usize, column: usize, row: usize) -> Vec<Reg> {
-        let kept = (0..size * size).filter(|n| n / size != column && n % size != row);
-        kept.filter_map(|n| m.get(n).copied()).collect()
-    }
-
-    fn determinant(&mut self, m: &[Reg], size: usize) -> Reg {
-        match *m {
-            [one] => one,
-            [a, b, c, d] => self.difference_of_products(a, d, c, b),
-            _ => {
-                let mut sum: Option<Reg> = None;
-                for (column, factor) in m.iter().step_by(size).copied().enumerate() {
-                    let minor = Self::minor(m, size, column, 0);
-                    let inner = self.determinant(&minor, size - 1);
-                    let term = self.s2(F2::Multiply, factor, inner);
-                    sum = Some(match sum {
-                        None => term,
-                        Some(sum) if column % 2 == 1 => self.s2(F2::Subtract, sum, term),
-                        Some(sum) => self.s2(F2::Add, sum, term),
-                    });
-                }
-                sum.unwrap_or(0)
-            }
-        }
-    }
-
-    fn inverse(&mut self, m: &[Reg], size: usize) -> Vec<Reg> {
-        let determinant = self.determinant(m, size);
+    fn inverse(&mut self, a: Regs, size: usize) -> Option<Vec<Reg>> {
+        let cells = self.list(a).to_vec();
+        let determinant = self.determinant(a, size)?;
         let one = self.float(1.0);
         let scale = self.s2(F2::Divide, one, determinant);
-        let mut made = Vec::with_capacity(size * size);
-        for column in 0..size {
-            for row in 0..size {
-                let minor = Self::minor(m, size, row, column);
-                let mut cofactor = self.determinant(&minor, size - 1);
-                if (column + row) % 2 == 1 {
-                    cofactor = self.s1(F1::Negate, cofactor);
-                }
-                made.push(self.s2(F2::Multiply, cofactor, scale));
-            }
-        }
-        made
+        let cofactors = expand::adjugate(self, &cells, size)?.into_iter();
+        Some(cofactors.map(|c| self.s2(F2::Multiply, c, scale)).collect())
     }
 }
 
-/// The instruction of a function with one argument.
-#[rustfmt::skip]
-fn one_of(function: BuiltinId, scalar: Scalar) -> Option<F1> {
-    use BuiltinId as B;
-    Some(match (function, scalar) {
-        (B::Sin, _) => F1::Sin, (B::Cos, _) => F1::Cos, (B::Tan, _) => F1::Tan,
-        (B::Asin, _) => F1::Asin, (B::Acos, _) => F1::Acos, (B::Atan, _) => F1::Atan,
-        (B::Sinh, _) => F1::Sinh, (B::Cosh, _) => F1::Cosh, (B::Tanh, _) => F1::Tanh,
-        (B::Asinh, _) => F1::Asinh, (B::Acosh, _) => F1::Acosh, (B::Atanh, _) => F1::Atanh,
-        (B::Exp, _) => F1::Exp, (B::Log, _) => F1::Log,
-        (B::Exp2, _) => F1::Exp2, (B::Log2, _) => F1::Log2,
-        (B::Sqrt, _) => F1::Sqrt, (B::InverseSqrt, _) => F1::InverseSqrt,
-        (B::Abs, Scalar::Float) => F1::Abs, (B::Abs, _) => F1::IntAbs,
-        (B::Sign, Scalar::Float) => F1::Sign, (B::Sign, _) => F1::IntSign,
-        (B::Floor, _) => F1::Floor, (B::Trunc, _) => F1::Trunc, (B::Ceil, _) => F1::Ceil,
-        (B::Round | B::RoundEven, _) => F1::RoundEven, (B::Fract, _) => F1::Fract,
-        (B::IsNan, _) => F1::IsNan, (B::IsInf, _) => F1::IsInf, (B::Not, _) => F1::Not,
-        _ => return None,
-    })
+impl Arithmetic for Compiler<'_> {
+    type Value = Reg;
+
+    fn number(&mut self, value: f32) -> Reg {
+        self.float(value)
+    }
+
+    fn binary(&mut self, op: Operator, left: Reg, right: Reg) -> Reg {
+        let f = match op {
+            Operator::Add => F2::Add,
+            Operator::Subtract => F2::Subtract,
+            Operator::Multiply => F2::Multiply,
+            Operator::Less => F2::Less,
+        };
+        self.s2(f, left, right)
+    }
+
+    fn negated(&mut self, value: Reg) -> Reg {
+        self.s1(F1::Negate, value)
+    }
+
+    fn root(&mut self, value: Reg) -> Reg {
+        self.s1(F1::Sqrt, value)
+    }
+
+    fn choose(&mut self, condition: Reg, then: Reg, otherwise: Reg) -> Reg {
+        self.s3(F3::Select, condition, then, otherwise)
+    }
+
+    fn dot(&mut self, left: &[Reg], right: &[Reg]) -> Reg {
+        let pairs: Vec<(Reg, Reg)> = left.iter().copied().zip(right.iter().copied()).collect();
+        self.products(&pairs)
+    }
 }
 
-/// The instruction of a function with two arguments.
+/// How a function is made of instructions.
+#[derive(Clone, Copy)]
+enum Recipe {
+    /// Component by component, by an instruction with one operand.
+    One(F1),
+    /// By one with two operands.
+    Two(F2),
+    /// By one with two operands that are exchanged.
+    Turned(F2),
+    /// By one with three operands: the arguments with these numbers.
+    Three(F3, [usize; 3]),
+    /// By a constant factor.
+    Times(f32),
+    /// By the larger, then the smaller.
+    Clamp(F2, F2),
+    /// By reading the same bits as another kind.
+    SameBits,
+    /// All components in one, by an instruction between each two.
+    AllOf(F2),
+    /// Two numbers in the bits of one.
+    Pack(F2),
+    /// Two numbers out of the bits of one.
+    Unpack(F1, F1),
+    /// By several instructions each.
+    Dot,
+    Length,
+    Distance,
+    Cross,
+    Normalize,
+    FaceForward,
+    Reflect,
+    Refract,
+    Modf,
+    Transpose,
+    OuterProduct,
+    Determinant,
+    Inverse,
+    /// It asks a texture or the neighbours, which is done elsewhere.
+    Apart,
+}
+
+/// How a function of so many arguments is made, the first of which is of this kind; `chooses` tells
+/// whether its third are truth values. A new function does not compile without a recipe.
 #[rustfmt::skip]
-fn two_of(function: BuiltinId, scalar: Scalar) -> Option<F2> {
+fn recipe(function: BuiltinId, scalar: Scalar, arguments: usize, chooses: bool) -> Recipe {
     use BuiltinId as B;
-    Some(match (function, scalar) {
-        (B::Atan, _) => F2::Atan2, (B::Mod, _) => F2::Modulo, (B::Pow, _) => F2::Pow,
-        (B::Step, _) => F2::Step, (B::MatrixCompMult, _) => F2::Multiply,
-        (B::Min, Scalar::Float) => F2::Min, (B::Max, Scalar::Float) => F2::Max,
-        (B::Min, Scalar::Uint) => F2::UintMin, (B::Max, Scalar::Uint) => F2::UintMax,
-        (B::Min, _) => F2::IntMin, (B::Max, _) => F2::IntMax,
-        (B::LessThan, _) => less(scalar, false), (B::LessThanEqual, _) => less(scalar, true),
-        (B::Equal, Scalar::Float) => F2::Equal, (B::NotEqual, Scalar::Float) => F2::NotEqual,
-        (B::Equal, _) => F2::SameBits, (B::NotEqual, _) => F2::OtherBits,
-        _ => return None,
-    })
+    use Recipe::*;
+    let pi = std::f32::consts::PI;
+    let is_float = scalar == Scalar::Float;
+    let by_kind = |float: F2, uint: F2, int: F2| match scalar {
+        Scalar::Float => float, Scalar::Uint => uint, _ => int,
+    };
+    let min = by_kind(F2::Min, F2::UintMin, F2::IntMin);
+    let max = by_kind(F2::Max, F2::UintMax, F2::IntMax);
+    match function {
+        B::Radians => Times(pi / 180.0), B::Degrees => Times(180.0 / pi),
+        B::Sin => One(F1::Sin), B::Cos => One(F1::Cos), B::Tan => One(F1::Tan),
+        B::Asin => One(F1::Asin), B::Acos => One(F1::Acos),
+        B::Atan if arguments == 1 => One(F1::Atan), B::Atan => Two(F2::Atan2),
+        B::Sinh => One(F1::Sinh), B::Cosh => One(F1::Cosh), B::Tanh => One(F1::Tanh),
+        B::Asinh => One(F1::Asinh), B::Acosh => One(F1::Acosh), B::Atanh => One(F1::Atanh),
+        B::Pow => Two(F2::Pow), B::Exp => One(F1::Exp), B::Log => One(F1::Log),
+        B::Exp2 => One(F1::Exp2), B::Log2 => One(F1::Log2),
+        B::Sqrt => One(F1::Sqrt), B::InverseSqrt => One(F1::InverseSqrt),
+        B::Abs => One(if is_float { F1::Abs } else { F1::IntAbs }),
+        B::Sign => One(if is_float { F1::Sign } else { F1::IntSign }),
+        B::Floor => One(F1::Floor), B::Trunc => One(F1::Trunc), B::Ceil => One(F1::Ceil),
+        B::Round | B::RoundEven => One(F1::RoundEven), B::Fract => One(F1::Fract),
+        B::Mod => Two(F2::Modulo), B::Modf => Modf,
+        B::Min => Two(min), B::Max => Two(max), B::Clamp => Clamp(max, min),
+        B::Mix if chooses => Three(F3::Select, [2, 1, 0]), B::Mix => Three(F3::Mix, [0, 1, 2]),
+        B::Step => Two(F2::Step), B::Smoothstep => Three(F3::Smoothstep, [0, 1, 2]),
+        B::IsNan => One(F1::IsNan), B::IsInf => One(F1::IsInf),
+        B::FloatBitsToInt | B::FloatBitsToUint | B::IntBitsToFloat | B::UintBitsToFloat => SameBits,
+        B::PackSnorm2x16 => Pack(F2::PackSnorm), B::PackUnorm2x16 => Pack(F2::PackUnorm),
+        B::PackHalf2x16 => Pack(F2::PackHalf),
+        B::UnpackSnorm2x16 => Unpack(F1::SnormLow, F1::SnormHigh),
+        B::UnpackUnorm2x16 => Unpack(F1::UnormLow, F1::UnormHigh),
+        B::UnpackHalf2x16 => Unpack(F1::HalfLow, F1::HalfHigh),
+        B::Length => Length, B::Distance => Distance, B::Dot => Dot, B::Cross => Cross,
+        B::Normalize => Normalize, B::FaceForward => FaceForward, B::Reflect => Reflect,
+        B::Refract => Refract, B::MatrixCompMult => Two(F2::Multiply),
+        B::OuterProduct => OuterProduct, B::Transpose => Transpose,
+        B::Determinant => Determinant, B::Inverse => Inverse,
+        B::LessThan => Two(less(scalar, false)), B::LessThanEqual => Two(less(scalar, true)),
+        B::GreaterThan => Turned(less(scalar, false)),
+        B::GreaterThanEqual => Turned(less(scalar, true)),
+        B::Equal => Two(if is_float { F2::Equal } else { F2::SameBits }),
+        B::NotEqual => Two(if is_float { F2::NotEqual } else { F2::OtherBits }),
+        B::Any => AllOf(F2::Or), B::All => AllOf(F2::And), B::Not => One(F1::Not),
+        B::TextureSize | B::Texture | B::TextureOffset | B::TextureLod | B::TextureLodOffset
+        | B::TextureGrad | B::TextureGradOffset | B::TextureProj | B::TextureProjOffset
+        | B::TextureProjLod | B::TextureProjLodOffset | B::TextureProjGrad
+        | B::TextureProjGradOffset | B::TexelFetch | B::TexelFetchOffset | B::Texture2D
+        | B::Texture2DProj | B::Texture2DLod | B::Texture2DProjLod | B::TextureCube
+        | B::TextureCubeLod | B::DFdx | B::DFdy | B::Fwidth => Apart,
+    }
 }

@@ -8,6 +8,7 @@ use ::naga::{
     MathFunction as F, RelationalFunction, ScalarKind, UnaryOperator,
 };
 use shaderlint_ir::OpId;
+use shaderlint_ir::expand::{self, Arithmetic, Operator};
 use shaderlint_semantic::builtins::Axis;
 use shaderlint_semantic::{BuiltinId, Scalar, Type};
 
@@ -90,44 +91,14 @@ impl Body<'_, '_> {
         Some(match (fun, args) {
             (F::Dot, &[x, y]) => self.op(Op::Multiply, x, y),
             (F::Normalize, &[x]) => self.math(F::Sign, &[x]),
-            (F::Reflect, &[i, n]) => {
-                let square = self.op(Op::Multiply, n, n);
-                let both = self.op(Op::Multiply, square, i);
-                let two = self.float(2.0);
-                let turned = self.op(Op::Multiply, two, both);
-                self.op(Op::Subtract, i, turned)
-            }
+            (F::Reflect, &[i, n]) => *expand::reflect(self, &[i], &[n]).first()?,
             (F::FaceForward, &[n, i, reference]) => {
-                let dot = self.op(Op::Multiply, reference, i);
-                let zero = self.float(0.0);
-                let is_facing = self.op(Op::Less, dot, zero);
-                let op = UnaryOperator::Negate;
-                let turned = self.add(Expression::Unary { op, expr: n });
-                self.select(is_facing, n, turned)
+                let made = expand::face_forward(self, [&[n], &[i], &[reference]]);
+                *made.first()?
             }
-            (F::Refract, &[i, n, eta]) => self.refract(i, n, eta),
+            (F::Refract, &[i, n, eta]) => *expand::refract(self, &[i], &[n], eta).first()?,
             _ => return None,
         })
-    }
-
-    /// `refract` of single numbers, by the formula of section 8.5.
-    fn refract(&mut self, i: Value, n: Value, eta: Value) -> Value {
-        let (one, zero) = (self.float(1.0), self.float(0.0));
-        let dot = self.op(Op::Multiply, n, i);
-        let square = self.op(Op::Multiply, dot, dot);
-        let rest = self.op(Op::Subtract, one, square);
-        let etas = self.op(Op::Multiply, eta, eta);
-        let share = self.op(Op::Multiply, etas, rest);
-        let k = self.op(Op::Subtract, one, share);
-        let inside = self.math(F::Max, &[k, zero]);
-        let root = self.math(F::Sqrt, &[inside]);
-        let along = self.op(Op::Multiply, eta, dot);
-        let sum = self.op(Op::Add, along, root);
-        let back = self.op(Op::Multiply, sum, n);
-        let on = self.op(Op::Multiply, eta, i);
-        let turned = self.op(Op::Subtract, on, back);
-        let is_total = self.op(Op::Less, k, zero);
-        self.select(is_total, zero, turned)
     }
 
     /// `x - y * floor(x / y)`; the `%` of naga cuts towards zero.
@@ -168,6 +139,50 @@ impl Body<'_, '_> {
             (Axis::Y, FirstRow::Top) => self.negate(value, ty),
             _ => Ok(value),
         }
+    }
+}
+
+impl Arithmetic for Body<'_, '_> {
+    type Value = Value;
+
+    fn number(&mut self, value: f32) -> Value {
+        self.float(value)
+    }
+
+    fn binary(&mut self, op: Operator, left: Value, right: Value) -> Value {
+        let op = match op {
+            Operator::Add => Op::Add,
+            Operator::Subtract => Op::Subtract,
+            Operator::Multiply => Op::Multiply,
+            Operator::Less => Op::Less,
+        };
+        self.op(op, left, right)
+    }
+
+    fn negated(&mut self, expr: Value) -> Value {
+        let op = UnaryOperator::Negate;
+        self.add(Expression::Unary { op, expr })
+    }
+
+    fn root(&mut self, value: Value) -> Value {
+        let zero = self.float(0.0);
+        let inside = self.math(F::Max, &[value, zero]);
+        self.math(F::Sqrt, &[inside])
+    }
+
+    fn choose(&mut self, condition: Value, then: Value, otherwise: Value) -> Value {
+        self.select(condition, then, otherwise)
+    }
+
+    fn dot(&mut self, left: &[Value], right: &[Value]) -> Value {
+        let products = left.iter().zip(right);
+        let products: Vec<Value> = products
+            .map(|(l, r)| self.op(Op::Multiply, *l, *r))
+            .collect();
+        let sum = products
+            .into_iter()
+            .reduce(|sum, next| self.op(Op::Add, sum, next));
+        sum.unwrap_or_else(|| self.float(0.0))
     }
 }
 

@@ -4,7 +4,7 @@ use super::body::Body;
 use super::types::Sink;
 use super::{Res, Value};
 use ::naga::{BinaryOperator as Op, Expression, Handle, MathFunction, Statement};
-use shaderlint_ir::OpId;
+use shaderlint_ir::{OpId, expand};
 use shaderlint_semantic::{Scalar, Type};
 
 impl Body<'_, '_> {
@@ -72,57 +72,23 @@ impl Body<'_, '_> {
     /// Cofactors over the determinant.
     fn cofactors(&mut self, matrix: Value, size: u8, ty: Type) -> Res<Value> {
         let size = size as usize;
-        let cells: Vec<Vec<Value>> = (0..size)
-            .map(|c| {
-                let column = self.part(matrix, c as u32);
-                (0..size).map(|r| self.part(column, r as u32)).collect()
-            })
-            .collect();
-        let determinant = self.math(MathFunction::Determinant, &[matrix]);
-        let mut done = Vec::new();
+        let mut cells = Vec::new();
         for c in 0..size {
-            let mut column = Vec::new();
-            for r in 0..size {
-                // The inverse takes the cofactors with rows and columns exchanged.
-                let minor = minor(&cells, r, c);
-                let value = self.determinant(&minor)?;
-                let value = if (c + r) % 2 == 1 {
-                    self.negate(value, Type::FLOAT)?
-                } else {
-                    value
-                };
-                column.push(value);
-            }
+            let column = self.part(matrix, c as u32);
+            cells.extend((0..size).map(|r| self.part(column, r as u32)));
+        }
+        let determinant = self.math(MathFunction::Determinant, &[matrix]);
+        let Some(cofactors) = expand::adjugate(self, &cells, size) else {
+            return self.lowerer.refuse("this matrix is empty");
+        };
+        let mut done = Vec::new();
+        for column in cofactors.chunks(size) {
             let column_ty = Type::vector(Scalar::Float, size as u8);
-            let column = self.compose(column_ty, column)?;
+            let column = self.compose(column_ty, column.to_vec())?;
             let by = self.splat(determinant, column_ty);
             done.push(self.op(Op::Divide, column, by));
         }
         self.compose(ty, done)
-    }
-
-    /// The determinant of at most 3 by 3 cells, by the first column.
-    fn determinant(&mut self, cells: &[Vec<Value>]) -> Res<Value> {
-        if let [column] = cells
-            && let [only] = column[..]
-        {
-            return Ok(only);
-        }
-        let first = cells.first().cloned().unwrap_or_default();
-        let mut sum: Option<Value> = None;
-        for (row, cell) in first.into_iter().enumerate() {
-            let rest = self.determinant(&minor(cells, 0, row))?;
-            let term = self.op(Op::Multiply, cell, rest);
-            let op = if row % 2 == 0 { Op::Add } else { Op::Subtract };
-            sum = Some(match sum {
-                Some(before) => self.op(op, before, term),
-                None => term,
-            });
-        }
-        match sum {
-            Some(sum) => Ok(sum),
-            None => self.lowerer.refuse("this matrix is empty"),
-        }
     }
 }
 
@@ -130,17 +96,6 @@ impl Body<'_, '_> {
 fn columns(ty: Type) -> (u32, Type) {
     let (scalar, columns, rows) = ty.numeric().unwrap_or((Scalar::Float, 1, 1));
     (columns as u32, Type::vector(scalar, rows))
-}
-
-/// The cells without a column and a row.
-fn minor(cells: &[Vec<Value>], column: usize, row: usize) -> Vec<Vec<Value>> {
-    let others = cells.iter().enumerate().filter(|(c, _)| *c != column);
-    others
-        .map(|(_, cells)| {
-            let others = cells.iter().enumerate().filter(|(r, _)| *r != row);
-            others.map(|(_, cell)| *cell).collect()
-        })
-        .collect()
 }
 
 /// The function that inverts a matrix of a size.
