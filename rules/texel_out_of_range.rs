@@ -1,7 +1,7 @@
 //! Texels beyond the edge.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_flow::defs::{each_comparison, each_load};
+use shaderlint_flow::defs::condition::{each_comparison, each_load};
 use shaderlint_ir::{OpId, OpKind, Provenance};
 use shaderlint_lint::screen::along;
 use shaderlint_lint::{Check, Context, Group, Rule};

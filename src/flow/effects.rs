@@ -1,8 +1,9 @@
 //! What expressions and functions do besides giving a value.
 
-use super::{Calls, Writes};
-use shaderlint_ir::{Module, OpId, OpKind, PlaceId, Provenance, Root, Step};
-use shaderlint_semantic::{FunctionRef, Program, Structure, VariableId};
+use super::calls::Calls;
+use super::writes::{Writes, is_temporary};
+use shaderlint_ir::{Module, OpId, OpKind, Provenance, Root, Step};
+use shaderlint_semantic::{FunctionRef, Program, Structure};
 use shaderlint_syntax::ast::ExprId;
 
 /// What a call of a function does besides giving a value.
@@ -133,16 +134,4 @@ fn summary(module: &Module, writes: &Writes, id: FunctionRef) -> Summary {
     let mut steps = module.steps_in(module.steps(body));
     found.acts |= steps.any(|step| matches!(step, Step::Discard(_)));
     found
-}
-
-fn is_temporary(module: &Module, place: PlaceId) -> bool {
-    let root = module
-        .variable(module.place(place).variable)
-        .map(|v| v.root);
-    root == Some(Root::Temporary)
-}
-
-/// The variable that a place lies in, unless lowering made it.
-pub(super) fn declared(module: &Module, place: PlaceId) -> Option<VariableId> {
-    (!is_temporary(module, place)).then(|| module.place(place).variable)
 }

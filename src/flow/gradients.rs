@@ -1,6 +1,6 @@
 //! Calls that take derivatives between neighbouring pixels, and the code that parts the pixels.
 
-use super::Calls;
+use super::calls::Calls;
 use super::uniformity::{ControlId, Uniformity, Varying};
 use shaderlint_ir::{LoopId, Module, OpId, OpKind};
 use shaderlint_semantic::{BuiltinId, FunctionRef};

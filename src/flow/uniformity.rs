@@ -8,8 +8,8 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{
-    Loop, LoopId, Module, OpId, OpKind, Outcome, PlaceId, Provenance, Region, Root, Run, Switch,
-    Visit,
+    Loop, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root, Run, Switch, Visit,
+    Visited,
 };
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, VariableId};
@@ -268,7 +268,7 @@ struct Walk<'m> {
     declared_in: FxHashMap<VariableId, ControlId>,
 }
 
-impl Outcome for Leaves {
+impl Visited for Leaves {
     const GO: Leaves = Leaves {
         returns: None,
         breaks: None,

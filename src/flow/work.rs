@@ -1,6 +1,6 @@
 //! How much the functions of a shader do: operations, and turns of loops.
 
-use super::Calls;
+use super::calls::Calls;
 use shaderlint_ir::{Loop, LoopId, Module, OpId, OpKind, Provenance, Region, Step};
 use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::StmtId;

@@ -1,7 +1,6 @@
 //! What becomes of each variable: where it is written to, and whether its value is ever used.
 
-use super::effects::declared;
-use shaderlint_ir::{Module, OpId, OpKind, Provenance, Step};
+use shaderlint_ir::{Module, OpId, OpKind, PlaceId, Provenance, Root, Step};
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{Mentions, Program, VariableId};
 use shaderlint_syntax::ast::ExprId;
@@ -179,4 +178,17 @@ fn last_uses(module: &Module) -> Vec<OpId> {
     let selectors = module.switches.iter().map(|s| s.selector);
     selectors.for_each(|s| set(s, BEHIND));
     last
+}
+
+/// Whether a place lies in a variable that lowering made.
+pub(super) fn is_temporary(module: &Module, place: PlaceId) -> bool {
+    let root = module
+        .variable(module.place(place).variable)
+        .map(|v| v.root);
+    root == Some(Root::Temporary)
+}
+
+/// The variable that a place lies in, unless lowering made it.
+fn declared(module: &Module, place: PlaceId) -> Option<VariableId> {
+    (!is_temporary(module, place)).then(|| module.place(place).variable)
 }

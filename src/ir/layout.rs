@@ -20,12 +20,12 @@ pub struct Layout {
 struct Record {
     lanes: u32,
     scalars: Option<u32>,
-    members: Vec<Part>,
+    members: Vec<PartLayout>,
 }
 
 /// A member, an element, a column or a component of a value.
 #[derive(Clone, Copy, Debug)]
-pub struct Part {
+pub struct PartLayout {
     /// Its type.
     pub ty: Type,
     /// Its first lane.
@@ -45,7 +45,7 @@ impl Layout {
             let mut members = Vec::with_capacity(made.fields.len());
             for field in &made.fields {
                 let ty = field.ty;
-                members.push(Part { ty, lane, scalar });
+                members.push(PartLayout { ty, lane, scalar });
                 lane = lane.saturating_add(layout.lanes(ty));
                 let before = scalar.zip(layout.scalars(ty));
                 scalar = before.and_then(|(before, own)| before.checked_add(own));
@@ -106,11 +106,11 @@ impl Layout {
 
     /// The part with a number. Of one that is not there the place is where it would be in scalars,
     /// and that of the last one in lanes.
-    pub fn part(&self, ty: Type, number: u32) -> Option<Part> {
+    pub fn part(&self, ty: Type, number: u32) -> Option<PartLayout> {
         if ty.is_array() {
             let ty = ty.element();
             let scalar = self.scalars(ty).and_then(|each| each.checked_mul(number));
-            return Some(Part {
+            return Some(PartLayout {
                 ty,
                 lane: 0,
                 scalar,
@@ -123,7 +123,7 @@ impl Layout {
             1 => (Type::scalar(kind), 1, rows),
             _ => (Type::vector(kind, rows), column_lanes(rows), columns),
         };
-        Some(Part {
+        Some(PartLayout {
             ty,
             lane: number.min(count as u32 - 1) * lanes,
             scalar: number.checked_mul(ty.components()),

@@ -1,10 +1,11 @@
 //! The middle form as text, for people: the source's names, one line for each thing that happens,
 //! and what is used once in the line of its use.
 
-use super::{
+use crate::form::{
     Access, Case, CaseLabel, Function, Lanes, Loop, Module, Op, OpId, OpKind, PlaceId, Provenance,
     Region, Root, Run, Step, Switch, Unary,
 };
+
 use rustc_hash::FxHashMap;
 use shaderlint_semantic::{FunctionRef, Program, Type, Value, VariableId};
 use shaderlint_syntax::ast::{List, TokenId};

@@ -7,7 +7,7 @@ use crate::form::{
 use shaderlint_syntax::ast::StmtId;
 
 /// What a visit of something gives.
-pub trait Outcome {
+pub trait Visited {
     /// That of what there is nothing to say of.
     const GO: Self;
 
@@ -15,7 +15,7 @@ pub trait Outcome {
     fn stops(&self) -> bool;
 }
 
-impl Outcome for () {
+impl Visited for () {
     const GO: () = ();
 
     fn stops(&self) -> bool {
@@ -23,7 +23,7 @@ impl Outcome for () {
     }
 }
 
-impl<E> Outcome for Result<(), E> {
+impl<E> Visited for Result<(), E> {
     const GO: Self = Ok(());
 
     fn stops(&self) -> bool {
@@ -34,8 +34,8 @@ impl<E> Outcome for Result<(), E> {
 /// A visitor of regions. Each kind of step has a method, which does nothing but visit what is
 /// inside, in the order of evaluation.
 pub trait Visit<'m>: Sized {
-    /// What a visit gives; one that [stops](Outcome::stops) ends all.
-    type Out: Outcome;
+    /// What a visit gives; one that [stops](Visited::stops) ends all.
+    type Out: Visited;
 
     /// The module that is visited.
     fn module(&self) -> &'m Module;
@@ -58,11 +58,11 @@ pub trait Visit<'m>: Sized {
             } => self.branch(condition, [then, otherwise], origin),
             Step::Loop(id) => match module.looped(id) {
                 Some(looped) => self.looped(id, looped),
-                None => Outcome::GO,
+                None => Visited::GO,
             },
             Step::Switch(id) => match module.switch(id) {
                 Some(switch) => self.switch(switch),
-                None => Outcome::GO,
+                None => Visited::GO,
             },
             Step::Break(stmt) => self.breaks(stmt),
             Step::Continue(stmt) => self.continues(stmt),
@@ -78,7 +78,7 @@ pub trait Visit<'m>: Sized {
 
     /// An operation.
     fn op(&mut self, _: OpId) -> Self::Out {
-        Outcome::GO
+        Visited::GO
     }
 
     /// What runs where a condition is true, and where it is false.
@@ -98,27 +98,27 @@ pub trait Visit<'m>: Sized {
 
     /// `break`
     fn breaks(&mut self, _: StmtId) -> Self::Out {
-        Outcome::GO
+        Visited::GO
     }
 
     /// `continue`
     fn continues(&mut self, _: StmtId) -> Self::Out {
-        Outcome::GO
+        Visited::GO
     }
 
     /// `return`
     fn returns(&mut self, _: Option<OpId>, _: StmtId) -> Self::Out {
-        Outcome::GO
+        Visited::GO
     }
 
     /// `discard`
     fn discards(&mut self, _: StmtId) -> Self::Out {
-        Outcome::GO
+        Visited::GO
     }
 }
 
 /// Visits one after another until one stops.
-fn each<T, O: Outcome>(all: impl IntoIterator<Item = T>, mut visit: impl FnMut(T) -> O) -> O {
+fn each<T, O: Visited>(all: impl IntoIterator<Item = T>, mut visit: impl FnMut(T) -> O) -> O {
     for one in all {
         let out = visit(one);
         if out.stops() {

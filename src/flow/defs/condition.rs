@@ -1,7 +1,7 @@
 //! What a condition speaks of: the comparisons that it is made of, and the values that those are
 //! made of.
 
-use super::{Def, DefId, Defs};
+use super::{Def, DefId, Defs, Hop, Premise, Refinement};
 use crate::same::is_same;
 use shaderlint_ir::{Binary, Module, OpId, OpKind, Unary, length_lane};
 use shaderlint_semantic::BuiltinId;
@@ -11,47 +11,6 @@ use shaderlint_semantic::builtins::Transfer;
 const MAX_PARTS: usize = 24;
 /// Most hops from a comparison to what it tells of.
 const MAX_HOPS: u8 = 16;
-
-/// What a comparison tells of a value: the way from the comparison down to a load of it. Each hop
-/// goes to an operand, and each can be taken back by arithmetic.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Refinement {
-    /// The comparison.
-    pub comparison: OpId,
-    /// Whether it is true.
-    pub truth: bool,
-    /// Whether the value is on its right.
-    pub is_right: bool,
-    /// The component that is compared.
-    pub lane: u8,
-    /// Which operand each hop takes, two bits each, the first lowest.
-    path: u32,
-    hops: u8,
-    /// The call of the function that the comparison stands in, if it is another.
-    call: Option<OpId>,
-}
-
-/// A comparison, or other condition, that holds or does not.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Premise {
-    /// The comparison.
-    pub comparison: OpId,
-    /// Whether it is true.
-    pub truth: bool,
-    /// The call of the function that it stands in, where a condition calls one.
-    pub call: Option<OpId>,
-}
-
-/// A lane of an operation on the way from a comparison to what it tells of.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Hop {
-    /// The operation.
-    pub op: OpId,
-    /// Its lane.
-    pub lane: u32,
-    /// The operand that the way goes on to; `None` at its end.
-    pub choice: Option<u8>,
-}
 
 /// Calls `each` with every comparison, or other condition, that holds or does not where `condition`
 /// does.

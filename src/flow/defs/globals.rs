@@ -2,7 +2,7 @@
 
 use super::Slot;
 use super::walk::Walker;
-use crate::Calls;
+use crate::calls::Calls;
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{OpKind, Root};
 use shaderlint_semantic::VariableId;

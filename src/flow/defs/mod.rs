@@ -7,15 +7,13 @@
 //! is made of gets a refinement (e-SSA; Bodík and others, *ABCD*, 2000). Functions are seen apart:
 //! parameters take what any call passes, globals what anything writes to them.
 
-mod condition;
+pub mod condition;
 mod globals;
 mod place;
 mod state;
 mod walk;
 
-pub use condition::{Hop, Premise, Refinement, each_comparison, each_load};
-
-use super::Calls;
+use super::calls::Calls;
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Layout, LoopId, Module, OpId, OpKind, Root};
 use shaderlint_semantic::lists::Lists;
@@ -29,6 +27,47 @@ pub struct DefId(pub u32);
 /// A scalar lane of a variable.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Slot(pub u32);
+
+/// What a comparison tells of a value: the way from the comparison down to a load of it. Each hop
+/// goes to an operand, and each can be taken back by arithmetic.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Refinement {
+    /// The comparison.
+    pub comparison: OpId,
+    /// Whether it is true.
+    pub truth: bool,
+    /// Whether the value is on its right.
+    pub is_right: bool,
+    /// The component that is compared.
+    pub lane: u8,
+    /// Which operand each hop takes, two bits each, the first lowest.
+    path: u32,
+    hops: u8,
+    /// The call of the function that the comparison stands in, if it is another.
+    call: Option<OpId>,
+}
+
+/// A comparison, or other condition, that holds or does not.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Premise {
+    /// The comparison.
+    pub comparison: OpId,
+    /// Whether it is true.
+    pub truth: bool,
+    /// The call of the function that it stands in, where a condition calls one.
+    pub call: Option<OpId>,
+}
+
+/// A lane of an operation on the way from a comparison to what it tells of.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Hop {
+    /// The operation.
+    pub op: OpId,
+    /// Its lane.
+    pub lane: u32,
+    /// The operand that the way goes on to; `None` at its end.
+    pub choice: Option<u8>,
+}
 
 /// What a lane of a variable holds.
 #[derive(Clone, Copy, PartialEq, Debug)]

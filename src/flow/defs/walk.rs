@@ -3,7 +3,7 @@
 use super::condition::{each_comparison, each_load};
 use super::place::Spot;
 use super::{Def, DefId, Defs, Guard, Refinement, Slot};
-use crate::Calls;
+use crate::calls::Calls;
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{
     self as ir, Binary, Layout, LoopId, Module, OpId, OpKind, PlaceId, Provenance, Region, Root,

@@ -3,7 +3,8 @@
 use super::halving::halves;
 use super::pace::{Pace, Tracer, is_still};
 use super::{Bound, Found, Goes, LoopFacts};
-use crate::defs::{Def, DefId, each_comparison};
+use crate::defs::condition::each_comparison;
+use crate::defs::{Def, DefId};
 use crate::ranges::Query;
 use shaderlint_ir::{Binary, OpId, OpKind, Provenance, Root};
 use shaderlint_semantic::builtins::Transfer;

@@ -1,7 +1,7 @@
 //! How often loops turn.
 
 use super::Loops;
-use crate::Calls;
+use crate::calls::Calls;
 use crate::defs::Defs;
 use crate::ranges::{Query, Ranges};
 use crate::sample::checked;

@@ -4,7 +4,7 @@
 //! two values in order. Orders that run in a circle cannot be, and neither can two answers to one
 //! question.
 
-use super::conditions::{Conditions, Fact};
+use super::conditions::{Answer, Conditions, Fact};
 use crate::defs::Def;
 use crate::ranges::Query;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
@@ -16,13 +16,20 @@ const MAX_VALUES: usize = 20;
 /// Most steps until anything may be.
 const MAX_STEPS: u32 = 1000;
 /// Most conditions that are looked at, the last ones.
-pub(super) const MAX_CONDITIONS: usize = 24;
+const MAX_CONDITIONS: usize = 24;
 
-/// A condition, and whether it is true.
-pub(super) type Answer = (OpId, bool);
+impl Conditions {
+    /// Whether a condition may have an answer here.
+    pub fn may_be(&self, query: Query, condition: OpId, truth: bool) -> bool {
+        let first = self.held.len().saturating_sub(MAX_CONDITIONS);
+        let held = self.held.get(first..).unwrap_or(&[]).iter().copied();
+        let all: Vec<Answer> = held.chain([(condition, truth)]).collect();
+        may_all_be(query, self, &all)
+    }
+}
 
 /// Whether all of these may be so.
-pub(super) fn may_all_be(query: Query, conditions: &Conditions, answers: &[Answer]) -> bool {
+fn may_all_be(query: Query, conditions: &Conditions, answers: &[Answer]) -> bool {
     let answers = answers.iter().rev();
     let mut open = vec![Case {
         goals: answers.map(|(op, truth)| Goal::Is(*op, *truth)).collect(),

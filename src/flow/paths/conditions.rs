@@ -1,8 +1,6 @@
 //! Conditions that are asked more than once, and what follows from the answers.
 
-use super::cases::{Answer, MAX_CONDITIONS, may_all_be};
 use super::state::Parts;
-use crate::ranges::Query;
 use rustc_hash::{FxHashMap, FxHasher};
 use shaderlint_ir::{Access, Binary, Module, OpId, OpKind, Root, Unary};
 use shaderlint_semantic::{Scalar, Value, VariableId};
@@ -36,12 +34,15 @@ struct Consequence {
     mask: Parts,
 }
 
+/// A condition, and whether it is true.
+pub(super) type Answer = (OpId, bool);
+
 /// What is known of conditions on the way to a point.
 #[derive(Default)]
 pub(super) struct Conditions {
     facts: Vec<Fact>,
     /// The conditions behind the facts, and their answers.
-    held: Vec<Answer>,
+    pub(super) held: Vec<Answer>,
     consequences: Vec<Consequence>,
     /// By load: how often its variable had been written to.
     versions: FxHashMap<OpId, u32>,
@@ -201,14 +202,6 @@ impl Conditions {
         let facts = self.facts_of(module, condition, truth);
         self.facts.extend(facts);
         self.held.push((condition, truth));
-    }
-
-    /// Whether a condition may have an answer here.
-    pub fn may_be(&self, query: Query, condition: OpId, truth: bool) -> bool {
-        let first = self.held.len().saturating_sub(MAX_CONDITIONS);
-        let held = self.held.get(first..).unwrap_or(&[]).iter().copied();
-        let all: Vec<Answer> = held.chain([(condition, truth)]).collect();
-        may_all_be(query, self, &all)
     }
 
     /// Where a fact holds, components of a variable have a value. Gives those that have one whatever

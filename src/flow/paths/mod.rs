@@ -12,41 +12,13 @@ mod state;
 mod tests;
 mod walk;
 
-use super::Calls;
+use super::calls::Calls;
 use super::ranges::Query;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::{Module, OpId, OpKind, Root};
 use shaderlint_semantic::{FunctionRef, Mentions, Program, Stage, VariableId};
-use shaderlint_syntax::ast::Extent;
-pub use state::Parts;
+pub use state::{Findings, Parts, Unset};
 use walk::Walk;
-
-/// A variable without a value.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Unset {
-    /// The variable.
-    pub variable: VariableId,
-    /// Where its value is missed.
-    pub at: Extent,
-    /// The components or members that are missing, a bit each.
-    pub missing: Parts,
-    /// Whether nothing has written to them before; of an output: whether nothing ever does.
-    pub always: bool,
-    /// Whether a condition stands between the declaration and here, which may well tell whether
-    /// there is a value.
-    pub guarded: bool,
-}
-
-/// What was found in a function.
-#[derive(Clone, Default, PartialEq, Eq, Debug)]
-pub struct Findings {
-    /// Variables that are read before they are written to.
-    pub reads: Vec<Unset>,
-    /// Parameters and outputs that the function leaves without a value.
-    pub outputs: Vec<Unset>,
-    /// Whether its end may be reached.
-    pub reaches_end: bool,
-}
 
 /// What was found, by function.
 #[derive(Default, Debug)]

@@ -2,6 +2,34 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_semantic::VariableId;
+use shaderlint_syntax::ast::Extent;
+
+/// A variable without a value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Unset {
+    /// The variable.
+    pub variable: VariableId,
+    /// Where its value is missed.
+    pub at: Extent,
+    /// The components or members that are missing, a bit each.
+    pub missing: Parts,
+    /// Whether nothing has written to them before; of an output: whether nothing ever does.
+    pub always: bool,
+    /// Whether a condition stands between the declaration and here, which may well tell whether
+    /// there is a value.
+    pub guarded: bool,
+}
+
+/// What was found in a function.
+#[derive(Clone, Default, PartialEq, Eq, Debug)]
+pub struct Findings {
+    /// Variables that are read before they are written to.
+    pub reads: Vec<Unset>,
+    /// Parameters and outputs that the function leaves without a value.
+    pub outputs: Vec<Unset>,
+    /// Whether its end may be reached.
+    pub reaches_end: bool,
+}
 
 /// Parts of a variable, a bit each: the components of a vector, the members of a struct; one bit for
 /// what has none, and the last for all members behind it.

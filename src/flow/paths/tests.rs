@@ -1,7 +1,7 @@
 //! What is without a value, as short sentences.
 
 use super::{Paths, Unset};
-use crate::Calls;
+use crate::calls::Calls;
 use crate::defs::Defs;
 use crate::ranges::{Query, Ranges};
 use shaderlint_ir::lower;

@@ -1,8 +1,7 @@
 //! The walk through the regions of a function.
 
 use super::conditions::Conditions;
-use super::state::{ALL, Parts, Path, State};
-use super::{Findings, Unset};
+use super::state::{ALL, Findings, Parts, Path, State, Unset};
 use crate::ranges::Query;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::{

@@ -5,7 +5,8 @@ use super::builtin::of_host;
 use super::interval::Interval;
 use super::node::{Node, Subject};
 use super::{Query, fitting, number};
-use crate::defs::{Def, DefId, Refinement, Slot, each_comparison, each_load};
+use crate::defs::condition::{each_comparison, each_load};
+use crate::defs::{Def, DefId, Refinement, Slot};
 use shaderlint_ir::{Binary, LoopId, OpKind, Root};
 use shaderlint_semantic::{Scalar, Type};
 

@@ -24,7 +24,8 @@ mod tests;
 pub use interval::{End, Interval, Rounding, Tightness};
 pub use reason::{Giver, Reason, Side};
 
-use super::defs::{DefId, Defs, Guard, each_comparison};
+use super::defs::condition::each_comparison;
+use super::defs::{DefId, Defs, Guard};
 use super::same::is_same;
 use back::Wanted;
 use node::Node;

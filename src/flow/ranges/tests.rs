@@ -1,7 +1,7 @@
 //! Ranges of expressions, as messages say them.
 
 use super::{Interval, Query, Ranges, Rounding};
-use crate::Calls;
+use crate::calls::Calls;
 use crate::defs::Defs;
 use crate::sample::checked;
 use shaderlint_ir::lower;

@@ -4,10 +4,11 @@
 mod op;
 mod place;
 
-use super::{
-    Case, CaseLabel, Function, Layout, Loop, Module, OpId, PlaceId, Provenance, Region, Root, Run,
-    Step, Switch,
+use crate::form::{
+    Case, CaseLabel, Function, Loop, Module, OpId, PlaceId, Provenance, Region, Root, Run, Step,
+    Switch,
 };
+use crate::layout::Layout;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
 use std::fmt;

@@ -1,7 +1,7 @@
 //! Operations: what they may work on and what they give.
 
 use super::{Verifier, place};
-use crate::{Binary, Module, OpId, OpKind, PlaceId, Root, Unary};
+use crate::form::{Binary, Module, OpId, OpKind, PlaceId, Root, Unary};
 use shaderlint_semantic::builtins::{BuiltinId, Overload};
 use shaderlint_semantic::{Direction, FunctionRef, Scalar, Type};
 use shaderlint_syntax::ast::List;

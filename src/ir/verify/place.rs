@@ -1,6 +1,6 @@
 //! Places: ways into variables, and the types of what stands at their ends.
 
-use crate::{Access, Lanes, Module, PlaceId};
+use crate::form::{Access, Lanes, Module, PlaceId};
 use shaderlint_semantic::{Program, Scalar, Type};
 
 /// Whether the way into a place fits the variable, and its type what stands at its end.
