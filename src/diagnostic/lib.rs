@@ -124,6 +124,8 @@ pub enum Subject {
     OuterStatement,
     /// The head of a function without its type.
     UntypedFunction,
+    /// Blanks or comments before `#version`.
+    BlankFront,
 }
 
 impl Subject {

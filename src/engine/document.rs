@@ -5,12 +5,12 @@ use super::export::Written;
 use super::host::Hosts;
 use super::input::SplitInput;
 use super::options::Desktop;
-use super::part::{Part, Shader, ask_first, check_part};
+use super::part::{Found, Part, Shader, ask_first, check_part};
 use super::shader::shader_part;
 use super::world::{Keep, World};
 use super::{embedded, foreign, partner};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
-use shaderlint_lint::{Allows, Judged};
+use shaderlint_lint::Judged;
 use shaderlint_port::{Project, ProjectError, compose};
 use shaderlint_rules::RULES;
 use shaderlint_text::embed::{DocumentLanguage, Embedded, extract_named};
@@ -115,14 +115,16 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
         _ => world.keep,
     };
     let told = check_parts(&mut input, name, world, keep);
-    let (mut diagnostics, shaders) = (told.diagnostics, told.shaders);
+    let (mut diagnostics, shaders) = (told.found.diagnostics, told.shaders);
+    diagnostics.extend(told.found.unresolved.report());
     partner::check(
         &input,
         partner.as_ref(),
         &options.settings,
         &mut diagnostics,
     );
-    told.allows
+    told.found
+        .allows
         .report(RULES, &options.settings, &mut diagnostics);
     diagnostics.append(&mut input.problems);
     if let (Encoding::Damaged(at), true) = (encoding, kind != FileKind::Export) {
@@ -164,9 +166,8 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
 /// What is said of the shaders of a file.
 #[derive(Default)]
 struct Told {
-    diagnostics: Vec<Diagnostic>,
+    found: Found,
     shaders: Vec<Shader>,
-    allows: Allows,
     judged: Option<Judged>,
 }
 
@@ -184,8 +185,7 @@ fn check_parts(input: &mut SplitInput, name: &str, world: World, keep: Keep) -> 
             &hosts,
             world.options,
             keep,
-            &mut told.allows,
-            &mut told.diagnostics,
+            &mut told.found,
         );
         let Some((shader, seen)) = checked else {
             continue;
@@ -222,7 +222,7 @@ fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Spli
     match decision.kind {
         FileKind::Holds(language) => {
             input.embedded = extract_named(name, language, text);
-            embedded::parts(&mut input, language, file, text, options)
+            embedded::parts(&mut input, name, language, file, text, world)
         }
         FileKind::Foreign(tongue) if !foreign::is_ported(tongue, options) => {
             foreign::whole(&mut input, file, text, tongue, &decision)

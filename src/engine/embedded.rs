@@ -1,16 +1,18 @@
 //! Shaders inside pages, scripts and texts.
 
 use super::foreign;
+use super::front::front;
 use super::input::SplitInput;
 use super::options::Options;
 use super::part::Part;
 use super::reading::{InputText, Readings, Surroundings};
+use super::world::World;
 use shaderlint_diagnostic::{Applicability, Diagnostic, error};
 use shaderlint_host::preset;
 use shaderlint_semantic::snippet::{SnippetItem, items};
 use shaderlint_semantic::{GuessedKind, Stage, guess, needs_300};
 use shaderlint_syntax::{Version, WordClass, classify};
-use shaderlint_text::embed::{DocumentLanguage, Embedded, Embedder, Wrapping};
+use shaderlint_text::embed::{DocumentLanguage, Embedded, Embedder, Front, Wrapping};
 use shaderlint_text::kind::own_directive;
 use shaderlint_text::{FileId, Role};
 use std::collections::BTreeMap;
@@ -22,19 +24,33 @@ const MAX_SCOPES: usize = 100;
 /// Makes the shaders of a file. `None` where they are too large.
 pub(super) fn parts(
     input: &mut SplitInput,
+    name: &str,
     language: DocumentLanguage,
     file: FileId,
     text: &str,
-    options: &Options,
+    world: World,
 ) -> Option<()> {
+    let options = world.options;
+    let mut all = std::mem::take(&mut input.embedded);
     // A text speaks of many programs.
     let embedder = match language {
         DocumentLanguage::Markdown => Embedder::default(),
         DocumentLanguage::Html | DocumentLanguage::Script | DocumentLanguage::Component => {
-            Embedder::of(text)
+            let own = Embedder::of(text);
+            // What stands before a shader only matters where that is a blank.
+            let starts_blank = |e: &Embedded| e.code.starts_with(char::is_whitespace);
+            match all.iter().any(starts_blank) {
+                true => Embedder {
+                    front: front(name, text, own, world),
+                    ..own
+                },
+                false => own,
+            }
         }
     };
-    let all = std::mem::take(&mut input.embedded);
+    if embedder.front == Front::Trimmed {
+        all.iter_mut().for_each(Embedded::trim_start);
+    }
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
     let mut known = Known::default();
     for embedded in &all {

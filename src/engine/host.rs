@@ -103,6 +103,20 @@ impl<'a> Hosts<'a> {
         (some(&mut imported.chain(others).copied()), false)
     }
 
+    /// The page or script that holds the texts.
+    pub fn script(&self) -> Option<&str> {
+        self.script.as_deref()
+    }
+
+    /// Whether another file of the repository has a word.
+    pub fn is_beside(&self, word: &str) -> bool {
+        let files = self.world.files;
+        let file = plain(&files.here().join(self.name));
+        let (is_beside, is_all) = self.world.options.memo.is_beside(word, &file, files);
+        // What was not read may declare it.
+        is_beside || !is_all
+    }
+
     fn imported(&self) -> &[&'static Preset] {
         self.imported.get_or_init(|| {
             let script = self.script.as_deref().unwrap_or("");
@@ -131,7 +145,7 @@ fn package_of(path: &str) -> &str {
 }
 
 /// What a script imports or requires.
-fn imports(script: &str) -> Vec<&str> {
+pub fn imports(script: &str) -> Vec<&str> {
     let mut found = Vec::new();
     for word in ["from", "import", "require"] {
         for (at, _) in script.match_indices(word) {

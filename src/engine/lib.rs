@@ -13,6 +13,7 @@ mod export;
 mod files;
 mod foreign;
 mod format;
+mod front;
 mod host;
 mod include;
 mod input;
@@ -27,7 +28,9 @@ pub mod play;
 mod prelude;
 mod reading;
 mod repair;
+mod repository;
 mod shader;
+mod unknown;
 mod verify;
 mod world;
 

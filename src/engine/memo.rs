@@ -3,9 +3,10 @@
 use super::files::Files;
 use super::include::passes::Passes;
 use super::include::scan::IncludedFile;
+use super::repository::{RepositoryWords, top};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
 
 /// What earlier checks have read of files. Options that are cloned share it.
 #[derive(Default, Debug)]
@@ -16,6 +17,10 @@ pub struct Memo {
     passes: Mutex<HashMap<PathBuf, (u64, Arc<Passes>)>>,
     /// By folder, the packages of its project.
     packages: Mutex<HashMap<PathBuf, Arc<BTreeSet<String>>>>,
+    /// By folder: the top of its repository.
+    tops: Mutex<HashMap<PathBuf, Arc<PathBuf>>>,
+    /// By the top of a repository: the words of its code.
+    words: Mutex<HashMap<PathBuf, Arc<OnceLock<RepositoryWords>>>>,
 }
 
 impl Memo {
@@ -41,6 +46,16 @@ impl Memo {
         find: impl FnOnce() -> BTreeSet<String>,
     ) -> Arc<BTreeSet<String>> {
         kept(&self.packages, folder, find)
+    }
+
+    /// Whether a word appears in another file of the repository of this one, and whether all of its
+    /// files were read for that.
+    pub(super) fn is_beside(&self, word: &str, file: &Path, files: &dyn Files) -> (bool, bool) {
+        let folder = file.parent().unwrap_or(Path::new(""));
+        let top = kept(&self.tops, folder, || top(file, files));
+        let words = kept(&self.words, &top, OnceLock::new);
+        let words = words.get_or_init(|| RepositoryWords::under(&top, files));
+        (words.is_beside(word, file), words.is_all)
     }
 }
 

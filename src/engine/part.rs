@@ -5,9 +5,10 @@ use super::host::Hosts;
 use super::include::MissingInclude;
 use super::options::{DialectChoice, Options};
 use super::play::Supply;
+use super::unknown::{self, Unresolved};
 use super::reading::{Reading, Readings, Standing, lacking};
 use super::world::Keep;
-use shaderlint_diagnostic::{Applicability, Diagnostic, Severity, error};
+use shaderlint_diagnostic::{Applicability, Diagnostic, Severity, Subject, error};
 use shaderlint_lint::{
     Allows, Around, Facts, Judged, Known, Settings, Unrun, keep_comments, lint_within,
 };
@@ -15,7 +16,7 @@ use shaderlint_port::PassUnit;
 use shaderlint_rules::RULES;
 use shaderlint_semantic::{Checked, Dialect, Stage, Wholeness};
 use shaderlint_syntax::{Version, WordClass, classify};
-use shaderlint_text::embed::Embedder;
+use shaderlint_text::embed::{Embedder, Front};
 use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -66,6 +67,17 @@ impl Part {
     }
 }
 
+/// What was found in the shaders of a file.
+#[derive(Default)]
+pub struct Found {
+    /// What is wrong with them.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The comments that allow a finding.
+    pub allows: Allows,
+    /// The names that their hosts have to declare.
+    pub unresolved: Unresolved,
+}
+
 /// Finds what is to be said of a shader, and says what was looked at; of one with errors also what
 /// was judged at all.
 pub fn check_part(
@@ -74,18 +86,18 @@ pub fn check_part(
     hosts: &Hosts,
     options: &Options,
     keep: Keep,
-    allows: &mut Allows,
-    diagnostics: &mut Vec<Diagnostic>,
+    found: &mut Found,
 ) -> Option<(Shader, Option<Judged>)> {
     let mut checked = understand(sources, part, hosts, options)?;
     let known = Arc::default();
+    unknown::judge(sources, part, &mut checked, hosts, &mut found.unresolved);
     let told = tell_part(
         sources,
         part,
         (&mut checked, &known),
         &options.settings,
-        allows,
-        diagnostics,
+        &mut found.allows,
+        &mut found.diagnostics,
     )?;
     if keep == Keep::Programs {
         part.analysis = Some(Analysis::new(checked, told.0.has_errors, known));
@@ -129,6 +141,14 @@ fn tell_part(
 ) -> Option<(Shader, Option<Judged>)> {
     let wholeness = checked.wholeness;
     let known = diagnostics.len();
+    if part.readings.is_handed_over() && part.embedder.front == Front::Unknown {
+        let misplaced = checked.diagnostics.iter_mut();
+        for d in misplaced.filter(|d| d.subject == Subject::BlankFront) {
+            d.severity = Severity::Warning;
+            d.notes
+                .push("unless the text is trimmed before it is compiled".to_string());
+        }
+    }
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
     let errors = checked.diagnostics.iter().filter(is_error).count();
     allows.expect(&checked.program, RULES, &mut checked.diagnostics);

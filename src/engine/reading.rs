@@ -90,6 +90,8 @@ pub struct Readings {
     pub renames: bool,
     /// Whether the hosts are only those that the script or the project uses.
     pub is_guessed: bool,
+    /// Whether the hosts declare nothing else.
+    pub are_hosts_complete: bool,
     text: InputText,
     told: Guess,
     needs_300: bool,
@@ -112,6 +114,7 @@ impl Readings {
             hosts: Vec::new(),
             renames: false,
             is_guessed: false,
+            are_hosts_complete: false,
             told: Guess::default(),
             needs_300: false,
         }
@@ -143,6 +146,7 @@ impl Readings {
             hosts: Vec::new(),
             renames: false,
             is_guessed: false,
+            are_hosts_complete: false,
             text,
             told,
             needs_300,
@@ -187,6 +191,30 @@ impl Readings {
         self.needs_300 || self.told.is_300
     }
 
+    /// Whether a page or script hands the text over, which may change it before.
+    pub fn is_handed_over(&self) -> bool {
+        let around = self.text.surroundings;
+        matches!(around, Surroundings::Element | Surroundings::Literal)
+    }
+
+    /// Whether the text has an entry of its own.
+    pub fn holds_entry(&self) -> bool {
+        self.told.has_main
+    }
+
+    /// Whether somebody shows the text, and nobody compiles it.
+    pub fn is_shown(&self) -> bool {
+        self.text.surroundings == Surroundings::Shown
+    }
+
+    /// Whether something is put into the text, or beside it, that is not at hand.
+    pub fn has_gaps(&self) -> bool {
+        self.text.is_open
+            || self.text.has_holes
+            || self.told.is_completed
+            || self.standing == Standing::Excerpt
+    }
+
     /// Whether ShaderToy's player runs the text.
     pub fn is_shadertoy(&self) -> bool {
         self.all.first().is_some_and(|r| r.dialect.is_shadertoy())
@@ -209,6 +237,9 @@ impl Readings {
         if self.standing != Standing::Excerpt {
             self.standing = Standing::Part;
         }
+        self.are_hosts_complete = presets.iter().all(|p| p.is_complete);
+        let code = code_of(sources, &self.text.files);
+        self.text.is_open |= presets.iter().any(|p| p.fills(&code));
         for preset in presets {
             self.hosts.push(preset.title.clone());
             self.renames |= preset.renames;
@@ -385,7 +416,7 @@ pub fn lacking(checked: &Checked) -> Option<BTreeSet<String>> {
 }
 
 /// All that users wrote of some files.
-fn code_of(sources: &Sources, files: &[FileId]) -> String {
+pub fn code_of(sources: &Sources, files: &[FileId]) -> String {
     let codes = files.iter().filter_map(|id| sources.code(*id));
     let own = codes.filter(|c| c.role == Role::User);
     own.map(|c| c.text).collect::<Vec<_>>().join("\n")

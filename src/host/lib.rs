@@ -204,6 +204,20 @@ impl Preset {
         format!("#define {stage} 1\n{}\n#undef {stage}\n", self.prelude)
     }
 
+    /// Whether a text has places that the host puts something in: a hole around a word.
+    pub fn fills(&self, text: &str) -> bool {
+        let is_word = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | ':' | '.' | ' ');
+        let mut holes = self.holes.iter().filter_map(|h| h.split_once("..."));
+        holes.any(|(start, end)| {
+            text.match_indices(start).any(|(at, _)| {
+                let inside = text.get(at + start.len()..).unwrap_or("");
+                let length = inside.find(|c| !is_word(c)).unwrap_or(inside.len());
+                let (word, behind) = inside.split_at(length);
+                !word.trim().is_empty() && (behind.starts_with(end) || word.ends_with(end))
+            })
+        })
+    }
+
     /// Whether a package of this name says that the host is there.
     pub fn is_package(&self, package: &str) -> bool {
         self.packages.iter().any(|own| match own.strip_suffix('/') {

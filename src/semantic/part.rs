@@ -6,8 +6,7 @@
 //! hang on a name of the host may be there or not.
 
 use super::program::{Function, Program};
-use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_diagnostic::{Certainty, Diagnostic, Lack, MacroUse, Severity, Subject, error};
+        if d.lacks() == Some(Lack::Name) {
 use shaderlint_syntax::{
     DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify,
     set,
@@ -38,8 +37,11 @@ const MAX_LOOK: usize = 400;
 pub struct Open {
     /// The names that it does not declare itself, and its host has to.
     pub names: BTreeSet<String>,
-    /// Whether anything in it hangs on what completes it.
+    /// Whether anything in it depends on what completes it.
     pub is_any: bool,
+    /// What there is to report about those names, in the order of the text: one for each, at its
+    /// first use. Whoever knows what completes the part decides how severe it is.
+    pub unknown: Vec<Diagnostic>,
 }
 
 /// Keeps what is wrong whatever the host of a part is, and says what is left open.
@@ -49,20 +51,18 @@ pub(super) fn keep_certain(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Open {
     let mut names = BTreeSet::new();
+    let mut unknown = Vec::new();
     let count = diagnostics.len();
     let part = Part::of(program, wholeness);
-    let slips = part.slips(diagnostics);
     let is_torn = wholeness == Wholeness::Excerpt
         || diagnostics
             .iter()
             .any(|d| d.certainty() == Certainty::Syntax && part.is_excused(d));
     diagnostics.retain_mut(|d| {
-        if d.lacks() == Some(Lack::Name) {
-            if slips.contains(&d.span) {
-                d.severity = Severity::Warning;
-                return true;
-            }
             names.insert(program.sources.text(d.span).to_string());
+            if part.is_user(d.span) {
+                unknown.push(d.clone());
+            }
         }
         if !is_torn && part.is_likely(d) {
             d.severity = Severity::Warning;
@@ -73,7 +73,12 @@ pub(super) fn keep_certain(
         part.is_certain(d, is_torn)
     });
     let is_any = diagnostics.len() < count || part.undecided.iter().any(|g| part.is_user(*g));
-    Open { names, is_any }
+    unknown.sort_by_key(|d| d.span.start);
+    Open {
+        names,
+        is_any,
+        unknown,
+    }
 }
 
 /// What is known of a part.
@@ -275,11 +280,6 @@ impl<'p> Part<'p> {
     fn token(&self, index: usize) -> Option<Token> {
         let (_, id) = self.places.get(index)?;
         self.program.token(*id).copied()
-    }
-
-    fn is_of_prelude(&self, token: Option<u32>) -> bool {
-        let span = token.and_then(|t| self.program.token(t)).map(|t| t.span);
-        span.is_some_and(|span| !self.is_user(span))
     }
 
     fn is_user(&self, span: Span) -> bool {
@@ -508,6 +508,7 @@ impl<'p> Part<'p> {
         .any(|kind| d.is(*kind));
         may_be_call && statement.any(of_host)
     }
+<<<<<<< HEAD
 
     /// Names that nothing declares and that are slips of ones that the part declares: one letter is
     /// another, and the name stands nowhere else.
@@ -563,6 +564,8 @@ fn is_slip(word: &str, near: &str) -> bool {
         && !is_ending
         && !is_beginning
         && strsim::damerau_levenshtein(word, near) == 1
+=======
+>>>>>>> 86b11ad (A name that a host may declare is judged by what may complete the text, and by the words of the repository)
 }
 
 /// The names that a part declares itself, and those of the language that it uses.

@@ -77,23 +77,31 @@ pub fn analyze_part(readings: &[Unit]) -> Option<Checked> {
     let mut analysis = analyze(first);
     let mut read = 0;
     for other in others {
-        if !analysis.has_errors() {
+        if !analysis.has_errors() && analysis.open.unknown.is_empty() {
             break;
         }
         read += analysis.program.size();
         if read > MAX_READ {
             // What the others would say is not known.
             analysis.open.is_any = true;
+            analysis.open.unknown.clear();
             analysis
                 .diagnostics
                 .retain(|d| d.severity != Severity::Error);
             break;
         }
-        let found = analyze(other).diagnostics;
+        let Checked {
+            diagnostics: found,
+            open,
+            ..
+        } = analyze(other);
         let is_told = |d: &Diagnostic| found.iter().any(|o| o.span.touches(d.span));
         analysis
             .diagnostics
             .retain(|d| d.severity != Severity::Error || is_told(d));
+        // A name that is unknown in one stage or version only is one of the other.
+        let is_unknown = |d: &Diagnostic| open.unknown.iter().any(|o| o.span == d.span);
+        analysis.open.unknown.retain(is_unknown);
     }
     Some(analysis)
 }

@@ -13,6 +13,7 @@
 // source: vtk.js 37.3.1, Sources/Rendering/OpenGL/ShaderCache/index.js, Sources/Rendering/OpenGL/glsl
 // package: vtk.js @kitware/vtk.js
 // word: vertexVCVSOutput normalVCVSOutput tcoordVCVSOutput vertexColorVSOutput fragOutput0 MCPCMatrix MCVCMatrix
+// hole: //VTK::...::Dec //VTK::...::Impl
 // version: 300 es
 // names: some
 // entry: main

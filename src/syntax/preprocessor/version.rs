@@ -5,7 +5,7 @@ use super::macros::Piece;
 use super::{Preprocessor, error_at};
 use crate::names::Version;
 use crate::token::TokenKind;
-use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity, Subject, error};
 use shaderlint_text::{Edit, Span};
 
 impl Preprocessor<'_> {
@@ -128,7 +128,10 @@ impl Preprocessor<'_> {
             )
             .note("no line may come before `#version 300 es`, not even an empty one")
             .fix(self.move_version(span));
-            self.report(d);
+            self.report(match before.trim().is_empty() {
+                true => d.about(Subject::BlankFront),
+                false => d,
+            });
         }
     }
 

@@ -1,6 +1,6 @@
 //! Shaders in the elements of a page.
 
-use super::{DocumentLanguage, Embedded, Wrapping, extract_into, holes::mask, listing};
+use super::{DocumentLanguage, Embedded, Front, Wrapping, extract_into, holes::mask, listing};
 use crate::kind::Scanned;
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
 /// Finds those in script elements.
 pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let lower = text.to_ascii_lowercase();
-    let trims = text.contains(".trim()");
+    let trims = Front::of(text) == Front::Trimmed;
     let mut at = 0;
     while let Some(element) = next_script(&lower, at) {
         at = element.end;

@@ -154,7 +154,7 @@ impl Embedded {
     }
 
     /// Leaves out the blanks in front, as the program does before it hands the shader over.
-    fn trim_start(&mut self) {
+    pub fn trim_start(&mut self) {
         let blanks = self.code.len() - self.code.trim_start().len();
         self.code.drain(..blanks);
         self.start += blanks;
@@ -166,7 +166,48 @@ impl Embedded {
 pub struct Embedder {
     /// It asks for WebGL1, and nowhere for WebGL2.
     pub is_webgl1: bool,
+    /// It hands shaders over to the browser itself, without a library.
+    pub hands_over: bool,
+    /// What it does with the blanks before a shader.
+    pub front: Front,
 }
+
+/// What becomes of the blanks before a shader until the browser reads it.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Front {
+    /// Something else hands the shader over.
+    #[default]
+    Unknown,
+    /// They are taken away.
+    Trimmed,
+    /// They stay.
+    Kept,
+}
+
+impl Front {
+    /// Reads what a page or script does.
+    fn of(text: &str) -> Front {
+        const TRIMS: [&str; 7] = [
+            ".trim()",
+            ".trimStart()",
+            ".trimLeft()",
+            ".replace(/^\\s",
+            ".replace(/^[\\s",
+            ".replace(/^\\n",
+            ".replace(/^[\\n",
+        ];
+        if TRIMS.iter().any(|t| text.contains(t)) {
+            Front::Trimmed
+        } else if text.contains(HANDS_OVER) {
+            Front::Kept
+        } else {
+            Front::Unknown
+        }
+    }
+}
+
+/// The call that hands a shader over to the browser.
+const HANDS_OVER: &str = ".shaderSource(";
 
 impl Embedder {
     /// Reads what a page or script says.
@@ -180,6 +221,8 @@ impl Embedder {
         };
         Embedder {
             is_webgl1: !text.contains("webgl2") && asks_for_webgl1(),
+            hands_over: text.contains(HANDS_OVER),
+            front: Front::of(text),
         }
     }
 }

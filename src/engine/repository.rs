@@ -1,0 +1,175 @@
+//! The words of a repository: whether any of its other files names a thing.
+
+use super::files::{FileType, Files};
+use super::path::plain;
+use rustc_hash::{FxHashMap, FxHasher};
+use shaderlint_text::kind::ending;
+use std::collections::VecDeque;
+use std::hash::Hasher;
+use std::path::{Path, PathBuf};
+
+/// Most files that are read.
+const MAX_FILES: usize = 20_000;
+/// Most bytes that are read.
+const MAX_BYTES: usize = 64 * 1024 * 1024;
+/// Most names of files and folders that are looked at.
+const MAX_NAMES: usize = 100_000;
+/// Most folders above a file that may be the top of its repository.
+const MAX_ABOVE: usize = 32;
+
+/// Extensions of files that may declare a name of a shader: GLSL, and the languages of programs that
+/// complete it.
+const CODE: &[&str] = &[
+    "glsl", "vert", "frag", "vs", "fs", "vsh", "fsh", "fx", "inc", "geom", "comp", "tesc", "tese",
+    "js", "mjs", "cjs", "jsx", "ts", "mts", "cts", "tsx", "vue", "svelte", "astro", "html", "htm",
+    "json", "c", "cc", "cpp", "cxx", "h", "hh", "hpp", "m", "mm", "rs", "cs", "java", "kt", "swift",
+    "go", "dart", "py", "rb", "php", "lua", "hx", "pde", "gd", "zig",
+];
+
+/// In which file a word appears.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Appears {
+    In(u32),
+    InSeveral,
+}
+
+/// The words of the code of a repository.
+#[derive(Default)]
+pub struct RepositoryWords {
+    /// By the hash of the word.
+    words: FxHashMap<u64, Appears>,
+    files: FxHashMap<PathBuf, u32>,
+    /// Whether all of the code was read.
+    pub is_all: bool,
+}
+
+impl RepositoryWords {
+    /// Reads the code under a folder, but for packages of others and what was built.
+    pub fn under(root: &Path, files: &dyn Files) -> RepositoryWords {
+        let mut found = RepositoryWords {
+            is_all: true,
+            ..RepositoryWords::default()
+        };
+        let mut folders = VecDeque::from([root.to_path_buf()]);
+        let (mut names, mut bytes) = (0, 0);
+        while let Some(folder) = folders.pop_front() {
+            let mut inside = files.names(&folder);
+            inside.sort_unstable();
+            let has_source = inside.iter().any(|n| n == "src");
+            for name in &inside {
+                names += 1;
+                if names > MAX_NAMES || bytes > MAX_BYTES || found.files.len() > MAX_FILES {
+                    found.is_all = false;
+                    return found;
+                }
+                let is_code = CODE.contains(&ending(name).as_str());
+                let path = folder.join(name);
+                if is_code && !name.contains(".min.") {
+                    bytes += found.read(path, files);
+                } else if !is_code
+                    && !is_passed_over(name, has_source)
+                    && files.entry(&path) == Some(FileType::Folder)
+                {
+                    folders.push_back(path);
+                }
+            }
+        }
+        found
+    }
+
+    /// Reads a file, and tells how long it is.
+    fn read(&mut self, path: PathBuf, files: &dyn Files) -> usize {
+        let Ok(text) = files.load(&path) else {
+            return 0;
+        };
+        let number = self.files.len() as u32;
+        for word in words(&text) {
+            let appears = self.words.entry(hash(word));
+            appears
+                .and_modify(|a| {
+                    if *a != Appears::In(number) {
+                        *a = Appears::InSeveral;
+                    }
+                })
+                .or_insert(Appears::In(number));
+        }
+        self.files.insert(path, number);
+        text.len()
+    }
+
+    /// Whether a word appears in another file than this one.
+    pub fn is_beside(&self, word: &str, file: &Path) -> bool {
+        match self.words.get(&hash(word)) {
+            None => false,
+            Some(Appears::InSeveral) => true,
+            Some(Appears::In(number)) => self.files.get(file) != Some(number),
+        }
+    }
+}
+
+impl std::fmt::Debug for RepositoryWords {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} words", self.words.len())
+    }
+}
+
+/// The top of the repository that a file belongs to: where its version control is, else its package,
+/// else the folder that everything is asked from, where the file is in it.
+pub fn top(file: &Path, files: &dyn Files) -> PathBuf {
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let above = || folder.ancestors().take(MAX_ABOVE);
+    let holding = |name: &str| above().find(|f| files.entry(&f.join(name)).is_some());
+    let here = plain(files.here());
+    let top = holding(".git").or_else(|| holding("package.json"));
+    match top {
+        Some(top) => top.to_path_buf(),
+        None if folder.starts_with(&here) => here,
+        None => folder.to_path_buf(),
+    }
+}
+
+/// Whether a folder holds what others wrote, or what was built of the source beside it.
+fn is_passed_over(name: &str, has_source: bool) -> bool {
+    name.starts_with('.')
+        || matches!(name, "node_modules" | "target" | "__pycache__")
+        || has_source && matches!(name, "dist" | "build" | "out")
+}
+
+/// The identifiers of a text, and all that looks like one.
+pub fn words(text: &str) -> impl Iterator<Item = &str> {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    text.split(move |c| !is_word(c)).filter(|w| w.len() > 1)
+}
+
+fn hash(word: &str) -> u64 {
+    let mut hasher = FxHasher::default();
+    hasher.write(word.as_bytes());
+    hasher.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+    use std::sync::Arc;
+
+    #[test]
+    fn words_are_found_in_other_files() {
+        let texts = [
+            ("/r/package.json", "{}"),
+            ("/r/a.glsl", "uniform float one; float two;"),
+            ("/r/b/c.js", "const two = { uThree: 1 }"),
+            ("/r/node_modules/d/e.js", "four"),
+            ("/r/src/x.js", ""),
+            ("/r/dist/x.js", "five"),
+        ];
+        let files: BTreeMap<PathBuf, Arc<str>> =
+            texts.iter().map(|(p, t)| (p.into(), (*t).into())).collect();
+        let file = Path::new("/r/a.glsl");
+        assert_eq!(top(file, &files), Path::new("/r"));
+        let words = RepositoryWords::under(Path::new("/r"), &files);
+        let beside = ["one", "two", "uThree", "four", "five"].map(|w| words.is_beside(w, file));
+        assert_eq!(beside, [false, true, true, false, false]);
+        assert!(words.is_all);
+    }
+}
