@@ -5,7 +5,7 @@ use super::export::Written;
 use super::host::Hosts;
 use super::input::SplitInput;
 use super::options::Desktop;
-use super::part::{Found, Part, Shader, ask_first, check_part};
+use super::part::{Part, PartFindings, Shader, ask_first, check_part};
 use super::shader::shader_part;
 use super::world::{Keep, World};
 use super::{embedded, foreign, partner};
@@ -166,7 +166,7 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
 /// What is said of the shaders of a file.
 #[derive(Default)]
 struct Told {
-    found: Found,
+    found: PartFindings,
     shaders: Vec<Shader>,
     judged: Option<Judged>,
 }

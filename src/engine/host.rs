@@ -4,6 +4,7 @@
 use super::files::Files;
 use super::path::plain;
 use super::reading::Readings;
+use super::repository::words;
 use super::world::World;
 use shaderlint_host::{Preset, presets};
 use std::cell::OnceCell;
@@ -103,13 +104,13 @@ impl<'a> Hosts<'a> {
         (some(&mut imported.chain(others).copied()), false)
     }
 
-    /// The page or script that holds the texts.
-    pub fn script(&self) -> Option<&str> {
-        self.script.as_deref()
-    }
-
-    /// Whether another file of the repository has a word.
-    pub fn is_beside(&self, word: &str) -> bool {
+    /// Whether a word is used outside of a text that uses it so often: in the script around the text,
+    /// or in another file of the repository.
+    pub fn is_used_outside(&self, word: &str, count: usize) -> bool {
+        let script = self.script.as_deref().unwrap_or("");
+        if words(script).filter(|w| *w == word).count() > count {
+            return true;
+        }
         let files = self.world.files;
         let file = plain(&files.here().join(self.name));
         let (is_beside, is_all) = self.world.options.memo.is_beside(word, &file, files);

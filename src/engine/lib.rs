@@ -30,6 +30,7 @@ mod reading;
 mod repair;
 mod repository;
 mod shader;
+mod typo;
 mod unknown;
 mod verify;
 mod world;

@@ -5,8 +5,8 @@ use super::host::Hosts;
 use super::include::MissingInclude;
 use super::options::{DialectChoice, Options};
 use super::play::Supply;
-use super::unknown::{self, Unresolved};
 use super::reading::{Reading, Readings, Standing, lacking};
+use super::unknown::{self, Unresolved};
 use super::world::Keep;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Severity, Subject, error};
 use shaderlint_lint::{
@@ -69,7 +69,7 @@ impl Part {
 
 /// What was found in the shaders of a file.
 #[derive(Default)]
-pub struct Found {
+pub struct PartFindings {
     /// What is wrong with them.
     pub diagnostics: Vec<Diagnostic>,
     /// The comments that allow a finding.
@@ -86,7 +86,7 @@ pub fn check_part(
     hosts: &Hosts,
     options: &Options,
     keep: Keep,
-    found: &mut Found,
+    found: &mut PartFindings,
 ) -> Option<(Shader, Option<Judged>)> {
     let mut checked = understand(sources, part, hosts, options)?;
     let known = Arc::default();

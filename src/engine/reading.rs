@@ -8,7 +8,7 @@ use shaderlint_host::{HostVersion, Preset};
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{
     Checked, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, Stage, Unit, Wholeness, analyze,
-    analyze_part, guess, needs_300, part_declarations,
+    analyze_part, confirm_unknown, guess, needs_300, part_declarations,
 };
 use shaderlint_syntax::{ES_300, Feature, Version};
 use shaderlint_text::kind::has_main;
@@ -394,6 +394,26 @@ impl Readings {
         };
         let units: Vec<Unit> = all.iter().map(|r| unit(r, wholeness)).collect();
         analyze_part(&units)
+    }
+}
+
+impl Readings {
+    /// Keeps the names that are unknown in each of the readings but the first, in which they are.
+    pub fn confirm(
+        &self,
+        sources: &Arc<Sources>,
+        wholeness: Wholeness,
+        unknown: &mut Vec<Diagnostic>,
+    ) {
+        let others = self.all.iter().skip(1).map(|reading| Unit {
+            sources,
+            files: &reading.files,
+            stage: reading.stage,
+            dialect: reading.dialect,
+            infer_channels: false,
+            wholeness,
+        });
+        confirm_unknown(&others.collect::<Vec<_>>(), unknown);
     }
 }
 

@@ -22,8 +22,8 @@ const MAX_ABOVE: usize = 32;
 const CODE: &[&str] = &[
     "glsl", "vert", "frag", "vs", "fs", "vsh", "fsh", "fx", "inc", "geom", "comp", "tesc", "tese",
     "js", "mjs", "cjs", "jsx", "ts", "mts", "cts", "tsx", "vue", "svelte", "astro", "html", "htm",
-    "json", "c", "cc", "cpp", "cxx", "h", "hh", "hpp", "m", "mm", "rs", "cs", "java", "kt", "swift",
-    "go", "dart", "py", "rb", "php", "lua", "hx", "pde", "gd", "zig",
+    "json", "c", "cc", "cpp", "cxx", "h", "hh", "hpp", "m", "mm", "rs", "cs", "java", "kt",
+    "swift", "go", "dart", "py", "rb", "php", "lua", "hx", "pde", "gd", "zig",
 ];
 
 /// In which file a word appears.

@@ -7,11 +7,13 @@
 use super::host::Hosts;
 use super::part::Part;
 use super::reading::code_of;
-use super::repository::words;
-use shaderlint_diagnostic::{Diagnostic, Severity, error};
-use shaderlint_semantic::{Checked, Wholeness};
-use shaderlint_text::{Sources, Span};
+use super::typo::{Vocabulary, is_typo, variables};
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
+use shaderlint_semantic::{BuiltinId, Checked, Program, Wholeness};
+use shaderlint_text::{Edit, Sources, Span};
+use std::cell::LazyCell;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// Most names that an info lists.
 const MAX_LISTED: usize = 12;
@@ -26,7 +28,7 @@ pub struct Unresolved {
 /// Adds the unknown names of a shader to what was found in it, where they are mistakes, and to
 /// `unresolved` where they are not sure to be any.
 pub fn judge(
-    sources: &Sources,
+    sources: &Arc<Sources>,
     part: &Part,
     checked: &mut Checked,
     hosts: &Hosts,
@@ -39,27 +41,43 @@ pub fn judge(
     // What a program puts in has no name here.
     unknown.retain(|d| is_word(sources.text(d.span)));
     let code = code_of(sources, part.reading().map_or(&[], |r| &r.files));
-    let standing = Standing::of(part, &unknown, |d| is_typo(d, sources.text(d.span), &code));
-    for mut d in unknown {
-        let word = sources.text(d.span);
-        let may_be = standing != Standing::Open || is_near(&d, word);
-        if !may_be || is_used_outside(word, &code, hosts) {
-            unresolved.first = unresolved.first.or(Some(d.span));
-            unresolved.names.insert(word.to_string());
-            continue;
-        }
-        if standing != Standing::Complete {
-            d.severity = Severity::Warning;
-        }
-        checked.diagnostics.push(d);
+    let vocabulary = LazyCell::new(|| Vocabulary::of(&code));
+    for d in &mut unknown {
+        suggest(d, sources.text(d.span), &vocabulary);
     }
+    report_inactive(
+        &checked.program,
+        &vocabulary,
+        hosts,
+        &mut checked.diagnostics,
+    );
+    let openness = Openness::of(part, &unknown, |d| {
+        let word = sources.text(d.span);
+        is_near(d, word) && vocabulary.count(word) == 1
+    });
+    let (mut mistakes, others): (Vec<Diagnostic>, Vec<Diagnostic>) =
+        unknown.into_iter().partition(|d| {
+            let word = sources.text(d.span);
+            let may_be = openness != Openness::Open || is_near(d, word);
+            may_be && !hosts.is_used_outside(word, vocabulary.count(word))
+        });
+    let named = |d: &Diagnostic| sources.text(d.span).to_string();
+    unresolved.first = unresolved.first.or(others.first().map(|d| d.span));
+    unresolved.names.extend(others.iter().map(named));
+    part.readings
+        .confirm(sources, checked.wholeness, &mut mistakes);
+    if openness != Openness::Complete {
+        let severities = mistakes.iter_mut().map(|d| &mut d.severity);
+        severities.for_each(|s| *s = Severity::Warning);
+    }
+    checked.diagnostics.append(&mut mistakes);
     let place = |d: &Diagnostic| (d.span.start, d.span.end);
     checked.diagnostics.sort_by_key(place);
 }
 
 /// What may be added to a text.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Standing {
+enum Openness {
     /// Nothing.
     Complete,
     /// Nothing that is known of: it has an entry, and all but one of its names are declared.
@@ -68,11 +86,11 @@ enum Standing {
     Open,
 }
 
-impl Standing {
-    fn of(part: &Part, unknown: &[Diagnostic], is_typo: impl Fn(&Diagnostic) -> bool) -> Standing {
+impl Openness {
+    fn of(part: &Part, unknown: &[Diagnostic], is_typo: impl Fn(&Diagnostic) -> bool) -> Openness {
         let readings = &part.readings;
         if !readings.holds_entry() || readings.has_gaps() || !part.missing.is_empty() {
-            return Standing::Open;
+            return Openness::Open;
         }
         let is_known = match readings.hosts.is_empty() {
             true => part.embedder.hands_over,
@@ -80,45 +98,70 @@ impl Standing {
         };
         // A text that lacks nothing but what it misspells asks for no host.
         if is_known || unknown.iter().all(is_typo) {
-            Standing::Complete
+            Openness::Complete
         } else if unknown.len() == 1 {
-            Standing::Closed
+            Openness::Closed
         } else {
-            Standing::Open
+            Openness::Open
         }
     }
 }
 
-/// Whether a name is one that is declared, misspelt once.
-fn is_typo(d: &Diagnostic, word: &str, code: &str) -> bool {
-    is_near(d, word) && words(code).filter(|w| *w == word).count() == 1
+/// Looks for what a name was meant to be where the checker has found nothing: what it is declared by
+/// may be in code that could not be read.
+fn suggest(d: &mut Diagnostic, word: &str, vocabulary: &Vocabulary) {
+    if d.fix.is_none() && d.labels.is_empty() {
+        d.fix = vocabulary.nearest(word).map(|near| meant(d.span, near));
+    }
+}
+
+fn meant(span: Span, near: &str) -> Fix {
+    let edits = vec![Edit::replace(span, near)];
+    Fix::suggestion(format!("did you mean `{near}`?"), edits)
+}
+
+/// Reports the typos in groups of `#if` that are left out here and that the host may take.
+fn report_inactive(
+    program: &Program,
+    vocabulary: &Vocabulary,
+    hosts: &Hosts,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let (sources, tokens) = (&program.sources, &program.tokens);
+    let groups = tokens.inactive.iter().filter(|span| {
+        let is_open = || tokens.undecided.iter().any(|group| group.contains(**span));
+        sources.is_user(span.start) && is_open()
+    });
+    for group in groups {
+        for (at, word) in variables(sources.text(*group)) {
+            let is_known = program.names.get(word).is_some()
+                || BuiltinId::named(word).is_some()
+                || vocabulary.count(word) != 1;
+            let near = || vocabulary.nearest(word);
+            let Some(near) = (!is_known).then(near).flatten() else {
+                continue;
+            };
+            if hosts.is_used_outside(word, 1) {
+                continue;
+            }
+            let start = group.start + at as u32;
+            let span = Span::new(start, start + word.len() as u32);
+            let message = format!("`{word}` is not declared");
+            let d = Diagnostic::of(error::UNDECLARED_NAME, Severity::Warning, span, message);
+            diagnostics.push(d.fix(Some(meant(span, near))));
+        }
+    }
 }
 
 fn is_word(text: &str) -> bool {
     text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
-/// Whether a name is within two edits of one that is declared, or is declared after all, but not
-/// where it is used. Numbers tell names apart on purpose, and in short names so does each letter.
+/// Whether a name looks like a typo of one that is declared, or is declared after all, but not where it
+/// is used.
 fn is_near(d: &Diagnostic, word: &str) -> bool {
-    const SHORTEST: usize = 4;
     let near = d.fix.as_ref().and_then(|f| f.edits.first());
-    let is_typo_of = |near: &str| {
-        let stem = |w: &str| w.trim_matches(|c: char| c.is_ascii_digit()).to_string();
-        let lower = |w: &str| w.to_ascii_lowercase();
-        near.len().max(word.len()) >= SHORTEST
-            && strsim::damerau_levenshtein(&lower(near), &lower(word)) <= 2
-            && stem(near) != stem(word)
-    };
-    !d.labels.is_empty() || near.is_some_and(|edit| is_typo_of(&edit.text))
-}
-
-/// Whether a name is used outside of the text that lacks it: in the script around it, or in another
-/// file of its repository.
-fn is_used_outside(word: &str, code: &str, hosts: &Hosts) -> bool {
-    let count = |text: &str| words(text).filter(|w| *w == word).count();
-    let around = hosts.script().map_or(0, count);
-    around > count(code) || hosts.is_beside(word)
+    !d.labels.is_empty() || near.is_some_and(|edit| is_typo(word, &edit.text))
 }
 
 impl Unresolved {

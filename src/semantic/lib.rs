@@ -53,4 +53,4 @@ pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type, type_name};
 pub use undefined::{ComparedWith, Comparing, OperandTest, Undefined};
 pub use unit::analyze_fragment;
-pub use unit::{Checked, Unit, analyze, analyze_alone, analyze_part};
+pub use unit::{Checked, Unit, analyze, analyze_alone, analyze_part, confirm_unknown};

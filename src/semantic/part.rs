@@ -6,7 +6,8 @@
 //! hang on a name of the host may be there or not.
 
 use super::program::{Function, Program};
-        if d.lacks() == Some(Lack::Name) {
+use rustc_hash::FxHashSet;
+use shaderlint_diagnostic::{Certainty, Diagnostic, Lack, MacroUse, Severity, Subject, error};
 use shaderlint_syntax::{
     DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify,
     set,
@@ -59,6 +60,7 @@ pub(super) fn keep_certain(
             .iter()
             .any(|d| d.certainty() == Certainty::Syntax && part.is_excused(d));
     diagnostics.retain_mut(|d| {
+        if d.lacks() == Some(Lack::Name) {
             names.insert(program.sources.text(d.span).to_string());
             if part.is_user(d.span) {
                 unknown.push(d.clone());
@@ -508,64 +510,6 @@ impl<'p> Part<'p> {
         .any(|kind| d.is(*kind));
         may_be_call && statement.any(of_host)
     }
-<<<<<<< HEAD
-
-    /// Names that nothing declares and that are slips of ones that the part declares: one letter is
-    /// another, and the name stands nowhere else.
-    fn slips(&self, diagnostics: &[Diagnostic]) -> FxHashSet<Span> {
-        let named = diagnostics
-            .iter()
-            .filter(|d| d.lacks() == Some(Lack::Name))
-            .filter(|d| d.fix.is_some());
-        let mut counts: FxHashMap<u32, usize> = FxHashMap::default();
-        let mut found = FxHashSet::default();
-        for d in named {
-            if counts.is_empty() {
-                for t in &self.program.tokens.tokens {
-                    if t.kind == TokenKind::Identifier {
-                        *counts.entry(t.value).or_default() += 1;
-                    }
-                }
-            }
-            let word = self.program.sources.text(d.span);
-            let near = d.fix.as_ref().and_then(|f| f.edits.first());
-            let near = near.map_or("", |e| e.text.as_str());
-            let count = |word: &str| {
-                let name = self.program.names.get(word);
-                name.and_then(|n| counts.get(&n.0)).copied().unwrap_or(0)
-            };
-            let is_of_host = |word: &str| {
-                let name = self.program.names.get(word);
-                let mut all = self.program.variables.iter();
-                name.is_some_and(|n| all.any(|v| v.name == n && self.is_of_prelude(v.token)))
-            };
-            let is_used = count(near) > 1 || is_of_host(near);
-            if is_slip(word, near) && count(word) == 1 && is_used {
-                found.insert(d.span);
-            }
-        }
-        found
-    }
-}
-
-/// Whether one word is the other with one letter changed, lost, doubled or swapped inside: numbers
-/// and endings tell names apart on purpose.
-fn is_slip(word: &str, near: &str) -> bool {
-    let stem = |w: &str| w.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-    let shorter = word.len().min(near.len());
-    let is_ending = word.get(..shorter.saturating_sub(1)) == near.get(..shorter.saturating_sub(1));
-    let is_beginning = {
-        let tail = |w: &str| w.get(w.len() - (shorter - 1)..).map(str::to_string);
-        tail(word) == tail(near)
-    };
-    shorter >= 4
-        && stem(word) == word.len()
-        && stem(near) == near.len()
-        && !is_ending
-        && !is_beginning
-        && strsim::damerau_levenshtein(word, near) == 1
-=======
->>>>>>> 86b11ad (A name that a host may declare is judged by what may complete the text, and by the words of the repository)
 }
 
 /// The names that a part declares itself, and those of the language that it uses.

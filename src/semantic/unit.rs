@@ -77,7 +77,7 @@ pub fn analyze_part(readings: &[Unit]) -> Option<Checked> {
     let mut analysis = analyze(first);
     let mut read = 0;
     for other in others {
-        if !analysis.has_errors() && analysis.open.unknown.is_empty() {
+        if !analysis.has_errors() {
             break;
         }
         read += analysis.program.size();
@@ -99,11 +99,24 @@ pub fn analyze_part(readings: &[Unit]) -> Option<Checked> {
         analysis
             .diagnostics
             .retain(|d| d.severity != Severity::Error || is_told(d));
-        // A name that is unknown in one stage or version only is one of the other.
-        let is_unknown = |d: &Diagnostic| open.unknown.iter().any(|o| o.span == d.span);
-        analysis.open.unknown.retain(is_unknown);
+        keep_common(&mut analysis.open.unknown, &open.unknown);
     }
     Some(analysis)
+}
+
+/// Keeps the names that are unknown in each way in which a host may take a part: what only one stage
+/// or version has is known in that.
+pub fn confirm_unknown(readings: &[Unit], unknown: &mut Vec<Diagnostic>) {
+    for reading in readings {
+        if unknown.is_empty() {
+            return;
+        }
+        keep_common(unknown, &analyze(reading).open.unknown);
+    }
+}
+
+fn keep_common(unknown: &mut Vec<Diagnostic>, others: &[Diagnostic]) {
+    unknown.retain(|d| others.iter().any(|o| o.span == d.span));
 }
 
 /// Reads and checks one shader, and finds whose fault its errors are.

@@ -229,7 +229,7 @@ fn three_declares_its_names() {
         let ran = scratch.run(&["-q", "--format", "short", "misspelt.vert"]);
         assert!(
             ran.out
-                .starts_with("misspelt.vert:4:38: warning[undeclared-name]"),
+                .starts_with("misspelt.vert:4:38: error[undeclared-name]"),
             "{}",
             ran.out
         );

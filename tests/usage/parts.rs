@@ -210,6 +210,7 @@ fn hosts_are_found_by_words_imports_and_packages() {
         places,
         [
             "import/a.js:3:37",
+            "none/a.vert:2:34",
             "packages/src/a.vert:2:37",
             "words/a.vert:2:37"
         ],

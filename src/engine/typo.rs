@@ -1,0 +1,189 @@
+//! Typos, by the words of a text alone: which name that it declares another one was meant to be.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_syntax::{Lexer, RawKind, Version, WordClass, classify};
+
+/// Shortest name of which another one may be a typo, in bytes: in shorter ones each letter counts.
+const SHORTEST: usize = 4;
+/// Most letters of a name that has to be right but for one edit; longer ones may have two.
+const MOST_OF_ONE: usize = 9;
+
+/// The names of a text.
+pub struct Vocabulary<'t> {
+    counts: FxHashMap<&'t str, usize>,
+    declared: FxHashSet<&'t str>,
+}
+
+impl<'t> Vocabulary<'t> {
+    /// Reads a text, comments left out.
+    pub fn of(code: &'t str) -> Vocabulary<'t> {
+        let mut found = Vocabulary {
+            counts: FxHashMap::default(),
+            declared: FxHashSet::default(),
+        };
+        let mut before = "";
+        for (_, token) in Tokens::of(code) {
+            if token.is_word {
+                *found.counts.entry(token.text).or_default() += 1;
+                let is_type = matches!(classify(before, Version::Es300), WordClass::Type(_));
+                if is_type || before == "define" {
+                    found.declared.insert(token.text);
+                }
+            }
+            before = if token.is_word { token.text } else { "" };
+        }
+        found
+    }
+
+    /// How often a word is used.
+    pub fn count(&self, word: &str) -> usize {
+        self.counts.get(word).copied().unwrap_or(0)
+    }
+
+    /// The declared name that a word looks most like, if it looks like a typo of it.
+    pub fn nearest(&self, word: &str) -> Option<&'t str> {
+        let near = self.declared.iter().copied().filter(|n| is_typo(word, n));
+        let by_distance = near.map(|n| (strsim::damerau_levenshtein(n, word), n));
+        by_distance.min().map(|(_, name)| name)
+    }
+}
+
+/// Whether a name looks like a typo of another: within one edit, or two where it is long. Case does
+/// not count. Numbers and the first letter tell names apart on purpose: `uv1` and `uv2`, `normal` and
+/// `vNormal`.
+pub fn is_typo(word: &str, name: &str) -> bool {
+    if word.len().max(name.len()) < SHORTEST || word == name {
+        return false;
+    }
+    let (word, name) = (word.to_ascii_lowercase(), name.to_ascii_lowercase());
+    if word == name {
+        return true;
+    }
+    let letters = |w: &str| -> String { w.chars().filter(char::is_ascii_alphabetic).collect() };
+    let (of_word, of_name) = (letters(&word), letters(&name));
+    let limit = 1 + usize::from(of_word.len().min(of_name.len()) > MOST_OF_ONE);
+    let first_two = |w: &str| -> Vec<char> { w.chars().take(2).collect() };
+    let (from, to) = (first_two(&word), first_two(&name));
+    let starts_alike = from.first() == to.first() || from.iter().rev().eq(&to);
+    starts_alike
+        && of_word != of_name
+        && word.len().abs_diff(name.len()) <= limit
+        && strsim::damerau_levenshtein(&word, &name) <= limit
+}
+
+/// The words of a text that may be variables, with their offsets: no members, no words of directives,
+/// of the language, or of its functions.
+pub fn variables(code: &str) -> Vec<(usize, &str)> {
+    let mut found = Vec::new();
+    let mut before = ' ';
+    let mut in_directive = false;
+    for (at, token) in Tokens::of(code) {
+        in_directive = match token.text {
+            "#" => true,
+            "\n" => false,
+            _ => in_directive,
+        };
+        let is_plain = || {
+            let versions = [Version::Es100, Version::Es300];
+            versions
+                .iter()
+                .all(|v| classify(token.text, *v) == WordClass::Plain)
+        };
+        if token.is_word && !in_directive && before != '.' && is_plain() {
+            found.push((at, token.text));
+        }
+        before = token.text.chars().next_back().unwrap_or(' ');
+    }
+    found
+}
+
+/// The tokens of a text with their offsets: words, marks and ends of lines.
+struct Tokens<'t> {
+    code: &'t str,
+    lexer: Lexer<'t>,
+}
+
+struct Token<'t> {
+    text: &'t str,
+    is_word: bool,
+}
+
+impl<'t> Tokens<'t> {
+    fn of(code: &'t str) -> Tokens<'t> {
+        Tokens {
+            code,
+            lexer: Lexer::new(code, 0),
+        }
+    }
+}
+
+impl<'t> Iterator for Tokens<'t> {
+    type Item = (usize, Token<'t>);
+
+    fn next(&mut self) -> Option<(usize, Token<'t>)> {
+        loop {
+            let token = self.lexer.next_token();
+            let range = token.span.start as usize..token.span.end as usize;
+            let text = self.code.get(range.clone()).unwrap_or("");
+            return match token.kind {
+                RawKind::End => None,
+                RawKind::Whitespace | RawKind::LineComment | RawKind::BlockComment => continue,
+                RawKind::Newline => Some((
+                    range.start,
+                    Token {
+                        text: "\n",
+                        is_word: false,
+                    },
+                )),
+                kind => Some((
+                    range.start,
+                    Token {
+                        text,
+                        is_word: kind == RawKind::Word,
+                    },
+                )),
+            };
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn typos() {
+        for (word, name) in [
+            ("opcaity", "opacity"),
+            ("colr", "color"),
+            ("coloor", "color"),
+            ("Color", "color"),
+            ("u_tme", "u_time"),
+        ] {
+            assert!(is_typo(word, name), "{word}");
+        }
+        for (word, name) in [
+            ("uv1", "uv2"),
+            ("color1", "color2"),
+            ("abs", "abz"),
+            ("cameraFar", "cameraNear"),
+            ("vNormal", "normal"),
+            ("v_normal", "normal"),
+            ("log_fp64", "exp_fp64"),
+        ] {
+            assert!(!is_typo(word, name), "{word}");
+        }
+    }
+
+    #[test]
+    fn the_words_of_a_text() {
+        let code = "uniform float opacity; // opcaity\n#define SCALE 2.0\nfloat f(vec2 at) {\n\
+            return opcaity * SCALE * at.opcty;\n}";
+        let found = Vocabulary::of(code);
+        assert_eq!(found.count("opcaity"), 1);
+        assert_eq!(found.nearest("opcaity"), Some("opacity"));
+        assert_eq!(found.nearest("SCLAE"), Some("SCALE"));
+        let words: Vec<&str> = variables(code).into_iter().map(|(_, w)| w).collect();
+        assert_eq!(words, ["opacity", "f", "at", "opcaity", "SCALE", "at"]);
+    }
+}
