@@ -39,6 +39,8 @@ pub enum Facet {
     Grammar,
     /// It may come of a form of another language.
     ForeignForm,
+    /// It is about what is declared, not about what is done with it.
+    Declares,
 }
 
 /// A kind of compile error.
@@ -134,7 +136,7 @@ errors! {
     /// `#if` without `#endif`, or the other way round.
     UNBALANCED_CONDITIONAL = "unbalanced-conditional", meaning, is(Facet::EndsEarly), is(Facet::Reads), is(Facet::Moves), is(Facet::Directive);
     /// A macro defined again with another meaning.
-    MACRO_REDEFINITION = "macro-redefinition", meaning;
+    MACRO_REDEFINITION = "macro-redefinition", meaning, is(Facet::Declares);
     /// A macro name that the language keeps for itself.
     RESERVED_MACRO = "reserved-macro";
     /// A macro call with too few or too many arguments, or without its `)`.
@@ -170,9 +172,9 @@ errors! {
     /// A type that nothing declares.
     UNKNOWN_TYPE = "unknown-type", lacks(Lack::Name);
     /// A name declared twice in one scope.
-    REDEFINITION = "redefinition", meaning;
+    REDEFINITION = "redefinition", meaning, is(Facet::Declares);
     /// A function with the name of a built-in function.
-    BUILTIN_REDEFINITION = "builtin-redefinition", meaning;
+    BUILTIN_REDEFINITION = "builtin-redefinition", meaning, is(Facet::Declares);
     /// `gl_x`, `a__b`, `webgl_x`.
     RESERVED_IDENTIFIER = "reserved-identifier";
     /// A type without a default precision.
@@ -188,17 +190,17 @@ errors! {
     /// Code of GLSL ES 1.00 in a shader of 3.00.
     LEGACY_GLSL = "legacy-glsl";
     /// A function without a `return`.
-    MISSING_RETURN = "missing-return", meaning;
+    MISSING_RETURN = "missing-return", meaning, is(Facet::Declares);
     /// A function that is called but never defined.
     UNDEFINED_FUNCTION = "undefined-function", is(Facet::EndsEarly);
     /// A function that calls itself.
     RECURSION = "recursion";
     /// A declaration of a function that does not fit another one.
-    FUNCTION_MISMATCH = "function-mismatch", meaning;
+    FUNCTION_MISMATCH = "function-mismatch", meaning, is(Facet::Declares);
     /// A function declared inside a function.
     LOCAL_FUNCTION = "local-function", syntax, is(Facet::Reads), is(Facet::ForeignForm);
     /// A parameter that cannot be declared so.
-    INVALID_PARAMETER = "invalid-parameter", meaning;
+    INVALID_PARAMETER = "invalid-parameter", meaning, is(Facet::Declares);
     /// Qualifiers that cannot stand together or here.
     INVALID_QUALIFIER = "invalid-qualifier";
     /// A `layout(...)` that cannot stand here.
@@ -210,7 +212,7 @@ errors! {
     /// An interface block that cannot be declared so.
     INTERFACE_BLOCK = "interface-block";
     /// A struct that cannot be declared so.
-    INVALID_STRUCT = "invalid-struct", meaning;
+    INVALID_STRUCT = "invalid-struct", meaning, is(Facet::Declares);
     /// An array that cannot be declared so.
     INVALID_ARRAY = "invalid-array", meaning;
     /// `void` as the type of a value.

@@ -52,6 +52,9 @@ pub(super) fn parts(
         all.iter_mut().for_each(Embedded::trim_start);
     }
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
+    let versions = |text: &str| text.matches("#version").count();
+    let of_shaders = || all.iter().map(|e| versions(&e.code)).sum::<usize>();
+    let is_compiled = embedder.hands_over && versions(text) == of_shaders();
     let mut known = Known::default();
     for embedded in &all {
         known.enter(embedded.chapter);
@@ -59,7 +62,11 @@ pub(super) fn parts(
         if is_other || foreign::inside(input, file, embedded, options)? {
             continue;
         }
-        let around = Around { embedder, is_300 };
+        let around = Around {
+            embedder,
+            is_300,
+            is_compiled,
+        };
         let part = part(input, file, embedded, around, &mut known, options)?;
         input.parts.push(part);
     }
@@ -73,6 +80,8 @@ struct Around {
     embedder: Embedder,
     /// Whether it speaks of GLSL ES 3.00 only.
     is_300: bool,
+    /// Whether it compiles its shaders itself, as they are.
+    is_compiled: bool,
 }
 
 /// Whether the shaders of a text speak of GLSL ES 3.00, or of ShaderToy, and none of 1.00: then its
@@ -97,9 +106,11 @@ fn part(
     options: &Options,
 ) -> Option<Part> {
     let code = embedded.code.as_str();
-    let is_whole = code.trim_start().starts_with("#version") && !embedded.has_holes;
+    let told = guess(code);
+    let has_entry =
+        told.has_main || told.is_shadertoy() || code.trim_start().starts_with("#version");
     let is_shown = matches!(embedded.wrapping, Wrapping::Fence | Wrapping::Listing);
-    let is_excerpt = is_shown && !is_whole;
+    let is_excerpt = is_shown && (!has_entry || embedded.has_holes);
     let files = if is_excerpt {
         excerpt(input, file, embedded, known)?
     } else {
@@ -114,12 +125,13 @@ fn part(
             Wrapping::Fence | Wrapping::Listing => Surroundings::Shown,
         },
         is_open: false,
+        is_compiled: around.is_compiled && !is_shown,
         is_300: around.is_300,
         has_holes: is_excerpt || embedded.has_holes,
     };
     let readings = Readings::of(
         Arc::make_mut(&mut input.sources),
-        (code, guess(code)),
+        (code, told),
         text,
         options,
     )?;

@@ -118,6 +118,16 @@ impl<'a> Hosts<'a> {
         is_beside || !is_all
     }
 
+    /// Whether no host is seen that may write `#version` before a text, and no program of its repository
+    /// does.
+    pub fn adds_no_version(&self) -> bool {
+        let files = self.world.files;
+        let file = plain(&files.here().join(self.name));
+        self.imported().is_empty()
+            && self.installed().is_empty()
+            && !self.world.options.memo.adds_version(&file, files)
+    }
+
     fn imported(&self) -> &[&'static Preset] {
         self.imported.get_or_init(|| {
             let script = self.script.as_deref().unwrap_or("");

@@ -33,6 +33,7 @@ mod shader;
 mod typo;
 mod unknown;
 mod verify;
+mod version;
 mod world;
 
 pub use analysis::Analysis;

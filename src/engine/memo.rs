@@ -51,11 +51,26 @@ impl Memo {
     /// Whether a word appears in another file of the repository of this one, and whether all of its
     /// files were read for that.
     pub(super) fn is_beside(&self, word: &str, file: &Path, files: &dyn Files) -> (bool, bool) {
+        self.of_repository(file, files, |words| {
+            (words.is_beside(word, file), words.is_all)
+        })
+    }
+
+    /// Whether a program of the repository may write `#version` before the shaders of others.
+    pub(super) fn adds_version(&self, file: &Path, files: &dyn Files) -> bool {
+        self.of_repository(file, files, |words| words.adds_version || !words.is_all)
+    }
+
+    fn of_repository<T>(
+        &self,
+        file: &Path,
+        files: &dyn Files,
+        ask: impl FnOnce(&RepositoryWords) -> T,
+    ) -> T {
         let folder = file.parent().unwrap_or(Path::new(""));
         let top = kept(&self.tops, folder, || top(file, files));
         let words = kept(&self.words, &top, OnceLock::new);
-        let words = words.get_or_init(|| RepositoryWords::under(&top, files));
-        (words.is_beside(word, file), words.is_all)
+        ask(words.get_or_init(|| RepositoryWords::under(&top, files)))
     }
 }
 

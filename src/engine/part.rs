@@ -7,8 +7,11 @@ use super::options::{DialectChoice, Options};
 use super::play::Supply;
 use super::reading::{Reading, Readings, Standing, lacking};
 use super::unknown::{self, Unresolved};
+use super::version;
 use super::world::Keep;
-use shaderlint_diagnostic::{Applicability, Diagnostic, Severity, Subject, error};
+use shaderlint_diagnostic::{
+    Applicability, Certainty, Diagnostic, Facet, Severity, Subject, error,
+};
 use shaderlint_lint::{
     Allows, Around, Facts, Judged, Known, Settings, Unrun, keep_comments, lint_within,
 };
@@ -91,6 +94,8 @@ pub fn check_part(
     let mut checked = understand(sources, part, hosts, options)?;
     let known = Arc::default();
     unknown::judge(sources, part, &mut checked, hosts, &mut found.unresolved);
+    let missing = version::missing(sources, part, &checked, hosts);
+    checked.diagnostics.extend(missing);
     let told = tell_part(
         sources,
         part,
@@ -141,6 +146,9 @@ fn tell_part(
 ) -> Option<(Shader, Option<Judged>)> {
     let wholeness = checked.wholeness;
     let known = diagnostics.len();
+    if part.readings.is_shown() && wholeness != Wholeness::Whole {
+        keep_of_excerpt(&mut checked.diagnostics);
+    }
     if part.readings.is_handed_over() && part.embedder.front == Front::Unknown {
         let misplaced = checked.diagnostics.iter_mut();
         for d in misplaced.filter(|d| d.subject == Subject::BlankFront) {
@@ -191,6 +199,19 @@ fn tell_part(
         hosts: part.readings.hosts.clone(),
     };
     Some((shader, judged))
+}
+
+/// Keeps what is wrong in an excerpt that a text shows: values that do not fit. It may be cut anywhere,
+/// list prototypes, or declare anew what the text has shown before.
+fn keep_of_excerpt(diagnostics: &mut Vec<Diagnostic>) {
+    diagnostics.retain(|d| {
+        d.severity != Severity::Error
+            || d.certainty() == Certainty::Meaning && !d.has(Facet::Declares)
+    });
+    let errors = diagnostics
+        .iter_mut()
+        .filter(|d| d.severity == Severity::Error);
+    errors.for_each(|d| d.severity = Severity::Warning);
 }
 
 /// Runs the rules over a shader. Says where they did not run, and how many of their findings are too

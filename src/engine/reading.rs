@@ -8,13 +8,14 @@ use shaderlint_host::{HostVersion, Preset};
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{
     Checked, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, Stage, Unit, Wholeness, analyze,
-    analyze_part, confirm_unknown, guess, needs_300, part_declarations,
+    analyze_part, confirm_unknown, first_of_300, guess, needs_300, part_declarations,
 };
 use shaderlint_syntax::{ES_300, Feature, Version};
 use shaderlint_text::kind::has_main;
 use shaderlint_text::{FileId, Role, Sources};
 use std::cell::{LazyCell, OnceCell};
 use std::collections::BTreeSet;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// One way to read a text.
@@ -54,6 +55,8 @@ pub struct InputText {
     pub surroundings: Surroundings,
     /// Whether a host is seen that puts something in.
     pub is_open: bool,
+    /// Whether the script around the text hands it to the browser as it is.
+    pub is_compiled: bool,
     /// Whether what stands around the text says that it is GLSL ES 3.00.
     pub is_300: bool,
     /// Whether something is left out inside.
@@ -106,6 +109,7 @@ impl Readings {
                 stage: Some(reading.stage),
                 surroundings: Surroundings::File,
                 is_open: false,
+                is_compiled: false,
                 is_300: false,
                 has_holes: false,
             },
@@ -195,6 +199,29 @@ impl Readings {
     pub fn is_handed_over(&self) -> bool {
         let around = self.text.surroundings;
         matches!(around, Surroundings::Element | Surroundings::Literal)
+    }
+
+    /// Whether an error says that a text lacks what its host may have. One that is compiled as it is gets
+    /// no other version.
+    fn may_lack(&self, d: &Diagnostic) -> bool {
+        match d.lacks() {
+            Some(Lack::Name) => true,
+            Some(Lack::Setting) => !self.text.is_compiled || self.needs_300,
+            Some(Lack::Output) | None => false,
+        }
+    }
+
+    /// Where the text has the first word of GLSL ES 3.00, if it is to be compiled as it is and lacks the
+    /// `#version` for that.
+    pub fn lacks_version(&self, code: &str) -> Option<Range<usize>> {
+        let is_whole = self.told.has_main && !self.has_gaps() && !self.is_shown();
+        let is_lacking = is_whole && self.hosts.is_empty() && !self.has_version();
+        first_of_300(code).filter(|_| is_lacking && !self.is_shadertoy())
+    }
+
+    /// Whether the script around the text hands it to the browser as it is.
+    pub fn is_compiled(&self) -> bool {
+        self.text.is_compiled
     }
 
     /// Whether the text has an entry of its own.
@@ -369,7 +396,7 @@ impl Readings {
             let lacks = checked
                 .diagnostics
                 .iter()
-                .any(|d| lacks_something(d) && !is_macro(sources.text(d.span)));
+                .any(|d| self.may_lack(d) && !is_macro(sources.text(d.span)));
             let is_whole = match self.standing {
                 Standing::Unversioned => {
                     let is_wrong = checked.diagnostics.iter().any(is_error);
@@ -492,11 +519,9 @@ fn standing(
         _ if text.is_open || told.is_completed => Standing::Part,
         // A literal with nothing but the head of a shader is put together with others.
         Some(GuessedKind::Versioned) if is_literal && !has_main(code) => Standing::Part,
-        Some(GuessedKind::Versioned) if text.surroundings == Surroundings::Shown => {
-            Standing::Complete
-        }
+        Some(_) if text.surroundings == Surroundings::Shown => Standing::Complete,
         Some(kind) if kind.is_whole() => Standing::Whole,
-        Some(GuessedKind::WebGl1) if is_literal => Standing::Part,
+        Some(GuessedKind::WebGl1) if is_literal && !text.is_compiled => Standing::Part,
         Some(GuessedKind::WebGl1) if told.has_main => {
             let is_supplied = match text.stage.or(told.stage) {
                 Some(Stage::Vertex) => told.has_attribute,
@@ -514,9 +539,4 @@ fn standing(
 
 fn is_error(diagnostic: &Diagnostic) -> bool {
     diagnostic.severity == Severity::Error
-}
-
-/// Whether an error says that a shader lacks what its host may have.
-fn lacks_something(diagnostic: &Diagnostic) -> bool {
-    matches!(diagnostic.lacks(), Some(Lack::Name | Lack::Setting))
 }

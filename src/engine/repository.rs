@@ -17,13 +17,16 @@ const MAX_NAMES: usize = 100_000;
 /// Most folders above a file that may be the top of its repository.
 const MAX_ABOVE: usize = 32;
 
-/// Extensions of files that may declare a name of a shader: GLSL, and the languages of programs that
-/// complete it.
+/// Extensions of files of GLSL.
+const GLSL: &[&str] = &[
+    "glsl", "vert", "frag", "vs", "fs", "vsh", "fsh", "geom", "comp", "tesc", "tese",
+];
+/// Extensions of other files that may declare a name of a shader: the languages of programs that
+/// complete shaders.
 const CODE: &[&str] = &[
-    "glsl", "vert", "frag", "vs", "fs", "vsh", "fsh", "fx", "inc", "geom", "comp", "tesc", "tese",
-    "js", "mjs", "cjs", "jsx", "ts", "mts", "cts", "tsx", "vue", "svelte", "astro", "html", "htm",
-    "json", "c", "cc", "cpp", "cxx", "h", "hh", "hpp", "m", "mm", "rs", "cs", "java", "kt",
-    "swift", "go", "dart", "py", "rb", "php", "lua", "hx", "pde", "gd", "zig",
+    "fx", "inc", "js", "mjs", "cjs", "jsx", "ts", "mts", "cts", "tsx", "vue", "svelte", "astro",
+    "html", "htm", "json", "c", "cc", "cpp", "cxx", "h", "hh", "hpp", "m", "mm", "rs", "cs",
+    "java", "kt", "swift", "go", "dart", "py", "rb", "php", "lua", "hx", "pde", "gd", "zig",
 ];
 
 /// In which file a word appears.
@@ -41,6 +44,8 @@ pub struct RepositoryWords {
     files: FxHashMap<PathBuf, u32>,
     /// Whether all of the code was read.
     pub is_all: bool,
+    /// Whether a program holds a `#version 300`, which it may write before the shaders of others.
+    pub adds_version: bool,
 }
 
 impl RepositoryWords {
@@ -62,7 +67,10 @@ impl RepositoryWords {
                     found.is_all = false;
                     return found;
                 }
-                let is_code = CODE.contains(&ending(name).as_str());
+                let extension = ending(name);
+                let is_code = [GLSL, CODE]
+                    .iter()
+                    .any(|all| all.contains(&extension.as_str()));
                 let path = folder.join(name);
                 if is_code && !name.contains(".min.") {
                     bytes += found.read(path, files);
@@ -82,6 +90,8 @@ impl RepositoryWords {
         let Ok(text) = files.load(&path) else {
             return 0;
         };
+        let is_shader = GLSL.contains(&ending(&path.to_string_lossy()).as_str());
+        self.adds_version |= !is_shader && text.contains("#version 300");
         let number = self.files.len() as u32;
         for word in words(&text) {
             let appears = self.words.entry(hash(word));

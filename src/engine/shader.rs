@@ -55,6 +55,7 @@ pub(super) fn shader_part(
             None => Surroundings::File,
         },
         is_open,
+        is_compiled: false,
         is_300: false,
         has_holes,
     };

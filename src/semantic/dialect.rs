@@ -3,6 +3,7 @@
 use super::builtins::{BuiltinId, LEGACY_FUNCTIONS, Stage};
 use super::types::Sampler;
 use shaderlint_syntax::{Feature, Version};
+use std::ops::Range;
 
 /// Lookups that only GLSL ES 1.00 has, and that its shaders hardly do without.
 const OLD_LOOKUPS: [BuiltinId; 2] = [BuiltinId::Texture2D, BuiltinId::TextureCube];
@@ -230,6 +231,11 @@ fn is_completed(text: &str) -> bool {
 /// Whether a text needs GLSL ES 3.00: it has keywords, types or numbers that the language has only
 /// since then, or declares interfaces by `in` and `out`.
 pub fn needs_300(text: &str) -> bool {
+    first_of_300(text).is_some()
+}
+
+/// Where the first word of a text is that only GLSL ES 3.00 has.
+pub fn first_of_300(text: &str) -> Option<Range<usize>> {
     use shaderlint_syntax::{Lexer, RawKind, TokenKind, WordClass, classify};
     let is_new = |word: &str| {
         let is_word = |version| {
@@ -252,9 +258,9 @@ pub fn needs_300(text: &str) -> bool {
     loop {
         let token = lexer.next_token();
         let range = token.span.start as usize..token.span.end as usize;
-        let word = text.get(range).unwrap_or("");
+        let word = text.get(range.clone()).unwrap_or("");
         match token.kind {
-            RawKind::End => return false,
+            RawKind::End => return None,
             RawKind::Whitespace | RawKind::LineComment | RawKind::BlockComment => continue,
             RawKind::Newline => {
                 starts |= in_directive;
@@ -264,9 +270,11 @@ pub fn needs_300(text: &str) -> bool {
             RawKind::Hash => in_directive = true,
             RawKind::Word if in_directive => {}
             RawKind::Word if is_new(word) && is_type_or_name(last) => own.push(word),
-            RawKind::Word if is_new(word) && !own.contains(&word) => return true,
-            RawKind::Word if depth == 0 && starts && matches!(word, "in" | "out") => return true,
-            RawKind::Integer if word.ends_with(['u', 'U']) => return true,
+            RawKind::Word if is_new(word) && !own.contains(&word) => return Some(range),
+            RawKind::Word if depth == 0 && starts && matches!(word, "in" | "out") => {
+                return Some(range);
+            }
+            RawKind::Integer if word.ends_with(['u', 'U']) => return Some(range),
             RawKind::Operator(TokenKind::LeftParen | TokenKind::LeftBrace) => depth += 1,
             RawKind::Operator(TokenKind::RightParen | TokenKind::RightBrace) => {
                 depth = depth.saturating_sub(1);

@@ -37,6 +37,7 @@ pub use calls::CallGraph;
 pub use channels::needed_channels;
 pub use checker::check;
 pub use constant::{Constant, Pool, Value};
+pub use dialect::first_of_300;
 pub use dialect::{
     Channels, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
 };

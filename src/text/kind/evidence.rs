@@ -288,7 +288,7 @@ impl<'a> Evidence<'a> {
         if let Some(version) = self.version {
             return version.is_desktop().then_some(Tongue::Desktop);
         }
-        let whole = [Tongue::ShaderLab, Tongue::Godot];
+        let whole = [Tongue::ShaderLab, Tongue::Godot, Tongue::Sksl];
         if let Some(tongue) = whole.into_iter().find(|t| self.has_enough(*t, 3)) {
             return Some(tongue);
         }

@@ -33,6 +33,8 @@ pub enum Tongue {
     Metal,
     /// WGSL.
     Wgsl,
+    /// The shading language of Skia.
+    Sksl,
     /// Unity's ShaderLab.
     ShaderLab,
     /// Godot's shading language.
@@ -67,6 +69,7 @@ impl fmt::Display for Tongue {
             Tongue::Desktop => "GLSL for OpenGL or Vulkan",
             Tongue::Hlsl => "HLSL",
             Tongue::Metal => "Metal",
+            Tongue::Sksl => "SkSL",
             Tongue::Wgsl => "WGSL",
             Tongue::ShaderLab => "Unity's ShaderLab",
             Tongue::Godot => "Godot's shading language",

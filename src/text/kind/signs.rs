@@ -41,6 +41,7 @@ pub const SIGNS: &[(Tongue, &[&str])] = &[
         "@ vertex", "@ fragment", "@ compute", "@ binding (", "@ group (", "@ location (", "@ builtin (", "@ workgroup_size", "! var <",
         "fn _ (", "vec2 < f32 >", "vec3 < f32 >", "vec4 < f32 >", "vec2f", "vec3f", "vec4f", "mat4x4 <", "array <", "let _ =", ": f32", ": u32",
     ]),
+    (Sksl, &["! uniform shader _", "! half4 main (", "! vec4 main ( vec2 _ )", "! vec4 main ( float2 _ )", "! float4 main ( float2 _ )"]),
     (ShaderLab, &["! CGPROGRAM", "! HLSLPROGRAM", "! GLSLPROGRAM", "Shader \" {", "SubShader {", "Properties {", "Tags {"]),
     (Godot, &["! ^ shader_type _", "^ render_mode _"]),
     (C, &[

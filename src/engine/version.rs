@@ -1,0 +1,42 @@
+//! A shader of GLSL ES 3.00 without its `#version`, which a browser reads as GLSL ES 1.00.
+
+use super::host::Hosts;
+use super::part::Part;
+use super::reading::code_of;
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
+use shaderlint_semantic::{Checked, Wholeness};
+use shaderlint_text::{Edit, Role, Sources, Span};
+
+/// What is wrong where a shader needs GLSL ES 3.00 and nothing writes `#version` before it: an error
+/// where it is seen to be compiled as it is, a warning in a file that nobody is known to complete.
+pub fn missing(
+    sources: &Sources,
+    part: &Part,
+    checked: &Checked,
+    hosts: &Hosts,
+) -> Option<Diagnostic> {
+    if checked.wholeness == Wholeness::Excerpt {
+        return None;
+    }
+    let files = &part.reading()?.files;
+    let own = |id: &&_| sources.code(**id).is_some_and(|c| c.role == Role::User);
+    let first = sources.code(*files.iter().find(own)?)?;
+    let at = part.readings.lacks_version(first.text)?;
+    // What it includes is judged with it, and may lack as much.
+    let is_alone = code_of(sources, files).len() == first.text.len();
+    let severity = match part.readings.is_compiled() {
+        true => Severity::Error,
+        false if is_alone && !part.readings.is_handed_over() && hosts.adds_no_version() => {
+            Severity::Warning
+        }
+        false => return None,
+    };
+    let word = first.text.get(at.clone())?;
+    let span = Span::new(first.base + at.start as u32, first.base + at.end as u32);
+    let message = format!("`{word}` needs GLSL ES 3.00, but there is no `#version 300 es`");
+    let edit = Edit::insert(first.base, "#version 300 es\n");
+    let d = Diagnostic::of(error::NEEDS_WEBGL2, severity, span, message)
+        .note("without `#version`, a shader is GLSL ES 1.00 (section 3.4)");
+    let title = "add `#version 300 es` as the first line";
+    Some(d.fix(Some(Fix::suggestion(title, vec![edit]))))
+}
