@@ -1,6 +1,6 @@
 //! Register code: what the machine runs.
 
-use super::compile::Lean;
+use super::compile::options::Lean;
 use super::row::LANES;
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined};

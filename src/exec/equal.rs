@@ -2,7 +2,8 @@
 //! every bit is compared.
 
 use super::code::Code;
-use super::draw::{Draw, Sampled, Stop, quads_all_over, sample};
+use super::draw::{Draw, Stop};
+use super::render::{Sampled, quads_all_over, sample};
 
 /// How many moments are compared.
 const MOMENTS: usize = 8;

@@ -3,7 +3,7 @@
 //! pi and by |x| * 2^-12 outside, arc tangents by 4096.
 
 use super::code::Inexact;
-use super::compile::Lean;
+use super::compile::options::Lean;
 use super::row::{floats, of_floats};
 use std::f32::consts::PI;
 use wide::{f32x8, i32x8};

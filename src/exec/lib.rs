@@ -12,16 +12,19 @@ mod equal;
 mod image;
 mod inexact;
 mod machine;
+mod render;
 mod row;
 mod seen;
 #[cfg(test)]
 mod tests;
 
 pub use code::{Code, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
-pub use compile::{CompileOptions, Lean, Persona, Probe, Refusal, Watch, compile};
-pub use draw::{Draw, Drawn, Sampled, Stop, draw, quads_all_over, sample};
+pub use compile::compile;
+pub use compile::options::{CompileOptions, Lean, Persona, Probe, Refusal, Watch};
+pub use draw::{Draw, Stop};
 pub use equal::{COMPARED_SIZE, Equality, equality};
 pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};
+pub use render::{Drawn, Sampled, draw, quads_all_over, sample};
 pub use row::LANES;
 pub use seen::{
     BranchSeen, ComparedSeen, FunctionSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness,

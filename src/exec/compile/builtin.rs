@@ -3,9 +3,9 @@
 //! What they are made of follows SwiftShader, which draws without a GPU in the browser: `normalize`
 //! multiplies by the reciprocal of the root, `mix(a, b, t)` is `(b - a) * t + a`.
 
-use super::Watch;
 use super::emit::{Compiler, Made, Regs, Value};
 use super::op::less;
+use super::options::Watch;
 use crate::code::{Checked, F1, F2, F3, Reg};
 use shaderlint_ir::OpId;
 use shaderlint_ir::expand::{self, Arithmetic, Operator};

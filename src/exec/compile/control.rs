@@ -1,8 +1,8 @@
 //! Control flow: masks of the lanes that take part.
 
-use super::Watch;
 use super::emit::Frame;
 use super::emit::{Compiler, Value};
+use super::options::Watch;
 use super::plan::GLOBALS;
 use crate::code::{CallPath, EMPTY, F1, F2, Instr, Reg, Slot, Target};
 use shaderlint_ir::{

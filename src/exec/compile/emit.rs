@@ -1,13 +1,12 @@
 //! Values, registers and instructions.
 
+use super::options::{CompileOptions, Persona, Refusal, Watch};
 use super::plan::{Held, Plan};
-use super::probe::Probed;
 use super::registers::Registers;
-use super::{CompileOptions, Persona, Refusal, Watch};
 use crate::code::{CallPath, CheckSite, Code, F1, F2, F3, Inexact, Instr, Reg, Slot, Target};
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Layout, Module, OpId, Provenance};
-use shaderlint_semantic::{FunctionRef, Program, VariableId};
+use shaderlint_semantic::{FunctionRef, Program, Type, VariableId};
 
 /// Most instructions of a shader.
 const MAX_INSTRS: usize = 400_000;
@@ -23,6 +22,15 @@ pub(super) type Made<T> = Option<T>;
 pub(super) struct Regs {
     pub start: u32,
     pub len: u32,
+}
+
+/// Where what is looked at goes.
+#[derive(Clone, Copy)]
+pub(super) struct Probed {
+    pub ty: Type,
+    pub scalars: Regs,
+    /// All bits set where there was something to look at.
+    pub reached: Reg,
 }
 
 /// Where a value is.

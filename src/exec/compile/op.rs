@@ -1,7 +1,7 @@
 //! Operations, scalar by scalar.
 
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
-use super::{Persona, Watch};
+use super::options::{Persona, Watch};
 use crate::code::{CheckSite, Checked, Comparison, F1, F2, F3, Instr, Look, Reg};
 use shaderlint_ir::{Binary, OpId, OpKind, Precision, Unary};
 use shaderlint_semantic::{Base, Scalar, Type, Undefined, Value as Constant};

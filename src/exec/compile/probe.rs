@@ -1,23 +1,14 @@
 //! What is given out beside what the shader gives.
 
-use super::Probe;
-use super::emit::{Compiler, Made, Regs, Value};
-use crate::code::{Instr, OutputSlot, Reg};
+use super::emit::{Compiler, Made, Probed, Value};
+use super::options::Probe;
+use crate::code::{Instr, OutputSlot};
 use shaderlint_ir::{OpId, OpKind};
 use shaderlint_semantic::Type;
 use shaderlint_text::Span;
 
 /// How many scalars are given out.
 const SHOWN: u32 = 4;
-
-/// Where it goes.
-#[derive(Clone, Copy)]
-pub(super) struct Probed {
-    ty: Type,
-    scalars: Regs,
-    /// All bits set where there was something to look at.
-    reached: Reg,
-}
 
 impl Compiler<'_> {
     /// Makes room for what is looked at.

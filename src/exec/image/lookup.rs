@@ -1,39 +1,9 @@
 //! Lookups of 32 pixels at a time.
 
 use super::level::{levels, vector};
-use super::{Filter, Image, ImageShape, Sampling, Texels, Texture, Wrap, cube};
+use super::{Filter, Image, ImageShape, Lookup, Sampling, Texels, Texture, Wrap, cube};
 use crate::row::LANES;
 use wide::f32x4;
-
-/// What a lookup is given, the coordinates divided already where it projects.
-pub(crate) struct Lookup<'a> {
-    /// As many as the sampler takes; of arrays the layer comes last.
-    pub coordinates: &'a [[f32; LANES]],
-    /// What a shadow sampler compares the texels with: 1 where it is not more.
-    pub reference: Option<&'a [f32; LANES]>,
-    /// Which level is read.
-    pub level: LevelOf<'a>,
-    /// In texels.
-    pub offset: [i32; 3],
-}
-
-/// Where the level of a lookup comes from.
-pub(crate) enum LevelOf<'a> {
-    /// From how the coordinates grow in the quad.
-    Implicit {
-        /// Added to it.
-        bias: Option<&'a [f32; LANES]>,
-    },
-    /// Given.
-    Explicit(&'a [f32; LANES]),
-    /// From how the coordinates are said to grow.
-    Gradient {
-        /// To the right, by coordinate.
-        x: &'a [[f32; LANES]],
-        /// Up, by coordinate.
-        y: &'a [[f32; LANES]],
-    },
-}
 
 /// What the sampler gives, as bits; the lanes whose bit is not set are not looked up.
 pub(crate) fn lookup(texture: &Texture, lookup: &Lookup<'_>, lanes: u32) -> [[u32; LANES]; 4] {

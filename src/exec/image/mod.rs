@@ -2,16 +2,14 @@
 
 mod cube;
 mod level;
-mod lookup;
+pub(crate) mod lookup;
 mod mipmap;
-#[cfg(test)]
 #[cfg(test)]
 mod tests;
 
+use super::row::LANES;
 use shaderlint_semantic::{Sampler, Scalar};
 use std::sync::Arc;
-
-pub(crate) use lookup::{LevelOf, Lookup, fetch, lookup, size_of};
 
 /// The longest side of an image.
 const MAX_SIDE: u32 = 8192;
@@ -27,6 +25,36 @@ pub enum ImageShape {
     Cube,
     /// `sampler2DArray`
     Layers,
+}
+
+/// What a lookup is given, the coordinates divided already where it projects.
+pub(crate) struct Lookup<'a> {
+    /// As many as the sampler takes; of arrays the layer comes last.
+    pub coordinates: &'a [[f32; LANES]],
+    /// What a shadow sampler compares the texels with: 1 where it is not more.
+    pub reference: Option<&'a [f32; LANES]>,
+    /// Which level is read.
+    pub level: LevelOf<'a>,
+    /// In texels.
+    pub offset: [i32; 3],
+}
+
+/// Where the level of a lookup comes from.
+pub(crate) enum LevelOf<'a> {
+    /// From how the coordinates grow in the quad.
+    Implicit {
+        /// Added to it.
+        bias: Option<&'a [f32; LANES]>,
+    },
+    /// Given.
+    Explicit(&'a [f32; LANES]),
+    /// From how the coordinates are said to grow.
+    Gradient {
+        /// To the right, by coordinate.
+        x: &'a [[f32; LANES]],
+        /// Up, by coordinate.
+        y: &'a [[f32; LANES]],
+    },
 }
 
 /// The texels of one level, layer by layer, each layer row by row, the row of coordinate 0 first.

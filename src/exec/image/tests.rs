@@ -1,5 +1,6 @@
 //! Tests of lookups; what they expect was compared with what Chromium draws.
 
+use super::lookup::{fetch, lookup, size_of};
 use super::*;
 use crate::row::LANES;
 

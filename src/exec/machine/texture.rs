@@ -2,7 +2,8 @@
 
 use super::Machine;
 use crate::code::{LookupQuery, LookupSite, Reg};
-use crate::image::{LevelOf, Lookup, Texture, fetch, lookup, size_of};
+use crate::image::lookup::{fetch, lookup, size_of};
+use crate::image::{LevelOf, Lookup, Texture};
 use crate::row::{LANES, Row};
 
 impl Machine<'_> {
