@@ -3,9 +3,8 @@
 use super::lower::Lowerer;
 use super::sampler::Looked;
 use super::stored::Held;
+use super::target::{Res, TargetLanguage, Value};
 use super::types::Sink;
-use super::write::TargetLanguage;
-use super::{Res, Value};
 use ::naga::front::Typifier;
 use ::naga::{Block, Expression, Handle, Literal, LocalVariable, Statement};
 use rustc_hash::{FxHashMap, FxHashSet};

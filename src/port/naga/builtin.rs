@@ -1,8 +1,8 @@
 //! The functions of the language.
 
 use super::body::Body;
+use super::target::{FirstRow, Res, Value};
 use super::types::Sink;
-use super::{Res, Value, lower::FirstRow};
 use ::naga::{
     BinaryOperator as Op, DerivativeAxis, DerivativeControl, Expression, Literal,
     MathFunction as F, RelationalFunction, ScalarKind, UnaryOperator,

@@ -2,7 +2,7 @@
 //! caller's variable, where the value comes from it and goes back to it, else to a copy.
 
 use super::body::{Body, Bound};
-use super::{Res, Value};
+use super::target::{Res, Value};
 use ::naga::MathFunction;
 use shaderlint_ir::{OpId, OpKind, PlaceId, Root};
 use shaderlint_semantic::FunctionRef;

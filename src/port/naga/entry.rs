@@ -5,8 +5,8 @@ use super::global::Global;
 use super::lower::Lowerer;
 use super::port::{Leaf, entry_name, leaves, location};
 use super::special::Leaving;
+use super::target::{Res, Value};
 use super::types::Sink;
-use super::{Res, Value};
 use ::naga::{
     Binding, EntryPoint, Expression, FunctionResult, Handle, ShaderStage, Statement, StructMember,
     TypeInner,

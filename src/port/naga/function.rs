@@ -2,8 +2,8 @@
 
 use super::body::{Body, Bound};
 use super::lower::Lowerer;
+use super::target::{Res, Value};
 use super::types::Sink;
-use super::{Res, Value};
 use ::naga::{
     AddressSpace, Expression, FunctionArgument, FunctionResult, Handle, Statement, TypeInner,
 };

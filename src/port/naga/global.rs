@@ -3,8 +3,8 @@
 use super::body::{Body, Bound};
 use super::lower::{Initialisers, Lowerer};
 use super::stored::Major;
+use super::target::{Res, Value};
 use super::types::{Sink, compose};
-use super::{Res, Value};
 use ::naga::{AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryDecorations, Span};
 use shaderlint_ir::Root;
 use shaderlint_semantic::{Constant as Known, Stage, Storage, Type, VariableId};

@@ -1,8 +1,7 @@
 //! What a host must know of a shader to feed it: in the head of what is written, and as JSON.
 
-use super::lower::FirstRow;
-use super::write::TargetLanguage;
-use crate::SizeTerm;
+use super::target::{FirstRow, TargetLanguage};
+use crate::draw::SizeTerm;
 use serde::Serialize;
 
 /// Everything that a shader takes and gives, with its place.

@@ -6,9 +6,9 @@
 //! before, as the browser folds it, and the rest is read from a variable, which no such compiler
 //! looks through.
 
-use super::Value;
 use super::body::Body;
 use super::lower::Lowerer;
+use super::target::Value;
 use super::types::Sink;
 use ::naga::proc::{ResolveContext, TypeResolution};
 use ::naga::{

@@ -5,43 +5,18 @@ use super::function::order;
 use super::interface::HostInterface;
 use super::port::{entry_name, stage_name, varyings};
 use super::special::Special;
+use super::target::{FirstRow, LowerOptions, Refused, Res, TargetLanguage, Value};
 use super::types::Sink;
-use super::write::TargetLanguage;
-use super::{Refused, Res, Value};
 use super::{global::Global, uniform::Uniforms};
 use ::naga::proc::Layouter;
 use ::naga::{Arena, Expression, Handle, Module};
 use rustc_hash::FxHashMap;
-use serde::Serialize;
 use shaderlint_ir::{self as ir, Layout, OpId, OpKind};
 use shaderlint_semantic::link::{Block, Interface};
 use shaderlint_semantic::{
     Function, FunctionRef, Inside, Program, Sampler, Stage, Type, Variable, VariableId,
 };
 use shaderlint_text::Span;
-
-/// Where the first row of the picture lies.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Serialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-pub enum FirstRow {
-    /// On top, as graphics interfaces other than OpenGL show pictures: rows are turned
-    #[default]
-    Top,
-    /// Below, as in OpenGL: what is drawn is read by the number of the row, or turned when it is shown
-    Bottom,
-}
-
-/// How a shader is lowered.
-#[derive(Clone, Copy)]
-pub struct LowerOptions<'a> {
-    /// The language that it goes into.
-    pub language: TargetLanguage,
-    /// Where the first row of the picture lies.
-    pub first_row: FirstRow,
-    /// The vertex shader of a fragment shader, where it is known: it numbers the varyings.
-    pub vertex: Option<&'a Program>,
-}
 
 /// A shader in naga's form.
 pub struct Lowered {

@@ -1,8 +1,8 @@
 //! Matrices, where naga knows less of them than GLSL: it multiplies and adds, and that is all.
 
 use super::body::Body;
+use super::target::{Res, Value};
 use super::types::Sink;
-use super::{Res, Value};
 use ::naga::{BinaryOperator as Op, Expression, Handle, MathFunction, Statement};
 use shaderlint_ir::{OpId, expand};
 use shaderlint_semantic::{Scalar, Type};

@@ -27,6 +27,7 @@ mod region;
 mod sampler;
 mod special;
 mod stored;
+mod target;
 mod texel;
 mod texture;
 mod types;
@@ -37,14 +38,16 @@ pub use interface::{
     BindSlot, Buffer, BufferMember, DrawnPass, HostInterface, Port, Repeated, TexturePair,
     TextureSource,
 };
-pub use lower::{FirstRow, LowerOptions, Lowered, lower};
-pub use write::{Output, TargetLanguage, write};
+pub use lower::{Lowered, lower};
+pub use target::{FirstRow, LowerOptions, Output, Refused, TargetLanguage};
+pub use write::write;
 
+use super::compose::{Composed, PassUnit};
+use super::credits;
 use super::payload::{InputData, PassData, passes};
-use super::{Composed, PassUnit, Project, credits};
+use super::project::Project;
 use shaderlint_diagnostic::Severity;
 use shaderlint_semantic::Pass;
-use shaderlint_text::Span;
 
 /// A shader in another language.
 #[derive(Clone, Debug)]
@@ -153,24 +156,3 @@ fn describe(interface: &mut HostInterface, drawn: &PassData, passes: &[PassData]
         });
     }
 }
-
-/// Why a pass cannot be written in another language.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Refused {
-    /// Where the reason stands; empty where it is the whole pass.
-    pub span: Span,
-    /// The reason.
-    pub message: String,
-}
-
-impl Refused {
-    fn new(span: Span, message: impl Into<String>) -> Refused {
-        Refused {
-            span,
-            message: message.into(),
-        }
-    }
-}
-
-type Res<T> = Result<T, Refused>;
-type Value = ::naga::Handle<::naga::Expression>;

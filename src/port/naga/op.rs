@@ -1,8 +1,8 @@
 //! Operations: naga's expressions.
 
 use super::body::{Body, Given};
+use super::target::{Res, Value};
 use super::types::{Sink, literal, scalar, size};
-use super::{Res, Value};
 use ::naga::{
     BinaryOperator as Op, Expression, Literal, MathFunction, RelationalFunction, ScalarKind,
     Statement, UnaryOperator,

@@ -2,8 +2,8 @@
 
 use super::body::{Body, Bound};
 use super::stored::Held;
+use super::target::{Res, Value};
 use super::types::{Sink, size};
-use super::{Res, Value};
 use ::naga::{Expression, SwizzleComponent};
 use shaderlint_ir::{Access, Lanes, OpId, OpKind, Place, PlaceId, Root};
 use shaderlint_semantic::{Type, VariableId};

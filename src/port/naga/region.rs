@@ -1,8 +1,8 @@
 //! Regions: what runs one after another, the one or the other, again and again.
 
 use super::body::Body;
+use super::target::{Res, Value};
 use super::types::Sink;
-use super::{Res, Value};
 use ::naga::{Block, Expression, Statement, SwitchCase, SwitchValue, UnaryOperator};
 use shaderlint_ir::{
     Case, CaseLabel, Loop, LoopId, Module, OpId, Provenance, Region, Switch, Visit,

@@ -2,9 +2,9 @@
 //! number is one of several, of which each has a case of its own.
 
 use super::body::Body;
+use super::target::{Res, Value};
 use super::types::{Sink, image, texel};
 use super::uniform::Pair;
-use super::{Res, Value};
 use ::naga::{Expression, Statement, SwitchCase, SwitchValue, TypeInner};
 use shaderlint_ir::{Access, OpId, OpKind};
 use shaderlint_semantic::{Sampler, Scalar, Type, VariableId};

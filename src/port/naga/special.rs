@@ -1,11 +1,10 @@
 //! Variables of the language, which the stage gives and takes beside those of the shader.
 
 use super::body::{Body, Bound};
-use super::lower::{FirstRow, Lowerer};
+use super::lower::Lowerer;
 use super::port::location;
+use super::target::{FirstRow, Res, TargetLanguage, Value};
 use super::types::Sink;
-use super::write::TargetLanguage;
-use super::{Res, Value};
 use ::naga::{BinaryOperator as Op, Binding, BuiltIn, Expression, GlobalVariable, Handle};
 use shaderlint_ir::Access;
 use shaderlint_semantic::{Scalar, Stage, Type, VariableId};

@@ -4,7 +4,7 @@
 use super::body::Body;
 use super::interface::{BufferMember, Repeated};
 use super::lower::Lowerer;
-use super::{Res, Value};
+use super::target::{Res, Value};
 use ::naga::{ArraySize, Handle, MathFunction, StructMember, TypeInner};
 use shaderlint_ir::Lanes;
 use shaderlint_semantic::{Base, Scalar, Type};

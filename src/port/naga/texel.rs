@@ -1,9 +1,9 @@
 //! Textures of whole numbers, which the other languages read texel by texel and never sample.
 
 use super::body::Body;
+use super::target::{Res, Value};
 use super::texture::Shape;
 use super::types::Sink;
-use super::{Res, Value};
 use ::naga::{BinaryOperator as Op, Expression, ImageQuery, Literal, MathFunction};
 use shaderlint_ir::{Lanes, OpId};
 use shaderlint_semantic::builtins::{Level, Lookup};

@@ -2,8 +2,8 @@
 
 use super::body::Body;
 use super::sampler::Looked;
+use super::target::{Res, Value};
 use super::types::{Sink, image, texel};
-use super::{Res, Value};
 use ::naga::{
     BinaryOperator as Op, Block, Expression, Handle, ImageQuery, Literal, MathFunction,
     RelationalFunction, SampleLevel, ScalarKind, Statement,

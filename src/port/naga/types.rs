@@ -1,7 +1,7 @@
 //! Types: numbers, vectors, matrices, arrays, structs, textures.
 
 use super::lower::Lowerer;
-use super::{Res, Value};
+use super::target::{Res, Value};
 use ::naga::proc::TypeLayout;
 use ::naga::{
     ArraySize, Expression, Handle, ImageClass, ImageDimension, Literal, ScalarKind, Span,

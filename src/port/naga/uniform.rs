@@ -4,11 +4,10 @@
 use super::body::{Body, Bound};
 use super::global::Global;
 use super::interface::{BindSlot, Buffer, BufferMember, HostInterface, TexturePair};
-use super::lower::{FirstRow, Lowerer};
+use super::lower::Lowerer;
 use super::stored::{Field, Held, Major, Packing, Record, Stored};
+use super::target::{FirstRow, Res, TargetLanguage, Value};
 use super::types::{Sink, image};
-use super::write::TargetLanguage;
-use super::{Res, Value};
 use ::naga::{
     AddressSpace, Expression, GlobalVariable, Handle, MemoryDecorations, ResourceBinding, Span,
     TypeInner,

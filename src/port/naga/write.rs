@@ -1,10 +1,10 @@
 //! Naga's check and its writers.
 
-use super::Refused;
 use super::hlsl::with_lists;
 use super::interface::BindSlot;
 use super::lower::Lowered;
 use super::port::stage_name;
+use super::target::{Output, Refused, TargetLanguage};
 use ::naga::back::{hlsl, msl, spv, wgsl};
 use ::naga::proc::{BoundsCheckPolicies, BoundsCheckPolicy};
 use ::naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
@@ -13,52 +13,6 @@ use shaderlint_text::Span;
 use std::error::Error;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// The languages that naga writes.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum TargetLanguage {
-    /// WebGPU's language.
-    Wgsl,
-    /// Vulkan's binary form.
-    Spirv,
-    /// Direct3D's language, shader model 5.1.
-    Hlsl,
-    /// Metal's language, version 2.1.
-    Msl,
-}
-
-impl TargetLanguage {
-    /// All of them.
-    pub const ALL: [TargetLanguage; 4] = [
-        TargetLanguage::Wgsl,
-        TargetLanguage::Spirv,
-        TargetLanguage::Hlsl,
-        TargetLanguage::Msl,
-    ];
-
-    /// How the names of its files end.
-    pub const fn ending(self) -> &'static str {
-        match self {
-            TargetLanguage::Wgsl => "wgsl",
-            TargetLanguage::Spirv => "spv",
-            TargetLanguage::Hlsl => "hlsl",
-            TargetLanguage::Msl => "metal",
-        }
-    }
-
-    /// As it is called.
-    pub const fn name(self) -> &'static str {
-        match self {
-            TargetLanguage::Wgsl => "WGSL",
-            TargetLanguage::Spirv => "SPIR-V",
-            TargetLanguage::Hlsl => "HLSL",
-            TargetLanguage::Msl => "MSL",
-        }
-    }
-}
-
-/// What a file holds.
-pub type Output = Vec<u8>;
 
 /// Checks a shader and writes it. `credits` are the lines that say who made it.
 ///
