@@ -28,7 +28,7 @@ pub struct LoopId(pub u32);
 pub struct SwitchId(pub u32);
 
 /// A shader, resolved. Never changed once it is lowered.
-#[derive(Default, Debug)]
+#[derive(Clone, Default, Debug)]
 pub struct Module {
     /// All operations.
     pub ops: Vec<Op>,

@@ -1,5 +1,9 @@
 //! Whether a rewritten pass does what the pass did: both are compared as the middle form, operation by
 //! operation, under the names that the rewriting gives to the output and the place in the picture.
+//!
+//! `--verify` runs both and compares pixels, which shows that they are the same where it looked, and
+//! needs inputs and time. A rewritten pass is written without anybody looking, so it is proved, for
+//! all inputs; a shader that takes too long to be run is no exception.
 
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{

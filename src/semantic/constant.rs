@@ -125,7 +125,7 @@ impl Constant {
 }
 
 /// Holds the values of all constants of a shader.
-#[derive(Default, Debug)]
+#[derive(Clone, Default, Debug)]
 pub struct Pool {
     values: Vec<Value>,
 }

@@ -1,4 +1,9 @@
 //! The walk through the regions of a function.
+//!
+//! `defs` goes the same way through the same regions, by the same visitor, and keeps something else:
+//! one definition for each lane, merged where ways come together. Here it counts what every way has
+//! written, and which conditions held on it, so that a way that cannot be taken is left out; that
+//! makes ways again of what a merge has made one. Neither state is part of the other.
 
 use super::conditions::Conditions;
 use super::state::{ALL, Findings, Parts, Path, State, Unset};

@@ -5,7 +5,7 @@ use super::{INSTANTS, SIZE, SampledPixel};
 use crate::Facts;
 use shaderlint_exec::{Code, CompileOptions, compile, quads_all_over};
 use shaderlint_flow::LoopFacts;
-use shaderlint_ir::{Module, OpKind, lower};
+use shaderlint_ir::{Module, OpKind};
 use shaderlint_semantic::Value;
 
 /// Channels further apart than this are told apart at a glance.
@@ -48,7 +48,7 @@ impl Facts<'_> {
             [Value::Float(n)] => Value::Float(n * 2.0),
             _ => return None,
         };
-        let mut module = lower(self.program());
+        let mut module = self.module().clone();
         let constant = module.pool.add([doubled]);
         let slot = module.ops.get_mut(op.0 as usize)?;
         slot.kind = OpKind::Const(constant);
