@@ -155,7 +155,7 @@ impl Lowerer<'_> {
         let id = OpId(self.module.ops.len() as u32);
         let precision = match ty.scalar_kind() {
             Some(Scalar::Bool) => Precision::None,
-            _ => self.precision_of(kind),
+            _ => precision::of_operation(&self.module, &self.returned, kind),
         };
         self.module.ops.push(Op {
             kind,

@@ -1,7 +1,6 @@
 //! How exact values are (GLSL ES 3.00 section 4.5).
 
 use super::super::form::*;
-use super::Lowerer;
 use rustc_hash::FxHashMap;
 use shaderlint_semantic::{Base, Program, Sampler, Scalar, Stage, Type, Variable as Declared};
 use shaderlint_syntax::ast::{List, QualifierKind};
@@ -46,6 +45,13 @@ impl Precisions {
         }
     }
 
+    /// The precision that qualifiers give, or else that of the type.
+    pub fn declared(&self, program: &Program, qualifiers: List, ty: Type) -> Precision {
+        let given = program.tree.qualifiers(qualifiers).iter();
+        let given = given.rev().find_map(|q| of_qualifier(q.kind));
+        given.unwrap_or_else(|| self.default_of(ty))
+    }
+
     /// Takes a `precision` statement.
     pub fn set(&mut self, ty: Type, precision: Precision) {
         match ty.base {
@@ -85,61 +91,50 @@ pub(super) fn of_language(variable: &Declared, program: &Program) -> Precision {
         })
 }
 
-impl Lowerer<'_> {
-    /// The precision that qualifiers give, or else that of the type.
-    pub(super) fn declared_precision(&self, qualifiers: List, ty: Type) -> Precision {
-        let given = self.program.tree.qualifiers(qualifiers).iter();
-        let given = given.rev().find_map(|q| of_qualifier(q.kind));
-        given.unwrap_or_else(|| self.precisions.default_of(ty))
-    }
+/// By function: how exact what it returns is.
+pub(super) type Returned = FxHashMap<shaderlint_semantic::FunctionRef, Precision>;
 
-    /// How exact the value of an operation is: as its most exact operand.
-    pub(super) fn precision_of(&self, kind: OpKind) -> Precision {
-        let of = |id: OpId| self.module.op(id).precision;
-        match kind {
-            OpKind::Const(_) | OpKind::Undef | OpKind::Unknown | OpKind::Store(..) => {
-                Precision::None
-            }
-            OpKind::Load(place) => {
-                let variable = self.module.variable(self.module.place(place).variable);
-                variable.map_or(Precision::None, |v| v.precision)
-            }
-            OpKind::Unary(_, a)
-            | OpKind::Convert(a)
-            | OpKind::Splat(a)
-            | OpKind::Swizzle(a, _)
-            | OpKind::Extract(a, _)
-            | OpKind::ExtractComputed { base: a, .. } => of(a),
-            OpKind::Same { .. } => Precision::None,
-            OpKind::Binary(operator, ..) if operator.compares() => Precision::None,
-            OpKind::Binary(Binary::ShiftLeft | Binary::ShiftRight, a, _) => of(a),
-            OpKind::Binary(_, a, b) | OpKind::MatrixProduct(a, b) => of(a).max(of(b)),
-            OpKind::Select {
-                then, otherwise, ..
-            } => of(then).max(of(otherwise)),
-            OpKind::Compose(list) | OpKind::Builtin(_, list) => {
-                let operands = self.module.operands(list).iter();
-                operands.map(|o| of(*o)).max().unwrap_or_default()
-            }
-            OpKind::Call(function, _) => {
-                let set = self.returned.get(&function);
-                set.copied().unwrap_or_default()
-            }
-            OpKind::Returned(call, parameter) => self.precision_of_parameter(call, parameter),
+/// How exact the value of an operation is: as its most exact operand.
+pub(super) fn of_operation(module: &Module, returned: &Returned, kind: OpKind) -> Precision {
+    let of = |id: OpId| module.op(id).precision;
+    match kind {
+        OpKind::Const(_) | OpKind::Undef | OpKind::Unknown | OpKind::Store(..) => Precision::None,
+        OpKind::Load(place) => {
+            let variable = module.variable(module.place(place).variable);
+            variable.map_or(Precision::None, |v| v.precision)
         }
-    }
-
-    fn precision_of_parameter(&self, call: OpId, parameter: u32) -> Precision {
-        let OpKind::Call(function, _) = self.module.op(call).kind else {
-            return self.module.op(call).precision;
-        };
-        let function = self.module.function(function);
-        let all = function.map_or(&[][..], |f| self.module.parameters(f));
-        let variable = all.get(parameter as usize);
-        let variable = variable.and_then(|v| self.module.variable(*v));
-        variable.map_or(Precision::None, |v| v.precision)
+        OpKind::Unary(_, a)
+        | OpKind::Convert(a)
+        | OpKind::Splat(a)
+        | OpKind::Swizzle(a, _)
+        | OpKind::Extract(a, _)
+        | OpKind::ExtractComputed { base: a, .. } => of(a),
+        OpKind::Same { .. } => Precision::None,
+        OpKind::Binary(operator, ..) if operator.compares() => Precision::None,
+        OpKind::Binary(Binary::ShiftLeft | Binary::ShiftRight, a, _) => of(a),
+        OpKind::Binary(_, a, b) | OpKind::MatrixProduct(a, b) => of(a).max(of(b)),
+        OpKind::Select {
+            then, otherwise, ..
+        } => of(then).max(of(otherwise)),
+        OpKind::Compose(list) | OpKind::Builtin(_, list) => {
+            let operands = module.operands(list).iter();
+            operands.map(|o| of(*o)).max().unwrap_or_default()
+        }
+        OpKind::Call(function, _) => {
+            let set = returned.get(&function);
+            set.copied().unwrap_or_default()
+        }
+        OpKind::Returned(call, parameter) => of_parameter(module, call, parameter),
     }
 }
 
-/// By function: how exact what it returns is.
-pub(super) type Returned = FxHashMap<shaderlint_semantic::FunctionRef, Precision>;
+fn of_parameter(module: &Module, call: OpId, parameter: u32) -> Precision {
+    let OpKind::Call(function, _) = module.op(call).kind else {
+        return module.op(call).precision;
+    };
+    let function = module.function(function);
+    let all = function.map_or(&[][..], |f| module.parameters(f));
+    let variable = all.get(parameter as usize);
+    let variable = variable.and_then(|v| module.variable(*v));
+    variable.map_or(Precision::None, |v| v.precision)
+}

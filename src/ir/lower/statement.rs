@@ -28,11 +28,15 @@ impl Lowerer<'_> {
             self.module.parameter_lists.push(variable);
             let param = tree.params(decl.params).get(i);
             if let Some(param) = param {
-                let precision = self.declared_precision(param.qualifiers, declared.ty);
+                let precision =
+                    self.precisions
+                        .declared(self.program, param.qualifiers, declared.ty);
                 self.set_precision(variable, precision);
             }
         }
-        let precision = self.declared_precision(decl.qualifiers, known.returns);
+        let precision = self
+            .precisions
+            .declared(self.program, decl.qualifiers, known.returns);
         self.returned.insert(function, precision);
         if let Some(slot) = self.module.functions.get_mut(function.0 as usize) {
             slot.parameters = List {
@@ -101,7 +105,9 @@ impl Lowerer<'_> {
         let Some(found) = self.module.variable(variable).copied() else {
             return;
         };
-        let precision = self.declared_precision(qualifiers, found.ty.element());
+        let precision = self
+            .precisions
+            .declared(self.program, qualifiers, found.ty.element());
         self.set_precision(variable, precision);
         let mut given = self.program.tree.qualifiers(qualifiers).iter();
         if given.any(|q| q.kind == QualifierKind::Flat)
@@ -132,7 +138,9 @@ impl Lowerer<'_> {
                 if let Some(variable) = program.declared.get(at).copied().flatten()
                     && let Some(ty) = self.module.variable(variable).map(|v| v.ty)
                 {
-                    let precision = self.declared_precision(field.qualifiers, ty.element());
+                    let precision =
+                        self.precisions
+                            .declared(self.program, field.qualifiers, ty.element());
                     self.set_precision(variable, precision);
                 }
             }
