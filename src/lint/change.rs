@@ -1,6 +1,6 @@
 //! What edits do to the places and errors of a text.
 
-use super::Look;
+use super::fix::Look;
 use shaderlint_diagnostic::{Diagnostic, Facet, Severity};
 use shaderlint_text::{Edit, Span};
 

@@ -1,6 +1,9 @@
 //! What a rule works with.
 
-use super::{Facts, OptionType, Rule, Setting, Settings};
+use super::facts::Facts;
+use super::option::{OptionType, Setting};
+use super::rule::Rule;
+use super::settings::Settings;
 use shaderlint_diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
 use shaderlint_exec::Kind;
 use shaderlint_flow::ranges::{Interval, Side};

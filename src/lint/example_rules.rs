@@ -1,6 +1,6 @@
 //! Two rules that find nothing, for the tests of this layer: real ones are above it.
 
-use crate::{Group, Rule};
+use crate::rule::{Group, Rule};
 use shaderlint_diagnostic::Severity;
 
 /// One rule that runs by default, and one that does not.

@@ -1,8 +1,8 @@
 //! The fix engine: which fixes of one look at a text go together, and their repetition until
 //! nothing is left to mend.
 
-use super::Judged;
 use super::change::{Change, Moves, errors};
+use super::judged::Judged;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
 use shaderlint_semantic::Program;
 use shaderlint_text::{Edit, Sources, Span, apply_edits};

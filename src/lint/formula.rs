@@ -1,7 +1,8 @@
 //! Formulas: the shapes of expressions over operands, to be found in a shader however its author
 //! ordered and parenthesized them.
 
-use super::{Context, same_code};
+use super::context::Context;
+use super::same::same_code;
 use shaderlint_semantic::{BuiltinId, Program};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 

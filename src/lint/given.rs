@@ -1,6 +1,6 @@
 //! What the range of a value hangs on: the code around it, or what callers pass today.
 
-use super::Facts;
+use super::facts::Facts;
 use rustc_hash::FxHashSet;
 use shaderlint_flow::defs::{Def, DefId};
 use shaderlint_ir::{OpId, OpKind, Root};

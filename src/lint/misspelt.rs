@@ -1,7 +1,7 @@
 //! Comments that are meant for this program and that it does not read: `shaderlint-disable-line x`,
 //! `shaderlint allow(x)`, `shaderlint: alow(x)`. What other programs read is not looked at.
 
-use super::{Group, Rule};
+use super::rule::{Group, Rule};
 use std::ops::Range;
 
 /// The name of the program, as comments call it.

@@ -1,6 +1,6 @@
 //! What a rule goes by and the configuration may change: numbers and switches, each of its type.
 
-use super::Renderer;
+use super::settings::Renderer;
 
 /// A value that a rule goes by.
 #[derive(Debug)]

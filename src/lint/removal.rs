@@ -1,7 +1,7 @@
 //! Edits that take code away and leave no debris: no blank line where a statement was, no comma
 //! without its name.
 
-use super::DeclaredVariable;
+use super::rule::DeclaredVariable;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{Declarator, Extent};
 use shaderlint_text::{Edit, Span};

@@ -1,6 +1,7 @@
 //! The shape of a rule.
 
-use super::{Context, RuleOption};
+use super::context::Context;
+use super::option::RuleOption;
 use shaderlint_diagnostic::Severity;
 use shaderlint_semantic::{BuiltinId, FunctionRef, VariableId};
 use shaderlint_syntax::Macro;

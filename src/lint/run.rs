@@ -1,10 +1,10 @@
 //! Runs rules over a shader.
 
 use super::broken::Broken;
-use super::{
-    BinaryExpr, Builtin, Check, Context, DeclaredName, DeclaredVariable, Facts, Named, Rule,
-    Settings, Shape,
-};
+use super::context::Context;
+use super::facts::Facts;
+use super::rule::{BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Named, Rule, Shape};
+use super::settings::Settings;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_semantic::{FunctionRef, Program, VariableId};
 use shaderlint_syntax::Macro;

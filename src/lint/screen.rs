@@ -1,6 +1,6 @@
 //! Values that run along the picture: the place of the pixel, moved and scaled.
 
-use super::Facts;
+use super::facts::Facts;
 use shaderlint_flow::ranges::Interval;
 use shaderlint_flow::{Start, Varying};
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};

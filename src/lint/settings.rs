@@ -1,7 +1,8 @@
 //! Which rules run, how bad their findings are, and what they go by.
 
+use super::option::{OptionType, OptionValue, Setting};
+use super::rule::{Group, Rule};
 use super::trial::TrialLimit;
-use super::{Group, OptionType, OptionValue, Rule, Setting};
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{ERRORS, Severity};
 

@@ -7,7 +7,8 @@
 
 use super::misspelt::{self, Meant};
 use super::removal::remove_lines;
-use super::{Rule, Settings, nearest_rule};
+use super::rule::Rule;
+use super::settings::{Settings, nearest_rule};
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Diagnostic, ERRORS, Fix, Origin};
 use shaderlint_semantic::Program;

@@ -2,7 +2,7 @@
 //! that every machine gives the same answer.
 
 use super::{INSTANTS, Instant, Supplier, Trial, TrialShot};
-use crate::Facts;
+use crate::facts::Facts;
 use shaderlint_exec::{
     Code, CompileOptions, Draw, LANES, Sampled, Seen, Watch, quads_all_over, sample,
 };

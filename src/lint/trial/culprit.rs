@@ -2,7 +2,8 @@
 
 use super::Trial;
 use super::bench::colors;
-use crate::{Context, Facts};
+use crate::context::Context;
+use crate::facts::Facts;
 use shaderlint_exec::{CompileOptions, Kind, NumberSeen, Watch};
 
 /// A pixel whose colour is no number that a screen could show, and what made it so.

@@ -1,7 +1,7 @@
 //! Where a shader that marches decides whether a ray has hit something: the condition behind the loop
 //! that hangs on what the loop found, and on whose one side the shader does most.
 
-use crate::Facts;
+use crate::facts::Facts;
 use crate::march::{March, MarchGoal};
 use shaderlint_exec::Seen;
 use shaderlint_flow::{Uniformity, Varying};

@@ -2,7 +2,7 @@
 
 use super::bench::colors;
 use super::{INSTANTS, SIZE, SampledPixel};
-use crate::Facts;
+use crate::facts::Facts;
 use shaderlint_exec::{Code, CompileOptions, compile, quads_all_over};
 use shaderlint_flow::LoopFacts;
 use shaderlint_ir::{Module, OpKind};

@@ -8,7 +8,7 @@ mod longer;
 mod picture;
 mod verdict;
 
-use super::Facts;
+use super::facts::Facts;
 use rustc_hash::FxHashSet;
 use shaderlint_exec::{CompileOptions, Lean, Persona, Sampled, Seen, Watch};
 use shaderlint_flow::{Uniformity, Varying};

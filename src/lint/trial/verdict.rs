@@ -1,7 +1,7 @@
 //! What a run says of a finding that was made by reading.
 
 use super::{Trial, percent};
-use crate::Facts;
+use crate::facts::Facts;
 use shaderlint_exec::{Kind, LoopSeen, NumberSeen, Seen};
 use shaderlint_ir::OpId;
 use shaderlint_syntax::ast::StmtId;
