@@ -12,6 +12,7 @@ use shaderlint::report::render;
 use shaderlint::rules::{RULES, error_page};
 use shaderlint::semantic::{GuessedKind, guess};
 use shaderlint::text::Sources;
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -234,6 +235,37 @@ fn pages_of_errors() {
     run(ERRORS
         .iter()
         .map(|name| (format!("rules/errors/{name}.md"), *name)));
+}
+
+/// The list of the files of hosts, which names each.
+#[test]
+fn list_of_hosts() {
+    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/host");
+    let files = fs::read_dir(folder.join("presets")).unwrap();
+    let names = files.map(|f| f.unwrap().path().file_stem().unwrap().to_owned());
+    let names: BTreeSet<String> = names.map(|n| n.into_string().unwrap()).collect();
+    let rows = names.iter().map(|name| {
+        let row = format!("    (\"{name}\", include_str!(\"presets/{name}.glsl\")),\n");
+        // As `cargo fmt` sets it.
+        match row.len() {
+            ..=66 => row,
+            _ => format!(
+                "    (\n        \"{name}\",\n        include_str!(\"presets/{name}.glsl\"),\n    ),\n"
+            ),
+        }
+    });
+    let list = format!(
+        "//! Every file of `presets/`, in the order of the alphabet. Made by `cargo test --test all pages`.\n\n\
+         /// The name and the text of each.\npub(super) const FILES: &[(&str, &str)] = &[\n{}];\n",
+        rows.collect::<String>()
+    );
+    let path = folder.join("list.rs");
+    let is_stale = fs::read_to_string(&path).unwrap() != list;
+    if is_stale && accept {
+        fs::write(path, list).unwrap();
+    }
+    assert!(!is_stale, "stale: src/host/list.rs");
 }
 
 #[test]

@@ -97,12 +97,7 @@ impl HostNames {
     /// Puts what the user says of a host behind the preset.
     pub fn describe(&mut self, own: Preset) {
         let described = match &self.preset {
-            Some(preset) => Preset {
-                prelude: format!("{}\n{}", preset.prelude, own.prelude),
-                is_complete: own.is_complete && preset.is_complete,
-                version: preset.version,
-                ..own
-            },
+            Some(preset) => own.over(preset),
             None => own,
         };
         self.preset = Some(Arc::new(described));

@@ -1,7 +1,7 @@
 //! What hosts put before a text, and where it goes.
 
 use super::options::{HostUniform, Options};
-use shaderlint_host::Preset;
+use shaderlint_host::{Preset, declared_in};
 use shaderlint_syntax::{Lexer, RawKind, TokenKind as T};
 use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
@@ -24,23 +24,6 @@ pub fn prelude(preset: &Preset, code: &str, is_vertex: bool) -> String {
         text.push_str(if is_repeated { "\n" } else { line });
     }
     text
-}
-
-/// The name that a line declares.
-fn declared_in(line: &str) -> Option<&str> {
-    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let line = line.trim_start();
-    if let Some(rest) = line.strip_prefix("#define ") {
-        return rest.split(|c| !is_name(c)).next();
-    }
-    let line = line.strip_prefix("layout").map_or(line, |rest| {
-        rest.split_once(')').map_or(rest, |(_, behind)| behind)
-    });
-    let end = line.find([';', '(', '[', '=', '{'])?;
-    let head = line.get(..end)?.trim_end();
-    head.rsplit(|c| !is_name(c))
-        .next()
-        .filter(|n| !n.is_empty())
 }
 
 /// What a text declares outside of functions.

@@ -1,10 +1,21 @@
-//! Hosts: libraries that complete shaders before a browser sees them. Each is a file of GLSL with
-//! facts in its head, those of `presets/` and those that users write alike.
+//! Hosts: who runs a shader or completes it before a browser sees it, a site, a tool or a library.
+//! Each is a file of GLSL with facts in its head, those of `presets/` and those that users write
+//! alike. This is the only table of them: checking, running and porting read it.
 //!
 //! The head is made of line comments: the name in its first line, a paragraph of what the host does,
 //! and lines `key: value`. What follows is put before the shaders, with `VERTEX_SHADER` or
-//! `FRAGMENT_SHADER` defined.
+//! `FRAGMENT_SHADER` defined. A comment `// = time` behind a declaration says what the host sets the
+//! name to ([`Meanings`]); names that shaders declare themselves are written between
+//! `#ifdef SHADER_DECLARES` and `#endif`, which is put before none.
 
+mod list;
+mod meaning;
+
+pub use meaning::{
+    COMMON, Feed, FeedRow, Meanings, OWN, TextureFeed, TextureRow, USUAL, VaryingRow, is_named,
+};
+
+use list::FILES;
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -16,6 +27,8 @@ pub enum HostVersion {
     Any,
     /// What the text's own `#version` says; the host puts its declarations behind that.
     Own,
+    /// GLSL of desktops, which is compiled as GLSL ES 3.00 in its place.
+    Desktop,
     /// GLSL ES 1.00.
     Es100,
     /// GLSL ES 3.00.
@@ -27,6 +40,7 @@ impl fmt::Display for HostVersion {
         f.write_str(match self {
             HostVersion::Any => "either version, as its user asks",
             HostVersion::Own => "what the `#version` of the text says",
+            HostVersion::Desktop => "GLSL for desktops, here as GLSL ES 3.00",
             HostVersion::Es100 => "GLSL ES 1.00",
             HostVersion::Es300 => "GLSL ES 3.00, whatever the text says",
         })
@@ -36,10 +50,16 @@ impl fmt::Display for HostVersion {
 /// A host.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Preset {
-    /// How configurations name it; empty for one that a user wrote.
+    /// How configurations and `--host` name it; empty for one that a user wrote.
     pub name: &'static str,
+    /// Other names by which it is found.
+    pub aliases: Vec<String>,
     /// How people name it.
     pub title: String,
+    /// What a shader of it is called, where that is not the title.
+    pub reads: String,
+    /// The host that it builds on: its declarations are put before its own.
+    pub base: Option<&'static str>,
     /// What it does, in sentences.
     pub about: String,
     /// Where its facts come from.
@@ -64,8 +84,23 @@ pub struct Preset {
     pub renames: bool,
     /// The functions that it calls.
     pub entries: Vec<String>,
+    /// What further shows it in a text.
+    pub signs: Vec<TextSign>,
+    /// What the names mean that it sets, those of its base last.
+    pub meanings: Meanings,
     /// What it puts before the shaders.
     pub prelude: String,
+    /// Where in that its own part starts, behind that of its base.
+    pub own_start: usize,
+}
+
+/// Words of a text that together show a host.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct TextSign {
+    /// The words; the first is told.
+    pub words: Vec<String>,
+    /// How much they show.
+    pub weight: u8,
 }
 
 /// A line of a head that cannot be read: its number, and what is wrong with it.
@@ -77,75 +112,55 @@ pub struct HeadError {
     pub message: String,
 }
 
-macro_rules! presets {
-    ($($name:literal),* $(,)?) => {
-        /// The names of all presets, in the order of the alphabet.
-        pub const PRESETS: &[&str] = &[$($name),*];
-        static SOURCES: [Source; PRESETS.len()] = [$(Source {
-            name: $name,
-            text: include_str!(concat!("presets/", $name, ".glsl")),
-            preset: OnceLock::new(),
-        }),*];
-    };
+/// The hosts of [`FILES`], each read when it is first asked for.
+static PRESETS: [OnceLock<Preset>; FILES.len()] = [const { OnceLock::new() }; FILES.len()];
+
+fn at(index: usize) -> Option<&'static Preset> {
+    let ((name, text), cell) = (FILES.get(index)?, PRESETS.get(index)?);
+    Some(cell.get_or_init(|| Preset {
+        name,
+        ..read(text).unwrap_or_default()
+    }))
 }
 
-/// The file of a preset, which is read when it is first asked for.
-struct Source {
-    name: &'static str,
-    text: &'static str,
-    preset: OnceLock<Preset>,
+/// All presets, in the order of the alphabet.
+pub fn presets() -> impl Iterator<Item = &'static Preset> {
+    (0..FILES.len()).filter_map(at)
 }
 
-impl Source {
-    fn preset(&self) -> &Preset {
-        self.preset.get_or_init(|| Preset {
-            name: self.name,
-            ..read(self.text).unwrap_or_default()
-        })
+/// The preset of a name, or of an alias.
+pub fn preset(name: &str) -> Option<&'static Preset> {
+    match FILES.iter().position(|(own, _)| *own == name) {
+        Some(index) => at(index),
+        None => presets().find(|p| p.aliases.iter().any(|alias| alias == name)),
     }
 }
 
-presets!(
-    "babylon",
-    "butterchurn",
-    "cesium",
-    "gl-react",
-    "glslcanvas",
-    "glslify",
-    "hydra",
-    "isf",
-    "kodi",
-    "lamina",
-    "luma",
-    "lygia",
-    "mapbox",
-    "maplibre",
-    "ogl",
-    "openframeworks",
-    "p5",
-    "phaser",
-    "pixi",
-    "pixi7",
-    "playcanvas",
-    "postprocessing",
-    "processing",
-    "regl",
-    "shader-park",
-    "shadertoy",
-    "three",
-    "three-custom-shader-material",
-    "twgl",
-    "vtk",
-);
-
-/// All presets.
-pub fn presets() -> impl Iterator<Item = &'static Preset> {
-    SOURCES.iter().map(Source::preset)
+/// The names and aliases of all presets, in the order of the alphabet.
+pub fn names() -> Vec<&'static str> {
+    let aliases = presets().flat_map(|p| &p.aliases).map(String::as_str);
+    let mut all: Vec<&str> = FILES.iter().map(|(name, _)| *name).chain(aliases).collect();
+    all.sort_unstable();
+    all
 }
 
-/// The preset of a name.
-pub fn preset(name: &str) -> Option<&'static Preset> {
-    SOURCES.iter().find(|s| s.name == name).map(Source::preset)
+/// The preset of a name that a user wrote.
+///
+/// # Errors
+///
+/// What is wrong with the name, and the names that are close to it.
+pub fn host_named(name: &str) -> Result<&'static Preset, String> {
+    preset(name).ok_or_else(|| none_of(name, &names()))
+}
+
+/// That a word is none of some words, with the one that was probably meant.
+fn none_of(word: &str, known: &[&str]) -> String {
+    let distances = known
+        .iter()
+        .map(|k| (strsim::damerau_levenshtein(k, word), *k));
+    let near = distances.filter(|(d, _)| *d <= 3).min();
+    let near = near.map_or(String::new(), |(_, k)| format!("; did you mean `{k}`?"));
+    format!("`{word}` is none of `{}`{near}", known.join("`, `"))
 }
 
 impl Preset {
@@ -153,7 +168,14 @@ impl Preset {
     pub fn page(&self) -> String {
         let mut text = format!("# {}\n\n{}\n\n", self.title, self.about);
         let code = |words: &[String]| format!("`{}`", words.join("`, `"));
-        let mut facts = vec![
+        let mut facts = Vec::new();
+        if let Some(base) = self.base {
+            facts.push(("Builds on", format!("[{base}]({base}.md)")));
+        }
+        if !self.aliases.is_empty() {
+            facts.push(("Also called", code(&self.aliases)));
+        }
+        facts.extend([
             ("Compiled as", self.version.to_string()),
             (
                 "Other names",
@@ -162,7 +184,7 @@ impl Preset {
                     false => "may be there, too".to_string(),
                 },
             ),
-        ];
+        ]);
         for (what, words) in [
             ("Calls", &self.entries),
             ("Known by the packages", &self.packages),
@@ -185,13 +207,22 @@ impl Preset {
             text.push_str(&format!("| {what} | {value} |\n"));
         }
         text.push_str(&format!("\n```toml\nhost = \"{}\"\n```\n", self.name));
-        let prelude = self.prelude.trim();
+        text.push_str(&self.meanings.page());
+        let prelude = self.prelude.get(self.own_start..).unwrap_or("").trim();
         if !prelude.is_empty() {
             text.push_str("\nWhat it puts before a shader:\n\n```glsl\n");
             text.push_str(prelude);
             text.push_str("\n```\n");
         }
         text
+    }
+
+    /// What a shader of it is called where it is told what it was read as.
+    pub fn read_as(&self) -> &str {
+        match self.reads.is_empty() {
+            true => &self.title,
+            false => &self.reads,
+        }
     }
 
     /// What is put before a shader of a stage.
@@ -241,6 +272,11 @@ impl Preset {
         })
     }
 
+    /// Whether it declares names that it sets, so that texts use them undeclared.
+    pub fn declares(&self) -> bool {
+        self.meanings.has_declared()
+    }
+
     /// Whether only this host declares a name.
     pub fn has_word(&self, name: &str) -> bool {
         self.words.iter().any(|own| match own.strip_suffix('*') {
@@ -254,17 +290,39 @@ impl Preset {
 ///
 /// # Errors
 ///
-/// The first line of the head with a key that does not exist, or a value that cannot be one.
+/// The first line with a key of the head that does not exist, with a value that cannot be one, or
+/// with a meaning that cannot be read.
 pub fn read(text: &str) -> Result<Preset, HeadError> {
     let mut preset = Preset::default();
-    let mut length = 0;
+    let mut given = Given::default();
     let mut has_facts = false;
-    for (number, line) in text.split_inclusive('\n').enumerate() {
-        let Some(comment) = line.strip_prefix("//") else {
-            break;
+    let mut is_head = true;
+    // Whether the lines at hand are for names that shaders declare.
+    let mut is_theirs = false;
+    for (line, number) in text.split_inclusive('\n').zip(1..) {
+        let wrong = |message| HeadError {
+            line: number,
+            message,
         };
-        length += line.len();
-        let comment = comment.trim();
+        is_head &= line.starts_with("//");
+        if !is_head {
+            let word = line.trim();
+            let is_end = is_theirs && word == "#endif";
+            is_theirs |= word == SHADER_DECLARES;
+            preset.meanings.read(line, !is_theirs).map_err(wrong)?;
+            // What is put before shaders is without these comments.
+            let code = line.split_once("// =").map(|(code, _)| code.trim_end());
+            match (is_theirs, code) {
+                (true, _) => preset.prelude.push('\n'),
+                (false, Some(code)) => preset.prelude.push_str(&format!("{code}\n")),
+                (false, None) => preset.prelude.push_str(line),
+            }
+            is_theirs &= !is_end;
+            continue;
+        }
+        // The head stays as blank lines, so that places in the file are those of the text.
+        preset.prelude.push('\n');
+        let comment = line.trim_start_matches("//").trim();
         // Sentences hold colons, too: the facts start with the first key.
         let fact = comment.split_once(": ").filter(|(key, _)| match has_facts {
             true => is_key(key),
@@ -272,10 +330,10 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
         });
         has_facts |= fact.is_some();
         match fact {
-            Some((key, value)) => preset.set(key, value.trim()).map_err(|message| HeadError {
-                line: number + 1,
-                message,
-            })?,
+            Some((key, value)) => {
+                given.note(key);
+                preset.set(key, value.trim()).map_err(wrong)?;
+            }
             None if preset.title.is_empty() => preset.title = comment.to_string(),
             None if comment.is_empty() => {}
             None => {
@@ -286,16 +344,84 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
             }
         }
     }
-    // The head stays as blank lines, so that places in the file are those of the text.
-    let lines = text.get(..length).unwrap_or("").matches('\n').count();
-    preset.prelude = "\n".repeat(lines) + text.get(length..).unwrap_or("");
+    if let Some(base) = preset.base.and_then(self::preset) {
+        preset.build_on(base, &given);
+    }
     Ok(preset)
 }
 
+/// The line before declarations that are in the shaders themselves.
+const SHADER_DECLARES: &str = "#ifdef SHADER_DECLARES";
+
+/// Which facts a head gives that a base gives otherwise.
+#[derive(Default)]
+struct Given {
+    version: bool,
+    names: bool,
+}
+
+impl Given {
+    fn note(&mut self, key: &str) {
+        self.version |= key == "version";
+        self.names |= key == "names";
+    }
+}
+
+impl Preset {
+    /// What a user says of a host that is known already.
+    pub fn over(mut self, base: &Preset) -> Preset {
+        self.put_behind(base);
+        self.is_complete &= base.is_complete;
+        self.version = base.version;
+        self
+    }
+
+    fn put_behind(&mut self, base: &Preset) {
+        self.own_start = base.prelude.len() + 1;
+        self.prelude = format!("{}\n{}", base.prelude, self.prelude);
+        self.meanings.inherit(&base.meanings);
+    }
+
+    /// Puts what it says behind what its base says. What shows the base does not show it.
+    fn build_on(&mut self, base: &Preset, given: &Given) {
+        self.put_behind(base);
+        if !given.version {
+            self.version = base.version;
+        }
+        if !given.names {
+            self.is_complete = base.is_complete;
+        }
+        if self.includes.is_empty() {
+            self.includes = base.includes.clone();
+        }
+        if self.entries.is_empty() {
+            self.entries = base.entries.clone();
+        }
+        self.holes.extend(base.holes.iter().cloned());
+    }
+}
+
+/// The name that a line declares.
+pub fn declared_in(line: &str) -> Option<&str> {
+    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let line = line.trim_start();
+    if let Some(rest) = line.strip_prefix("#define ") {
+        return rest.split(|c| !is_name(c)).next();
+    }
+    let line = line.strip_prefix("layout").map_or(line, |rest| {
+        rest.split_once(')').map_or(rest, |(_, behind)| behind)
+    });
+    let end = line.find([';', '(', '[', '=', '{'])?;
+    let head = line.get(..end)?.trim_end();
+    head.rsplit(|c| !is_name(c))
+        .next()
+        .filter(|n| !n.is_empty())
+}
+
 /// The keys of a head.
-const KEYS: [&str; 11] = [
-    "source", "package", "global", "word", "entry", "include", "hole", "version", "names",
-    "renames", "takes",
+const KEYS: [&str; 15] = [
+    "alias", "reads", "base", "source", "package", "global", "word", "shows", "entry", "include",
+    "hole", "version", "names", "renames", "takes",
 ];
 
 /// Whether a word in front of a colon may be meant as a key.
@@ -307,6 +433,10 @@ impl Preset {
     fn set(&mut self, key: &str, value: &str) -> Result<(), String> {
         let words = || value.split_whitespace().map(str::to_string);
         match key {
+            "alias" => self.aliases.extend(words()),
+            "reads" => self.reads = value.to_string(),
+            "base" => self.base = Some(host_named(value)?.name),
+            "shows" => self.signs.push(sign(value)?),
             "source" => self.source = value.to_string(),
             "package" => self.packages.extend(words()),
             "word" => self.words.extend(words()),
@@ -318,11 +448,12 @@ impl Preset {
                 self.version = match value {
                     "any" => HostVersion::Any,
                     "own" => HostVersion::Own,
+                    "desktop" => HostVersion::Desktop,
                     "100" => HostVersion::Es100,
                     "300 es" => HostVersion::Es300,
                     _ => {
                         return Err(format!(
-                            "`{value}` is none of `any`, `own`, `100`, `300 es`"
+                            "`{value}` is none of `any`, `own`, `desktop`, `100`, `300 es`"
                         ));
                     }
                 }
@@ -355,6 +486,21 @@ impl Preset {
     }
 }
 
+/// A sign like `own inData VertexData`.
+fn sign(value: &str) -> Result<TextSign, String> {
+    let mut words = value.split_whitespace();
+    let weight = match words.next() {
+        Some("own") => OWN,
+        Some("usual") => USUAL,
+        other => return Err(none_of(other.unwrap_or(""), &["own", "usual"])),
+    };
+    let words: Vec<String> = words.map(str::to_string).collect();
+    match words.is_empty() {
+        true => Err("this names no words".to_string()),
+        false => Ok(TextSign { words, weight }),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -375,7 +521,7 @@ mod tests {
         let error = read("// A\n// version: 2\n").unwrap_err();
         assert_eq!(
             (error.line, error.message.as_str()),
-            (2, "`2` is none of `any`, `own`, `100`, `300 es`")
+            (2, "`2` is none of `any`, `own`, `desktop`, `100`, `300 es`")
         );
         assert_eq!(
             read("// A\n// names: all\n// wrong: 2\n").unwrap_err().line,
@@ -384,8 +530,43 @@ mod tests {
     }
 
     #[test]
+    fn a_host_builds_on_another() {
+        let text =
+            "// Mine\n//\n// Like three.js.\n// base: three\nuniform float mine; // = time, own\n";
+        let preset = read(text).unwrap();
+        let three = super::preset("three").unwrap();
+        assert_eq!(
+            (preset.version, &preset.entries),
+            (three.version, &three.entries)
+        );
+        assert!(preset.prelude.starts_with(&three.prelude));
+        assert!(preset.prelude.contains("uniform float mine;"));
+        assert_eq!(preset.meanings.feeds[0].name, "mine");
+        assert!(preset.meanings.feeds.len() == three.meanings.feeds.len() + 1);
+        assert!(preset.packages.is_empty() && preset.words.is_empty());
+        let error = read("// A\n// base: threee\n").unwrap_err();
+        assert!(
+            error.message.ends_with("did you mean `three`?"),
+            "{error:?}"
+        );
+    }
+
+    #[test]
+    fn what_shaders_declare_is_put_before_none() {
+        let text = "// A\nuniform float a; // = time\n#ifdef SHADER_DECLARES\n\
+            uniform float b; // = frame\n#endif\nuniform float c; // = tim\n";
+        let error = read(text).unwrap_err();
+        assert_eq!(error.line, 6);
+        let preset = read(&text.replace("= tim\n", "= time\n")).unwrap();
+        let own: Vec<&str> = preset.prelude.lines().filter(|l| !l.is_empty()).collect();
+        assert_eq!(own, ["uniform float a;", "uniform float c;"]);
+        let declared = preset.meanings.feeds.iter().map(|r| r.is_declared);
+        assert_eq!(declared.collect::<Vec<_>>(), [true, false, true]);
+    }
+
+    #[test]
     fn every_preset_is_read() {
-        for Source { name, text, .. } in &SOURCES {
+        for (name, text) in FILES {
             let preset = read(text).unwrap_or_else(|e| panic!("{name}: {e:?}"));
             assert!(
                 !preset.title.is_empty() && !preset.about.is_empty(),

@@ -41,8 +41,8 @@ pub use compose::{Composed, PassUnit, compose};
 pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
 pub use dialect::{
-    Bindings, DIALECTS, DialectFacts, Feed, MAX_CHANNELS, TextsBeside, UniformData, VaryingValue,
-    bindings, dialect_named,
+    Bindings, Clues, MAX_CHANNELS, Recognised, TextsBeside, UniformData, VaryingValue, bindings,
+    recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
 pub use export::{MAX_EXPORT, ProjectError};

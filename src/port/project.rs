@@ -1,6 +1,7 @@
 //! ShaderToy projects: passes, and what their channels read.
 
-use super::{Bindings, DialectFacts, PassDraw, StandIn, UniformControl};
+use super::{Bindings, PassDraw, StandIn, UniformControl};
+use shaderlint_host::Preset;
 use shaderlint_semantic::{Channels, Pass, Sampler, Stage};
 use std::sync::Arc;
 
@@ -14,7 +15,7 @@ pub struct Project {
     /// Whether it comes from an export, so that ShaderToy's terms hold and passes have names.
     pub is_export: bool,
     /// What its whole shaders are written in.
-    pub dialect: Option<&'static DialectFacts>,
+    pub host: Option<&'static Preset>,
     /// How many of the controls the text itself describes: the first ones.
     pub described: usize,
     /// The uniforms that the user sets.

@@ -1,12 +1,11 @@
 //! A shader file as a project: a pass of ShaderToy, or a whole shader of any dialect.
 
-use super::dialect::{
-    self, Clues, DialectFacts, Plan, PlannedPass, TextsBeside, bind, dialect_named, recognise,
-};
+use super::dialect::{self, Clues, Plan, PlannedPass, Recognised, TextsBeside, bind, recognise};
 use super::{
     Bindings, Composed, Info, Input, InputKind, Project, ProjectPass, UniformControl, Wrapper,
     compose,
 };
+use shaderlint_host::{Preset, preset};
 use shaderlint_semantic::{
     GuessedKind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels,
 };
@@ -45,17 +44,17 @@ impl Project {
         Ok(project)
     }
 
-    /// A project of a shader file, of whose channels nothing is known yet. `dialect` is what the
-    /// user says that it is written in.
+    /// A project of a shader file, of whose channels nothing is known yet. `host` is who
+    /// runs it, as the user says.
     ///
     /// # Errors
     /// Where its text shows that no page of ours can show it.
     pub fn draft(
         title: &str,
         code: &str,
-        dialect: Option<&'static DialectFacts>,
+        host: Option<&'static Preset>,
     ) -> Result<Project, ShaderError> {
-        Project::draft_beside(title, code, dialect, &TextsBeside::new())
+        Project::draft_beside(title, code, host, &TextsBeside::new())
     }
 
     /// The same of a text that others stand beside: those that it still asks for are in
@@ -66,7 +65,7 @@ impl Project {
     pub fn draft_beside(
         title: &str,
         code: &str,
-        dialect: Option<&'static DialectFacts>,
+        host: Option<&'static Preset>,
         beside: &TextsBeside,
     ) -> Result<Project, ShaderError> {
         let told = guess(code);
@@ -75,19 +74,12 @@ impl Project {
             _ => None,
         };
         let clues = Clues::beside(code, title, beside);
-        let recognised = match dialect {
-            Some(dialect) => dialect::Recognised {
-                dialect,
-                signs: Vec::new(),
-                tied: None,
-            },
-            None => recognise(&clues),
-        };
-        let Some(plan) = recognised.dialect.plan else {
+        let recognised = host.map(Recognised::given).or_else(|| recognise(&clues));
+        let recognised = recognised.ok_or(ShaderError::NoEntry)?;
+        let Some(plan) = dialect::plan(recognised.host, &clues) else {
             let kind = pass.ok_or(ShaderError::NoEntry)?;
             return Ok(Project::of_pass(title, ProjectPass::new(kind, code)));
         };
-        let plan = plan(&clues);
         if !clues.is_shader() && !plan.is_description {
             return Err(ShaderError::NoEntry);
         }
@@ -95,8 +87,8 @@ impl Project {
         if told.stage == Some(Stage::Vertex) && !draws_vertices {
             return Err(ShaderError::Vertex);
         }
-        let mut project = Project::of_plan(title, recognised.dialect, plan)?;
-        if dialect.is_none() && !recognised.signs.is_empty() {
+        let mut project = Project::of_plan(title, recognised.host, plan)?;
+        if host.is_none() && !recognised.signs.is_empty() {
             project.notes.insert(0, recognised.told());
         }
         Ok(project)
@@ -106,7 +98,7 @@ impl Project {
     /// language that it will have; `None` where the text is none, or where its host completes it.
     /// Nothing is asked of it yet: [`Project::draft`] takes what comes of it.
     pub fn modernized(&self, text: &str) -> Option<Project> {
-        let is_whole = self.dialect.is_some_and(|d| !d.declares) && self.passes.len() == 1;
+        let is_whole = self.host.is_some_and(|h| !h.declares()) && self.passes.len() == 1;
         let is_old = is_whole && guess(text).kind == Some(GuessedKind::WebGl1);
         is_old.then(|| {
             let pass = ProjectPass {
@@ -129,11 +121,7 @@ impl Project {
         }
     }
 
-    fn of_plan(
-        title: &str,
-        dialect: &'static DialectFacts,
-        plan: Plan,
-    ) -> Result<Project, ShaderError> {
+    fn of_plan(title: &str, host: &'static Preset, plan: Plan) -> Result<Project, ShaderError> {
         let mut notes = plan.notes;
         let mut passes = Vec::new();
         let mut draws = plan.draws.into_iter();
@@ -153,7 +141,7 @@ impl Project {
                 ..Info::default()
             },
             passes,
-            dialect: Some(dialect),
+            host: Some(host),
             described: plan.controls.len(),
             controls: plan.controls,
             notes,
@@ -181,11 +169,12 @@ impl Project {
             match unit.wrapper {
                 Wrapper::Player => pass.inputs = channels_used(program, unit.kind),
                 Wrapper::Own => {
-                    let facts = self.dialect.or_else(|| dialect_named("webgl"));
-                    let Some(facts) = facts else { continue };
+                    let Some(host) = self.host.or_else(|| preset("webgl")) else {
+                        continue;
+                    };
                     let own = (&pass.inputs[..], &controls[..]);
                     let partner = pass.draw.partner.as_deref();
-                    pass.bound = bind(program, facts, own, pass.output.as_ref(), partner);
+                    pass.bound = bind(program, host, own, pass.output.as_ref(), partner);
                     pass.inputs = pass.bound.inputs.clone();
                     add_controls(&mut controls, &pass.bound.controls);
                 }
@@ -239,7 +228,7 @@ impl Project {
             ),
             (zeros, "nothing sets these uniforms, so they are zeros"),
         ] {
-            if !names.is_empty() && self.dialect.is_some() {
+            if !names.is_empty() && self.host.is_some() {
                 told.push(format!("{what}: {}", quoted(names)));
             }
         }

@@ -7,7 +7,7 @@ use super::args::{Command, LintArgs, ListFormat};
 use super::complain;
 use crate::diagnostic::{ERRORS, Severity};
 use crate::engine::config::schema;
-use crate::host::{PRESETS, Preset, preset};
+use crate::host::{Preset, names as host_names, preset};
 use crate::lint::{OptionValue, Page, Renderer};
 use crate::rules::{RULES, error_page};
 use clap::CommandFactory;
@@ -74,7 +74,7 @@ pub fn page(name: &str) -> Option<&'static str> {
 
 fn unknown(name: &str) -> String {
     let names = RULES.iter().map(|r| r.name).chain(ERRORS.iter().copied());
-    let names = names.chain(PRESETS.iter().copied());
+    let names = names.chain(host_names());
     let distances = names.map(|n| (strsim::damerau_levenshtein(n, name), n));
     let near = distances.filter(|(d, _)| *d <= 3).min();
     let near = near.map_or(String::new(), |(_, n)| format!("; did you mean `{n}`?"));

@@ -6,9 +6,10 @@ use super::channels::{GivenOrder, file_of, orders};
 use super::media::{Carried, is_cube};
 use super::read::{plain_error, read_text, shown};
 use crate::engine::{Repairs, repair, repair_webgl1};
+use crate::host::{Preset, host_named};
 use crate::port::{
-    ChannelSource, Composed, DIALECTS, DialectFacts, PassFile, PassRole, Project, ShaderError,
-    TextsBeside, add_stand_ins, dialect_named, unknown_pass, unknown_source,
+    ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, TextsBeside, add_stand_ins,
+    unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
 use std::fs;
@@ -57,7 +58,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     let name = name_of(args);
     let wrong = |e: ShaderError| format!("{name}: {e}");
     let mut composed = project.resolve(&name).map_err(wrong)?;
-    if (mode == Mode::Repair || project.dialect.is_some() && composed.has_errors())
+    if (mode == Mode::Repair || project.host.is_some() && composed.has_errors())
         && repairs.is_empty()
         && let Some((mended, renewed, repaired)) = mend(&project, &composed, &name, mode)?
     {
@@ -75,7 +76,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     if let Some(folder) = &args.media {
         carried.find(&mut project, folder)?;
     }
-    if let (Some(_), Some(path)) = (project.dialect, args.input.first())
+    if let (Some(_), Some(path)) = (project.host, args.input.first())
         && path.as_os_str() != "-"
     {
         carried.find(&mut project, folder_of(path))?;
@@ -149,17 +150,9 @@ pub(in crate::cli) fn draft(
 }
 
 /// The dialect that the user says the code is written in.
-fn dialect(from: Option<&str>) -> Result<Option<&'static DialectFacts>, String> {
-    let Some(name) = from else {
-        return Ok(None);
-    };
-    let names: Vec<&str> = DIALECTS.iter().map(|d| d.name).collect();
-    dialect_named(name).map(Some).ok_or_else(|| {
-        format!(
-            "--from: `{name}` is no dialect; these are: {}",
-            names.join(", ")
-        )
-    })
+fn dialect(from: Option<&str>) -> Result<Option<&'static Preset>, String> {
+    let named = from.map(|name| host_named(name).map_err(|e| format!("--host: {e}")));
+    named.transpose()
 }
 
 const USAGE: &str = "give a shader file, a ShaderToy export (.json) or a folder of passes, like \
@@ -267,11 +260,7 @@ impl Drafted {
     }
 }
 
-fn one_file(
-    path: &Path,
-    mode: Mode,
-    from: Option<&'static DialectFacts>,
-) -> Result<Drafted, String> {
+fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Drafted, String> {
     let name = shown(path);
     let text = read_text(path)?;
     let wrong = |e: String| format!("{name}: {e}");

@@ -1,7 +1,7 @@
 //! When a picture is drawn, and where the mouse is then.
 
+use shaderlint_host::Feed;
 use shaderlint_math::sine;
-use shaderlint_port::Feed;
 
 /// Samples of sound a second, as ShaderToy's player has them.
 const SAMPLE_RATE: f64 = 44_100.0;
@@ -127,7 +127,8 @@ impl Moment {
             Feed::Volume => made_up_spectrum(self.time).into_iter().take(1).collect(),
             Feed::HistorySize => vec![SIGNAL_WIDTH, HISTORY_ROWS],
             Feed::Camera => vec![0.0, 0.0, 1.0],
-            Feed::TextureSize | Feed::Identity | Feed::Control | Feed::Nothing => Vec::new(),
+            Feed::ChannelTime | Feed::ChannelResolution | Feed::TextureSize => Vec::new(),
+            Feed::Identity | Feed::Control | Feed::Nothing => Vec::new(),
         }
     }
 }

@@ -2,24 +2,21 @@
 
 use super::moment::Moment;
 use shaderlint_exec::{Code, Draw};
-use shaderlint_port::Feed;
+use shaderlint_host::{Feed, preset};
 
-/// What the uniforms of ShaderToy's player are given.
-const PLAYER: [(&str, Feed); 8] = [
-    ("iResolution", Feed::Resolution),
-    ("iTime", Feed::Time),
-    ("iTimeDelta", Feed::Delta),
-    ("iFrameRate", Feed::FrameRate),
-    ("iFrame", Feed::Frame),
-    ("iMouse", Feed::Mouse),
-    ("iDate", Feed::Date),
-    ("iSampleRate", Feed::SampleRate),
-];
+/// What the player gives its uniforms whatever the project is like, by their names.
+fn given() -> impl Iterator<Item = (&'static str, Feed)> {
+    let rows = preset("shadertoy").map_or(&[][..], |p| &p.meanings.feeds);
+    let is_given = |feed| !matches!(feed, Feed::ChannelTime | Feed::ChannelResolution);
+    let own = rows.iter().filter(|row| row.is_declared);
+    own.map(|row| (row.name.as_str(), row.feed))
+        .filter(move |(_, feed)| is_given(*feed))
+}
 
 /// A draw of a pass that the player completes, all set but what its channels read.
 pub fn player_draw<'c>(code: &'c Code, size: [u32; 2], moment: &Moment) -> Draw<'c> {
     let mut draw = Draw::new(code, size);
-    for (name, feed) in PLAYER {
+    for (name, feed) in given() {
         let mut lanes = moment.lanes(feed, size);
         if feed == Feed::Resolution {
             lanes.truncate(3);
@@ -31,5 +28,5 @@ pub fn player_draw<'c>(code: &'c Code, size: [u32; 2], moment: &Moment) -> Draw<
 
 /// Whether the player gives a uniform of this name the same whatever the project is like.
 pub fn player_gives(name: &str) -> bool {
-    PLAYER.iter().any(|(given, _)| *given == name)
+    given().any(|(given, _)| given == name)
 }

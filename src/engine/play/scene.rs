@@ -4,8 +4,9 @@
 use super::moment::Moment;
 use super::varyings::Varyings;
 use shaderlint_exec::{Code, CompileOptions, Draw, Refusal, UniformSlot, compile};
+use shaderlint_host::Feed;
 use shaderlint_ir::Module;
-use shaderlint_port::{Bindings, Feed, UniformControl, bindings};
+use shaderlint_port::{Bindings, UniformControl, bindings};
 use shaderlint_semantic::{Program, Storage, Type};
 
 /// A shader that is ready to be drawn, with all that it is given.

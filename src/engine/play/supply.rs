@@ -4,8 +4,9 @@ use super::moment::{Button, Moment, Mouse};
 use super::player::{player_draw, player_gives};
 use super::scene::Given;
 use shaderlint_exec::{Code, Draw};
+use shaderlint_host::Feed;
 use shaderlint_lint::trial::{Instant, Supplier};
-use shaderlint_port::{Feed, bindings};
+use shaderlint_port::bindings;
 use shaderlint_semantic::Program;
 use std::cell::OnceCell;
 
@@ -81,6 +82,8 @@ fn is_certain(feed: Feed) -> bool {
         | Feed::PointerSigned
         | Feed::Button => true,
         Feed::SampleRate
+        | Feed::ChannelTime
+        | Feed::ChannelResolution
         | Feed::TextureSize
         | Feed::Spectrum
         | Feed::Volume

@@ -22,8 +22,8 @@ precision highp float;
 precision highp int;
 #define vv_FragNormCoord isf_FragNormCoord
 uniform int PASSINDEX;
-uniform vec2 RENDERSIZE;
-varying vec2 isf_FragNormCoord;
+uniform vec2 RENDERSIZE; // = resolution, own
+varying vec2 isf_FragNormCoord; // = port_place, own
 #ifdef VERTEX_SHADER
 #define vv_vertShaderInit isf_vertShaderInit
 attribute vec2 position;
@@ -31,11 +31,11 @@ vec2 isf_fragCoord;
 void isf_vertShaderInit();
 #endif
 #ifdef FRAGMENT_SHADER
-varying vec2 isf_FragCoord;
-uniform float TIME;
-uniform float TIMEDELTA;
-uniform int FRAMEINDEX;
-uniform vec4 DATE;
+varying vec2 isf_FragCoord; // = port_place * port_size
+uniform float TIME; // = time
+uniform float TIMEDELTA; // = delta
+uniform int FRAMEINDEX; // = frame
+uniform vec4 DATE; // = date-from-one
 vec4 VVSAMPLER_2DBYPIXEL(sampler2D sampler, vec4 samplerImgRect, vec2 samplerImgSize, bool samplerFlip, vec2 loc);
 vec4 VVSAMPLER_2DBYNORM(sampler2D sampler, vec4 samplerImgRect, vec2 samplerImgSize, bool samplerFlip, vec2 normLoc);
 vec4 IMG_PIXEL(sampler2D image, vec2 pixel);

@@ -16,15 +16,15 @@
 #extension GL_OES_standard_derivatives : enable
 precision mediump float;
 precision mediump int;
-uniform vec3 iResolution;
-uniform float iGlobalTime;
-uniform float iChannelTime[4];
-uniform vec4 iMouse;
-uniform vec4 iDate;
-uniform float iSampleRate;
-uniform vec3 iChannelResolution[4];
-uniform sampler2D iChannel0;
-uniform sampler2D iChannel1;
-uniform sampler2D iChannel2;
-uniform sampler2D iChannel3;
+uniform vec3 iResolution; // = resolution
+uniform float iGlobalTime; // = time
+uniform float iChannelTime[4]; // = channel-time
+uniform vec4 iMouse; // = mouse
+uniform vec4 iDate; // = date
+uniform float iSampleRate; // = sample-rate
+uniform vec3 iChannelResolution[4]; // = channel-resolution
+uniform sampler2D iChannel0; // = music
+uniform sampler2D iChannel1; // = file, mipmap, repeat
+uniform sampler2D iChannel2; // = file, mipmap, repeat
+uniform sampler2D iChannel3; // = file, mipmap, repeat
 #endif

@@ -12,66 +12,25 @@
 // JavaScript part gives in the Map objects `uniforms` and `defines`; the text declares its uniforms
 // itself, macros it does not. Passes with an own ShaderMaterial are three.js.
 //
+// base: three
 // source: postprocessing 6.39.6, build/index.js (effect.frag, effect.vert, EffectPass); three 0.187.0, src/renderers/webgl/WebGLProgram.js, ShaderChunk/common.glsl.js, packing.glsl.js
 // package: postprocessing @react-three/postprocessing
 // word: inputBuffer getViewZ readDepth packFloatToRGBA unpackRGBAToFloat
-// version: 300 es
-// names: some
 // renames: yes
 // entry: mainImage mainUv mainSupport
-// include: <...>
-precision highp float;
-precision highp int;
-precision highp sampler2D;
-precision highp samplerCube;
-precision highp sampler3D;
-precision highp sampler2DArray;
-precision highp sampler2DShadow;
-precision highp isampler2D;
-precision highp usampler2D;
-#define HIGH_PRECISION
 #define THREE_REVISION 187
 #define DEPTH_PACKING 0
 #define ENCODE_OUTPUT 1
 #define PERSPECTIVE_CAMERA 1
 #define UV vUv
-#define texture2D texture
-uniform mat4 viewMatrix;
-uniform vec3 cameraPosition;
-uniform bool isOrthographic;
 uniform vec2 resolution;
 uniform vec2 texelSize;
 uniform float cameraNear;
 uniform float cameraFar;
 uniform float aspect;
 uniform float time;
-#ifdef VERTEX_SHADER
-#define attribute in
-#define varying out
-uniform mat4 modelMatrix;
-uniform mat4 modelViewMatrix;
-uniform mat4 projectionMatrix;
-uniform mat3 normalMatrix;
-attribute vec3 position;
-attribute vec3 normal;
-attribute vec2 uv;
 varying vec2 vUv;
-#endif
 #ifdef FRAGMENT_SHADER
-#define varying in
-#define gl_FragColor pc_fragColor
-#define gl_FragDepthEXT gl_FragDepth
-#define textureCube texture
-#define texture2DProj textureProj
-#define texture2DLodEXT textureLod
-#define textureCubeLodEXT textureLod
-#define texture2DGradEXT textureGrad
-layout(location = 0) out highp vec4 pc_fragColor;
-vec4 LinearTransferOETF(in vec4 value);
-vec4 sRGBTransferEOTF(in vec4 value);
-vec4 sRGBTransferOETF(in vec4 value);
-vec4 linearToOutputTexel(vec4 value);
-float luminance(const in vec3 rgb);
 // the chunk <common>
 #define PI 3.141592653589793
 #define PI2 6.283185307179586
@@ -120,7 +79,6 @@ float perspectiveDepthToViewZ(const in float depth, const in float near, const i
 #define unpackRGBAToFloat(v) unpackRGBAToDepth(v)
 uniform sampler2D inputBuffer;
 uniform highp sampler2D depthBuffer;
-varying vec2 vUv;
 vec4 sRGBToLinear(const in vec4 value);
 float readDepth(const in vec2 uv);
 float getViewZ(const in float depth);

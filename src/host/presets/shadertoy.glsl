@@ -9,17 +9,22 @@
 // version: any
 // names: some
 // entry: mainImage mainSound mainCubemap main
-uniform vec3 iResolution;
-uniform float iTime;
-uniform float iTimeDelta;
-uniform int iFrame;
-uniform float iFrameRate;
-uniform vec4 iMouse;
-uniform vec4 iDate;
-uniform float iSampleRate;
-uniform float iChannelTime[4];
-uniform vec3 iChannelResolution[4];
-uniform sampler2D iChannel0;
-uniform sampler2D iChannel1;
-uniform sampler2D iChannel2;
-uniform sampler2D iChannel3;
+uniform vec3 iResolution; // = resolution, or vec2 ivec2
+uniform float iTime; // = time
+uniform float iTimeDelta; // = delta
+uniform int iFrame; // = frame, or uint float
+uniform float iFrameRate; // = frame-rate, or int uint
+uniform vec4 iMouse; // = mouse, or vec2 vec3
+uniform vec4 iDate; // = date
+uniform float iSampleRate; // = sample-rate, or int uint
+uniform float iChannelTime[4]; // = channel-time
+uniform vec3 iChannelResolution[4]; // = channel-resolution
+uniform sampler2D iChannel0; // = channel
+uniform sampler2D iChannel1; // = channel
+uniform sampler2D iChannel2; // = channel
+uniform sampler2D iChannel3; // = channel
+#ifdef SHADER_DECLARES
+// programs that give the same uniforms to their own shaders, and the name of the time until 2017
+uniform float iGlobalTime; // = time
+uniform vec4 iResolution; // = resolution-and-pixel
+#endif

@@ -17,6 +17,7 @@
 // and `#pragma unroll_loop_end` around a `for ( int i = 0; i < 4; i ++ )` make copies of its body,
 // in which UNROLLED_LOOP_INDEX is the number of the copy.
 //
+// reads: a ShaderMaterial of three.js
 // source: three 0.187.0, src/renderers/webgl/WebGLProgram.js, src/renderers/webgl/WebGLPrograms.js, src/renderers/shaders/ShaderChunk/colorspace_pars_fragment.glsl.js
 // package: three @react-three/fiber @react-three/drei three-stdlib @threlte/core @tresjs/core angular-three
 // word: modelViewMatrix projectionMatrix cameraPosition normalMatrix isOrthographic instanceMatrix linearToOutputTexel sRGBTransferOETF sRGBTransferEOTF LinearTransferOETF pc_fragColor skinWeight skinIndex
@@ -64,16 +65,16 @@ precision highp usampler2DArray;
 #define UNROLLED_LOOP_INDEX 0
 #define NUM_CLIPPING_PLANES 1
 #define UNION_CLIPPING_PLANES 1
-uniform mat4 viewMatrix;
-uniform vec3 cameraPosition;
-uniform bool isOrthographic;
+uniform mat4 viewMatrix; // = identity, usual
+uniform vec3 cameraPosition; // = camera, own
+uniform bool isOrthographic; // = nothing, own
 #ifdef VERTEX_SHADER
 #define attribute in
 #define varying out
-uniform mat4 modelMatrix;
-uniform mat4 modelViewMatrix;
-uniform mat4 projectionMatrix;
-uniform mat3 normalMatrix;
+uniform mat4 modelMatrix; // = identity, usual
+uniform mat4 modelViewMatrix; // = identity, usual
+uniform mat4 projectionMatrix; // = identity, usual
+uniform mat3 normalMatrix; // = identity, or mat4, usual
 attribute vec3 position;
 attribute vec3 normal;
 attribute vec2 uv;
@@ -105,4 +106,18 @@ vec4 sRGBTransferEOTF(in vec4 value);
 vec4 sRGBTransferOETF(in vec4 value);
 vec4 linearToOutputTexel(vec4 value);
 float luminance(const in vec3 rgb);
+#endif
+#ifdef SHADER_DECLARES
+// what pages set under these names, and what their vertex shaders hand on of a plane
+uniform float uTime; // = time, usual
+uniform vec2 uMouse; // = pointer-unit
+uniform vec2 uResolution; // = resolution
+uniform sampler2D tDiffuse; // = file, usual
+varying vec2 vUv; // = port_place, usual
+varying vec3 vNormal; // = vec3(0.0, 0.0, 1.0), usual
+varying vec3 vWorldNormal; // = vec3(0.0, 0.0, 1.0), usual
+varying vec3 vPosition; // = vec3(port_pos, 0.0), usual
+varying vec3 vWorldPosition; // = vec3(port_pos, 0.0), usual
+varying vec3 vViewPosition; // = vec3(-port_pos, 1.0), usual
+varying float vElevation; // = 0.5 * sin(6.0 * port_place.x), usual
 #endif

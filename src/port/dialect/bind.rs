@@ -1,10 +1,10 @@
 //! What the uniforms, samplers and varyings of a whole shader are given.
 
-use super::DialectFacts;
-use super::feed::{Feed, FeedRow, TextureFeed, TextureRow, USUAL_FEEDS, USUAL_TEXTURES, is_named};
 use super::vertex::{VaryingValue, Vertex, vertex};
+use super::with_usual;
 use crate::{ControlKind, Input, InputKind, OutputId, SamplerSettings, SignalForm, UniformControl};
 use serde::Serialize;
+use shaderlint_host::{Feed, FeedRow, Preset, TextureFeed, TextureRow, is_named};
 use shaderlint_semantic::tunable::range_behind;
 use shaderlint_semantic::{
     Program, Sampler, Scalar, Stage, Storage, Value, Variable, VariableId, channel,
@@ -52,13 +52,13 @@ pub const MAX_CHANNELS: u8 = 16;
 /// the text brings it.
 pub(crate) fn bind(
     program: &Program,
-    dialect: &DialectFacts,
+    host: &Preset,
     own: (&[Input], &[UniformControl]),
     output: Option<&OutputId>,
     partner: Option<&str>,
 ) -> Bindings {
     let vertex = match program.stage {
-        Stage::Fragment => vertex(program, dialect),
+        Stage::Fragment => vertex(program, host),
         Stage::Vertex => Vertex::default(),
     };
     let mut bound = Bindings {
@@ -82,7 +82,7 @@ pub(crate) fn bind(
         match variable.ty.element().as_sampler() {
             Some(sampler) => {
                 let name = program.names.text(variable.name);
-                let inputs = inputs_of(name, variable, sampler, dialect, output);
+                let inputs = inputs_of(name, variable, sampler, host, output);
                 for mut input in inputs {
                     let given = own.0.iter().find(|i| i.uniform == input.uniform);
                     if let Some(given) = given {
@@ -91,7 +91,7 @@ pub(crate) fn bind(
                     bound.add(input);
                 }
             }
-            None => bound.set(program, VariableId(id), variable, dialect, own.1),
+            None => bound.set(program, VariableId(id), variable, host, own.1),
         }
     }
     bound
@@ -120,20 +120,20 @@ impl Bindings {
         program: &Program,
         id: VariableId,
         variable: &Variable,
-        dialect: &DialectFacts,
+        host: &Preset,
         own: &[UniformControl],
     ) {
         let name = program.names.text(variable.name).to_string();
         let ty = program.type_name(variable.ty);
-        let is_it = |r: &&FeedRow| is_named(r.name, &name) && r.types.contains(&ty.as_str());
-        let rows = || dialect.feeds.iter().chain(USUAL_FEEDS);
+        let is_it = |r: &&FeedRow| is_named(&r.name, &name) && r.types.contains(&ty);
+        let mut rows = with_usual(host).flat_map(|h| &h.meanings.feeds);
         let of = sized_sampler(program, &name, &ty);
-        let source = match rows().find(is_it) {
+        let source = match rows.find(is_it) {
             _ if own.iter().any(|c| c.name == name) => Feed::Control,
             _ if of.is_some() => Feed::TextureSize,
+            // The player sets these by their names.
+            Some(row) if matches!(row.feed, Feed::ChannelTime | Feed::ChannelResolution) => return,
             Some(row) => row.feed,
-            // The player sets these of ShaderToy by their names.
-            None if matches!(name.as_str(), "iChannelTime" | "iChannelResolution") => return,
             None if variable.ty.is_matrix() && variable.ty.array == 0 => Feed::Identity,
             None => match variable.read {
                 true => Feed::Control,
@@ -181,12 +181,12 @@ fn inputs_of(
     name: &str,
     variable: &Variable,
     sampler: Sampler,
-    dialect: &DialectFacts,
+    host: &Preset,
     output: Option<&OutputId>,
 ) -> Vec<Input> {
-    let is_it = |r: &&TextureRow| is_named(r.name, name);
-    let rows = dialect.textures.iter().chain(USUAL_TEXTURES);
-    let row = rows.filter(|_| sampler == Sampler::Sampler2D).find(is_it);
+    let is_it = |r: &&TextureRow| is_named(&r.name, name) && r.texture != TextureFeed::Channel;
+    let mut rows = with_usual(host).flat_map(|h| &h.meanings.textures);
+    let row = rows.find(|r| sampler == Sampler::Sampler2D && is_it(r));
     let kind = match sampler {
         Sampler::SamplerCube | Sampler::IsamplerCube | Sampler::UsamplerCube => InputKind::Cubemap,
         Sampler::Sampler3D | Sampler::Isampler3D | Sampler::Usampler3D => InputKind::Volume,
@@ -212,7 +212,7 @@ fn inputs_of(
 /// What a sampler reads of which a row tells it.
 fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
     let (kind, id) = match row.texture {
-        TextureFeed::File => (InputKind::Texture, String::new()),
+        TextureFeed::File | TextureFeed::Channel => (InputKind::Texture, String::new()),
         TextureFeed::Music | TextureFeed::MusicSum => (InputKind::Music, String::new()),
         TextureFeed::LastFrame => (
             InputKind::Buffer,

@@ -1,51 +1,15 @@
-//! The Book of Shaders: GlslCanvas and its kin (glslViewer, the extension glsl-canvas of VS Code).
-//!
-//! Source: glslCanvas, `src/GlslCanvas.js`; the pages on uniforms and defines of glslViewer's wiki.
-//! The text is compiled as it stands, and once more for each `BUFFER_0` that it asks after, with that
-//! defined; what that draws is `u_buffer0`. The mouse is in pixels from below.
+//! The Book of Shaders: the text is compiled as it stands, and once more for each `BUFFER_0` that it
+//! asks after, with that defined; what that draws is `u_buffer0`.
 
 use super::complete::{Completion, completions_of};
-use super::feed::{COMMON, Feed, OWN, TextureFeed, USUAL, feed, texture, varying};
-use super::{Clues, DialectFacts, Plan, PlannedPass, Sign};
+use super::{Clues, HostCode, Plan, PlannedPass};
 use crate::OutputId;
 use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "book-of-shaders",
-    title: "The Book of Shaders",
-    feeds: &[
-        feed("u_time", &["float"], Feed::Time, USUAL),
-        feed("u_resolution", &["vec2"], Feed::Resolution, USUAL),
-        feed("u_mouse", &["vec2"], Feed::Pointer, USUAL),
-        feed("u_delta", &["float"], Feed::Delta, USUAL),
-        feed("u_date", &["vec4"], Feed::Date, USUAL),
-        feed("u_frame", &["int", "float"], Feed::Frame, USUAL),
-        feed("u_camera", &["vec3"], Feed::Camera, USUAL),
-        feed("u_tex#Resolution", &["vec2"], Feed::TextureSize, USUAL),
-        feed("u_trails", &["vec2[10]"], Feed::Nothing, USUAL),
-    ],
-    textures: &[
-        texture("u_tex#", TextureFeed::File, "linear", "repeat", USUAL),
-        texture("u_texture_#", TextureFeed::File, "linear", "repeat", USUAL),
-        texture("u_buffer#", TextureFeed::Buffer, "linear", "clamp", USUAL),
-        texture(
-            "u_doubleBuffer#",
-            TextureFeed::Buffer,
-            "linear",
-            "clamp",
-            OWN,
-        ),
-    ],
-    varyings: &[
-        varying("v_texcoord", "vec2", "port_place", COMMON),
-        varying("v_position", "vec4", "vec4(port_pos, 0.0, 1.0)", COMMON),
-    ],
-    declares: false,
-    signs: |clues| match buffers(clues).is_empty() {
-        true => Vec::new(),
-        false => vec![Sign::new("`BUFFER_0`", USUAL)],
-    },
+pub(super) static CODE: HostCode = HostCode {
+    host: "book-of-shaders",
+    signs: |_| Vec::new(),
     plan: Some(plan),
 };
 

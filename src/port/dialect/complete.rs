@@ -3,6 +3,7 @@
 
 use super::clues::{Clues, VersionAsked};
 use shaderlint_diagnostic::Severity;
+use shaderlint_host::{Preset, declared_in};
 use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
 use shaderlint_semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
 use shaderlint_syntax::{Lexer, RawKind, Version};
@@ -164,6 +165,14 @@ pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) 
     let bare = as_it_stands && !matches!(clues.asked, VersionAsked::Desktop(_));
     let bare = bare.then(|| Completion::bare(text));
     bare.into_iter().chain(rest).collect()
+}
+
+/// What a host declares, without what the text declares itself.
+pub(super) fn declarations(host: &Preset, clues: &Clues, is_vertex: bool) -> String {
+    let text = host.declarations(is_vertex);
+    let is_theirs = |line: &&str| declared_in(line).is_none_or(|name| !clues.declares(name));
+    let lines = text.lines().filter(is_theirs);
+    lines.map(|line| format!("{line}\n")).collect()
 }
 
 /// The version and every default precision.

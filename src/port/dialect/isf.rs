@@ -11,36 +11,19 @@
 
 use super::clues::VersionAsked;
 use super::complete::{defaults, modern};
-use super::feed::{COMMON, Feed, OWN, feed, varying};
-use super::{
-    Clues, Completion, Credit, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled,
-};
+use super::{Clues, Completion, Credit, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
 use crate::{
     ControlChoice, ControlKind, Input, InputKind, OutputId, PassDraw, SignalForm, SizeTerm,
     UniformControl,
 };
 use serde_json::{Map, Value};
-use shaderlint_host::preset;
+use shaderlint_host::{OWN, preset};
 use shaderlint_semantic::{Pass, Stage};
 use shaderlint_syntax::Version;
 use std::sync::Arc;
 
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "isf",
-    title: "ISF",
-    feeds: &[
-        feed("RENDERSIZE", &["vec2"], Feed::Resolution, OWN),
-        feed("TIME", &["float"], Feed::Time, COMMON),
-        feed("TIMEDELTA", &["float"], Feed::Delta, COMMON),
-        feed("FRAMEINDEX", &["int"], Feed::Frame, COMMON),
-        feed("DATE", &["vec4"], Feed::DateFromOne, COMMON),
-    ],
-    textures: &[],
-    varyings: &[
-        varying("isf_FragNormCoord", "vec2", "port_place", OWN),
-        varying("isf_FragCoord", "vec2", "port_place * port_size", COMMON),
-    ],
-    declares: true,
+pub(super) static CODE: HostCode = HostCode {
+    host: "isf",
     signs,
     plan: Some(plan),
 };
@@ -179,7 +162,8 @@ fn plan(clues: &Clues) -> Plan {
 
 /// The vertex shader beside the text, where the text has varyings that only that can set.
 fn vertex_beside<'c>(clues: &Clues<'c>, plan: &mut Plan) -> Option<&'c str> {
-    let is_own = |name: &str| !["isf_FragNormCoord", "isf_FragCoord"].contains(&name);
+    let given = preset("isf").map_or(&[][..], |p| &p.meanings.varyings);
+    let is_own = |name: &str| !given.iter().any(|row| row.name == name);
     if clues.name.is_empty() || !clues.inputs.iter().any(|d| is_own(&d.name)) {
         return None;
     }
@@ -549,7 +533,7 @@ mod tests {
 
     #[track_caller]
     fn known(text: &str) -> &'static str {
-        recognise(&Clues::of(text)).dialect.name
+        recognise(&Clues::of(text)).unwrap().host.name
     }
 
     #[test]

@@ -1,23 +1,14 @@
 //! Kodi's add-on visualization.shadertoy: ShaderToy code as it was in its first years.
 //!
 //! Source: the preset `kodi` (`src/host/presets/kodi.glsl`). Its texts look like ShaderToy's, so only
-//! `--from` tells them.
+//! `--host` tells them.
 
 use super::complete::completions_behind;
-use super::feed::{COMMON, TextureFeed, texture};
-use super::{Clues, DialectFacts, Plan};
+use super::{Clues, HostCode, Plan};
 use shaderlint_host::preset;
 
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "kodi",
-    title: "Kodi",
-    feeds: &[],
-    textures: &[
-        texture("iChannel0", TextureFeed::Music, "linear", "clamp", COMMON),
-        texture("iChannel#", TextureFeed::File, "mipmap", "repeat", COMMON),
-    ],
-    varyings: &[],
-    declares: true,
+pub(super) static CODE: HostCode = HostCode {
+    host: "kodi",
     signs: |_| Vec::new(),
     plan: Some(plan),
 };

@@ -1,21 +1,16 @@
-//! The dialects of GLSL that people write: what each site, tool and library declares, completes and
-//! sets, as data, and how a text shows in which it is written.
+//! What hosts do to a text that data cannot say, attached to them by their names, and how a text shows
+//! who runs it.
 //!
-//! A dialect is a file here: the names that it sets and what they mean ([`FeedRow`],
-//! [`TextureRow`], [`VaryingRow`]), what further shows it, and what goes around a text. Texts are
-//! never printed anew: whatever a host puts around them goes before and behind.
+//! The names that a host sets and what they mean are in its file (`src/host/presets`). A file here
+//! has what further shows it and what goes around a text. Texts are never printed anew: whatever a
+//! host puts around them goes before and behind.
 
 mod bind;
-mod bonzomatic;
 mod bookofshaders;
 mod clues;
 mod complete;
-mod feed;
-mod glslsandbox;
 mod isf;
-mod kodelife;
 mod kodi;
-mod page;
 #[cfg(feature = "cli")]
 mod shadered;
 mod shadertoy;
@@ -31,48 +26,25 @@ pub use bind::{Bindings, MAX_CHANNELS, UniformData};
 pub use clues::{Clues, Interfacing};
 pub use complete::Completion;
 pub(crate) use complete::best;
-pub(super) use feed::PLACES;
-pub use feed::{Feed, FeedRow, TextureRow, VaryingRow};
+pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
-use feed::is_named;
+use complete::{completions_behind, completions_of, declarations, has_images};
+use shaderlint_host::{Feed, Preset, TextSign, is_named, preset, presets};
 use shaderlint_semantic::{Pass, Program};
-use shaderlint_text::{Role, SourceFile};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::fmt;
 use std::sync::Arc;
 
-/// What is known of a dialect.
-pub struct DialectFacts {
-    /// How options name it.
-    pub name: &'static str,
-    /// How people name it.
-    pub title: &'static str,
-    /// What its uniforms are given.
-    pub feeds: &'static [FeedRow],
-    /// What its samplers read.
-    pub textures: &'static [TextureRow],
-    /// What its varyings hold.
-    pub varyings: &'static [VaryingRow],
-    /// Whether its host declares these names, so that a text uses them undeclared.
-    pub declares: bool,
-    /// What else shows it.
-    pub signs: fn(&Clues) -> Vec<Sign>,
+/// What of a host is no data.
+struct HostCode {
+    /// Its name.
+    host: &'static str,
+    /// What shows it besides the names that it sets.
+    signs: fn(&Clues) -> Vec<Sign>,
     /// How a text becomes passes; `None` where ShaderToy's player runs it.
-    pub plan: Option<fn(&Clues) -> Plan>,
-}
-
-impl fmt::Debug for DialectFacts {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)
-    }
-}
-
-impl PartialEq for DialectFacts {
-    fn eq(&self, other: &DialectFacts) -> bool {
-        self.name == other.name
-    }
+    plan: Option<fn(&Clues) -> Plan>,
 }
 
 /// Something in a text that shows a dialect.
@@ -202,78 +174,114 @@ fn sampled(uniform: &str, kind: InputKind, how: (&str, &str)) -> Input {
     }
 }
 
-/// All dialects, those with the most of their own first.
-pub static DIALECTS: &[&DialectFacts] = &[
+static CODES: &[&HostCode] = &[
+    &bookofshaders::CODE,
+    &isf::CODE,
+    &kodi::CODE,
     #[cfg(feature = "cli")]
-    &shadered::FACTS,
-    &synthclipse::FACTS,
-    &vscode::FACTS,
-    &vertexshaderart::FACTS,
-    &isf::FACTS,
-    &glslsandbox::FACTS,
-    &bonzomatic::FACTS,
-    &bookofshaders::FACTS,
-    &kodelife::FACTS,
-    &twigl::FACTS,
-    &three::FACTS,
-    &kodi::FACTS,
-    &page::FACTS,
-    &shadertoy::FACTS,
+    &shadered::CODE,
+    &shadertoy::CODE,
+    &synthclipse::CODE,
+    &three::CODE,
+    &twigl::CODE,
+    &vertexshaderart::CODE,
+    &vscode::CODE,
 ];
 
-/// The dialect of a name.
-pub fn dialect_named(name: &str) -> Option<&'static DialectFacts> {
-    DIALECTS.iter().copied().find(|d| d.name == name)
+fn code_of(host: &Preset) -> Option<&'static HostCode> {
+    CODES.iter().copied().find(|code| code.host == host.name)
+}
+
+/// A host, and those whose names mean the same wherever they occur: a page, and ShaderToy.
+fn with_usual(host: &Preset) -> impl Iterator<Item = &Preset> {
+    let usual: [Option<&Preset>; 3] = [Some(host), preset("webgl"), preset("shadertoy")];
+    usual.into_iter().flatten()
+}
+
+/// The passes that a text of a host becomes; `None` where ShaderToy's player runs it.
+pub(super) fn plan(host: &Preset, clues: &Clues) -> Option<Plan> {
+    match code_of(host) {
+        Some(code) => code.plan.map(|plan| plan(clues)),
+        None => Some(usual_plan(host, clues)),
+    }
+}
+
+/// One pass: the text behind what its host declares, and as it stands.
+fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
+    let mut candidates = Vec::new();
+    if !host.prelude.trim().is_empty() {
+        let before = declarations(host, clues, false);
+        candidates = completions_behind(clues, &before, false);
+    }
+    candidates.extend(completions_of(clues));
+    let mut plan = Plan::picture(candidates);
+    if has_images(clues) {
+        let note = "WebGL has no images that shaders write to: what is read of them is 0";
+        plan.notes.push(note.to_string());
+    }
+    plan
 }
 
 /// How much evidence makes a dialect: a name of its own, or two that others use, too.
 pub const ENOUGH: u32 = 2;
 
-/// What was recognised.
+/// Who runs a text, and why that is thought.
 #[derive(Debug)]
 pub struct Recognised {
-    /// The dialect.
-    pub dialect: &'static DialectFacts,
+    /// The host.
+    pub host: &'static Preset,
     /// What shows it, the strongest first.
     pub signs: Vec<Sign>,
-    /// Another dialect for which as much speaks.
-    pub tied: Option<&'static DialectFacts>,
+    /// Another host for which as much speaks.
+    pub tied: Option<&'static Preset>,
 }
 
-/// The dialect that a text is written in: the one for which the most speaks.
-pub fn recognise(clues: &Clues) -> Recognised {
-    let mut found: Vec<(u32, &'static DialectFacts, Vec<Sign>)> = Vec::new();
-    for dialect in DIALECTS.iter().copied() {
-        let signs = signs(dialect, clues);
-        let weight = signs.iter().map(|s| u32::from(s.weight)).sum();
-        if weight >= ENOUGH {
-            found.push((weight, dialect, signs));
-        }
-    }
-    // Stable: of those for which as much speaks, the first of the list is taken.
-    found.sort_by_key(|(weight, ..)| std::cmp::Reverse(*weight));
-    let mut found = found.into_iter();
-    let Some((weight, dialect, signs)) = found.next() else {
-        return Recognised {
-            dialect: &page::FACTS,
+impl Recognised {
+    /// What the user says.
+    pub fn given(host: &'static Preset) -> Recognised {
+        Recognised {
+            host,
             signs: Vec::new(),
             tied: None,
-        };
+        }
+    }
+}
+
+/// The host that a text is written for: the one for which the most speaks. `None` where there is not
+/// even a page, the host of all others.
+pub fn recognise(clues: &Clues) -> Option<Recognised> {
+    let mut found: Vec<(u32, &'static Preset, Vec<Sign>)> = Vec::new();
+    for host in presets() {
+        let signs = signs(host, clues);
+        let weight = signs.iter().map(|s| u32::from(s.weight)).sum();
+        if weight >= ENOUGH {
+            found.push((weight, host, signs));
+        }
+    }
+    // Of those for which as much speaks the first is taken, and the player only where it is alone:
+    // others run texts with its entry, too.
+    let is_player = |host: &Preset| code_of(host).is_some_and(|code| code.plan.is_none());
+    found.sort_by_key(|(weight, host, _)| (std::cmp::Reverse(*weight), is_player(host)));
+    let mut found = found.into_iter();
+    let Some((weight, host, signs)) = found.next() else {
+        return preset("webgl").map(Recognised::given);
     };
     let tied = found.next().filter(|(other, ..)| *other == weight);
-    Recognised {
-        dialect,
+    Some(Recognised {
+        host,
         signs,
-        tied: tied.map(|(_, dialect, _)| dialect),
-    }
+        tied: tied.map(|(_, host, _)| host),
+    })
 }
 
 /// What a checked shader is given that is whole, or that ShaderToy's player completes.
 pub fn bindings(program: &Program) -> Bindings {
-    let is_user = |f: &&SourceFile| f.role == Role::User;
-    let text = program.sources.files().iter().find(is_user);
-    let clues = Clues::checked(text.map_or("", |f| &f.text), program);
-    let mut bound = bind(program, recognise(&clues).dialect, (&[], &[]), None, None);
+    let text = own_text(program);
+    let clues = Clues::checked(&text, program);
+    let Some(recognised) = recognise(&clues) else {
+        return Bindings::default();
+    };
+    let mut bound = bind(program, recognised.host, (&[], &[]), None, None);
     // What a host declares it sets itself.
     bound.controls.retain(|c| clues.declares(&c.name));
     let is_own = |name: &str, source| source != Feed::Control || clues.declares(name);
@@ -282,29 +290,61 @@ pub fn bindings(program: &Program) -> Bindings {
     bound
 }
 
-/// What speaks for a dialect, the strongest first.
-fn signs(dialect: &DialectFacts, clues: &Clues) -> Vec<Sign> {
-    let mut found = (dialect.signs)(clues);
-    let shows = |name: &str, types: &[&str]| {
-        let is_row = |d: &&Interfacing| is_named(name, &d.name) && types.contains(&d.ty.as_str());
+/// The texts of the user that a program was made of: of a page, those of this shader alone.
+fn own_text(program: &Program) -> Cow<'_, str> {
+    let mut texts: Vec<&str> = Vec::new();
+    let mut last = 0..0;
+    for token in &program.tokens.tokens {
+        let start = token.span.start;
+        if last.contains(&start) || !program.is_user(token.span) {
+            continue;
+        }
+        let Some(code) = program.sources.code_at(start) else {
+            continue;
+        };
+        last = code.base..code.base + code.text.len() as u32;
+        if !texts.iter().any(|t| std::ptr::eq(*t, code.text)) {
+            texts.push(code.text);
+        }
+    }
+    match texts.as_slice() {
+        [text] => Cow::Borrowed(*text),
+        texts => Cow::Owned(texts.join("\n")),
+    }
+}
+
+/// What speaks for a host, the strongest first.
+fn signs(host: &Preset, clues: &Clues) -> Vec<Sign> {
+    let mut found = code_of(host).map_or(Vec::new(), |code| (code.signs)(clues));
+    let has = |sign: &&TextSign| sign.words.iter().all(|w| clues.has_word(w));
+    found.extend(host.signs.iter().filter(has).map(|sign| {
+        let first = sign.words.first().map_or("", String::as_str);
+        Sign::new(format!("`{first}`"), sign.weight)
+    }));
+    let declares = host.declares();
+    let shows = |name: &str, types: &dyn Fn(&str) -> bool| {
+        let is_row = |d: &&Interfacing| is_named(name, &d.name) && types(&d.ty);
         let declared = clues.uniforms.iter().chain(&clues.inputs).find(is_row);
         match declared {
             Some(d) => Some(d.name.clone()),
-            None if dialect.declares => {
+            None if declares => {
                 let free = clues.free_words(|w| is_named(name, w));
                 free.first().map(|w| w.to_string())
             }
             None => None,
         }
     };
-    let feeds = dialect.feeds.iter().map(|r| (r.name, r.types, r.weight));
-    let textures = dialect.textures.iter();
-    let textures = textures.map(|r| (r.name, SAMPLERS, r.weight));
-    for (name, types, weight) in feeds.chain(textures).filter(|(.., w)| *w > 0) {
-        found.extend(shows(name, types).map(|n| Sign::new(format!("`{n}`"), weight)));
+    let names = &host.meanings;
+    for row in names.feeds.iter().filter(|r| r.weight > 0) {
+        let name = shows(&row.name, &|ty| row.types.iter().any(|own| own == ty));
+        found.extend(name.map(|n| Sign::new(format!("`{n}`"), row.weight)));
     }
-    for row in dialect.varyings.iter().filter(|r| r.weight > 0) {
-        let name = shows(row.name, &[row.ty]);
+    for row in names.textures.iter().filter(|r| r.weight > 0) {
+        let name = shows(&row.name, &|ty| SAMPLERS.contains(&ty));
+        found.extend(name.map(|n| Sign::new(format!("`{n}`"), row.weight)));
+    }
+    for row in names.varyings.iter().filter(|r| r.weight > 0) {
+        let name = shows(&row.name, &|ty| row.ty == ty);
         found.extend(name.map(|n| Sign::new(format!("`{n}`"), row.weight)));
     }
     found.dedup();
@@ -318,7 +358,7 @@ const SAMPLERS: &[&str] = &["sampler2D", "samplerCube", "sampler3D", "sampler1D"
 impl Recognised {
     /// What is told of it: what it was taken for, and why.
     pub fn told(&self) -> String {
-        let title = self.dialect.title;
+        let title = self.host.read_as();
         let signs: Vec<&str> = self.signs.iter().map(|s| s.what.as_str()).take(4).collect();
         let why = match signs.as_slice() {
             [] => String::new(),
@@ -327,7 +367,8 @@ impl Recognised {
         let tied = self.tied.map_or(String::new(), |other| {
             format!(
                 "; as much speaks for {}: `--from {}` insists",
-                other.title, other.name
+                other.read_as(),
+                other.name
             )
         });
         format!("read as {title}{why}{tied}")
@@ -341,8 +382,8 @@ mod tests {
     /// The dialect that a text is taken for.
     #[track_caller]
     fn check(text: &str, dialect: &str) {
-        let found = recognise(&Clues::of(text));
-        assert_eq!(found.dialect.name, dialect, "{:?}\n{text}", found.signs);
+        let found = recognise(&Clues::of(text)).unwrap();
+        assert_eq!(found.host.name, dialect, "{:?}\n{text}", found.signs);
         assert_eq!(found.tied, None, "{text}");
     }
 
@@ -350,7 +391,7 @@ mod tests {
     fn what_speaks_for_two_dialects_is_told() {
         let text = "precision highp float;\nuniform vec3 spectrum;\nvarying vec2 surfacePosition;\n\
             void main() { gl_FragColor = vec4(surfacePosition, spectrum.xy); }";
-        let found = recognise(&Clues::of(text));
+        let found = recognise(&Clues::of(text)).unwrap();
         let told = found.told();
         assert!(told.ends_with("`--from kodelife` insists"), "{told}");
     }
@@ -423,14 +464,14 @@ mod tests {
     #[test]
     fn every_row_names_types_of_glsl() {
         use shaderlint_syntax::TypeWord;
-        for dialect in DIALECTS {
-            for ty in dialect.feeds.iter().flat_map(|r| r.types) {
+        for host in presets() {
+            for ty in host.meanings.feeds.iter().flat_map(|r| &r.types) {
                 let element = ty.split('[').next().unwrap_or(ty);
-                assert!(TypeWord::named(element).is_some(), "{}: {ty}", dialect.name);
+                assert!(TypeWord::named(element).is_some(), "{}: {ty}", host.name);
             }
-            let varyings = dialect.varyings.iter();
-            assert!(varyings.clone().all(|r| TypeWord::named(r.ty).is_some()));
-            assert_eq!(dialect_named(dialect.name), Some(*dialect));
+            let mut varyings = host.meanings.varyings.iter();
+            assert!(varyings.all(|r| TypeWord::named(&r.ty).is_some()));
         }
+        assert!(CODES.iter().all(|code| preset(code.host).is_some()));
     }
 }

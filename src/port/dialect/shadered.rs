@@ -8,45 +8,20 @@
 //! that the pixel shader declares.
 
 use super::complete::completions_of;
-use super::feed::{COMMON, Feed, feed};
 use super::vscode::{joined, quoted};
-use super::{Clues, Completion, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled};
+use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
 use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl};
 use roxmltree::{Document, Node};
 use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
-const NUMBER: &[&str] = &["float"];
-const FOUR: &[&str] = &["vec4"];
-const PLACE: &[&str] = &["vec2"];
-
-/// Uniforms that hold a value of the system are given the name of that value, behind [`SYSTEM`].
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "shadered",
-    title: "SHADERed",
-    feeds: &[
-        feed("port_sys_Time", NUMBER, Feed::Time, COMMON),
-        feed("port_sys_TimeDelta", NUMBER, Feed::Delta, COMMON),
-        feed("port_sys_FrameIndex", &["int", "uint"], Feed::Frame, COMMON),
-        feed("port_sys_ViewportSize", PLACE, Feed::Resolution, COMMON),
-        feed(
-            "port_sys_MousePosition",
-            PLACE,
-            Feed::PointerUnitZero,
-            COMMON,
-        ),
-        feed("port_sys_Mouse", FOUR, Feed::PointerUnitZero, COMMON),
-        feed("port_sys_MouseButton", FOUR, Feed::Mouse, COMMON),
-        feed("port_sys_CameraPosition", FOUR, Feed::Camera, COMMON),
-        feed("port_sys_CameraPosition3", &["vec3"], Feed::Camera, COMMON),
-    ],
-    textures: &[],
-    varyings: &[],
-    declares: true,
+pub(super) static CODE: HostCode = HostCode {
+    host: "shadered",
     signs,
     plan: Some(plan),
 };
 
+/// Uniforms that hold a value of the system are given the name of that value, behind this.
 const SYSTEM: &str = "port_sys_";
 
 fn signs(clues: &Clues) -> Vec<Sign> {

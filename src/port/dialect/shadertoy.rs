@@ -1,15 +1,10 @@
 //! ShaderToy: its player completes the text, and [`compose`](super::super::compose) does as it does.
 
-use super::feed::OWN;
-use super::{DialectFacts, Sign};
+use super::{HostCode, Sign};
+use shaderlint_host::OWN;
 
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "shadertoy",
-    title: "ShaderToy",
-    feeds: &[],
-    textures: &[],
-    varyings: &[],
-    declares: false,
+pub(super) static CODE: HostCode = HostCode {
+    host: "shadertoy",
     signs: |clues| match clues.guess.is_shadertoy() {
         true => vec![Sign::new("`mainImage`", OWN)],
         false => Vec::new(),

@@ -7,37 +7,13 @@
 //! `//! <...>` name presets, groups and post processing.
 
 use super::complete::completions_of;
-use super::feed::{COMMON, Feed, OWN, USUAL, feed};
 use super::vscode::{numbers, quoted};
-use super::{Clues, DialectFacts, Plan, Sign, sampled};
+use super::{Clues, HostCode, Plan, Sign, sampled};
 use crate::{ControlChoice, ControlKind, Input, InputKind, UniformControl};
+use shaderlint_host::OWN;
 
-const MOUSE: &[&str] = &["vec4"];
-const NUMBER: &[&str] = &["float"];
-const PLANE: &[&str] = &["vec2"];
-
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "synthclipse",
-    title: "Synthclipse",
-    feeds: &[
-        feed("synth_Mouse", MOUSE, Feed::Mouse, OWN),
-        feed("synth_LMouse", MOUSE, Feed::Mouse, OWN),
-        feed("synth_RMouse", MOUSE, Feed::Nothing, OWN),
-        feed("synth_MMouse", MOUSE, Feed::Nothing, OWN),
-        feed("synth_Resolution", PLANE, Feed::Resolution, OWN),
-        feed("synth_Time", NUMBER, Feed::Time, OWN),
-        feed("synth_Center", PLANE, Feed::Nothing, OWN),
-        feed("synth_Zoom", NUMBER, Feed::Aspect, USUAL),
-        feed("synth_ViewMatrix", &["mat4"], Feed::Identity, OWN),
-        feed("synth_ProjectionMatrix", &["mat4"], Feed::Identity, OWN),
-        feed("synth_NormalMatrix", &["mat3"], Feed::Identity, OWN),
-        feed("pixelSize", PLANE, Feed::Pixel, COMMON),
-        feed("time", NUMBER, Feed::Time, COMMON),
-        feed("iGlobalTime", NUMBER, Feed::Time, COMMON),
-    ],
-    textures: &[],
-    varyings: &[],
-    declares: false,
+pub(super) static CODE: HostCode = HostCode {
+    host: "synthclipse",
     signs,
     plan: Some(plan),
 };

@@ -5,50 +5,12 @@
 //! a plane before the camera would give.
 
 use super::complete::{Completion, completions_of, defaults};
-use super::feed::{COMMON, Feed, OWN, TextureFeed, USUAL, feed, texture, varying};
-use super::{Clues, DialectFacts, Plan, Sign};
-use shaderlint_host::preset;
+use super::{Clues, HostCode, Plan, Sign};
+use shaderlint_host::{OWN, preset};
 use shaderlint_syntax::Version;
 
-const MATRIX: &[&str] = &["mat4", "mat3"];
-
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "three",
-    title: "a ShaderMaterial of three.js",
-    feeds: &[
-        feed("cameraPosition", &["vec3"], Feed::Camera, OWN),
-        feed("viewMatrix", &["mat4"], Feed::Identity, USUAL),
-        feed("isOrthographic", &["bool"], Feed::Nothing, OWN),
-        feed("modelMatrix", &["mat4"], Feed::Identity, USUAL),
-        feed("modelViewMatrix", &["mat4"], Feed::Identity, USUAL),
-        feed("projectionMatrix", &["mat4"], Feed::Identity, USUAL),
-        feed("normalMatrix", MATRIX, Feed::Identity, USUAL),
-        feed("uTime", &["float"], Feed::Time, USUAL),
-        feed("uMouse", &["vec2"], Feed::PointerUnit, COMMON),
-        feed("uResolution", &["vec2"], Feed::Resolution, COMMON),
-    ],
-    textures: &[texture(
-        "tDiffuse",
-        TextureFeed::File,
-        "linear",
-        "clamp",
-        USUAL,
-    )],
-    varyings: &[
-        varying("vUv", "vec2", "port_place", USUAL),
-        varying("vNormal", "vec3", "vec3(0.0, 0.0, 1.0)", USUAL),
-        varying("vWorldNormal", "vec3", "vec3(0.0, 0.0, 1.0)", USUAL),
-        varying("vPosition", "vec3", "vec3(port_pos, 0.0)", USUAL),
-        varying("vWorldPosition", "vec3", "vec3(port_pos, 0.0)", USUAL),
-        varying("vViewPosition", "vec3", "vec3(-port_pos, 1.0)", USUAL),
-        varying(
-            "vElevation",
-            "float",
-            "0.5 * sin(6.0 * port_place.x)",
-            USUAL,
-        ),
-    ],
-    declares: true,
+pub(super) static CODE: HostCode = HostCode {
+    host: "three",
     signs: |clues| match clues.has_include() {
         true => vec![Sign::new("`#include <...>`", OWN)],
         false => Vec::new(),
@@ -163,8 +125,7 @@ mod tests {
 
     #[track_caller]
     fn draws(text: &str) -> Project {
-        let facts = crate::dialect_named("three");
-        let project = Project::draft("", text, facts).unwrap();
+        let project = Project::draft("", text, preset("three")).unwrap();
         let pass = &project.passes[0];
         let code = Completion {
             before: pass.before.clone(),

@@ -1,71 +1,32 @@
 //! twigl: shaders as short as a message, in modes of which each leaves more away.
 //!
-//! Source: `src/fragmen.js` of doxas/twigl. `classic` is like GLSL Sandbox; `geek` calls the uniforms
-//! `r`, `m`, `t`, `f`, `s` and `b`; `geeker` has them declared; `geekest` has `FC` for `gl_FragCoord`,
-//! noise and turns (`twigl.glsl`, with the names and parameters of the site's own), and may leave
-//! `main` away. Those of GLSL ES 3.00 write to `o`, those with several targets to `o0` and `o1`, of which
-//! the first is shown; `b0` and `b1` are the targets a frame ago. The frame counts from 1; the mouse is
-//! in the corner at first.
+//! The host's file says what each mode has. Noise and turns are those of `twigl.glsl`, with the names
+//! and parameters of the site's own.
 
 use super::complete::{Completion, completions_of, defaults};
-use super::feed::{COMMON, Feed, OWN, TextureFeed, feed, texture};
-use super::{Clues, DialectFacts, Plan, Sign};
+use super::{Clues, HostCode, Plan, Sign};
+use shaderlint_host::{OWN, preset};
 use shaderlint_syntax::Version;
 
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "twigl",
-    title: "twigl",
-    feeds: &[
-        feed("r", &["vec2"], Feed::Resolution, COMMON),
-        feed("m", &["vec2"], Feed::PointerUnitZero, COMMON),
-        feed("t", &["float"], Feed::Time, COMMON),
-        feed("f", &["float"], Feed::FrameFromOne, COMMON),
-        feed("s", &["float"], Feed::Volume, COMMON),
-        feed("frame", &["float"], Feed::FrameFromOne, COMMON),
-        feed("sound", &["float"], Feed::Volume, COMMON),
-        feed("mouse", &["vec2"], Feed::PointerUnitZero, COMMON),
-    ],
-    textures: &[
-        texture("b", TextureFeed::LastFrame, "linear", "clamp", COMMON),
-        texture("b#", TextureFeed::LastFrame, "linear", "clamp", COMMON),
-        texture(
-            "backbuffer",
-            TextureFeed::LastFrame,
-            "linear",
-            "clamp",
-            COMMON,
-        ),
-        texture(
-            "backbuffer#",
-            TextureFeed::LastFrame,
-            "linear",
-            "clamp",
-            COMMON,
-        ),
-    ],
-    varyings: &[],
-    declares: true,
+pub(super) static CODE: HostCode = HostCode {
+    host: "twigl",
     signs,
     plan: Some(plan),
 };
 
-/// What the site declares.
-const UNIFORMS: [(&str, &str); 5] = [
-    ("r", "vec2"),
-    ("m", "vec2"),
-    ("t", "float"),
-    ("f", "float"),
-    ("s", "float"),
-];
+/// The uniforms that the site declares, with their types.
+fn uniforms() -> impl Iterator<Item = (&'static str, &'static str)> + Clone {
+    let rows = preset("twigl").map_or(&[][..], |p| &p.meanings.feeds);
+    let own = rows.iter().filter(|row| row.is_declared);
+    own.filter_map(|row| Some((row.name.as_str(), row.types.first()?.as_str())))
+}
 
 const HELPERS: &str = include_str!("twigl.glsl");
 
 fn signs(clues: &Clues) -> Vec<Sign> {
     let mut found = Vec::new();
-    let declared = UNIFORMS
-        .iter()
-        .filter(|(n, ty)| clues.has_uniform(n, &[*ty]));
-    let free = UNIFORMS.iter().filter(|(n, _)| clues.is_free(n));
+    let declared = uniforms().filter(|(n, ty)| clues.has_uniform(n, &[ty]));
+    let free = uniforms().filter(|(n, _)| clues.is_free(n));
     let (declared, free): (Vec<_>, Vec<_>) = (declared.collect(), free.collect());
     let is_drawn = ["gl_FragColor", "o", "o0"]
         .iter()
@@ -88,12 +49,12 @@ fn plan(clues: &Clues) -> Plan {
     let outputs = ["o", "o0", "o1"].into_iter().filter(|n| clues.is_free(n));
     let outputs: Vec<&str> = outputs.collect();
     let is_old = clues.has_word("gl_FragColor");
-    let is_declared = UNIFORMS.iter().any(|(n, ty)| clues.has_uniform(n, &[*ty]));
+    let is_declared = uniforms().any(|(n, ty)| clues.has_uniform(n, &[ty]));
     if is_declared || clues.has_uniform("resolution", &["vec2"]) {
         return Plan::picture(completions_of(clues));
     }
     let mut host = String::from("#define FC gl_FragCoord\n");
-    for (name, ty) in UNIFORMS {
+    for (name, ty) in uniforms() {
         host.push_str(&format!("uniform {ty} {name};\n"));
     }
     for name in ["b", "b0", "b1"].into_iter().filter(|n| clues.is_free(n)) {

@@ -1,7 +1,7 @@
 //! The vertex shader of a pass: one triangle that covers the picture, and what the varyings hold.
 
-use super::DialectFacts;
-use super::feed::{USUAL_VARYINGS, VaryingRow};
+use super::with_usual;
+use shaderlint_host::{Preset, VaryingRow};
 use shaderlint_semantic::{Program, Scalar, Storage, Type, Variable};
 use shaderlint_syntax::Version;
 
@@ -13,6 +13,19 @@ pub(super) struct Vertex {
     /// Names of those of which nothing is known.
     pub(super) guessed: Vec<String>,
 }
+
+/// Names of varyings that are taken for the place in the picture, from 0 to 1.
+pub const PLACES: [&str; 9] = [
+    "vUv",
+    "vUV",
+    "v_uv",
+    "uv",
+    "vTexCoord",
+    "v_texCoord",
+    "v_texcoord",
+    "texCoord",
+    "texcoord",
+];
 
 /// What a varying without members is set to.
 #[derive(Clone, PartialEq, Debug)]
@@ -26,7 +39,7 @@ pub struct VaryingValue {
 }
 
 /// The vertex shader that goes with a fragment shader.
-pub(super) fn vertex(program: &Program, dialect: &DialectFacts) -> Vertex {
+pub(super) fn vertex(program: &Program, host: &Preset) -> Vertex {
     let is_input = |v: &&Variable| v.storage == Storage::Input && v.token.is_some();
     let inputs: Vec<&Variable> = program.variables.iter().filter(is_input).collect();
     let mut guessed = Vec::new();
@@ -51,7 +64,7 @@ pub(super) fn vertex(program: &Program, dialect: &DialectFacts) -> Vertex {
         declared.push_str(&format!("{flat}{output} {ty} {name}{size};\n"));
         let mut writer = Writer {
             program,
-            rows: dialect.varyings,
+            host,
             guessed: &mut guessed,
             varyings: &mut varyings,
         };
@@ -99,7 +112,7 @@ fn structs(program: &Program, inputs: &[&Variable]) -> String {
 
 struct Writer<'a> {
     program: &'a Program,
-    rows: &'static [VaryingRow],
+    host: &'a Preset,
     guessed: &'a mut Vec<String>,
     varyings: &'a mut Vec<VaryingValue>,
 }
@@ -122,9 +135,10 @@ impl Writer<'_> {
         }
         let written = self.program.type_name(ty);
         let is_it = |r: &&VaryingRow| r.name == name && r.ty == written;
-        let known = self.rows.iter().chain(USUAL_VARYINGS).find(is_it);
+        let mut rows = with_usual(self.host).flat_map(|h| &h.meanings.varyings);
+        let known = rows.find(is_it);
         let value = match known {
-            Some(row) => row.value.to_string(),
+            Some(row) => row.value.clone(),
             None => {
                 if ty != Type::vector(Scalar::Float, 2) {
                     self.guessed.push(name.to_string());

@@ -9,29 +9,17 @@
 //! `vertexCount` and `vertexMode` as VEDA has them, `POINT_COUNT`, `PRIMITIVE_MODE` and
 //! `BACKGROUND_COLOR` as ossia score has them (their manuals).
 
-use super::complete::{best, defaults, modern};
-use super::feed::{COMMON, Feed, OWN, feed};
+use super::complete::{best, declarations, defaults, modern};
 use super::isf::{head, object};
-use super::{Clues, Completion, DialectFacts, Plan, Sign, sampled};
+use super::{Clues, Completion, HostCode, Plan, Sign, sampled};
 use crate::{ControlChoice, ControlKind, Input, InputKind, PassDraw, SignalForm, UniformControl};
 use serde_json::{Map, Value};
+use shaderlint_host::{OWN, preset};
 use shaderlint_syntax::Version;
 use std::sync::Arc;
 
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "vertexshaderart",
-    title: "VertexShaderArt",
-    feeds: &[
-        feed("time", &["float"], Feed::Time, COMMON),
-        feed("resolution", &["vec2"], Feed::Resolution, COMMON),
-        feed("mouse", &["vec2"], Feed::PointerSigned, COMMON),
-        feed("soundRes", &["vec2"], Feed::HistorySize, COMMON),
-        feed("vertexCount", &["float"], Feed::Control, COMMON),
-        feed("background", &["vec4"], Feed::Control, COMMON),
-    ],
-    textures: &[],
-    varyings: &[],
-    declares: true,
+pub(super) static CODE: HostCode = HostCode {
+    host: "vertexshaderart",
     signs,
     plan: Some(plan),
 };
@@ -42,21 +30,6 @@ fn signs(clues: &Clues) -> Vec<Sign> {
         false => Vec::new(),
     }
 }
-
-/// What the site declares, by name.
-const DECLARED: [(&str, &str); 11] = [
-    ("vertexId", "attribute float vertexId;"),
-    ("mouse", "uniform vec2 mouse;"),
-    ("resolution", "uniform vec2 resolution;"),
-    ("background", "uniform vec4 background;"),
-    ("time", "uniform float time;"),
-    ("vertexCount", "uniform float vertexCount;"),
-    ("volume", "uniform sampler2D volume;"),
-    ("sound", "uniform sampler2D sound;"),
-    ("floatSound", "uniform sampler2D floatSound;"),
-    ("touch", "uniform sampler2D touch;"),
-    ("soundRes", "uniform vec2 soundRes;"),
-];
 
 /// The fragment shader of the site.
 const FRAGMENT: &str = "precision mediump float;\nvarying vec4 v_color;\nvoid main() {\n    gl_FragColor = v_color;\n}\n";
@@ -107,12 +80,8 @@ fn plan(clues: &Clues) -> Plan {
 
 /// The text behind the declarations that it does not bring itself. Its `main` is called by another.
 fn completion(clues: &Clues, mut before: String) -> Completion {
-    let is_missing = |(name, _): &&(&str, &str)| !clues.declares(name);
-    for (_, line) in DECLARED.iter().filter(is_missing) {
-        before.push_str(&format!("{line}\n"));
-    }
-    if !clues.declares("v_color") {
-        before.push_str("varying vec4 v_color;\n");
+    if let Some(host) = preset("vertexshaderart") {
+        before.push_str(&declarations(host, clues, true));
     }
     before.push_str("#define main port_main\n");
     Completion::behind(before, clues.text)
@@ -188,7 +157,7 @@ mod tests {
 
     #[test]
     fn it_is_known_by_its_numbered_vertices() {
-        let known = |text: &str| recognise(&Clues::of(text)).dialect.name;
+        let known = |text: &str| recognise(&Clues::of(text)).unwrap().host.name;
         let text = "void main() { gl_Position = vec4(vertexId / vertexCount); v_color = vec4(1); }";
         assert_eq!(known(text), "vertexshaderart");
         let headed = format!("/*{{\"ISFVSN\": \"2\", \"INPUTS\": []}}*/ {text}");

@@ -8,20 +8,15 @@
 //! `::MinFilter` and `::WrapMode` say otherwise, and buffers hold floats.
 
 use super::complete::modern;
-use super::feed::{COMMON, Feed, OWN, feed};
 use super::isf::is_identifier;
-use super::{Clues, Completion, DialectFacts, Plan, PlannedPass, Sign, read_buffer, sampled};
+use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
 use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name};
+use shaderlint_host::{OWN, preset};
 use shaderlint_semantic::Pass;
 use shaderlint_syntax::{Lexer, RawKind};
 
-pub(super) static FACTS: DialectFacts = DialectFacts {
-    name: "vscode-shader-toy",
-    title: "VS Code Shader Toy",
-    feeds: &[feed("iMouseButton", &["vec4"], Feed::Button, COMMON)],
-    textures: &[],
-    varyings: &[],
-    declares: true,
+pub(super) static CODE: HostCode = HostCode {
+    host: "vscode-shader-toy",
     signs,
     plan: Some(plan),
 };
@@ -486,7 +481,7 @@ pub(super) fn numbers(text: &str) -> Vec<f64> {
 fn completion(code: &str, told: &Told) -> Completion {
     let clues = Clues::of(code);
     let mut before = modern(&clues);
-    before.push_str(HOST);
+    before.push_str(&host());
     for number in 0..10 {
         let name = format!("iChannel{number}");
         let is_cube = told
@@ -516,12 +511,12 @@ fn completion(code: &str, told: &Told) -> Completion {
     Completion::behind(before, code).with_end(&end)
 }
 
-/// What the host declares.
-const HOST: &str = "uniform vec3 iResolution;\nuniform float iTime;\nuniform float iTimeDelta;\n\
-uniform float iFrameRate;\nuniform int iFrame;\nuniform vec4 iDate;\nuniform vec3 \
-iChannelResolution[10];\nuniform vec4 iMouse;\nuniform vec4 iMouseButton;\nuniform float \
-iSampleRate;\nuniform mat4 iViewMatrix;\n#define iGlobalTime iTime\n#define iGlobalFrame iFrame\n\
-#define SHADER_TOY\n";
+/// What the host declares, but for the channels: of what type they are the text says.
+fn host() -> String {
+    let text = preset("vscode-shader-toy").map_or("", |p| &p.prelude);
+    let lines = text.lines().filter(|l| !l.starts_with("uniform sampler"));
+    lines.map(|line| format!("{line}\n")).collect()
+}
 
 /// The functions of keys, and the constants that a text uses. Which key was let go in this frame is
 /// not known.
@@ -662,7 +657,12 @@ mod tests {
 
     #[test]
     fn it_is_known_by_its_directives() {
-        let known = |text: &str| crate::dialect::recognise(&Clues::of(text)).dialect.name;
+        let known = |text: &str| {
+            crate::dialect::recognise(&Clues::of(text))
+                .unwrap()
+                .host
+                .name
+        };
         let image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
         let main = "void main() { gl_FragColor = vec4(1.0); }";
         assert_eq!(

@@ -1,6 +1,6 @@
 //! The shape of `shaderlint.toml`: what serde reads, and what the JSON schema is derived from.
 
-use super::mistake::{Mistake, none_of};
+use super::mistake::Mistake;
 use super::rules::Rules;
 use super::word_or::WordOr;
 use crate::options::{Desktop, DialectChoice, HostNames, HostUniform};
@@ -8,7 +8,7 @@ use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use shaderlint_format::{Brace, Indentation, StyleChoice};
-use shaderlint_host::{PRESETS, Preset, preset};
+use shaderlint_host::{Preset, host_named, names};
 use shaderlint_lint::Renderer;
 use shaderlint_syntax::{Version, WordClass, classify};
 use std::collections::BTreeMap;
@@ -166,15 +166,14 @@ pub struct DescribedHost {
 /// The name of a host that comes with the program
 #[derive(Deserialize, JsonSchema)]
 #[serde(try_from = "String")]
-#[schemars(with = "String", extend("enum" = PRESETS))]
+#[schemars(with = "String", extend("enum" = names()))]
 pub struct KnownHost(Arc<Preset>);
 
 impl TryFrom<String> for KnownHost {
     type Error = String;
 
     fn try_from(name: String) -> Result<KnownHost, String> {
-        let known = preset(&name).ok_or_else(|| none_of(&name, PRESETS))?;
-        Ok(KnownHost(Arc::new(known.clone())))
+        Ok(KnownHost(Arc::new(host_named(&name)?.clone())))
     }
 }
 

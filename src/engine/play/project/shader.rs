@@ -3,10 +3,9 @@
 use super::PlayProblem;
 use crate::play::{Moment, Scene, Unfit, player_draw};
 use shaderlint_exec::{Code, CompileOptions, Draw, compile};
+use shaderlint_host::Feed;
 use shaderlint_ir::lower;
-use shaderlint_port::{
-    Bindings, Composed, Feed, PassUnit, Project, ProjectPass, SizeTerm, Wrapper,
-};
+use shaderlint_port::{Bindings, Composed, PassUnit, Project, ProjectPass, SizeTerm, Wrapper};
 use shaderlint_semantic::Stage;
 
 /// The shader of a pass.

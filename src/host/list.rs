@@ -1,0 +1,62 @@
+//! Every file of `presets/`, in the order of the alphabet. Made by `cargo test --test all pages`.
+
+/// The name and the text of each.
+pub(super) const FILES: &[(&str, &str)] = &[
+    ("babylon", include_str!("presets/babylon.glsl")),
+    ("bonzomatic", include_str!("presets/bonzomatic.glsl")),
+    (
+        "book-of-shaders",
+        include_str!("presets/book-of-shaders.glsl"),
+    ),
+    ("butterchurn", include_str!("presets/butterchurn.glsl")),
+    ("cesium", include_str!("presets/cesium.glsl")),
+    ("gl-react", include_str!("presets/gl-react.glsl")),
+    ("glsl-sandbox", include_str!("presets/glsl-sandbox.glsl")),
+    ("glslify", include_str!("presets/glslify.glsl")),
+    ("hydra", include_str!("presets/hydra.glsl")),
+    ("isf", include_str!("presets/isf.glsl")),
+    ("kodelife", include_str!("presets/kodelife.glsl")),
+    ("kodi", include_str!("presets/kodi.glsl")),
+    ("lamina", include_str!("presets/lamina.glsl")),
+    ("luma", include_str!("presets/luma.glsl")),
+    ("lygia", include_str!("presets/lygia.glsl")),
+    ("mapbox", include_str!("presets/mapbox.glsl")),
+    ("maplibre", include_str!("presets/maplibre.glsl")),
+    ("ogl", include_str!("presets/ogl.glsl")),
+    (
+        "openframeworks",
+        include_str!("presets/openframeworks.glsl"),
+    ),
+    ("p5", include_str!("presets/p5.glsl")),
+    ("phaser", include_str!("presets/phaser.glsl")),
+    ("pixi", include_str!("presets/pixi.glsl")),
+    ("pixi7", include_str!("presets/pixi7.glsl")),
+    ("playcanvas", include_str!("presets/playcanvas.glsl")),
+    (
+        "postprocessing",
+        include_str!("presets/postprocessing.glsl"),
+    ),
+    ("processing", include_str!("presets/processing.glsl")),
+    ("regl", include_str!("presets/regl.glsl")),
+    ("shader-park", include_str!("presets/shader-park.glsl")),
+    ("shadered", include_str!("presets/shadered.glsl")),
+    ("shadertoy", include_str!("presets/shadertoy.glsl")),
+    ("synthclipse", include_str!("presets/synthclipse.glsl")),
+    ("three", include_str!("presets/three.glsl")),
+    (
+        "three-custom-shader-material",
+        include_str!("presets/three-custom-shader-material.glsl"),
+    ),
+    ("twgl", include_str!("presets/twgl.glsl")),
+    ("twigl", include_str!("presets/twigl.glsl")),
+    (
+        "vertexshaderart",
+        include_str!("presets/vertexshaderart.glsl"),
+    ),
+    (
+        "vscode-shader-toy",
+        include_str!("presets/vscode-shader-toy.glsl"),
+    ),
+    ("vtk", include_str!("presets/vtk.glsl")),
+    ("webgl", include_str!("presets/webgl.glsl")),
+];
