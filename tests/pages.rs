@@ -6,7 +6,7 @@
 
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
-use shaderlint::host::presets;
+use shaderlint::host::{Feed, presets};
 use shaderlint::lint::{Allow, Fence, FenceKind, Page, Renderer, Rule, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::{RULES, error_page};
@@ -272,10 +272,27 @@ fn list_of_hosts() {
 fn pages_of_hosts() {
     let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("rules/hosts");
-    let mut list = String::from(
-        "# Hosts\n\nLibraries that complete shaders before a browser sees them. `[host] preset = \"NAME\"` in `shaderlint.toml` \
-        says that one does; without it they are found by themselves. Each is a file of GLSL in `src/host/presets`, and a host of \
-        your own is one like it: `[host] prelude = \"host.glsl\"`.\n\n| name | host | compiled as |\n|---|---|---|\n",
+    let words: String = Feed::ALL
+        .iter()
+        .map(|feed| format!("| `{}` | {} |\n", feed.name(), feed.says()))
+        .collect();
+    let words = format!("| a uniform is given | that is |\n|---|---|\n{words}");
+    let mut list = format!(
+        "# Hosts\n\nWho runs shaders, or completes them before a browser sees them. `--host NAME` says it to `shaderlint` and \
+        `shaderport`, `host = \"NAME\"` in `shaderlint.toml` for good; without it hosts are found by themselves. Each is a file \
+        of GLSL in `src/host/presets`, and a host of your own is one like it: `[host] prelude = \"host.glsl\"`.\n\n\
+        ## A host of your own\n\n\
+        ```glsl\n// My engine\n//\n// What it does, in sentences.\n//\n// base: three\n// names: all\n\
+        uniform float uClock; // = time\nuniform vec2 uSize; // = resolution, or vec3\n\
+        uniform sampler2D uNoise; // = file, mipmap, repeat\n#ifdef SHADER_DECLARES\n\
+        varying vec2 vPlace; // = port_place, own\n#endif\n```\n\n\
+        The head is the title, what it does, and facts: `base` (the host that it builds on), `version` (`any`, `own`, `desktop`, \
+        `100`, `300 es`), `names` (`all`: other names are mistakes; `some`), `entry`, `include`, `hole`, `package`, `word`, \
+        `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`. A comment `// =` behind a declaration says what the host \
+        sets the name to, so that shaders can be run; `or TYPE` are further types, `numbered` lets the number in the name be any, \
+        and `usual` or `own` says how much the name shows that a shader is this host's. Names between `#ifdef SHADER_DECLARES` \
+        and `#endif` are declared by the shaders themselves. A varying is given GLSL of `port_place` (from 0 to 1), `port_pos` \
+        (from -1 to 1) and `port_size` (pixels).\n\n{words}\n## All hosts\n\n| name | host | compiled as |\n|---|---|---|\n",
     );
     let mut expected = Vec::new();
     for host in presets() {

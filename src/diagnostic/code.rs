@@ -41,6 +41,8 @@ pub enum Facet {
     ForeignForm,
     /// It is about what is declared, not about what is done with it.
     Declares,
+    /// GLSL of desktops takes it.
+    Desktop,
 }
 
 /// A kind of compile error.
@@ -114,7 +116,7 @@ errors! {
     /// `1f`, `08`, `1.0.0`, a number over 32 bits.
     INVALID_NUMBER = "invalid-number", syntax;
     /// A word that the language keeps for itself, used as a name.
-    RESERVED_WORD = "reserved-word", meaning, is(Facet::ForeignForm);
+    RESERVED_WORD = "reserved-word", meaning, is(Facet::ForeignForm), is(Facet::Desktop);
     /// `/*` without `*/`.
     UNTERMINATED_COMMENT = "unterminated-comment", syntax, is(Facet::EndsEarly), is(Facet::Reads), is(Facet::Moves);
 
@@ -188,7 +190,7 @@ errors! {
     /// `mainImage` or its kin with other parameters than the player's.
     MAINIMAGE_SIGNATURE = "mainimage-signature";
     /// Code of GLSL ES 1.00 in a shader of 3.00.
-    LEGACY_GLSL = "legacy-glsl";
+    LEGACY_GLSL = "legacy-glsl", is(Facet::Desktop);
     /// A function without a `return`.
     MISSING_RETURN = "missing-return", meaning, is(Facet::Declares);
     /// A function that is called but never defined.
@@ -218,13 +220,13 @@ errors! {
     /// `void` as the type of a value.
     VOID_VALUE = "void-value", meaning;
     /// A constant without a value, or with one that is not constant.
-    NOT_CONSTANT = "not-constant";
+    NOT_CONSTANT = "not-constant", is(Facet::Desktop);
     /// A sampler where none may stand.
     SAMPLER_RESTRICTION = "sampler-restriction", meaning;
 
     // Types.
     /// `int` and `float` mixed.
-    INT_FLOAT_MIX = "int-float-mix", meaning;
+    INT_FLOAT_MIX = "int-float-mix", meaning, is(Facet::Desktop);
     /// Vectors or matrices of sizes that do not fit.
     VECTOR_SIZE = "vector-size", meaning;
     /// Any other two types that do not fit.

@@ -53,6 +53,11 @@ impl Report {
         self.file.is_some() && users.count() > 1
     }
 
+    /// Whether the file holds shaders and is none itself.
+    pub fn holds_shaders(&self) -> bool {
+        self.holds_others
+    }
+
     /// Whether a finding's fix can be written into the file.
     pub fn can_apply(&self, diagnostic: &Diagnostic) -> bool {
         let fix = diagnostic.fix.as_ref();
@@ -129,6 +134,9 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
     diagnostics.append(&mut input.problems);
     if let (Encoding::Damaged(at), true) = (encoding, kind != FileKind::Export) {
         report_damage(&input, at, &mut diagnostics);
+    }
+    if let Some(host) = input.hosted {
+        foreign::leave_repaired(host, text, &mut diagnostics);
     }
     diagnostics.retain(|d| input.hushed.admits(&input.sources, d));
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
@@ -223,6 +231,18 @@ fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Spli
         FileKind::Holds(language) => {
             input.embedded = extract_named(name, language, text);
             embedded::parts(&mut input, name, language, file, text, world)
+        }
+        FileKind::Shader
+            if foreign::is_pass_of_another(text, options)
+                && foreign::hosted(&mut input, file, text, options).ok_or(Unread::TooLarge)? =>
+        {
+            Some(())
+        }
+        FileKind::Foreign(Tongue::Desktop)
+            if options.desktop == Desktop::Report
+                && foreign::hosted(&mut input, file, text, options).ok_or(Unread::TooLarge)? =>
+        {
+            Some(())
         }
         FileKind::Foreign(tongue) if !foreign::is_ported(tongue, options) => {
             foreign::whole(&mut input, file, text, tongue, &decision)

@@ -58,6 +58,18 @@ impl Part {
         }
     }
 
+    /// A shader with all that its host puts around it.
+    pub fn hosted(reading: Reading) -> Part {
+        Part {
+            readings: Readings::whole(reading),
+            infer_channels: false,
+            embedder: Embedder::default(),
+            mipmapped: [None; 4],
+            missing: Vec::new(),
+            analysis: None,
+        }
+    }
+
     /// The likeliest way to read it.
     pub fn reading(&self) -> Option<&Reading> {
         self.readings.all.first()

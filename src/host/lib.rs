@@ -5,7 +5,7 @@
 //! The head is made of line comments: the name in its first line, a paragraph of what the host does,
 //! and lines `key: value`. What follows is put before the shaders, with `VERTEX_SHADER` or
 //! `FRAGMENT_SHADER` defined. A comment `// = time` behind a declaration says what the host sets the
-//! name to ([`Meanings`]); names that shaders declare themselves are written between
+//! name to ([`Meanings`]), comments `/// ...` before it what editors show of it; names that shaders declare themselves are written between
 //! `#ifdef SHADER_DECLARES` and `#endif`, which is put before none.
 
 mod list;
@@ -16,6 +16,7 @@ pub use meaning::{
 };
 
 use list::FILES;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -80,12 +81,16 @@ pub struct Preset {
     pub is_complete: bool,
     /// Whether it takes texts with a `#version` and puts its own in the place of that.
     pub takes_version: bool,
+    /// Whether it takes GLSL of desktops besides.
+    pub takes_desktop: bool,
     /// Whether it gives other names to what a text declares.
     pub renames: bool,
     /// The functions that it calls.
     pub entries: Vec<String>,
     /// What further shows it in a text.
     pub signs: Vec<TextSign>,
+    /// What is said of its names, by their comments: `/// The seconds since the start.`
+    pub said: BTreeMap<String, String>,
     /// What the names mean that it sets, those of its base last.
     pub meanings: Meanings,
     /// What it puts before the shaders.
@@ -150,7 +155,24 @@ pub fn names() -> Vec<&'static str> {
 ///
 /// What is wrong with the name, and the names that are close to it.
 pub fn host_named(name: &str) -> Result<&'static Preset, String> {
-    preset(name).ok_or_else(|| none_of(name, &names()))
+    preset(name).ok_or_else(|| {
+        let all = names();
+        let most = (name.len() / 3).clamp(1, 3);
+        let is_near = |n: &&&str| {
+            n.starts_with(name) && !name.is_empty() || strsim::damerau_levenshtein(n, name) <= most
+        };
+        let near: Vec<&str> = all.iter().filter(is_near).copied().collect();
+        match near.is_empty() {
+            true => format!(
+                "there is no host `{name}`; there are `{}`",
+                all.join("`, `")
+            ),
+            false => format!(
+                "there is no host `{name}`; did you mean `{}`?",
+                near.join("` or `")
+            ),
+        }
+    })
 }
 
 /// That a word is none of some words, with the one that was probably meant.
@@ -207,7 +229,7 @@ impl Preset {
             text.push_str(&format!("| {what} | {value} |\n"));
         }
         text.push_str(&format!("\n```toml\nhost = \"{}\"\n```\n", self.name));
-        text.push_str(&self.meanings.page());
+        text.push_str(&self.meanings.page(&self.said));
         let prelude = self.prelude.get(self.own_start..).unwrap_or("").trim();
         if !prelude.is_empty() {
             text.push_str("\nWhat it puts before a shader:\n\n```glsl\n");
@@ -272,6 +294,11 @@ impl Preset {
         })
     }
 
+    /// Whether it runs texts whose `#version` is that of desktops.
+    pub fn runs_desktop(&self) -> bool {
+        self.takes_desktop || matches!(self.version, HostVersion::Own | HostVersion::Desktop)
+    }
+
     /// Whether it declares names that it sets, so that texts use them undeclared.
     pub fn declares(&self) -> bool {
         self.meanings.has_declared()
@@ -297,6 +324,8 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
     let mut given = Given::default();
     let mut has_facts = false;
     let mut is_head = true;
+    // What the lines before a declaration say of it.
+    let mut comment = String::new();
     // Whether the lines at hand are for names that shaders declare.
     let mut is_theirs = false;
     for (line, number) in text.split_inclusive('\n').zip(1..) {
@@ -304,9 +333,19 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
             line: number,
             message,
         };
-        is_head &= line.starts_with("//");
+        is_head &= line.starts_with("//") && !line.starts_with("///");
         if !is_head {
             let word = line.trim();
+            if let Some(more) = word.strip_prefix("///") {
+                comment = format!("{comment} {}", more.trim());
+                preset.prelude.push('\n');
+                continue;
+            }
+            let own = std::mem::take(&mut comment);
+            if let (false, Some(name)) = (own.is_empty(), declared_in(line)) {
+                let own = own.trim().to_string();
+                preset.said.insert(name.to_string(), own);
+            }
             let is_end = is_theirs && word == "#endif";
             is_theirs |= word == SHADER_DECLARES;
             preset.meanings.read(line, !is_theirs).map_err(wrong)?;
@@ -322,9 +361,9 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
         }
         // The head stays as blank lines, so that places in the file are those of the text.
         preset.prelude.push('\n');
-        let comment = line.trim_start_matches("//").trim();
+        let told = line.trim_start_matches("//").trim();
         // Sentences hold colons, too: the facts start with the first key.
-        let fact = comment.split_once(": ").filter(|(key, _)| match has_facts {
+        let fact = told.split_once(": ").filter(|(key, _)| match has_facts {
             true => is_key(key),
             false => KEYS.contains(key),
         });
@@ -334,16 +373,18 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
                 given.note(key);
                 preset.set(key, value.trim()).map_err(wrong)?;
             }
-            None if preset.title.is_empty() => preset.title = comment.to_string(),
-            None if comment.is_empty() => {}
+            None if preset.title.is_empty() => preset.title = told.to_string(),
+            None if told.is_empty() => {}
             None => {
                 if !preset.about.is_empty() {
                     preset.about.push(' ');
                 }
-                preset.about.push_str(comment);
+                preset.about.push_str(told);
             }
         }
     }
+    preset.prelude.truncate(preset.prelude.trim_end().len());
+    preset.prelude.push('\n');
     if let Some(base) = preset.base.and_then(self::preset) {
         preset.build_on(base, &given);
     }
@@ -380,6 +421,10 @@ impl Preset {
         self.own_start = base.prelude.len() + 1;
         self.prelude = format!("{}\n{}", base.prelude, self.prelude);
         self.meanings.inherit(&base.meanings);
+        for (name, said) in &base.said {
+            let own = self.said.entry(name.clone());
+            own.or_insert_with(|| said.clone());
+        }
     }
 
     /// Puts what it says behind what its base says. What shows the base does not show it.
@@ -458,12 +503,11 @@ impl Preset {
                     }
                 }
             }
-            "takes" => {
-                self.takes_version = match value {
-                    "version" => true,
-                    _ => return Err(format!("`{value}` is not `version`")),
-                }
-            }
+            "takes" => match value {
+                "version" => self.takes_version = true,
+                "desktop" => self.takes_desktop = true,
+                _ => return Err(none_of(value, &["version", "desktop"])),
+            },
             "renames" => {
                 self.renames = match value {
                     "yes" => true,
@@ -562,6 +606,19 @@ mod tests {
         assert_eq!(own, ["uniform float a;", "uniform float c;"]);
         let declared = preset.meanings.feeds.iter().map(|r| r.is_declared);
         assert_eq!(declared.collect::<Vec<_>>(), [true, false, true]);
+    }
+
+    #[test]
+    fn comments_say_what_names_are() {
+        let text =
+            "// A\n/// How long\n/// it runs.\nuniform float a; // = time\nuniform float b;\n";
+        let preset = read(text).unwrap();
+        assert_eq!(
+            preset.said.get("a").map(String::as_str),
+            Some("How long it runs.")
+        );
+        assert_eq!(preset.said.len(), 1);
+        assert_eq!(preset.prelude, "\n\n\nuniform float a;\nuniform float b;\n");
     }
 
     #[test]

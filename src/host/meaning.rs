@@ -5,6 +5,7 @@
 //! other, and how much the name shows that a shader is this host's (`usual`, `own`).
 
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 macro_rules! feeds {
     ($($variant:ident $name:literal $says:literal,)*) => {
@@ -221,17 +222,24 @@ impl Meanings {
     }
 
     /// The names, what they are given, and who declares them, in Markdown.
-    pub(super) fn page(&self) -> String {
+    pub(super) fn page(&self, said: &BTreeMap<String, String>) -> String {
+        let says = |name: &str, short: String| said.get(name).cloned().unwrap_or(short);
         let who = |is_declared| match is_declared {
             true => "the host",
             false => "the shader",
         };
         let feeds = self.feeds.iter().map(|r| {
             let types = r.types.join("`, `");
-            (&r.name, types, r.feed.says().to_string(), r.is_declared)
+            (
+                &r.name,
+                types,
+                says(&r.name, r.feed.says().to_string()),
+                r.is_declared,
+            )
         });
         let textures = self.textures.iter().map(|r| {
-            let says = format!("{} ({}, {})", r.texture.says(), r.filter, r.wrap);
+            let short = format!("{} ({}, {})", r.texture.says(), r.filter, r.wrap);
+            let says = says(&r.name, short);
             (&r.name, "sampler2D".to_string(), says, r.is_declared)
         });
         let varyings = self.varyings.iter().map(|r| {

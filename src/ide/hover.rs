@@ -7,9 +7,11 @@ use super::run::RunSeen;
 use super::symbol::{Symbol, builtin_variable, declared_at};
 use shaderlint_flow::Bound;
 use shaderlint_flow::ranges::Interval;
+use shaderlint_host::Feed;
 use shaderlint_lint::Facts;
+use shaderlint_port::bindings;
 use shaderlint_semantic::builtins::Builtins;
-use shaderlint_semantic::{BuiltinId, Program, Scalar, Type, Value};
+use shaderlint_semantic::{BuiltinId, Program, Scalar, Storage, Type, Value};
 use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId, StmtKind};
 use shaderlint_text::Span;
 
@@ -63,10 +65,22 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
     let said = declared_at(program, name.symbol).and_then(|at| comment_above(program, at));
     let is_given = declared_at(program, name.symbol).is_none_or(|at| !program.is_user(at));
     let said = said.or_else(|| entry(own).filter(|_| is_given).map(|e| e.text.clone()));
+    let is_uniform = matches!(name.symbol, Symbol::Variable(id)
+        if program.variable(id).is_some_and(|v| v.storage == Storage::Uniform));
+    let told = || is_uniform.then(|| given(program, own)).flatten();
+    let said = said.or_else(|| told().map(str::to_string));
     if let Some(said) = said {
         text.push_str(&format!("\n{said}\n"));
     }
     text
+}
+
+/// What a host gives a uniform of this name, where its table says it.
+fn given(program: &Program, name: &str) -> Option<&'static str> {
+    let bound = bindings(program);
+    let uniform = bound.uniforms.iter().find(|u| u.name == name)?;
+    let is_known = !matches!(uniform.source, Feed::Control | Feed::Identity);
+    is_known.then(|| uniform.source.says())
 }
 
 /// What is known of the value of an expression, or of the constant that a name stands for.

@@ -1,7 +1,8 @@
 //! What is said of the functions and variables that the language and ShaderToy define:
-//! `built_ins.txt`, whose head explains its form.
+//! `built_ins.txt`, whose head explains its form, and of ShaderToy's uniforms its host's file.
 
 use rustc_hash::FxHashMap;
+use shaderlint_host::preset;
 use std::sync::OnceLock;
 
 /// What is said of a name.
@@ -17,7 +18,14 @@ pub struct Entry {
 pub fn entry(name: &str) -> Option<&'static Entry> {
     static ENTRIES: OnceLock<FxHashMap<&'static str, Entry>> = OnceLock::new();
     ENTRIES
-        .get_or_init(|| read(include_str!("built_ins.txt")))
+        .get_or_init(|| {
+            let mut all = read(include_str!("built_ins.txt"));
+            let uniforms = preset("shadertoy").into_iter().flat_map(|p| &p.said);
+            for (name, said) in uniforms {
+                all.entry(name).or_default().text = said.clone();
+            }
+            all
+        })
         .get(name)
 }
 

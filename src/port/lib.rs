@@ -41,8 +41,8 @@ pub use compose::{Composed, PassUnit, compose};
 pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
 pub use dialect::{
-    Bindings, Clues, MAX_CHANNELS, Recognised, TextsBeside, UniformData, VaryingValue, bindings,
-    recognise,
+    Bindings, Change, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, TextsBeside,
+    UniformData, VaryingValue, bindings, calls_entry, hosted, recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
 pub use export::{MAX_EXPORT, ProjectError};

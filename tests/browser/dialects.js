@@ -33,7 +33,7 @@ async function convert(file, name, ...args) {
 
 /** Ports a shader of a dialect, which is recognized; gives the page's address. */
 async function portFile(dialect, file) {
-  const from = dialect === 'kodi' ? ['--from', 'kodi'] : [];
+  const from = dialect === 'kodi' ? ['--host', 'kodi'] : [];
   const { address, said } = await convert(path.join(FOLDER, dialect, file), `${dialect}-${file}`, ...from);
   // What looks like GLSL Sandbox in one mode of twigl is read as that, which is the same.
   const told = dialect === 'twigl' && file === 'classic.glsl' ? TOLD['glsl-sandbox'] : TOLD[dialect];

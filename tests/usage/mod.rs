@@ -6,6 +6,7 @@ mod commands;
 mod config;
 mod fixes;
 mod formatting;
+mod hosts;
 mod includes;
 mod kinds;
 mod links;

@@ -75,6 +75,11 @@ struct Cache {
 type Key = (Option<PathBuf>, ProjectFolders, Vec<usize>);
 
 impl Configs {
+    /// Whether the user names the host of all files.
+    pub fn names_host(&self) -> bool {
+        self.asked.given.host.is_some()
+    }
+
     /// Nothing is read yet.
     pub fn new(asked: ConfigArgs) -> Configs {
         Configs {

@@ -3,6 +3,7 @@
 use super::super::config::{ConfigArgs, Exclusion, Source};
 use crate::engine::DialectChoice;
 use crate::engine::config::Selection;
+use crate::host::{Preset, host_named};
 use crate::report::Format;
 use clap::{ArgAction, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -52,6 +53,10 @@ pub struct LintArgs {
     )]
     #[arg(conflicts_with_all = ["select", "ignore"])]
     pub only: Vec<String>,
+    /// Who runs or completes the shaders, like `three` or `bonzomatic`; an unknown name shows all
+    #[arg(long, value_name = "NAME", value_parser = host_named, help_heading = "Rules")]
+    #[arg(conflicts_with = "dialect")]
+    pub host: Option<&'static Preset>,
     /// What the shaders are written for: auto, shadertoy, webgl2, webgl1
     #[arg(
         long,
@@ -339,6 +344,7 @@ impl LintArgs {
         ConfigArgs {
             given: Selection {
                 dialect: self.dialect,
+                host: self.host,
                 select: self.select.clone(),
                 ignore: self.ignore.clone(),
                 only: self.only.clone(),

@@ -5,6 +5,7 @@ use super::super::input::{InputFile, PassedOver};
 use super::complain;
 use crate::engine::{Report, Shader, Wholeness};
 use crate::lint::{Proof, Unrun};
+use crate::port::{Clues, TextsBeside, recognise};
 use crate::semantic::Stage;
 use std::path::Path;
 
@@ -37,7 +38,24 @@ pub fn read(input: &InputFile, report: &Report, configs: &Configs) -> String {
             lines.collect::<Vec<_>>().join("; ")
         }
     };
-    format!("{}: read as {shaders}; {config}", input.name)
+    let host = told_host(&input.name, report)
+        .filter(|_| !configs.names_host())
+        .map_or(String::new(), |told| told + ": ");
+    format!("{}: read as {host}{shaders}; {config}", input.name)
+}
+
+/// Who runs a shader file, and what shows it, as `shaderport` tells it. What ShaderToy's player runs
+/// is told by its passes.
+fn told_host(name: &str, report: &Report) -> Option<String> {
+    let file = report.file.and_then(|id| report.sources.file(id))?;
+    if report.holds_shaders() || report.shaders.is_empty() {
+        return None;
+    }
+    let title = Path::new(name).file_stem()?.to_string_lossy();
+    let nothing = TextsBeside::new();
+    let found = recognise(&Clues::beside(&file.text, &title, &nothing))?;
+    let is_told = !found.signs.is_empty() && !found.is_player();
+    is_told.then(|| found.title_and_signs())
 }
 
 /// What one shader was read as, and where rules did not look.

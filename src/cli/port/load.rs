@@ -51,7 +51,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
             return Err(USAGE.to_string());
         }
         [one] if args.pass.is_empty() && !one.is_dir() => {
-            one_file(one, mode, dialect(args.from.as_deref())?)?
+            one_file(one, mode, host(args.host.as_deref())?)?
         }
         several => Drafted::of(parts(several, &args.pass)?),
     };
@@ -129,8 +129,8 @@ fn mend(
     Ok(is_wanted.then_some((mended, renewed, repaired)))
 }
 
-/// A file as a project, as it is, with the files that it is made of. `from` is the dialect that the
-/// user says it is written in.
+/// A file as a project, as it is, with the files that it is made of. `from` is the host that the
+/// user says runs it.
 pub(in crate::cli) fn draft(
     path: &Path,
     from: Option<&str>,
@@ -140,7 +140,7 @@ pub(in crate::cli) fn draft(
         let files = files.collect();
         return Ok((parts(&[path.to_path_buf()], &[])?, files));
     }
-    let drafted = one_file(path, Mode::AsItIs, dialect(from)?)?;
+    let drafted = one_file(path, Mode::AsItIs, host(from)?)?;
     let beside = drafted
         .beside
         .keys()
@@ -149,8 +149,8 @@ pub(in crate::cli) fn draft(
     Ok((drafted.project, read))
 }
 
-/// The dialect that the user says the code is written in.
-fn dialect(from: Option<&str>) -> Result<Option<&'static Preset>, String> {
+/// The host that the user says runs the code.
+fn host(from: Option<&str>) -> Result<Option<&'static Preset>, String> {
     let named = from.map(|name| host_named(name).map_err(|e| format!("--host: {e}")));
     named.transpose()
 }

@@ -47,10 +47,10 @@ pub struct PortArgs {
     /// What to make; without it the ending of the output tells
     #[arg(short, long, value_enum, value_name = "TARGET")]
     target: Option<Target>,
-    /// What the code is written in, like `shadertoy`, `glsl-sandbox` or `bonzomatic`; without it the
-    /// code tells. An unknown name shows all
-    #[arg(long, value_name = "DIALECT")]
-    from: Option<String>,
+    /// Who runs the code, like `shadertoy`, `glsl-sandbox` or `bonzomatic`; without it the code tells.
+    /// An unknown name shows all
+    #[arg(long, value_name = "NAME", visible_alias = "from")]
+    host: Option<String>,
     /// File of a pass, like `image=a.glsl` or `buffer_a=b.glsl`
     #[arg(long, value_name = "PASS=FILE")]
     pass: Vec<String>,

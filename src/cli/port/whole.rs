@@ -11,7 +11,7 @@ use std::path::PathBuf;
 /// The whole shaders that the arguments name, where they name nothing else and a language is asked
 /// for that takes them as they are.
 pub(super) fn load(args: &PortArgs) -> Result<Option<WholeShaders>, String> {
-    let is_asked = args.repair || args.diff || args.from.is_some();
+    let is_asked = args.repair || args.diff || args.host.is_some();
     let is_plain = args.pass.is_empty() && args.channel.is_empty() && !is_asked;
     // What is no regular file is read once, by whoever asks first.
     let are_files = args.input.iter().all(|path: &PathBuf| path.is_file());

@@ -31,10 +31,14 @@ pub struct RunArgs {
     /// structs
     #[arg(long, value_name = "FILE", help_heading = "Moment")]
     pub uniforms: Option<PathBuf>,
-    /// What the code is written in, like `shadertoy`, `glsl-sandbox` or `isf`; without it the code
-    /// tells
-    #[arg(long, value_name = "DIALECT", help_heading = "Moment")]
-    pub from: Option<String>,
+    /// Who runs the code, like `shadertoy`, `glsl-sandbox` or `isf`; without it the code tells
+    #[arg(
+        long,
+        value_name = "NAME",
+        visible_alias = "from",
+        help_heading = "Moment"
+    )]
+    pub host: Option<String>,
     /// What a channel reads, like `0=photo.jpg`, `image.1=keyboard`, `buffer_a.0=buffer_a` or, by the
     /// name of a sampler, `u_tex0=photo.png`; behind it may stand how, like `,nearest,clamp,noflip`
     #[arg(long, value_name = "[PASS.]N=SOURCE", help_heading = "Moment")]

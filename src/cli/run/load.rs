@@ -196,7 +196,7 @@ impl Loaded {
 /// Reads a shader. Its errors are told as the linter tells them.
 pub fn load(path: &Path, args: &RunArgs, format: Format) -> Result<Loaded, Trouble> {
     let name = port::shown(path);
-    match read(path, args.from.as_deref(), &args.channel) {
+    match read(path, args.host.as_deref(), &args.channel) {
         Ok(loaded) => Ok(loaded),
         Err(Undrawable::Errors(composed)) => {
             if !tell_errors(path, &name, args, format)? {

@@ -11,6 +11,7 @@ use super::path::plain;
 use globset::GlobSet;
 use shaderlint_diagnostic::Severity;
 use shaderlint_format::StyleChoice;
+use shaderlint_host::Preset;
 use shaderlint_lint::trial::TrialLimit;
 use shaderlint_lint::{Failing, OptionValue, Renderer, Rule, Settings, UnknownRule};
 use shaderlint_rules::RULES;
@@ -135,6 +136,8 @@ pub fn style(config: &Config, layers: &[usize], others: StyleChoice) -> StyleCho
 pub struct Selection {
     /// What the shaders are written for, where it is not `auto`.
     pub dialect: DialectChoice,
+    /// Who runs or completes them.
+    pub host: Option<&'static Preset>,
     /// Rules and groups that run too.
     pub select: Vec<String>,
     /// Rules and groups that do not run.
@@ -189,6 +192,9 @@ pub fn options(
     }
     if given.dialect != DialectChoice::Auto {
         options.dialect = given.dialect;
+    }
+    if let Some(host) = given.host {
+        options.host.preset = Some(Arc::new(host.clone()));
     }
     options.settings = Arc::new(settings);
     Ok(options)

@@ -15,6 +15,7 @@
 // word: PLATFORM_WEBGL
 // shows: usual BUFFER_0
 // version: 100
+// takes: desktop
 // names: all
 // entry: main
 // include: "..."

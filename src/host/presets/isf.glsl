@@ -16,6 +16,7 @@
 // package: interactive-shader-format
 // word: isf_FragNormCoord isf_FragCoord isf_vertShaderInit vv_FragNormCoord vv_vertShaderInit IMG_PIXEL IMG_NORM_PIXEL IMG_THIS_PIXEL IMG_THIS_NORM_PIXEL IMG_SIZE RENDERSIZE PASSINDEX
 // version: 100
+// takes: desktop
 // names: some
 // entry: main
 precision highp float;

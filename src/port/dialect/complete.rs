@@ -8,6 +8,7 @@ use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
 use shaderlint_semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
 use shaderlint_syntax::{Lexer, RawKind, Version};
 use shaderlint_text::{Role, Sources};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A text, and what goes around it.
@@ -19,10 +20,23 @@ pub struct Completion {
     pub code: Arc<str>,
     /// What goes behind it.
     pub behind: Arc<str>,
+    /// What was changed in the text of the user.
+    pub changes: Vec<Change>,
     /// What is to be told of it.
     pub note: Option<String>,
     /// The stage that it is for.
     pub stage: Stage,
+}
+
+/// A change of a text, so that it can be compiled behind another.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Change {
+    /// What is replaced, in bytes of the text.
+    pub range: Range<usize>,
+    /// What is in its place.
+    pub put: String,
+    /// Whether that is a comment.
+    pub is_hidden: bool,
 }
 
 impl Completion {
@@ -32,6 +46,7 @@ impl Completion {
             before: Arc::from(""),
             code: Arc::from(text),
             behind: Arc::from(""),
+            changes: Vec::new(),
             note: None,
             stage: Stage::Fragment,
         }
@@ -39,12 +54,12 @@ impl Completion {
 
     /// A text behind a prelude, which brings the `#version`.
     pub fn behind(before: String, text: &str) -> Completion {
+        let changes = changes(text);
         Completion {
             before: Arc::from(before),
-            code: Arc::from(with_struct_inputs(&without_images(&without_first_lines(
-                text,
-            )))),
+            code: Arc::from(changed(text, &changes)),
             behind: Arc::from(""),
+            changes,
             note: None,
             stage: Stage::Fragment,
         }
@@ -171,7 +186,7 @@ pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) 
 pub(super) fn declarations(host: &Preset, clues: &Clues, is_vertex: bool) -> String {
     let text = host.declarations(is_vertex);
     let is_theirs = |line: &&str| declared_in(line).is_none_or(|name| !clues.declares(name));
-    let lines = text.lines().filter(is_theirs);
+    let lines = text.lines().filter(|l| !l.is_empty()).filter(is_theirs);
     lines.map(|line| format!("{line}\n")).collect()
 }
 
@@ -249,10 +264,8 @@ pub(super) fn has_images(clues: &Clues) -> bool {
     IMAGES.iter().any(|(word, _)| clues.has_word(word))
 }
 
-/// A text whose declarations of images are comments.
-fn without_images(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() + 8);
-    let mut from = 0;
+/// Makes comments of the declarations of images.
+fn hide_images(text: &str, changes: &mut Vec<Change>) {
     let mut lexer = Lexer::new(text, 0);
     // Where the declaration at hand begins, and whether it is one of an image.
     let (mut first, mut is_image): (Option<usize>, bool) = (None, false);
@@ -261,16 +274,18 @@ fn without_images(text: &str) -> String {
         let (start, end) = (token.span.start as usize, token.span.end as usize);
         let word = text.get(start..end).unwrap_or("");
         match token.kind {
-            RawKind::End => break,
+            RawKind::End => return,
             RawKind::Whitespace | RawKind::Newline => {}
             RawKind::LineComment | RawKind::BlockComment => {}
             _ if word == ";" => {
                 let image = first.take().filter(|_| is_image);
                 let whole = image.and_then(|at| Some((at, text.get(at..end)?)));
-                if let Some((at, _)) = whole.filter(|(_, own)| !own.contains("*/")) {
-                    out.push_str(text.get(from..at).unwrap_or(""));
-                    out.push_str(&format!("/*{}*/", text.get(at..end).unwrap_or("")));
-                    from = end;
+                if let Some((at, own)) = whole.filter(|(_, own)| !own.contains("*/")) {
+                    changes.push(Change {
+                        range: at..end,
+                        put: format!("/*{own}*/"),
+                        is_hidden: true,
+                    });
                 }
                 is_image = false;
             }
@@ -279,8 +294,6 @@ fn without_images(text: &str) -> String {
             _ => is_image |= first.is_some() && IMAGES.iter().any(|(image, _)| *image == word),
         }
     }
-    out.push_str(text.get(from..).unwrap_or(""));
-    out
 }
 
 /// Textures of one dimension, which desktops have, are the first lines of those of two.
@@ -322,70 +335,98 @@ fn old_lookups(clues: &Clues) -> String {
     text
 }
 
-/// A text whose `#version` and `#extension` lines are comments: what stands before it has its own,
-/// and the language wants them first. What it would include is not at hand.
-fn without_first_lines(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() + 8);
+/// What is changed in a text that is compiled behind another.
+fn changes(text: &str) -> Vec<Change> {
+    let mut all = Vec::new();
+    hide_first_lines(text, &mut all);
+    hide_images(text, &mut all);
+    make_struct_inputs(text, &mut all);
+    all.sort_by_key(|c| (c.range.start, c.range.end));
+    all.dedup_by(|next, last| next.range.start < last.range.end);
+    all
+}
+
+/// A text with its changes.
+pub(super) fn changed(text: &str, changes: &[Change]) -> String {
+    let mut out = String::with_capacity(text.len() + 32);
     let mut from = 0;
+    for change in changes {
+        out.push_str(text.get(from..change.range.start).unwrap_or(""));
+        out.push_str(&change.put);
+        from = change.range.end;
+    }
+    out.push_str(text.get(from..).unwrap_or(""));
+    out
+}
+
+/// Makes comments of `#version` and `#extension` lines: what stands before the text has its own, and
+/// the language wants them first. What it would include is not at hand.
+fn hide_first_lines(text: &str, changes: &mut Vec<Change>) {
     let mut lexer = Lexer::new(text, 0);
     let mut hash = None;
     loop {
         let token = lexer.next_token();
         let (start, end) = (token.span.start as usize, token.span.end as usize);
         match token.kind {
-            RawKind::End => break,
+            RawKind::End => return,
             RawKind::Hash => hash = Some(start),
             RawKind::Whitespace => {}
             RawKind::Word => {
                 let word = text.get(start..end).unwrap_or("");
                 let is_first = matches!(word, "version" | "extension" | "include");
-                if let Some(at) = hash.filter(|_| is_first) {
-                    out.push_str(text.get(from..at).unwrap_or(""));
-                    out.push_str("//");
-                    from = at;
+                let line = hash.filter(|_| is_first).and_then(|at| {
+                    let line = text.get(at..)?.lines().next()?;
+                    Some((at, line))
+                });
+                if let Some((at, line)) = line {
+                    changes.push(Change {
+                        range: at..at + line.len(),
+                        put: format!("//{line}"),
+                        is_hidden: true,
+                    });
                 }
                 hash = None;
             }
             _ => hash = None,
         }
     }
-    out.push_str(text.get(from..).unwrap_or(""));
-    out
 }
 
-/// A text whose input blocks, which GLSL ES 3.00 has not, are inputs of structs:
+/// Makes input blocks, which GLSL ES 3.00 has not, inputs of structs:
 /// `in VertexData { vec2 uv; } data;`.
-fn with_struct_inputs(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() + 32);
-    let mut from = 0;
+fn make_struct_inputs(text: &str, changes: &mut Vec<Change>) {
     let mut lexer = Lexer::new(text, 0);
     // What was read of a block: where `in` stands, its name, and where its brace was closed.
-    let mut word: Option<(usize, usize)> = None;
-    let mut block: Option<(usize, usize, &str)> = None;
+    let mut word: Option<Range<usize>> = None;
+    let mut block: Option<(Range<usize>, &str)> = None;
     let mut is_open = false;
     loop {
         let token = lexer.next_token();
-        let (start, end) = (token.span.start as usize, token.span.end as usize);
-        let own = text.get(start..end).unwrap_or("");
+        let range = token.span.start as usize..token.span.end as usize;
+        let own = text.get(range.clone()).unwrap_or("");
         match token.kind {
-            RawKind::End => break,
+            RawKind::End => return,
             RawKind::Whitespace | RawKind::Newline => continue,
             RawKind::LineComment | RawKind::BlockComment => continue,
-            RawKind::Word if own == "in" && !is_open => (word, block) = (Some((start, end)), None),
+            RawKind::Word if own == "in" && !is_open => (word, block) = (Some(range), None),
             RawKind::Word if block.is_none() => {
-                block = word.take().map(|(start, end)| (start, end, own));
+                block = word.take().map(|range| (range, own));
             }
-            _ => match (own, block) {
-                ("{", Some((start, end, _))) => {
-                    out.push_str(text.get(from..start).unwrap_or(""));
-                    out.push_str("struct");
-                    from = end;
+            _ => match (own, &block) {
+                ("{", Some((range, _))) => {
+                    changes.push(Change {
+                        range: range.clone(),
+                        put: "struct".to_string(),
+                        is_hidden: false,
+                    });
                     is_open = true;
                 }
-                ("}", Some((_, _, name))) if is_open => {
-                    out.push_str(text.get(from..end).unwrap_or(""));
-                    out.push_str(&format!("; in {name}"));
-                    from = end;
+                ("}", Some((_, name))) if is_open => {
+                    changes.push(Change {
+                        range: range.end..range.end,
+                        put: format!("; in {name}"),
+                        is_hidden: false,
+                    });
                     (is_open, block, word) = (false, None, None);
                 }
                 _ if !is_open => (word, block) = (None, None),
@@ -393,8 +434,6 @@ fn with_struct_inputs(text: &str) -> String {
             },
         }
     }
-    out.push_str(text.get(from..).unwrap_or(""));
-    out
 }
 
 #[cfg(test)]
@@ -406,7 +445,7 @@ mod tests {
         let text =
             "#version 410 core\n # extension GL_X : enable\n#define version 1\n// #version\n";
         assert_eq!(
-            without_first_lines(text),
+            changed(text, &changes(text)),
             "//#version 410 core\n //# extension GL_X : enable\n#define version 1\n// #version\n"
         );
     }

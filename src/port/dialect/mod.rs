@@ -23,16 +23,17 @@ mod vscode;
 
 pub(super) use bind::bind;
 pub use bind::{Bindings, MAX_CHANNELS, UniformData};
+use clues::VersionAsked;
 pub use clues::{Clues, Interfacing};
-pub use complete::Completion;
 pub(crate) use complete::best;
+pub use complete::{Change, Completion};
 pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
 use complete::{completions_behind, completions_of, declarations, has_images};
 use shaderlint_host::{Feed, Preset, TextSign, is_named, preset, presets};
-use shaderlint_semantic::{Pass, Program};
+use shaderlint_semantic::{Pass, Program, Stage};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -245,13 +246,23 @@ impl Recognised {
             tied: None,
         }
     }
+
+    /// Whether ShaderToy's player runs the text.
+    pub fn is_player(&self) -> bool {
+        is_player(self.host)
+    }
+}
+
+fn is_player(host: &Preset) -> bool {
+    code_of(host).is_some_and(|code| code.plan.is_none())
 }
 
 /// The host that a text is written for: the one for which the most speaks. `None` where there is not
 /// even a page, the host of all others.
 pub fn recognise(clues: &Clues) -> Option<Recognised> {
     let mut found: Vec<(u32, &'static Preset, Vec<Sign>)> = Vec::new();
-    for host in presets() {
+    let is_desktop = matches!(clues.asked, VersionAsked::Desktop(_));
+    for host in presets().filter(|h| !is_desktop || h.runs_desktop()) {
         let signs = signs(host, clues);
         let weight = signs.iter().map(|s| u32::from(s.weight)).sum();
         if weight >= ENOUGH {
@@ -260,7 +271,6 @@ pub fn recognise(clues: &Clues) -> Option<Recognised> {
     }
     // Of those for which as much speaks the first is taken, and the player only where it is alone:
     // others run texts with its entry, too.
-    let is_player = |host: &Preset| code_of(host).is_some_and(|code| code.plan.is_none());
     found.sort_by_key(|(weight, host, _)| (std::cmp::Reverse(*weight), is_player(host)));
     let mut found = found.into_iter();
     let Some((weight, host, signs)) = found.next() else {
@@ -272,6 +282,44 @@ pub fn recognise(clues: &Clues) -> Option<Recognised> {
         signs,
         tied: tied.map(|(_, host, _)| host),
     })
+}
+
+/// A text of a host that WebGL does not compile as it stands, and what it becomes.
+#[derive(Debug)]
+pub struct Hosted {
+    /// Who runs it.
+    pub recognised: Recognised,
+    /// The text, and what goes around it.
+    pub completion: Completion,
+}
+
+/// What becomes of a text for desktops that a known host runs: the one that the user names, or that
+/// the text shows. `None` where nothing shows one.
+pub fn hosted(text: &str, given: Option<&'static Preset>) -> Option<Hosted> {
+    let clues = Clues::of(text);
+    let recognised = match given {
+        Some(host) => Recognised::given(host),
+        None => recognise(&clues).filter(|found| !found.signs.is_empty())?,
+    };
+    let plan = plan(recognised.host, &clues)?;
+    let draws_vertices = plan.draws.iter().any(|d| d.has_vertices);
+    if plan.is_description || clues.guess.stage == Some(Stage::Vertex) && !draws_vertices {
+        return None;
+    }
+    let last = plan.passes.into_iter().next_back()?;
+    let completion = best(last.candidates)?;
+    // Places are those of the text only where it is all of it.
+    let is_text = *complete::changed(text, &completion.changes) == *completion.code;
+    is_text.then_some(Hosted {
+        recognised,
+        completion,
+    })
+}
+
+/// Whether a host other than ShaderToy's player calls ShaderToy's entry.
+pub fn calls_entry(host: &Preset) -> bool {
+    let is_completed = code_of(host).is_some_and(|code| code.plan.is_some());
+    is_completed && host.entries.iter().any(|entry| entry == "mainImage")
 }
 
 /// What a checked shader is given that is whole, or that ShaderToy's player completes.
@@ -358,20 +406,24 @@ const SAMPLERS: &[&str] = &["sampler2D", "samplerCube", "sampler3D", "sampler1D"
 impl Recognised {
     /// What is told of it: what it was taken for, and why.
     pub fn told(&self) -> String {
-        let title = self.host.read_as();
-        let signs: Vec<&str> = self.signs.iter().map(|s| s.what.as_str()).take(4).collect();
-        let why = match signs.as_slice() {
-            [] => String::new(),
-            signs => format!(", by {}", signs.join(", ")),
-        };
         let tied = self.tied.map_or(String::new(), |other| {
             format!(
-                "; as much speaks for {}: `--from {}` insists",
+                "; as much speaks for {}: `--host {}` insists",
                 other.read_as(),
                 other.name
             )
         });
-        format!("read as {title}{why}{tied}")
+        format!("read as {}{tied}", self.title_and_signs())
+    }
+
+    /// Who runs the text, and what shows it.
+    pub fn title_and_signs(&self) -> String {
+        let title = self.host.read_as();
+        let signs: Vec<&str> = self.signs.iter().map(|s| s.what.as_str()).take(4).collect();
+        match signs.as_slice() {
+            [] => title.to_string(),
+            signs => format!("{title}, by {}", signs.join(", ")),
+        }
     }
 }
 
@@ -393,7 +445,7 @@ mod tests {
             void main() { gl_FragColor = vec4(surfacePosition, spectrum.xy); }";
         let found = recognise(&Clues::of(text)).unwrap();
         let told = found.told();
-        assert!(told.ends_with("`--from kodelife` insists"), "{told}");
+        assert!(told.ends_with("`--host kodelife` insists"), "{told}");
     }
 
     #[test]

@@ -514,7 +514,8 @@ fn completion(code: &str, told: &Told) -> Completion {
 /// What the host declares, but for the channels: of what type they are the text says.
 fn host() -> String {
     let text = preset("vscode-shader-toy").map_or("", |p| &p.prelude);
-    let lines = text.lines().filter(|l| !l.starts_with("uniform sampler"));
+    let is_own = |l: &&str| !l.is_empty() && !l.starts_with("uniform sampler");
+    let lines = text.lines().filter(is_own);
     lines.map(|line| format!("{line}\n")).collect()
 }
 
