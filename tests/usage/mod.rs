@@ -19,3 +19,4 @@ mod scratch;
 mod suppressions;
 mod testing;
 mod trials;
+mod unknown;

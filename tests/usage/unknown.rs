@@ -1,0 +1,150 @@
+//! Names that are not declared, by what may complete the text that uses them.
+
+use super::scratch::Scratch;
+
+/// What is printed of a file beside others, without its name.
+#[track_caller]
+fn check(files: &[(&str, &str)], expected: &[&str]) {
+    let scratch = Scratch::new(files);
+    let name = files[0].0;
+    let ran = scratch.run(&["-q", "--no-run", "--format", "short", name]);
+    let lines: Vec<&str> = ran
+        .out
+        .lines()
+        .map(|l| l.strip_prefix(&format!("{name}:")).unwrap_or(l))
+        .collect();
+    assert_eq!(lines, expected, "{}", files[0].1);
+}
+
+const OWN: &str = "uniform float opacity;\nvoid main() { gl_FragColor = vec4(opcaity); }\n";
+
+#[test]
+fn a_typo_in_a_text_that_asks_for_no_host_is_an_error() {
+    let told = "2:35: error[undeclared-name]: nothing declares `opcaity`";
+    check(&[("a.frag", OWN)], &[told]);
+    check(&[("a.glsl", OWN)], &[told]);
+    let script = format!("export const shader = `{OWN}`;");
+    check(&[("a.js", &script)], &[told]);
+}
+
+#[test]
+fn a_typo_in_an_open_text_is_a_warning() {
+    let code = "uniform float opacity; float f(float x) { return noise(x) * opcaity; }";
+    check(
+        &[("a.glsl", code)],
+        &[
+            "1:50: info[undeclared-name]: `noise` is not declared here",
+            "1:61: warning[undeclared-name]: nothing declares `opcaity`",
+        ],
+    );
+}
+
+#[test]
+fn names_that_look_like_no_other_are_listed_once() {
+    check(
+        &[(
+            "a.glsl",
+            "float f() { return alpha + beta * gamma + alpha; }",
+        )],
+        &["1:20: info[undeclared-name]: 3 names are not declared here: `alpha`, `beta`, `gamma`"],
+    );
+}
+
+#[test]
+fn a_name_that_the_repository_has_elsewhere_is_its_own() {
+    let listed = "2:35: info[undeclared-name]: `opcaity` is not declared here";
+    let beside = ("b.js", "material.uniforms.opcaity = 1;");
+    let top = ("package.json", "{}");
+    check(&[("a.frag", OWN), beside, top], &[listed]);
+    let script = format!("const uniforms = {{ opcaity: 1 }}; const shader = `{OWN}`;");
+    let told = format!("2:35: {}", listed.split_once(": ").unwrap().1);
+    check(&[("a.js", &script)], &[&told]);
+}
+
+#[test]
+fn numbers_and_prefixes_tell_names_apart() {
+    let code = "float f(vec2 uv1, vec3 normal) { return uv2.x + vNormal.x; }";
+    check(
+        &[("a.glsl", code)],
+        &["1:41: info[undeclared-name]: 2 names are not declared here: `uv2`, `vNormal`"],
+    );
+}
+
+#[test]
+fn typos_are_found_in_groups_that_a_host_may_take() {
+    let code = "uniform float opacity;\nfloat f() {\n#ifdef FADES\nreturn opcaity;\n#endif\n\
+        return opacity;\n}\n";
+    check(
+        &[("a.glsl", code)],
+        &["4:8: warning[undeclared-name]: `opcaity` is not declared"],
+    );
+    // Nobody defines anything before a `#version`.
+    let whole = "#version 300 es\nprecision highp float;\nuniform float opacity;\nout vec4 color;\n\
+        void main() {\n#ifdef FADES\ncolor = vec4(opcaity);\n#endif\ncolor = vec4(opacity);\n}\n";
+    check(&[("a.glsl", whole)], &[]);
+}
+
+const NEW: &str = "precision highp float;\nin vec2 at;\nout vec4 color;\nvoid main() { color = vec4(at, 0.0, 1.0); }\n";
+
+#[test]
+fn a_shader_that_lacks_its_version_is_told() {
+    let told =
+        "2:1: warning[needs-webgl2]: `in` needs GLSL ES 3.00, but there is no `#version 300 es`";
+    check(&[("a.frag", NEW)], &[told]);
+    let top = ("package.json", "{}");
+    let adds = ("b.js", "const head = '#version 300 es\\n';");
+    check(&[("a.frag", NEW), top, adds], &[]);
+    let three = ("package.json", "{\"dependencies\": {\"three\": \"1\"}}");
+    check(&[("a.frag", NEW), three], &[]);
+    let script = format!("const shader = `{NEW}`;\ngl.shaderSource(s, shader);\n");
+    check(&[("a.js", &script)], &[&told.replace("warning", "error")]);
+    check(
+        &[(
+            "a.js",
+            &script.replace("s, shader", "s, '#version 300 es\\n' + shader"),
+        )],
+        &[],
+    );
+}
+
+#[test]
+fn blanks_before_a_version_count_where_they_are_handed_over() {
+    let page = format!(
+        "<script id=\"f\" type=\"x-shader/x-fragment\">\n#version 300 es\n{NEW}</script>\n\
+        <script src=\"read.js\"></script>\n"
+    );
+    let told = "2:1: warning[version-placement]: `#version 300 es` must stand on the first line, but a blank line comes before it";
+    check(&[("a.html", &page)], &[told]);
+    let keeps = "const read = id => gl.shaderSource(s, document.getElementById(id).textContent);";
+    let trims =
+        "const read = id => document.getElementById(id).textContent.replace(/^\\s+|\\s+$/g, '');";
+    check(
+        &[("a.html", &page), ("read.js", keeps)],
+        &[&told.replace("warning", "error")],
+    );
+    check(&[("a.html", &page), ("read.js", trims)], &[]);
+}
+
+#[test]
+fn a_text_that_shows_shaders_has_errors_in_complete_ones_only() {
+    let text = "```glsl\nfloat step(float edge, float x)\nvec2 step(vec2 edge, vec2 x)\n```\n\n\
+        ```glsl\nThe function is called twice.\n```\n\n\
+        ```glsl\nfloat f(vec2 p) { return p; }\n```\n\n\
+        ```glsl\nprecision highp float;\nvoid main() { gl_FragColor = vec3(1.0); }\n```\n";
+    check(
+        &[("a.md", text)],
+        &[
+            "11:19: warning[vector-size]: the function returns `float`, but this is `vec2`",
+            "16:15: error[vector-size]: `vec3` cannot become `vec4` by itself",
+        ],
+    );
+}
+
+#[test]
+fn the_language_of_skia_is_told_by_its_types() {
+    let code = "uniform shader image;\nhalf4 main(float2 p) { return image.eval(p); }\n";
+    check(
+        &[("a.glsl", code)],
+        &["1:1: info[unsupported-version]: this shader is SkSL, which WebGL does not compile"],
+    );
+}
