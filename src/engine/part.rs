@@ -236,12 +236,16 @@ fn run_rules(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> (Unrun, usize) {
     let wholeness = checked.wholeness;
-    // Where something is open, no rule knows enough.
-    if checked.open.is_any || wholeness == Wholeness::Excerpt {
+    let open = &checked.open;
+    // Where more is open than names, no rule knows enough; where names are, the functions without them
+    // are known.
+    if open.is_any && !open.is_names_only || wholeness == Wholeness::Excerpt {
         return (Unrun::Everywhere, 0);
     }
     let mut found = Vec::new();
-    let (program, errors) = (&checked.program, &checked.diagnostics);
+    let program = &checked.program;
+    let errors = checked.diagnostics.iter().chain(&open.unknown);
+    let errors: Vec<Diagnostic> = errors.cloned().collect();
     let supply = Supply::of(program);
     let around = Around {
         embedder: part.embedder,
@@ -250,7 +254,7 @@ fn run_rules(
     };
     let mut facts = Facts::of(program, known);
     facts.around = around;
-    let unrun = lint_within(facts, errors, RULES, settings, &mut found);
+    let unrun = lint_within(facts, &errors, RULES, settings, &mut found);
     if unrun != Unrun::Everywhere {
         allows.apply(program, RULES, &mut found);
     }

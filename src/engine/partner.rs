@@ -1,12 +1,13 @@
 //! Vertex and fragment shaders that belong together: which they are, and what keeps them from being
 //! linked.
 
+use super::analysis::Analysis;
 use super::input::SplitInput;
 use super::part::Part;
 use super::reading::{Reading, Standing};
 use super::shader::shader_part;
 use super::world::World;
-use shaderlint_diagnostic::{Diagnostic, Origin, Severity};
+use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
 use shaderlint_lint::Settings;
 use shaderlint_rules::RULES;
 use shaderlint_semantic::link::link;
@@ -117,7 +118,7 @@ pub(super) fn check(
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     if let (Some(other), [own]) = (partner, input.parts.as_slice()) {
-        if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
+        if !diagnostics.iter().any(keeps_from_linking) {
             link_parts(&input.sources, own, other, |_, _| {}, diagnostics);
         }
         return;
@@ -226,30 +227,54 @@ fn link_parts(
                 first.is_some_and(|c| c.role == Role::User)
             };
             let has_versions = starts_with_user(own) && starts_with_user(reading);
-            if of_vertex.version == of_fragment.version || has_versions {
-                diagnostics.extend(link(&of_vertex, of_fragment));
-                more(&of_vertex, of_fragment);
+            if of_vertex.program.version == of_fragment.program.version || has_versions {
+                let found = link(&of_vertex.program, &of_fragment.program);
+                let is_known = !of_vertex.lacks_names && !of_fragment.lacks_names;
+                // What is never written may be so by a name that is not declared.
+                diagnostics.extend(found.into_iter().filter(|d| is_known || is_error(d)));
+                if is_known {
+                    more(&of_vertex.program, &of_fragment.program);
+                }
                 return;
             }
         }
     }
 }
 
-/// A shader in each way to read it in which it is all at hand and without errors.
+fn is_error(d: &Diagnostic) -> bool {
+    d.severity == Severity::Error
+}
+
+/// Whether an error keeps its shader from being linked: a name that is not declared changes nothing of
+/// what the stages hand on.
+fn keeps_from_linking(d: &Diagnostic) -> bool {
+    is_error(d) && !d.is(error::UNDECLARED_NAME)
+}
+
+/// A stage that may be linked.
+struct LinkedStage {
+    program: Arc<Program>,
+    /// Whether it uses names that it does not declare.
+    lacks_names: bool,
+}
+
+/// A shader in each way to read it in which it is all at hand and has no errors but unknown names.
 fn programs_of<'p>(
     sources: &'p Arc<Sources>,
     part: &'p Part,
-) -> impl Iterator<Item = (Arc<Program>, &'p Reading)> {
+) -> impl Iterator<Item = (LinkedStage, &'p Reading)> {
     let readings = part.may_be_program().then_some(&part.readings.all);
     let readings = readings.into_iter().flatten().enumerate();
-    readings.filter_map(|(index, reading)| {
+    let is_closed = part.missing.is_empty() && !part.readings.has_gaps();
+    readings.filter_map(move |(index, reading)| {
         // What was checked whole was read in the first way.
-        let checked = part
-            .analysis
-            .as_ref()
-            .filter(|a| index == 0 && a.wholeness == Wholeness::Whole);
-        let (program, has_errors) = match checked {
-            Some(analysis) => (analysis.program.clone(), analysis.has_errors),
+        let is_checked = |a: &&Analysis| index == 0 && a.wholeness == Wholeness::Whole;
+        let checked = part.analysis.as_ref().filter(is_checked);
+        let stage = match checked.filter(|a| !a.has_errors) {
+            Some(analysis) => LinkedStage {
+                program: analysis.program.clone(),
+                lacks_names: false,
+            },
             None => {
                 let checked = analyze(&Unit {
                     sources,
@@ -259,14 +284,21 @@ fn programs_of<'p>(
                     infer_channels: false,
                     wholeness: Wholeness::Whole,
                 });
-                let mut found = checked.diagnostics.iter();
-                let has_errors = found.any(|d| d.severity == Severity::Error);
-                (Arc::new(checked.program), has_errors)
+                let mut found = checked.diagnostics.iter().filter(|d| is_error(d));
+                let lacks_names = found.next().is_some();
+                if checked.diagnostics.iter().any(keeps_from_linking) || lacks_names && !is_closed {
+                    return None;
+                }
+                LinkedStage {
+                    program: Arc::new(checked.program),
+                    lacks_names,
+                }
             }
         };
+        let program = &stage.program;
         let is_main = |f: &Function| f.definition.is_some() && program.names.text(f.name) == "main";
         let has_main = program.functions.iter().any(is_main);
-        (has_main && !has_errors).then_some((program, reading))
+        has_main.then_some((stage, reading))
     })
 }
 

@@ -37,7 +37,7 @@ pub fn judge(
     if checked.wholeness == Wholeness::Whole || part.readings.is_shown() {
         return;
     }
-    let mut unknown = std::mem::take(&mut checked.open.unknown);
+    let mut unknown = checked.open.unknown.clone();
     // What a program puts in has no name here.
     unknown.retain(|d| is_word(sources.text(d.span)));
     let code = code_of(sources, part.reading().map_or(&[], |r| &r.files));

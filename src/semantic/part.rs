@@ -40,6 +40,8 @@ pub struct Open {
     pub names: BTreeSet<String>,
     /// Whether anything in it depends on what completes it.
     pub is_any: bool,
+    /// Whether those are only names that are not declared, so that code without them is known.
+    pub is_names_only: bool,
     /// What there is to report about those names, in the order of the text: one for each, at its
     /// first use. Whoever knows what completes the part decides how severe it is.
     pub unknown: Vec<Diagnostic>,
@@ -74,11 +76,15 @@ pub(super) fn keep_certain(
         }
         part.is_certain(d, is_torn)
     });
-    let is_any = diagnostics.len() < count || part.undecided.iter().any(|g| part.is_user(*g));
+    let dropped = count - diagnostics.len();
+    let is_undecided = part.undecided.iter().any(|g| part.is_user(*g));
+    let is_any = dropped > 0 || is_undecided;
+    let is_names_only = dropped == unknown.len() && !is_undecided && !is_torn;
     unknown.sort_by_key(|d| d.span.start);
     Open {
         names,
         is_any,
+        is_names_only,
         unknown,
     }
 }
