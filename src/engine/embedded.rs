@@ -52,9 +52,8 @@ pub(super) fn parts(
         all.iter_mut().for_each(Embedded::trim_start);
     }
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
-    let versions = |text: &str| text.matches("#version").count();
-    let of_shaders = || all.iter().map(|e| versions(&e.code)).sum::<usize>();
-    let is_compiled = embedder.hands_over && versions(text) == of_shaders();
+    // A script that holds a `#version` may put it before any of its shaders.
+    let is_compiled = embedder.hands_over && !text.contains("#version");
     let mut known = Known::default();
     for embedded in &all {
         known.enter(embedded.chapter);

@@ -239,7 +239,9 @@ fn run_rules(
     let open = &checked.open;
     // Where more is open than names, no rule knows enough; where names are, the functions without them
     // are known.
-    if open.is_any && !open.is_names_only || wholeness == Wholeness::Excerpt {
+    let is_known = !open.is_any || open.is_names_only;
+    let is_example = part.readings.is_shown() && !part.readings.has_version();
+    if !is_known || is_example || wholeness == Wholeness::Excerpt {
         return (Unrun::Everywhere, 0);
     }
     let mut found = Vec::new();

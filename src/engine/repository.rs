@@ -36,6 +36,14 @@ enum Appears {
     InSeveral,
 }
 
+/// What the programs of a repository do with shaders.
+#[derive(Default)]
+struct Programs {
+    any: bool,
+    hand_over: bool,
+    hold_version: bool,
+}
+
 /// The words of the code of a repository.
 #[derive(Default)]
 pub struct RepositoryWords {
@@ -44,7 +52,8 @@ pub struct RepositoryWords {
     files: FxHashMap<PathBuf, u32>,
     /// Whether all of the code was read.
     pub is_all: bool,
-    /// Whether a program holds a `#version 300`, which it may write before the shaders of others.
+    /// Whether a program may write `#version` before the shaders: it holds one, or leaves to a library
+    /// what the browser compiles.
     pub adds_version: bool,
 }
 
@@ -57,6 +66,7 @@ impl RepositoryWords {
         };
         let mut folders = VecDeque::from([root.to_path_buf()]);
         let (mut names, mut bytes) = (0, 0);
+        let mut programs = Programs::default();
         while let Some(folder) = folders.pop_front() {
             let mut inside = files.names(&folder);
             inside.sort_unstable();
@@ -73,7 +83,7 @@ impl RepositoryWords {
                     .any(|all| all.contains(&extension.as_str()));
                 let path = folder.join(name);
                 if is_code && !name.contains(".min.") {
-                    bytes += found.read(path, files);
+                    bytes += found.read(path, &mut programs, files);
                 } else if !is_code
                     && !is_passed_over(name, has_source)
                     && files.entry(&path) == Some(FileType::Folder)
@@ -82,16 +92,21 @@ impl RepositoryWords {
                 }
             }
         }
+        found.adds_version = programs.hold_version || programs.any && !programs.hand_over;
         found
     }
 
     /// Reads a file, and tells how long it is.
-    fn read(&mut self, path: PathBuf, files: &dyn Files) -> usize {
+    fn read(&mut self, path: PathBuf, programs: &mut Programs, files: &dyn Files) -> usize {
         let Ok(text) = files.load(&path) else {
             return 0;
         };
         let is_shader = GLSL.contains(&ending(&path.to_string_lossy()).as_str());
-        self.adds_version |= !is_shader && text.contains("#version 300");
+        if !is_shader {
+            programs.any = true;
+            programs.hand_over |= text.contains(".shaderSource(");
+            programs.hold_version |= text.contains("#version 300");
+        }
         let number = self.files.len() as u32;
         for word in words(&text) {
             let appears = self.words.entry(hash(word));

@@ -94,6 +94,11 @@ fn a_shader_that_lacks_its_version_is_told() {
     let top = ("package.json", "{}");
     let adds = ("b.js", "const head = '#version 300 es\\n';");
     check(&[("a.frag", NEW), top, adds], &[]);
+    let library = (
+        "b.js",
+        "import { draw } from 'library';\nimport shader from './a.frag';",
+    );
+    check(&[("a.frag", NEW), top, library], &[]);
     let three = ("package.json", "{\"dependencies\": {\"three\": \"1\"}}");
     check(&[("a.frag", NEW), three], &[]);
     let script = format!("const shader = `{NEW}`;\ngl.shaderSource(s, shader);\n");
