@@ -104,11 +104,15 @@ impl<'a> Hosts<'a> {
         (some(&mut imported.chain(others).copied()), false)
     }
 
+    /// The page or script that holds the texts; empty where they are files.
+    pub fn script(&self) -> &str {
+        self.script.as_deref().unwrap_or("")
+    }
+
     /// Whether a word is used outside of a text that uses it so often: in the script around the text,
     /// or in another file of the repository.
     pub fn is_used_outside(&self, word: &str, count: usize) -> bool {
-        let script = self.script.as_deref().unwrap_or("");
-        if words(script).filter(|w| *w == word).count() > count {
+        if words(self.script()).filter(|w| *w == word).count() > count {
             return true;
         }
         let files = self.world.files;

@@ -143,6 +143,8 @@ fn understand(
     drop(checked);
     part.readings
         .host(Arc::make_mut(sources), &presets, options)?;
+    let script = hosts.script();
+    part.readings.are_hosts_complete = presets.iter().all(|p| p.is_complete_in(script));
     part.readings.is_guessed = !is_sure;
     part.readings.check(sources, part.infer_channels)
 }

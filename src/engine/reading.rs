@@ -95,6 +95,8 @@ pub struct Readings {
     pub is_guessed: bool,
     /// Whether the hosts declare nothing else.
     pub are_hosts_complete: bool,
+    /// Names that the hosts declare depending on what is drawn, as their files write them.
+    pub declared_at_times: Vec<String>,
     text: InputText,
     told: Guess,
     needs_300: bool,
@@ -119,6 +121,7 @@ impl Readings {
             renames: false,
             is_guessed: false,
             are_hosts_complete: false,
+            declared_at_times: Vec::new(),
             told: Guess::default(),
             needs_300: false,
         }
@@ -151,6 +154,7 @@ impl Readings {
             renames: false,
             is_guessed: false,
             are_hosts_complete: false,
+            declared_at_times: Vec::new(),
             text,
             told,
             needs_300,
@@ -265,6 +269,8 @@ impl Readings {
             self.standing = Standing::Part;
         }
         self.are_hosts_complete = presets.iter().all(|p| p.is_complete);
+        let also = presets.iter().flat_map(|p| p.also.iter().cloned());
+        self.declared_at_times.extend(also);
         let code = code_of(sources, &self.text.files);
         self.text.is_open |= presets.iter().any(|p| p.fills(&code));
         for preset in presets {

@@ -9,6 +9,7 @@ use super::part::Part;
 use super::reading::code_of;
 use super::typo::{Vocabulary, is_typo, variables};
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
+use shaderlint_host::matches_any;
 use shaderlint_semantic::{BuiltinId, Checked, Program, Wholeness};
 use shaderlint_text::{Edit, Sources, Span};
 use std::cell::LazyCell;
@@ -39,7 +40,10 @@ pub fn judge(
     }
     let mut unknown = checked.open.unknown.clone();
     // What a program puts in has no name here.
-    unknown.retain(|d| is_word(sources.text(d.span)));
+    unknown.retain(|d| {
+        let word = sources.text(d.span);
+        is_word(word) && !matches_any(&part.readings.declared_at_times, word)
+    });
     let code = code_of(sources, part.reading().map_or(&[], |r| &r.files));
     let vocabulary = LazyCell::new(|| Vocabulary::of(&code));
     for d in &mut unknown {

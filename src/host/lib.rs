@@ -79,6 +79,14 @@ pub struct Preset {
     pub version: HostVersion,
     /// Whether it declares nothing else, so that another unknown name is a mistake.
     pub is_complete: bool,
+    /// Names of JavaScript by which a script hands it texts to which it adds nothing else, so that
+    /// another unknown name is a mistake in those.
+    pub complete: Vec<String>,
+    /// Names of JavaScript by which a script changes such texts all the same.
+    pub patched: Vec<String>,
+    /// Names that it declares depending on what is drawn, with types that are not known; `*` at the
+    /// end stands for anything.
+    pub also: Vec<String>,
     /// Whether it takes texts with a `#version` and puts its own in the place of that.
     pub takes_version: bool,
     /// Whether it takes GLSL of desktops besides.
@@ -213,6 +221,9 @@ impl Preset {
             ("Known by the names", &self.words),
             ("Known in a page by", &self.globals),
             ("Fills", &self.holes),
+            ("Adds nothing to texts of", &self.complete),
+            ("Unless changed by", &self.patched),
+            ("May declare", &self.also),
         ] {
             if !words.is_empty() {
                 facts.push((what, code(words)));
@@ -304,13 +315,24 @@ impl Preset {
         self.meanings.has_declared()
     }
 
+    /// Whether a text of a script gets no other names from it.
+    pub fn is_complete_in(&self, script: &str) -> bool {
+        let uses = |name: &String| script.contains(name.as_str());
+        self.is_complete || self.complete.iter().any(uses) && !self.patched.iter().any(uses)
+    }
+
     /// Whether only this host declares a name.
     pub fn has_word(&self, name: &str) -> bool {
-        self.words.iter().any(|own| match own.strip_suffix('*') {
-            Some(beginning) => name.starts_with(beginning),
-            None => name == own,
-        })
+        matches_any(&self.words, name)
     }
+}
+
+/// Whether a name is one of some, of which those that end with `*` stand for all that begin so.
+pub fn matches_any(all: &[String], name: &str) -> bool {
+    all.iter().any(|own| match own.strip_suffix('*') {
+        Some(beginning) => name.starts_with(beginning),
+        None => name == own,
+    })
 }
 
 /// Reads a host's file.
@@ -464,9 +486,9 @@ pub fn declared_in(line: &str) -> Option<&str> {
 }
 
 /// The keys of a head.
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 18] = [
     "alias", "reads", "base", "source", "package", "global", "word", "shows", "entry", "include",
-    "hole", "version", "names", "renames", "takes",
+    "hole", "version", "names", "renames", "takes", "complete", "patched", "also",
 ];
 
 /// Whether a word in front of a colon may be meant as a key.
@@ -508,6 +530,9 @@ impl Preset {
                 "desktop" => self.takes_desktop = true,
                 _ => return Err(none_of(value, &["version", "desktop"])),
             },
+            "complete" => self.complete.extend(words()),
+            "patched" => self.patched.extend(words()),
+            "also" => self.also.extend(words()),
             "renames" => {
                 self.renames = match value {
                     "yes" => true,

@@ -84,6 +84,20 @@ fn typos_are_found_in_groups_that_a_host_may_take() {
     check(&[("a.glsl", whole)], &[]);
 }
 
+#[test]
+fn a_material_of_three_js_is_complete() {
+    let material = "import * as THREE from 'three';\nnew THREE.ShaderMaterial({ fragmentShader: `\n\
+        varying vec2 vUv;\nvoid main() { gl_FragColor = vec4(one * vUv, two, toneMappingExposure); }` });\n";
+    let errors = [
+        "5:36: error[undeclared-name]: nothing declares `one`",
+        "5:47: error[undeclared-name]: nothing declares `two`",
+    ];
+    check(&[("a.js", material)], &errors);
+    let patched = format!("{material}m.onBeforeCompile = (shader) => change(shader);\n");
+    let listed = "5:36: info[undeclared-name]: 2 names are not declared here: `one`, `two`";
+    check(&[("a.js", &patched)], &[listed]);
+}
+
 const NEW: &str = "precision highp float;\nin vec2 at;\nout vec4 color;\nvoid main() { color = vec4(at, 0.0, 1.0); }\n";
 
 #[test]

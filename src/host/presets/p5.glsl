@@ -16,6 +16,8 @@
 // package: p5
 // word: OUT_COLOR HOOK_getObjectInputs HOOK_getWorldInputs HOOK_getCameraInputs HOOK_getPixelInputs HOOK_combineColors HOOK_getFinalColor HOOK_getColor HOOK_beforeVertex HOOK_afterVertex HOOK_beforeFragment HOOK_afterFragment HOOK_shouldDiscard StrokeVertex
 // global: p5
+// complete: createShader createFilterShader
+// patched: .modify(
 // version: any
 // names: some
 // entry: main

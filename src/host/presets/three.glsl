@@ -22,6 +22,9 @@
 // package: three @react-three/fiber @react-three/drei three-stdlib @threlte/core @tresjs/core angular-three
 // word: modelViewMatrix projectionMatrix cameraPosition normalMatrix isOrthographic instanceMatrix linearToOutputTexel sRGBTransferOETF sRGBTransferEOTF LinearTransferOETF pc_fragColor skinWeight skinIndex
 // global: THREE
+// complete: ShaderMaterial shaderMaterial
+// patched: onBeforeCompile
+// also: color tangent uv1 uv2 uv3 morphTexture morphTarget* morphNormal* toneMapping* saturate LinearToneMapping ReinhardToneMapping CineonToneMapping ACESFilmicToneMapping AgXToneMapping NeutralToneMapping CustomToneMapping
 // version: 300 es
 // names: some
 // entry: main
