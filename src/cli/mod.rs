@@ -5,8 +5,11 @@
     reason = "what the rest of the house may not touch is touched here"
 )]
 
+mod color;
+mod command;
 mod config;
 mod disk;
+mod dispatch;
 mod fmt;
 mod input;
 mod lint;
@@ -21,23 +24,15 @@ mod run;
 mod test;
 mod watch;
 
+pub use parallel::STACK;
+
 use clap::Parser;
+use command::FAILED;
 use std::process::ExitCode;
-
-/// Everything is well, or only below the threshold.
-const CLEAN: u8 = 0;
-/// There are findings at or above the threshold.
-const FINDINGS: u8 = 1;
-/// The command was used wrongly, or something could not be read or written.
-const FAILED: u8 = 2;
-
-/// Stack of a thread that reads shaders, in bytes. What nests is bounded, so that this is enough in
-/// debug builds too; what a system gives by itself differs, down to 1 MB.
-pub const STACK: usize = 16 << 20;
 
 /// Runs `shaderlint` with the arguments of the process.
 pub fn shaderlint() -> ExitCode {
-    with_stack(|| lint::run(&lint::LintArgs::parse()))
+    with_stack(|| dispatch::run(&lint::LintArgs::parse()))
 }
 
 /// Runs `shaderport` with the arguments of the process.

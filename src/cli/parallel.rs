@@ -1,10 +1,13 @@
 //! Several things done at a time, and told in their order.
 
-use super::STACK;
 use std::collections::BTreeMap;
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
+
+/// Stack of a thread that reads shaders, in bytes. What nests is bounded, so that this is enough in
+/// debug builds too; what a system gives by itself differs, down to 1 MB.
+pub const STACK: usize = 16 << 20;
 
 /// How many things are done at a time.
 pub fn threads() -> usize {

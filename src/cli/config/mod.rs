@@ -4,20 +4,17 @@ mod editor;
 mod project;
 
 use crate::engine::config::{Config, Selection, options, parse, style};
-use crate::engine::path::plain;
 use crate::engine::{HostNames, Memo, Options};
 use crate::format::{Style, StyleChoice};
 use crate::host::read as read_host;
 use crate::lint::{Settings, UnknownRule};
 use crate::rules::RULES;
 use project::ProjectFolders;
+pub use project::{FILE, absolute};
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
-
-/// Name of the file.
-pub const FILE: &str = "shaderlint.toml";
 
 /// What the command line says of configurations.
 #[derive(Clone, Debug)]
@@ -238,10 +235,4 @@ fn describe(host: &mut HostNames, root: &Path) -> Result<(), String> {
     let own = read_host(&text).map_err(|e| format!("{path}:{}: {}", e.line, e.message))?;
     host.describe(own);
     Ok(())
-}
-
-/// A path from the root of the file system without `..`, as far as that can be told without asking it.
-pub fn absolute(path: &Path) -> PathBuf {
-    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
-    plain(&path)
 }

@@ -1,7 +1,10 @@
 //! The project that a file belongs to: what its shaders may include.
 
-use super::{FILE, absolute};
+use crate::engine::path::plain;
 use std::path::{Path, PathBuf};
+
+/// Name of the file.
+pub const FILE: &str = "shaderlint.toml";
 
 /// A project.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -53,4 +56,10 @@ fn owner(folder: &Path) -> Option<PathBuf> {
         .filter(|f| f.ends_with("node_modules"))
         .last();
     Some(packages?.parent()?.to_path_buf())
+}
+
+/// A path from the root of the file system without `..`, as far as that can be told without asking it.
+pub fn absolute(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+    plain(&path)
 }

@@ -4,11 +4,11 @@ mod args;
 
 pub use args::FormatArgs;
 
+use super::command::{CLEAN, FAILED, FINDINGS};
 use super::config::Configs;
 use super::input::{InputFile, collect, read};
 use super::output::{diff, replace};
 use super::parallel::in_order;
-use super::{CLEAN, FAILED, FINDINGS};
 use crate::engine::{Formatting, format};
 use crate::text::{Encoding, LineIndex, apply_edits};
 use std::io::{self, Write};

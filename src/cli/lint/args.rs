@@ -1,5 +1,6 @@
 //! The arguments of `shaderlint`.
 
+use super::super::color::ColorChoice;
 use super::super::config::{ConfigArgs, Exclusion, Source};
 use crate::engine::DialectChoice;
 use crate::engine::config::Selection;
@@ -9,7 +10,6 @@ use clap::{ArgAction, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 #[cfg(feature = "mcp")]
 use std::ffi::OsString;
-use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 /// Checks GLSL for WebGL2 and ShaderToy. An error means that the browser's compiler refuses the
@@ -272,35 +272,6 @@ pub enum Talk {
     Normal,
     /// `-v`: what was read, too.
     Verbose,
-}
-
-/// The values of `--color`.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
-pub enum ColorChoice {
-    /// On a terminal, unless the environment says otherwise
-    #[default]
-    Auto,
-    /// Always
-    Always,
-    /// Never
-    Never,
-}
-
-impl ColorChoice {
-    /// Whether to print in colour.
-    pub fn is_on(self) -> bool {
-        let is_set = |name: &str| std::env::var_os(name).is_some_and(|v| !v.is_empty());
-        match self {
-            ColorChoice::Always => true,
-            ColorChoice::Never => false,
-            ColorChoice::Auto if is_set("NO_COLOR") => false,
-            ColorChoice::Auto if is_set("FORCE_COLOR") || is_set("CLICOLOR_FORCE") => true,
-            ColorChoice::Auto => {
-                let dumb = std::env::var_os("TERM").is_some_and(|t| t == "dumb");
-                !dumb && io::stdout().is_terminal()
-            }
-        }
-    }
 }
 
 impl LintArgs {

@@ -2,12 +2,11 @@
 //! that lines may move. Files are named from the folder of the baseline, whatever folder the command
 //! runs in.
 
+use super::super::command::{CLEAN, FAILED, complain};
 use super::super::config::{Configs, absolute};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
-use super::super::{CLEAN, FAILED};
 use super::args::{LintArgs, Talk};
-use super::complain;
 use super::examine::{ExtraWork, Outcome, examine_all};
 use crate::diagnostic::Diagnostic;
 use crate::report::fingerprints;

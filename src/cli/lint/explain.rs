@@ -1,58 +1,27 @@
-//! `explain`, `rules`, `completions`, `man`, `schema`; the other commands have files of their own.
+//! `explain` and `rules`: what is known of rules and compile errors.
 
-#[cfg(feature = "mcp")]
-use super::super::port;
-use super::super::{CLEAN, FAILED, FINDINGS};
-use super::args::{Command, LintArgs, ListFormat};
-use super::complain;
+use super::super::command::{CLEAN, FAILED, complain};
+use super::args::ListFormat;
 use crate::diagnostic::{ERRORS, Severity};
-use crate::engine::config::schema;
 use crate::host::{Preset, names as host_names, preset};
 use crate::lint::{OptionValue, Page, Renderer};
 use crate::rules::{RULES, error_page};
-use clap::CommandFactory;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// Runs a command and gives the exit code.
-pub fn run(command: &Command) -> io::Result<u8> {
-    // Collected first, so that the libraries which print need not deal with closed pipes.
-    let mut text = Vec::new();
-    match command {
-        Command::Explain { name } => return explain(name),
-        Command::Fmt(args) => return super::super::fmt::run(args),
-        Command::Run(args) => return super::super::run::run(args),
-        Command::Test(args) => return super::super::test::run(args),
-        Command::Reduce(args) => return super::reduce::run(args),
-        Command::Ir { file } => return super::middle::run(file),
-        #[cfg(feature = "lsp")]
-        Command::Lsp { .. } => {
-            let said_goodbye = super::super::lsp::serve()?;
-            return Ok(if said_goodbye { CLEAN } else { FINDINGS });
+/// All rules, as a table or as JSON.
+///
+/// # Errors
+/// Where the JSON cannot be made.
+pub fn rules(format: ListFormat) -> io::Result<Vec<u8>> {
+    Ok(match format {
+        ListFormat::Human => table().into_bytes(),
+        ListFormat::Json => {
+            let mut text = serde_json::to_vec_pretty(&list())?;
+            text.push(b'\n');
+            text
         }
-        #[cfg(feature = "mcp")]
-        Command::Mcp => return super::super::mcp::serve().map(|()| CLEAN),
-        #[cfg(feature = "mcp")]
-        Command::Port { args } => {
-            use clap::Parser;
-            let args = std::iter::once("shaderport".into()).chain(args.iter().cloned());
-            return Ok(port::run(&port::PortArgs::parse_from(args)));
-        }
-        Command::Rules { format } => match format {
-            ListFormat::Human => text.extend_from_slice(rules().as_bytes()),
-            ListFormat::Json => {
-                serde_json::to_writer_pretty(&mut text, &list())?;
-                text.push(b'\n');
-            }
-        },
-        Command::Completions { shell } => {
-            clap_complete::generate(*shell, &mut LintArgs::command(), "shaderlint", &mut text);
-        }
-        Command::Man => clap_mangen::Man::new(LintArgs::command()).render(&mut text)?,
-        Command::Schema => text.extend_from_slice(schema().as_bytes()),
-    }
-    io::stdout().lock().write_all(&text)?;
-    Ok(CLEAN)
+    })
 }
 
 /// Prints a page and gives the exit code.
@@ -82,7 +51,7 @@ fn unknown(name: &str) -> String {
 }
 
 /// A table of all rules: name, group, level, summary.
-fn rules() -> String {
+fn table() -> String {
     let width = RULES.iter().map(|r| r.name.len()).max().unwrap_or(0);
     let mut sorted = RULES.to_vec();
     sorted.sort_by_key(|r| (r.group, r.name));

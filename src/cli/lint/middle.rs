@@ -1,7 +1,6 @@
 //! `ir`: the middle form of a shader, for whoever works on the analyses.
 
-use super::super::{CLEAN, FAILED};
-use super::complain;
+use super::super::command::{CLEAN, FAILED, complain};
 use crate::engine::{NoFiles, Options, analyze};
 use crate::ir::{print, verify};
 use std::fs;

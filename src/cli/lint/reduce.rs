@@ -1,8 +1,7 @@
 //! `reduce`: a shader made small while what is reported of it stays.
 
+use super::super::command::{CLEAN, FAILED, complain};
 use super::super::output::{self, Overwrite};
-use super::super::{CLEAN, FAILED};
-use super::complain;
 use crate::diagnostic::{ERRORS, Severity};
 use crate::engine::{DialectChoice, NoFiles, Options, check};
 use crate::lint::Settings;

@@ -1,8 +1,8 @@
 //! `-v`: what each file was read as, with which configuration, and what was passed over.
 
+use super::super::command::complain;
 use super::super::config::Configs;
 use super::super::input::{InputFile, PassedOver};
-use super::complain;
 use crate::engine::{Report, Shader, Wholeness};
 use crate::lint::{Proof, Unrun};
 use crate::port::{Clues, TextsBeside, recognise};

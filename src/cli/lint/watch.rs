@@ -1,11 +1,11 @@
 //! `--watch`: checks again whenever a file changes, until it is stopped.
 
-use super::super::FAILED;
+use super::super::command::{FAILED, complain};
 use super::super::config::{Configs, FILE};
 use super::super::input::{InputFile, collect};
 use super::super::watch::{Stamp, wait};
 use super::args::LintArgs;
-use super::{check, complain};
+use super::check::check;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 

@@ -1,7 +1,7 @@
 //! What the server can do.
 
 use super::client::Client;
-use crate::ide::TokenClass;
+use crate::ide::{SymbolKind as Kind, TokenClass};
 use gen_lsp_types::*;
 
 /// The kinds of coloured stretches, by their numbers.
@@ -129,4 +129,16 @@ fn tokens() -> SemanticTokensProvider {
         })),
         ..SemanticTokensOptions::default()
     })
+}
+
+/// What the protocol calls what a name means.
+pub fn symbol_kind(kind: Kind) -> SymbolKind {
+    match kind {
+        Kind::Function => SymbolKind::Function,
+        Kind::Struct => SymbolKind::Struct,
+        Kind::Field => SymbolKind::Field,
+        Kind::Constant | Kind::Macro => SymbolKind::Constant,
+        Kind::Uniform | Kind::Input | Kind::Output => SymbolKind::Property,
+        Kind::Local | Kind::Global | Kind::Parameter => SymbolKind::Variable,
+    }
 }

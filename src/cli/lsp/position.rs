@@ -1,7 +1,7 @@
 //! Places as the protocol counts them: lines and columns in units that the client chooses.
 
-use crate::text::{LineIndex, Span};
-use gen_lsp_types::{Position, PositionEncodingKind, Range};
+use crate::text::{Edit, LineIndex, Span};
+use gen_lsp_types::{Position, PositionEncodingKind, Range, TextEdit};
 
 /// What columns count.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -110,6 +110,15 @@ impl TextLines<'_> {
         let start = self.offset(range.start);
         Span::new(start, self.offset(range.end).max(start))
     }
+}
+
+/// Edits of one text.
+pub fn text_edits(lines: TextLines, edits: &[Edit]) -> Vec<TextEdit> {
+    let edit = |edit: &Edit| TextEdit {
+        range: lines.range(edit.span),
+        new_text: edit.text.clone(),
+    };
+    edits.iter().map(edit).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Threads for what may take long: requests that look at many files, and runs of shaders.
 
-use super::super::STACK;
+use super::super::parallel::STACK;
 use super::buffers::{Ran, TextBuffer};
 use super::snapshot::Snapshot;
 use crate::ide::{Document, run};

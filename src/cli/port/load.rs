@@ -1,6 +1,6 @@
 //! From paths to a project: shader files, folders, exports, and what goes onto channels.
 
-use super::PortArgs;
+use super::args::PortArgs;
 use super::beside::{draft_beside, folder_of};
 use super::channels::{GivenOrder, file_of, orders};
 use super::media::{Carried, is_cube};

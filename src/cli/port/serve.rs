@@ -1,8 +1,8 @@
 //! A server for one page, which only this machine reaches: `/` is the page, `/events` tells the page
 //! when there is a newer one.
 
-use super::watch::tell;
-use crate::cli::{CLEAN, FAILED};
+use super::report::tell;
+use crate::cli::command::{CLEAN, FAILED};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};

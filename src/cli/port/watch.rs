@@ -1,12 +1,14 @@
 //! `--watch` and `--serve`: what was made is made again at each change, and shown on a page.
 
+use super::args::PortArgs;
 use super::load::files_of;
+use super::make::make;
+use super::report::tell;
+use super::save::save;
 use super::serve::Server;
-use super::{PortArgs, make, save};
 use crate::cli::output::Overwrite;
 use crate::cli::watch::{Stamp, wait};
 use crate::port::{ChannelSource, Target, waiting_page};
-use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::SystemTime;
 
@@ -92,11 +94,6 @@ fn next_change(args: &PortArgs, before: Stamp, read: &[PathBuf]) -> Stamp {
 fn version() -> String {
     let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
     now.map_or(0, |t| t.as_nanos()).to_string()
-}
-
-/// Says something to whoever started the program.
-pub(super) fn tell(message: &str) {
-    let _ = writeln!(io::stderr(), "shaderport: {message}");
 }
 
 /// What is to be seen of the files that the output is made of: those that were `read` last, and those

@@ -1,10 +1,11 @@
 //! Whole shaders, which go into the languages of naga as they are, whatever feeds them.
 
+use super::args::PortArgs;
 use super::read::{read_text, shown};
+use super::report::report;
 use super::save::Place;
-use super::{Made, PortArgs, report};
-use crate::cli::{CLEAN, FINDINGS};
-use crate::port::{WholeShaders, translate_shaders, whole_shaders};
+use crate::cli::command::{CLEAN, FINDINGS};
+use crate::port::{File, WholeShaders, translate_shaders, whole_shaders};
 use crate::semantic::Stage;
 use std::path::PathBuf;
 
@@ -30,8 +31,8 @@ pub(super) fn load(args: &PortArgs) -> Result<Option<WholeShaders>, String> {
     Ok(whole_shaders(files).filter(|all| !all.shaders.is_empty()))
 }
 
-/// Makes them.
-pub(super) fn make(args: &PortArgs, all: &WholeShaders) -> Result<Made, String> {
+/// Makes them: files, and the exit code.
+pub(super) fn make(args: &PortArgs, all: &WholeShaders) -> Result<(Vec<File>, u8), String> {
     let target = args.target()?;
     let name = all.shaders.first().map_or("", |s| &s.path);
     let place = Place::of(args.output.as_deref(), target, name);
@@ -39,10 +40,8 @@ pub(super) fn make(args: &PortArgs, all: &WholeShaders) -> Result<Made, String> 
     let made = translate_shaders(order, all).map_err(|e| e.to_string())?;
     let found = all.shaders.iter().flat_map(|s| &s.checked.diagnostics);
     let summary = report(&all.sources, found, &made.remarks).map_err(|e| e.to_string())?;
-    let (files, code) = match summary.errors {
+    Ok(match summary.errors {
         0 => (made.files, CLEAN),
         _ => (Vec::new(), FINDINGS),
-    };
-    let read = args.input.clone();
-    Ok(Made { files, read, code })
+    })
 }

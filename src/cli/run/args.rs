@@ -1,11 +1,10 @@
 //! The arguments of `shaderlint run`.
 
-use super::super::lint::ColorChoice;
-use super::load::ShotSetting;
+use super::super::color::ColorChoice;
 use crate::engine::play::{Button, Moment, Mouse};
 use crate::exec::Watch;
 use clap::ValueEnum;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Draws a shader without a GPU, as WebGL2 would, and says what was seen.
 #[derive(clap::Args, Debug)]
@@ -171,6 +170,22 @@ impl RunArgs {
             },
         }
     }
+}
+
+/// What is drawn of a shader, and how.
+pub struct ShotSetting<'a> {
+    /// Size of the picture in pixels.
+    pub size: [u32; 2],
+    /// How many threads draw.
+    pub threads: usize,
+    /// The pass to show; without it the picture.
+    pub pass: Option<&'a str>,
+    /// A variable of a line.
+    pub show: Option<&'a Show>,
+    /// A file with what uniforms are set to.
+    pub uniforms: Option<&'a Path>,
+    /// What is watched.
+    pub watch: Watch,
 }
 
 /// Longest side of a picture.

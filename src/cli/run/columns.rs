@@ -1,4 +1,4 @@
-//! Tables for people.
+//! Tables and numbers for people.
 
 /// Rows as lines; in the first columns, so many of them, words begin below one another, in the others
 /// numbers end there.
@@ -23,4 +23,21 @@ pub fn columns<const N: usize>(rows: &[[String; N]], words: usize) -> String {
         text.push('\n');
     }
     text
+}
+
+/// A time to a thousandth of a second.
+pub fn seconds(time: f64) -> String {
+    let text = format!("{time:.3}");
+    format!("{} s", text.trim_end_matches('0').trim_end_matches('.'))
+}
+
+/// A share in percent; what is there is never told as none.
+pub fn percent(share: f64) -> String {
+    match share * 100.0 {
+        0.0 => "0 %".to_string(),
+        p if p < 0.01 => "under 0.01 %".to_string(),
+        p if p < 1.0 => format!("{p:.2} %"),
+        100.0 => "100 %".to_string(),
+        p => format!("{:.1} %", p.min(99.9)),
+    }
 }

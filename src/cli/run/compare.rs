@@ -1,6 +1,7 @@
 //! Two shaders at the same moments, bit for bit.
 
 use super::args::{RunArgs, RunFormat};
+use super::columns::{percent, seconds};
 use super::heat;
 use super::load::Shot;
 use super::png::Bitmap;
@@ -181,7 +182,7 @@ impl Compared {
         }
         let mut text = format!("{file} and {other} differ; seen on {seen}\n");
         for moment in self.moments.iter().filter(|m| m.pixels > 0) {
-            let share = super::facts::percent(moment.pixels as f64 / pixels.max(1) as f64);
+            let share = percent(moment.pixels as f64 / pixels.max(1) as f64);
             let [x, y] = moment.first.unwrap_or_default();
             let mouse = match &moment.mouse {
                 Some(_) => ", mouse down",
@@ -190,7 +191,7 @@ impl Compared {
             text.push_str(&format!(
                 "  at {}{mouse}: {} pixels ({share}), {} of them on the screen, by {} at most, \
                  first at ({x}, {y})\n",
-                super::facts::seconds(moment.time),
+                seconds(moment.time),
                 moment.pixels,
                 moment.shown,
                 heat::short(moment.most),

@@ -1,5 +1,6 @@
 //! What is said of a picture, for people and for programs.
 
+use super::columns::{percent, seconds};
 use super::functions::{self, FunctionRow};
 use super::loops::{self, LoopRow};
 use super::numbers::{self, NumberRow};
@@ -204,23 +205,6 @@ fn number(number: f64) -> String {
     match text.as_str() {
         "-0.000" => "0.000".to_string(),
         _ => text,
-    }
-}
-
-/// A time to a thousandth of a second.
-pub fn seconds(time: f64) -> String {
-    let text = format!("{time:.3}");
-    format!("{} s", text.trim_end_matches('0').trim_end_matches('.'))
-}
-
-/// A share in percent; what is there is never told as none.
-pub fn percent(share: f64) -> String {
-    match share * 100.0 {
-        0.0 => "0 %".to_string(),
-        p if p < 0.01 => "under 0.01 %".to_string(),
-        p if p < 1.0 => format!("{p:.2} %"),
-        100.0 => "100 %".to_string(),
-        p => format!("{:.1} %", p.min(99.9)),
     }
 }
 

@@ -1,8 +1,7 @@
 //! What each function cost.
 
-use super::columns::columns;
-use super::facts::percent;
-use super::load::position;
+use super::columns::{columns, percent};
+use super::place::position;
 use crate::exec::{FunctionSeen, Seen};
 use crate::semantic::Program;
 use serde::Serialize;

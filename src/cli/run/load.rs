@@ -1,6 +1,7 @@
 //! From the arguments to what is drawn: the text, its errors, and what its uniforms are set to.
 
-use super::args::{RunArgs, Show};
+use super::args::{RunArgs, ShotSetting};
+use super::place::{position, span};
 use super::progress::Progress;
 use super::{picture, show, uniforms};
 use crate::cli::disk::Disk;
@@ -8,13 +9,13 @@ use crate::cli::port;
 use crate::diagnostic::Severity;
 use crate::engine::play::{Moment, PlayOptions, Player, Scene, Unfit};
 use crate::engine::{Options, check};
-use crate::exec::{Code, CompileOptions, Drawn, Refusal, Stop, Watch, draw};
-use crate::ir::{Module, Provenance};
+use crate::exec::{Code, CompileOptions, Drawn, Refusal, Stop, draw};
+use crate::ir::Module;
 use crate::lint::Known;
 use crate::port::{Composed, PassUnit, Project, Wrapper, add_stand_ins, missing};
 use crate::report::{Format, Reporter};
 use crate::semantic::{Pass, Program, Stage, Storage};
-use crate::text::{Sources, Span};
+use crate::text::Sources;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -46,22 +47,6 @@ pub enum Undrawable {
     Errors(Box<Composed>),
     /// Something else, in words.
     Words(String),
-}
-
-/// What is drawn of a shader, and how.
-pub struct ShotSetting<'a> {
-    /// Size of the picture in pixels.
-    pub size: [u32; 2],
-    /// How many threads draw.
-    pub threads: usize,
-    /// The pass to show; without it the picture.
-    pub pass: Option<&'a str>,
-    /// A variable of a line.
-    pub show: Option<&'a Show>,
-    /// A file with what uniforms are set to.
-    pub uniforms: Option<&'a Path>,
-    /// What is watched.
-    pub watch: Watch,
 }
 
 /// A shader that was read and has no errors.
@@ -414,21 +399,4 @@ fn refused(sources: &Sources, program: &Program, name: &str, refusal: &Refusal) 
     let at = span(program, refusal.at).and_then(|span| position(sources, span));
     let at = at.unwrap_or_else(|| name.to_string());
     Trouble::Words(format!("{at}: {} cannot be run", refusal.what))
-}
-
-/// Where something comes from.
-pub fn span(program: &Program, from: Provenance) -> Option<Span> {
-    match from {
-        Provenance::Expr(id) => Some(program.expr_span(id)),
-        Provenance::Declaration(token) => program.token(token).map(|t| t.span),
-        Provenance::Stmt(id) => Some(program.span(program.tree.stmt(id).extent)),
-        Provenance::Language => None,
-    }
-}
-
-/// A place as `file:line:column`.
-pub fn position(sources: &Sources, span: Span) -> Option<String> {
-    let file = sources.file_at(span.start)?;
-    let at = file.position(span.start);
-    Some(format!("{}:{}:{}", file.path, at.line, at.column))
 }

@@ -1,7 +1,8 @@
 //! What was seen of loops beside what is known of them.
 
-use super::columns::columns;
-use super::load::{Shot, position, span};
+use super::columns::{columns, percent};
+use super::load::Shot;
+use super::place::{position, span};
 use crate::exec::{LoopSeen, Seen};
 use crate::flow::Bound;
 use crate::ir::Provenance;
@@ -99,7 +100,7 @@ pub fn table(rows: &[LoopRow]) -> String {
             row.most.to_string(),
             format!("{:.1}", row.mean),
             row.p99.to_string(),
-            row.exhausted.map_or("-".to_string(), super::facts::percent),
+            row.exhausted.map_or("-".to_string(), percent),
         ]
     }));
     columns(&cells, 3)

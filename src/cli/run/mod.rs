@@ -11,6 +11,7 @@ mod load;
 mod loops;
 mod numbers;
 mod picture;
+mod place;
 mod png;
 mod progress;
 mod sheet;
@@ -19,16 +20,17 @@ mod terminal;
 mod uniforms;
 
 pub use args::RunArgs;
-pub(super) use args::{Heat, size_of, time_of};
-pub(super) use facts::{percent, seconds};
+pub(super) use args::{Heat, ShotSetting, size_of, time_of};
+pub(super) use columns::{percent, seconds};
 pub(super) use heat::{map, short};
-pub(super) use load::{Shot, ShotSetting, Trouble, Undrawable, position, read, shot};
+pub(super) use load::{Shot, Trouble, Undrawable, read, shot};
+pub(super) use place::position;
 pub(super) use png::Bitmap;
 pub(super) use progress::Progress;
 
+use super::command::{CLEAN, FAILED, FINDINGS};
 use super::output::Overwrite;
 use super::port::save;
-use super::{CLEAN, FAILED, FINDINGS};
 use crate::engine::play::Picture;
 use crate::exec::Drawn;
 use crate::port::File;
@@ -85,7 +87,7 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     drop(progress);
     let bitmap = match (args.heatmap, &args.show) {
         (Some(heat), _) => heat_map(heat, &own, &drawn),
-        (None, Some(show)) => show::picture(show, &own, &drawn),
+        (None, Some(show)) => show::picture(show, own.code(), &drawn),
         (None, None) => bitmap(&own, &drawn),
     };
     let output = write(args, &bitmap, &loaded.read)?;

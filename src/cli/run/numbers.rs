@@ -1,7 +1,8 @@
 //! The numbers that went wrong.
 
 use super::columns::columns;
-use super::load::{Shot, position, span};
+use super::load::Shot;
+use super::place::{position, span};
 use crate::exec::{Kind, NumberSeen, Seen};
 use crate::semantic::Program;
 use serde::Serialize;

@@ -2,10 +2,10 @@
 
 use super::args::Show;
 use super::heat;
-use super::load::{Shot, span};
+use super::place::span;
 use super::png::Bitmap;
 use crate::engine::play::Picture;
-use crate::exec::{Drawn, Probe};
+use crate::exec::{Code, Drawn, Probe};
 use crate::ir::{Module, OpId, OpKind};
 use crate::port::{Composed, PassUnit};
 use crate::semantic::{Program, VariableId};
@@ -90,8 +90,7 @@ fn whole_line(file: &SourceFile, number: u32) -> Option<Span> {
 
 /// The variable as a picture: a number as heat, several as colours, from the smallest to the largest
 /// where they do not lie between 0 and 1.
-pub fn picture(show: &Show, shot: &Shot, drawn: &Drawn) -> Bitmap {
-    let code = shot.code();
+pub fn picture(show: &Show, code: &Code, drawn: &Drawn) -> Bitmap {
     // Behind it stands whether the line was run.
     let at = code.outputs.len().saturating_sub(2);
     let lanes = code.outputs.get(at).map_or(0, |slot| slot.ty.components());

@@ -9,12 +9,12 @@ mod outcome;
 
 pub use args::TestArgs;
 
+use super::command::{CLEAN, FAILED, FINDINGS};
 use super::config::{ConfigArgs, Configs, Exclusion, Source};
 use super::disk::Disk;
 use super::input::{InputFile, collect, read};
 use super::parallel::{in_order, threads};
 use super::port::in_folder;
-use super::{CLEAN, FAILED, FINDINGS};
 use crate::diagnostic::Severity;
 use crate::engine::config::Selection;
 use crate::engine::{Analysis, Options, Report, Wholeness, analyze};

@@ -3,8 +3,8 @@
 use super::super::buffers::{TextBuffer, whole};
 use super::super::capabilities::{EXPLAIN, FIX_ALL_KIND};
 use super::super::diagnostics::one;
+use super::super::position::text_edits;
 use super::super::snapshot::{Answer, Failure, Snapshot};
-use super::text_edits;
 use super::workspace::documents_with;
 use crate::engine;
 use crate::ide::{self, ActionKind, Document};

@@ -2,8 +2,8 @@
 
 use super::super::buffers::TextBuffer;
 use super::super::capabilities::{INACTIVE, PREVIEW, token_type};
+use super::super::position::text_edits;
 use super::super::snapshot::{Answer, Snapshot};
-use super::text_edits;
 use crate::ide::{self, FoldKind, HintKind, LensCommand, SemanticKind};
 use crate::text::Span;
 use gen_lsp_types::*;

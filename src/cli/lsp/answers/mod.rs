@@ -118,12 +118,3 @@ impl Jobs {
         self.all.get(method).copied()
     }
 }
-
-/// Edits of one text.
-pub fn text_edits(lines: super::position::TextLines, edits: &[crate::text::Edit]) -> Vec<TextEdit> {
-    let edit = |edit: &crate::text::Edit| TextEdit {
-        range: lines.range(edit.span),
-        new_text: edit.text.clone(),
-    };
-    edits.iter().map(edit).collect()
-}

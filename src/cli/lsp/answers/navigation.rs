@@ -1,10 +1,11 @@
 //! Where names are declared and used.
 
 use super::super::buffers::TextBuffer;
+use super::super::capabilities::symbol_kind;
 use super::super::snapshot::{Answer, Failure, Snapshot};
 use super::super::uri::path_of;
 use super::workspace::documents_with;
-use crate::ide::{self, CallItem, Document, FileSpan, NameUse, OutlineItem, SymbolKind as Kind};
+use crate::ide::{self, CallItem, Document, FileSpan, NameUse, OutlineItem};
 use crate::text::Span;
 use gen_lsp_types::*;
 use std::sync::Arc;
@@ -132,18 +133,6 @@ pub fn highlights(
         }),
     });
     Ok(Some(told.collect()))
-}
-
-/// What the protocol calls what a name means.
-pub fn symbol_kind(kind: Kind) -> SymbolKind {
-    match kind {
-        Kind::Function => SymbolKind::Function,
-        Kind::Struct => SymbolKind::Struct,
-        Kind::Field => SymbolKind::Field,
-        Kind::Constant | Kind::Macro => SymbolKind::Constant,
-        Kind::Uniform | Kind::Input | Kind::Output => SymbolKind::Property,
-        Kind::Local | Kind::Global | Kind::Parameter => SymbolKind::Variable,
-    }
 }
 
 /// What a text declares.

@@ -2,9 +2,9 @@
 
 use super::super::super::input::collect;
 use super::super::buffers::TextBuffer;
+use super::super::capabilities::symbol_kind;
 use super::super::diagnostics::{convert, diagnostics, result_id};
 use super::super::snapshot::{Answer, Snapshot};
-use super::navigation::symbol_kind;
 use crate::engine::Files;
 use crate::ide::{self, Document};
 use gen_lsp_types::*;

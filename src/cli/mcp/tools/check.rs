@@ -3,8 +3,8 @@
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::{Args, Tool, Writes, one_of};
-use crate::cli::FAILED;
+use super::tool::{Args, Tool, Writes, one_of};
+use crate::cli::command::FAILED;
 use crate::engine::DialectChoice;
 use schemars::JsonSchema;
 use serde::Deserialize;

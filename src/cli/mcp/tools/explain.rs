@@ -2,8 +2,8 @@
 
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
-use super::{Args, Tool, Writes};
-use crate::cli::CLEAN;
+use super::tool::{Args, Tool, Writes};
+use crate::cli::command::CLEAN;
 use schemars::JsonSchema;
 use serde::Deserialize;
 

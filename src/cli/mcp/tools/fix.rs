@@ -3,8 +3,8 @@
 use super::super::answer::{MAX_TEXT, ToolAnswer};
 use super::super::command::{CommandOutcome, OwnProgram};
 use super::super::input::ToolInput;
-use super::{Args, Tool, Writes};
-use crate::cli::FAILED;
+use super::tool::{Args, Tool, Writes};
+use crate::cli::command::FAILED;
 use schemars::JsonSchema;
 use serde::Deserialize;
 

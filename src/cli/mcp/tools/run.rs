@@ -3,8 +3,8 @@
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::{Args, Tool, Writes, one_of};
-use crate::cli::CLEAN;
+use super::tool::{Args, Tool, Writes, one_of};
+use crate::cli::command::CLEAN;
 use crate::cli::run::Heat;
 use schemars::JsonSchema;
 use serde::Deserialize;

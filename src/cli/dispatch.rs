@@ -1,0 +1,64 @@
+//! Which command of `shaderlint` the arguments name.
+
+use super::command::{CLEAN, FAILED, FINDINGS, complain};
+use super::lint::{self, Command, LintArgs, explain, middle, reduce};
+#[cfg(feature = "lsp")]
+use super::lsp;
+use super::{fmt, run as draw, test};
+#[cfg(feature = "mcp")]
+use super::{mcp, port};
+use crate::engine::config::schema;
+use clap::CommandFactory;
+use std::io::{self, Write};
+
+/// Does what the arguments ask for, and gives the exit code.
+pub fn run(args: &LintArgs) -> u8 {
+    let code = match (&args.command, &args.explain) {
+        (Some(command), _) => run_command(command),
+        (None, Some(name)) => explain::explain(name),
+        (None, None) => lint::run(args),
+    };
+    match code {
+        Ok(code) => code,
+        // Whoever reads the output has had enough of it.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => FINDINGS,
+        Err(error) => {
+            complain(&error.to_string());
+            FAILED
+        }
+    }
+}
+
+fn run_command(command: &Command) -> io::Result<u8> {
+    // Collected first, so that the libraries which print need not deal with closed pipes.
+    let mut text = Vec::new();
+    match command {
+        Command::Explain { name } => return explain::explain(name),
+        Command::Fmt(args) => return fmt::run(args),
+        Command::Run(args) => return draw::run(args),
+        Command::Test(args) => return test::run(args),
+        Command::Reduce(args) => return reduce::run(args),
+        Command::Ir { file } => return middle::run(file),
+        #[cfg(feature = "lsp")]
+        Command::Lsp { .. } => {
+            let said_goodbye = lsp::serve()?;
+            return Ok(if said_goodbye { CLEAN } else { FINDINGS });
+        }
+        #[cfg(feature = "mcp")]
+        Command::Mcp => return mcp::serve().map(|()| CLEAN),
+        #[cfg(feature = "mcp")]
+        Command::Port { args } => {
+            use clap::Parser;
+            let args = std::iter::once("shaderport".into()).chain(args.iter().cloned());
+            return Ok(port::run(&port::PortArgs::parse_from(args)));
+        }
+        Command::Rules { format } => text = explain::rules(*format)?,
+        Command::Completions { shell } => {
+            clap_complete::generate(*shell, &mut LintArgs::command(), "shaderlint", &mut text);
+        }
+        Command::Man => clap_mangen::Man::new(LintArgs::command()).render(&mut text)?,
+        Command::Schema => text.extend_from_slice(schema().as_bytes()),
+    }
+    io::stdout().lock().write_all(&text)?;
+    Ok(CLEAN)
+}

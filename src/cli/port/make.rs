@@ -1,0 +1,163 @@
+//! From the arguments to files, and what there is to tell of them.
+
+use super::args::PortArgs;
+use super::load::{self, Loaded};
+use super::report::{is_colored, report};
+use super::save::Place;
+#[cfg(feature = "naga")]
+use super::whole;
+use crate::cli::command::{CLEAN, FINDINGS};
+use crate::cli::output::diff;
+use crate::engine::{Original, Repairs, Verified, repairable, verify};
+use crate::exec::Equality;
+use crate::port::{Composed, File, Target, build, missing};
+use crate::report::{Format, Reporter};
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// What comes of the arguments.
+pub(super) struct Made {
+    /// What is to be written; empty where the errors forbid it, and where a diff was printed.
+    pub(super) files: Vec<File>,
+    /// The files that it is made of.
+    pub(super) read: Vec<PathBuf>,
+    /// The exit code.
+    pub(super) code: u8,
+}
+
+/// Ports what the arguments name, and tells what there is to tell. A page that is served knows its
+/// version by which it hears of the next.
+pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
+    #[cfg(feature = "naga")]
+    if let Some(shaders) = whole::load(args)? {
+        let (files, code) = whole::make(args, &shaders)?;
+        let read = args.input.clone();
+        return Ok(Made { files, read, code });
+    }
+    let Loaded {
+        project,
+        composed,
+        repairs,
+        given,
+        read,
+        notes,
+    } = load::load(args)?;
+    for remark in project.remarks() {
+        let _ = writeln!(io::stderr(), "note: {remark}");
+    }
+    match args.repair || args.diff || repairs.done.len() < 2 {
+        true => tell_repairs(&repairs).map_err(|e| e.to_string())?,
+        false => {
+            let count = repairs.done.len();
+            let _ = writeln!(
+                io::stderr(),
+                "note: {count} things were mended that WebGL2 does not take; `--diff` shows them"
+            );
+        }
+    }
+    let nothing = |code| Made {
+        files: Vec::new(),
+        read: Vec::new(),
+        code,
+    };
+    if args.diff {
+        return print(diff_of(&repairs).as_bytes()).map(|()| nothing(CLEAN));
+    }
+    let target = args.target()?;
+    let place = Place::of(args.output.as_deref(), target, &project.info.name);
+    let order = args.order(target, place.output(), version);
+    let made = build(&project, &composed, order).map_err(|e| e.to_string())?;
+    let analyses = composed.units.iter().map(|u| composed.analysis(u));
+    let found = analyses.flat_map(|a| &a.diagnostics);
+    let summary = report(&composed.sources, found, &made.remarks).map_err(|e| e.to_string())?;
+    if summary.errors > 0 && !args.repair {
+        offer_repair(&composed);
+    }
+    // Other languages are made of what compiles, and of nothing else.
+    if target != Target::Glsl && target.is_shaders() && summary.errors > 0 {
+        return Ok(nothing(FINDINGS));
+    }
+    if !target.is_shaders() {
+        let missing = missing(&project).into_iter().map(|what| what.to_string());
+        for note in notes.into_iter().chain(missing) {
+            let _ = writeln!(io::stderr(), "note: {note}");
+        }
+    }
+    let mut code = if summary.errors > 0 { FINDINGS } else { CLEAN };
+    if args.verify {
+        let passes = verify(&project, &composed, given.as_ref(), target, &made.files)?;
+        if !is_verified(passes) {
+            code = FINDINGS;
+        }
+    }
+    Ok(Made {
+        files: made.files,
+        read,
+        code,
+    })
+}
+
+pub(super) fn print(text: &[u8]) -> Result<(), String> {
+    let printed = io::stdout().lock().write_all(text);
+    printed.map_err(|e| format!("the output cannot be written: {e}"))
+}
+
+/// Tells by pass whether what is to be written draws what the original draws.
+fn is_verified(passes: Vec<Verified>) -> bool {
+    let mut is_so = true;
+    for verified in passes {
+        let Verified {
+            pass,
+            original,
+            outcome,
+        } = verified;
+        let said = match &outcome {
+            Ok(Equality::Proved) => "the same code".to_string(),
+            Ok(Equality::Seen { pixels }) => format!("the same bits on {pixels} pixels"),
+            Ok(Equality::Differs { pixel: [x, y], .. }) => {
+                format!("another picture than the original, first seen at pixel {x}, {y}")
+            }
+            Ok(Equality::TooLong) => "not compared: it runs too long".to_string(),
+            Err(why) => format!("not compared: {why}"),
+        };
+        is_so &= matches!(outcome, Ok(Equality::Proved | Equality::Seen { .. }));
+        let since = match original {
+            Original::Given => "",
+            Original::Repaired => " as the repaired text; what was given does not compile",
+        };
+        let _ = writeln!(io::stderr(), "{pass}: {said}{since}");
+    }
+    is_so
+}
+
+/// All repairs, as a diff.
+fn diff_of(repairs: &Repairs) -> String {
+    let changed = repairs.changed().map(|(before, after)| {
+        let name = match &before.part {
+            Some(part) => format!("{}/{part}", before.path),
+            None => before.path.clone(),
+        };
+        diff(&name, &before.text, after)
+    });
+    changed.collect()
+}
+
+/// Prints what was repaired, at the places where it stood.
+fn tell_repairs(repairs: &Repairs) -> io::Result<()> {
+    if repairs.is_empty() {
+        return Ok(());
+    }
+    let mut reporter = Reporter::new(Format::Human, io::stderr().lock(), is_colored());
+    reporter.file("", &repairs.before, &repairs.done)?;
+    reporter.finish().map(|_| ())
+}
+
+/// Says that `--repair` would help, where it would.
+fn offer_repair(composed: &Composed) {
+    let help = match repairable(composed) {
+        0 => return,
+        1 => "help: `--repair` mends one of these; `--diff` shows how".to_string(),
+        n => format!("help: `--repair` mends {n} of these; `--diff` shows how"),
+    };
+    let _ = writeln!(io::stderr(), "{help}");
+}

@@ -1,0 +1,52 @@
+//! What is said to whoever started `shaderport`, beside what is made.
+
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::port::Remark;
+use crate::report::{Format, Reporter, Summary};
+use crate::text::Sources;
+use std::io::{self, IsTerminal, Write};
+
+/// Says something to whoever started the program.
+pub(super) fn tell(message: &str) {
+    let _ = writeln!(io::stderr(), "shaderport: {message}");
+}
+
+pub(super) fn is_colored() -> bool {
+    io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
+}
+
+/// Prints what the browser will say of the passes, and why some could not be made as asked for.
+pub(super) fn report<'a>(
+    sources: &Sources,
+    problems: impl Iterator<Item = &'a Diagnostic>,
+    remarks: &[Remark],
+) -> io::Result<Summary> {
+    let mut found: Vec<Diagnostic> = Vec::new();
+    for problem in problems {
+        if !found.contains(problem) {
+            found.push(problem.clone());
+        }
+    }
+    let mut stderr = io::stderr().lock();
+    let mut errors = 0;
+    for remark in remarks {
+        if sources.text(remark.span).is_empty() {
+            let (severity, pass) = (remark.severity.name(), &remark.pass);
+            writeln!(stderr, "{severity}: {pass}: {}", remark.message)?;
+            errors += usize::from(remark.severity == Severity::Error);
+        } else {
+            found.push(remark.diagnostic());
+        }
+    }
+    if found.is_empty() {
+        return Ok(Summary {
+            errors,
+            ..Summary::default()
+        });
+    }
+    let mut reporter = Reporter::new(Format::Human, stderr, is_colored());
+    reporter.file("", sources, &found)?;
+    let mut summary = reporter.finish()?;
+    summary.errors += errors;
+    Ok(summary)
+}

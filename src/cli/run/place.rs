@@ -1,0 +1,22 @@
+//! Where something stands in the sources of a shader.
+
+use crate::ir::Provenance;
+use crate::semantic::Program;
+use crate::text::{Sources, Span};
+
+/// Where something comes from.
+pub fn span(program: &Program, from: Provenance) -> Option<Span> {
+    match from {
+        Provenance::Expr(id) => Some(program.expr_span(id)),
+        Provenance::Declaration(token) => program.token(token).map(|t| t.span),
+        Provenance::Stmt(id) => Some(program.span(program.tree.stmt(id).extent)),
+        Provenance::Language => None,
+    }
+}
+
+/// A place as `file:line:column`.
+pub fn position(sources: &Sources, span: Span) -> Option<String> {
+    let file = sources.file_at(span.start)?;
+    let at = file.position(span.start);
+    Some(format!("{}:{}:{}", file.path, at.line, at.column))
+}
