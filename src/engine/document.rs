@@ -173,14 +173,14 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
 
 /// What is said of the shaders of a file.
 #[derive(Default)]
-struct Told {
+struct ToldFindings {
     found: PartFindings,
     shaders: Vec<Shader>,
     judged: Option<Judged>,
 }
 
-fn check_parts(input: &mut SplitInput, name: &str, world: World, keep: Keep) -> Told {
-    let mut told = Told::default();
+fn check_parts(input: &mut SplitInput, name: &str, world: World, keep: Keep) -> ToldFindings {
+    let mut told = ToldFindings::default();
     let script = input.file.and_then(|id| input.sources.file(id));
     let script = script
         .filter(|_| !input.embedded.is_empty())

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 /// What a host puts before a text, without what the text declares itself: hosts of other releases
 /// have fewer names, and texts repeat declarations.
 pub fn prelude(preset: &Preset, code: &str, is_vertex: bool) -> String {
-    let own = Declared::of(code);
+    let own = PreludeNames::of(code);
     let mut text = String::new();
     if own.has_output {
         text.push_str("#define OWN_OUTPUT 1\n");
@@ -28,15 +28,15 @@ pub fn prelude(preset: &Preset, code: &str, is_vertex: bool) -> String {
 
 /// What a text declares outside of functions.
 #[derive(Default)]
-struct Declared<'t> {
+struct PreludeNames<'t> {
     names: BTreeSet<&'t str>,
     /// Whether it declares an output.
     has_output: bool,
 }
 
-impl<'t> Declared<'t> {
-    fn of(code: &'t str) -> Declared<'t> {
-        let mut found = Declared::default();
+impl<'t> PreludeNames<'t> {
+    fn of(code: &'t str) -> PreludeNames<'t> {
+        let mut found = PreludeNames::default();
         let mut lexer = Lexer::new(code, 0);
         let mut depth = 0_usize;
         let mut last: Option<&str> = None;

@@ -252,7 +252,7 @@ fn by_name(name: &str, seed: u32) -> u32 {
 
 /// What a page or a module holds.
 #[derive(Deserialize)]
-struct Held {
+struct HeldCode {
     files: Vec<HeldFile>,
     passes: Vec<HeldPass>,
 }
@@ -300,14 +300,14 @@ fn read_back(target: Target, files: &[File], count: usize) -> Result<Vec<String>
 }
 
 /// The project that stands in a page or a module.
-fn held(text: &str) -> Option<Held> {
+fn held(text: &str) -> Option<HeldCode> {
     let starts = ["id=\"project\">", "const PROJECT = "];
     let (_, rest) = starts.iter().find_map(|start| text.split_once(start))?;
-    let mut values = serde_json::Deserializer::from_str(rest).into_iter::<Held>();
+    let mut values = serde_json::Deserializer::from_str(rest).into_iter::<HeldCode>();
     values.next()?.ok()
 }
 
-impl Held {
+impl HeldCode {
     /// The texts of a pass as the player joins them: behind every text of the user but the last
     /// comes a line break.
     fn joined(&self, pass: &HeldPass) -> String {

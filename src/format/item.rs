@@ -103,7 +103,7 @@ pub fn items(text: &str, tab: u32) -> Result<Vec<FormatItem>, Unformatted> {
             message: "this comment has no end".to_string(),
         });
     }
-    let mut reader = Reader {
+    let mut reader = ItemReader {
         text,
         tab,
         items: Vec::with_capacity(raw.len() / 2),
@@ -128,7 +128,7 @@ pub fn items(text: &str, tab: u32) -> Result<Vec<FormatItem>, Unformatted> {
     Ok(reader.items)
 }
 
-struct Reader<'a> {
+struct ItemReader<'a> {
     text: &'a str,
     tab: u32,
     items: Vec<FormatItem>,
@@ -143,7 +143,7 @@ struct Reader<'a> {
     is_off: bool,
 }
 
-impl Reader<'_> {
+impl ItemReader<'_> {
     fn text(&self, span: Span) -> &str {
         let range = span.start as usize..span.end as usize;
         self.text.get(range).unwrap_or("")

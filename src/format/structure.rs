@@ -52,11 +52,11 @@ pub enum StatementStart {
 /// # Errors
 /// Where a bracket has no partner, and where they nest too deeply.
 pub fn read(items: &[FormatItem]) -> Result<Vec<ItemRole>, Unformatted> {
-    let mut reader = Reader {
+    let mut reader = StructureReader {
         items,
         roles: vec![ItemRole::default(); items.len()],
-        state: State {
-            frames: vec![Frame::Block(Block::new(None, 0))],
+        state: FrameState {
+            frames: vec![OpenFrame::Block(OpenBlock::new(None, 0))],
         },
         branches: Vec::new(),
         comments: Vec::new(),
@@ -75,37 +75,37 @@ pub fn read(items: &[FormatItem]) -> Result<Vec<ItemRole>, Unformatted> {
 }
 
 #[derive(Clone)]
-struct State {
+struct FrameState {
     /// The innermost last; the first is that of the file.
-    frames: Vec<Frame>,
+    frames: Vec<OpenFrame>,
 }
 
 #[derive(Clone)]
-enum Frame {
-    Block(Block),
+enum OpenFrame {
+    Block(OpenBlock),
     Bracket(Bracket),
 }
 
 #[derive(Clone)]
-struct Block {
+struct OpenBlock {
     open: Option<u32>,
     /// Level of its statements.
     level: u32,
     /// Whether statements stand behind a label of it.
     is_labelled: bool,
-    at: At,
+    at: StatementPoint,
     /// What controls the statement that stands here: `if (a) for (;;) ...` are two.
-    controls: Vec<Control>,
+    controls: Vec<ControlKind>,
 }
 
 #[derive(Clone, Copy)]
-enum At {
+enum StatementPoint {
     /// Between statements.
     Between,
     /// In a statement; whether its braces hold declarations, and belong to it.
     Inside { declares: bool },
     /// Behind a word that parentheses follow.
-    Header(Head),
+    Header(StatementHead),
     /// Where the body of the innermost control belongs.
     Body,
     /// In a label.
@@ -113,7 +113,7 @@ enum At {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Head {
+enum StatementHead {
     /// `if`, `for`, `while`, `switch`
     Body,
     /// `while` behind the body of `do`
@@ -121,7 +121,7 @@ enum Head {
 }
 
 #[derive(Clone, Copy)]
-struct Control {
+struct ControlKind {
     kind: T,
     level: u32,
     /// The word itself, and the first item of its body.
@@ -135,16 +135,16 @@ struct Bracket {
     closer: T,
     /// How many brackets of its statement are open, with this one.
     depth: u32,
-    head: Option<Head>,
+    head: Option<StatementHead>,
 }
 
-impl Block {
-    fn new(open: Option<u32>, level: u32) -> Block {
-        Block {
+impl OpenBlock {
+    fn new(open: Option<u32>, level: u32) -> OpenBlock {
+        OpenBlock {
             open,
             level,
             is_labelled: false,
-            at: At::Between,
+            at: StatementPoint::Between,
             controls: Vec::new(),
         }
     }
@@ -158,15 +158,15 @@ impl Block {
 /// A condition of the preprocessor that is open.
 struct Branches {
     /// What stood before it.
-    before: State,
+    before: FrameState,
     /// What stood at the end of its first branch.
-    after_first: Option<State>,
+    after_first: Option<FrameState>,
 }
 
-struct Reader<'a> {
+struct StructureReader<'a> {
     items: &'a [FormatItem],
     roles: Vec<ItemRole>,
-    state: State,
+    state: FrameState,
     branches: Vec<Branches>,
     /// Comments between statements whose level is that of what follows.
     comments: Vec<u32>,
@@ -174,7 +174,7 @@ struct Reader<'a> {
     last: u32,
 }
 
-impl Reader<'_> {
+impl StructureReader<'_> {
     fn error<R>(&self, at: u32, message: impl Into<String>) -> Result<R, Unformatted> {
         let item = self.items.get(at as usize);
         Err(Unformatted {
@@ -199,8 +199,8 @@ impl Reader<'_> {
             .iter()
             .rev()
             .find_map(|frame| match frame {
-                Frame::Block(block) => block.open,
-                Frame::Bracket(bracket) => Some(bracket.open),
+                OpenFrame::Block(block) => block.open,
+                OpenFrame::Bracket(bracket) => Some(bracket.open),
             });
         if let Some(open) = open {
             return self.error(open, "this bracket is never closed");
@@ -215,7 +215,7 @@ impl Reader<'_> {
             return self.error(at, "the code nests too deeply from here on");
         }
         match self.state.frames.last() {
-            Some(Frame::Bracket(_)) => self.in_bracket(at, kind),
+            Some(OpenFrame::Bracket(_)) => self.in_bracket(at, kind),
             _ => self.in_block(at, kind),
         }?;
         self.last = at;
@@ -224,23 +224,23 @@ impl Reader<'_> {
 
     fn controls(&self) -> usize {
         match self.state.frames.last() {
-            Some(Frame::Block(block)) => block.controls.len(),
+            Some(OpenFrame::Block(block)) => block.controls.len(),
             _ => 0,
         }
     }
 
-    fn block(&mut self) -> Option<&mut Block> {
+    fn block(&mut self) -> Option<&mut OpenBlock> {
         let frames = self.state.frames.iter_mut().rev();
         frames.into_iter().find_map(|frame| match frame {
-            Frame::Block(block) => Some(block),
-            Frame::Bracket(_) => None,
+            OpenFrame::Block(block) => Some(block),
+            OpenFrame::Bracket(_) => None,
         })
     }
 
     /// Gives an item that starts nothing its brackets.
     fn inner(&mut self, at: u32) {
         let (depth, innermost) = match self.state.frames.last() {
-            Some(Frame::Bracket(bracket)) => (bracket.depth, Some(bracket.open)),
+            Some(OpenFrame::Bracket(bracket)) => (bracket.depth, Some(bracket.open)),
             _ => (0, None),
         };
         let level = self.block().map_or(0, |b| b.statement_level());
@@ -248,14 +248,14 @@ impl Reader<'_> {
         (role.depth, role.bracket, role.level) = (depth, innermost, level);
     }
 
-    fn open_bracket(&mut self, at: u32, kind: T, head: Option<Head>) {
+    fn open_bracket(&mut self, at: u32, kind: T, head: Option<StatementHead>) {
         self.inner(at);
         let closer = match kind {
             T::LeftParen => T::RightParen,
             T::LeftBracket => T::RightBracket,
             _ => T::RightBrace,
         };
-        self.state.frames.push(Frame::Bracket(Bracket {
+        self.state.frames.push(OpenFrame::Bracket(Bracket {
             open: at,
             closer,
             depth: self.roles.get(at as usize).map_or(0, |r| r.depth) + 1,
@@ -273,7 +273,7 @@ impl Reader<'_> {
     }
 
     fn close_bracket(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
-        let Some(Frame::Bracket(bracket)) = self.state.frames.last() else {
+        let Some(OpenFrame::Bracket(bracket)) = self.state.frames.last() else {
             return self.error(at, "this bracket closes nothing");
         };
         let (open, head) = (bracket.open, bracket.head);
@@ -286,8 +286,8 @@ impl Reader<'_> {
         self.state.frames.pop();
         if let (Some(head), Some(block)) = (head, self.block()) {
             block.at = match head {
-                Head::Body => At::Body,
-                Head::DoWhile => At::Inside { declares: false },
+                StatementHead::Body => StatementPoint::Body,
+                StatementHead::DoWhile => StatementPoint::Inside { declares: false },
             };
         }
         Ok(())
@@ -298,28 +298,28 @@ impl Reader<'_> {
             return Ok(());
         };
         match block.at {
-            At::Between => self.start(at, kind),
-            At::Body => self.body(at, kind),
-            At::Header(head) if kind == T::LeftParen => {
+            StatementPoint::Between => self.start(at, kind),
+            StatementPoint::Body => self.body(at, kind),
+            StatementPoint::Header(head) if kind == T::LeftParen => {
                 self.open_bracket(at, kind, Some(head));
                 Ok(())
             }
-            At::Header(_) => {
-                block.at = At::Inside { declares: false };
+            StatementPoint::Header(_) => {
+                block.at = StatementPoint::Inside { declares: false };
                 self.inside(at, kind, false)
             }
-            At::Inside { declares } => self.inside(at, kind, declares),
-            At::Label { questions } => {
+            StatementPoint::Inside { declares } => self.inside(at, kind, declares),
+            StatementPoint::Label { questions } => {
                 block.at = match (kind, questions) {
-                    (T::Question, n) => At::Label { questions: n + 1 },
+                    (T::Question, n) => StatementPoint::Label { questions: n + 1 },
                     (T::Colon, 0) => {
                         block.is_labelled = true;
-                        At::Between
+                        StatementPoint::Between
                     }
-                    (T::Colon, n) => At::Label { questions: n - 1 },
+                    (T::Colon, n) => StatementPoint::Label { questions: n - 1 },
                     _ => block.at,
                 };
-                let is_over = matches!(block.at, At::Between);
+                let is_over = matches!(block.at, StatementPoint::Between);
                 self.inside_label(at, kind)?;
                 self.role(at).is_label = is_over;
                 Ok(())
@@ -347,7 +347,7 @@ impl Reader<'_> {
                 if last.is_some_and(|last| last.is(T::RightParen))
                     && let Some(block) = self.block()
                 {
-                    block.at = At::Inside { declares: false };
+                    block.at = StatementPoint::Inside { declares: false };
                 }
                 let level = self.block().map_or(0, |b| b.statement_level());
                 self.open_block(at, StatementStart::Open, level);
@@ -359,14 +359,14 @@ impl Reader<'_> {
             T::Semicolon => {
                 self.inner(at);
                 if let Some(block) = self.block() {
-                    block.at = At::Between;
+                    block.at = StatementPoint::Between;
                 }
             }
             _ => {
                 self.inner(at);
                 let declares = declares || matches!(kind, T::Struct | T::Uniform | T::In | T::Out);
                 if let Some(block) = self.block() {
-                    block.at = At::Inside { declares };
+                    block.at = StatementPoint::Inside { declares };
                 }
             }
         }
@@ -388,8 +388,8 @@ impl Reader<'_> {
         if let Some(level) = tail {
             self.set_start(at, StatementStart::Tail, level);
             let next = match kind {
-                T::Else => At::Body,
-                _ => At::Header(Head::DoWhile),
+                T::Else => StatementPoint::Body,
+                _ => StatementPoint::Header(StatementHead::DoWhile),
             };
             self.control(at, kind, level, next);
             return Ok(());
@@ -420,9 +420,9 @@ impl Reader<'_> {
     }
 
     /// Starts what is controlled by a word, behind which `next` is expected.
-    fn control(&mut self, at: u32, kind: T, level: u32, next: At) {
+    fn control(&mut self, at: u32, kind: T, level: u32, next: StatementPoint) {
         if let Some(block) = self.block() {
-            block.controls.push(Control {
+            block.controls.push(ControlKind {
                 kind,
                 level,
                 word: at,
@@ -451,25 +451,25 @@ impl Reader<'_> {
             T::LeftBrace => self.open_block(at, start, level),
             T::LeftParen | T::LeftBracket => {
                 if let Some(block) = self.block() {
-                    block.at = At::Inside { declares: false };
+                    block.at = StatementPoint::Inside { declares: false };
                 }
                 self.open_bracket(at, kind, None);
                 let role = self.role(at);
                 (role.start, role.level) = (start, level);
             }
-            T::Do => self.control(at, kind, level, At::Body),
+            T::Do => self.control(at, kind, level, StatementPoint::Body),
             T::If | T::For | T::While | T::Switch => {
-                self.control(at, kind, level, At::Header(Head::Body));
+                self.control(at, kind, level, StatementPoint::Header(StatementHead::Body));
             }
             T::Semicolon => {
                 if let Some(block) = self.block() {
-                    block.at = At::Between;
+                    block.at = StatementPoint::Between;
                 }
             }
             _ => {
                 let declares = matches!(kind, T::Struct | T::Uniform | T::In | T::Out);
                 if let Some(block) = self.block() {
-                    block.at = At::Inside { declares };
+                    block.at = StatementPoint::Inside { declares };
                 }
             }
         }
@@ -481,7 +481,7 @@ impl Reader<'_> {
             return Ok(());
         };
         let level = block.level;
-        block.at = At::Label { questions: 0 };
+        block.at = StatementPoint::Label { questions: 0 };
         self.set_start(at, StatementStart::Label, level);
         Ok(())
     }
@@ -495,7 +495,7 @@ impl Reader<'_> {
             return self.statement(at, kind, StatementStart::Statement, 0);
         };
         control.body = Some(at);
-        let Control {
+        let ControlKind {
             kind: word, level, ..
         } = *control;
         match (word, kind) {
@@ -505,7 +505,7 @@ impl Reader<'_> {
             }
             (T::Else, T::If) => {
                 self.inner(at);
-                self.control(at, kind, level, At::Header(Head::Body));
+                self.control(at, kind, level, StatementPoint::Header(StatementHead::Body));
                 Ok(())
             }
             _ => self.statement(at, kind, StatementStart::Body, level + 1),
@@ -514,8 +514,8 @@ impl Reader<'_> {
 
     fn open_block(&mut self, at: u32, start: StatementStart, level: u32) {
         self.set_start(at, start, level);
-        let block = Block::new(Some(at), level + 1);
-        self.state.frames.push(Frame::Block(block));
+        let block = OpenBlock::new(Some(at), level + 1);
+        self.state.frames.push(OpenFrame::Block(block));
     }
 
     fn close_block(&mut self, at: u32) -> Result<(), Unformatted> {
@@ -533,8 +533,10 @@ impl Reader<'_> {
         self.role(open).partner = Some(at);
         if let Some(block) = self.block() {
             block.at = match block.at {
-                At::Inside { declares: true } => At::Inside { declares: true },
-                _ => At::Between,
+                StatementPoint::Inside { declares: true } => {
+                    StatementPoint::Inside { declares: true }
+                }
+                _ => StatementPoint::Between,
             };
         }
         Ok(())
@@ -566,8 +568,11 @@ impl Reader<'_> {
     fn comment(&mut self, at: u32) {
         self.inner(at);
         let is_between = match self.state.frames.last() {
-            Some(Frame::Block(block)) => {
-                matches!(block.at, At::Between | At::Body | At::Header(_))
+            Some(OpenFrame::Block(block)) => {
+                matches!(
+                    block.at,
+                    StatementPoint::Between | StatementPoint::Body | StatementPoint::Header(_)
+                )
             }
             _ => false,
         };

@@ -79,24 +79,24 @@ pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, V
     let mut word = word_before(&document.text, offset, is_of_name);
     let nothing = (word, Vec::new());
     let place = match document.spot(word.start) {
-        Some(spot) => Place::of(&spot),
+        Some(spot) => CompletionPlace::of(&spot),
         // A text of nothing but blanks is no shader yet.
-        None if document.text.trim().is_empty() => Place::Code,
+        None if document.text.trim().is_empty() => CompletionPlace::Code,
         None => return nothing,
     };
     let found = match place {
-        Place::Comment(said) => {
+        CompletionPlace::Comment(said) => {
             word = word_before(&document.text, offset, |c| is_of_name(c) || c == '-');
             rules(&said)
         }
-        Place::Directive => directives(),
-        Place::Include(path) => {
+        CompletionPlace::Directive => directives(),
+        CompletionPlace::Include(path) => {
             word = word_before(&document.text, offset, |c| !matches!(c, '/' | '"' | '<'));
             included(document, &path, files)
         }
-        Place::Number => return nothing,
-        Place::Layout => layout(),
-        place @ (Place::Member | Place::Code) => {
+        CompletionPlace::Number => return nothing,
+        CompletionPlace::Layout => layout(),
+        place @ (CompletionPlace::Member | CompletionPlace::Code) => {
             let Some(text) = with_hole(document, word) else {
                 return nothing;
             };
@@ -105,7 +105,7 @@ pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, V
                 return nothing;
             };
             match place {
-                Place::Member => members(&spot),
+                CompletionPlace::Member => members(&spot),
                 _ => names(&spot),
             }
         }
@@ -138,7 +138,7 @@ fn with_hole(document: &Document, word: Span) -> Option<String> {
 }
 
 /// What sort of place it is.
-enum Place {
+enum CompletionPlace {
     /// Behind a dot.
     Member,
     /// In a comment, which begins so.
@@ -155,11 +155,11 @@ enum Place {
     Code,
 }
 
-impl Place {
-    fn of(spot: &Spot) -> Place {
+impl CompletionPlace {
+    fn of(spot: &Spot) -> CompletionPlace {
         let code = spot.document.report.sources.code_at(spot.address);
         let Some(code) = code else {
-            return Place::Code;
+            return CompletionPlace::Code;
         };
         let before = code.text.get(..(spot.address - code.base) as usize);
         let before = before.unwrap_or("");
@@ -170,27 +170,29 @@ impl Place {
             if let Some(path) = rest.strip_prefix("include") {
                 let path = path.trim_start();
                 let opened = path.strip_prefix(['"', '<']);
-                return opened.map_or(Place::Code, |p| Place::Include(p.to_string()));
+                return opened.map_or(CompletionPlace::Code, |p| {
+                    CompletionPlace::Include(p.to_string())
+                });
             }
             if rest.is_empty() {
-                return Place::Directive;
+                return CompletionPlace::Directive;
             }
         }
         let Some(last) = tokens.last() else {
-            return Place::Code;
+            return CompletionPlace::Code;
         };
         let text = |span: Span| before.get(span.start as usize..span.end as usize);
         match last.kind {
             RawKind::LineComment | RawKind::OpenComment => {
-                Place::Comment(text(last.span).unwrap_or("").to_string())
+                CompletionPlace::Comment(text(last.span).unwrap_or("").to_string())
             }
-            RawKind::Operator(TokenKind::Dot) => Place::Member,
-            RawKind::Integer | RawKind::Float | RawKind::BadNumber => Place::Number,
+            RawKind::Operator(TokenKind::Dot) => CompletionPlace::Member,
+            RawKind::Integer | RawKind::Float | RawKind::BadNumber => CompletionPlace::Number,
             _ => {
                 let call = super::signature::open_call(spot);
                 match call.is_some_and(|c| c.name == "layout") {
-                    true => Place::Layout,
-                    false => Place::Code,
+                    true => CompletionPlace::Layout,
+                    false => CompletionPlace::Code,
                 }
             }
         }

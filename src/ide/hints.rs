@@ -51,7 +51,7 @@ pub fn hints(
 ) -> Vec<Hint> {
     let mut found = Vec::new();
     for (number, analysis) in document.report.analyses.iter().enumerate() {
-        let mut finder = Finder {
+        let mut finder = HintFinder {
             document,
             program: &analysis.program,
             within,
@@ -72,14 +72,14 @@ pub fn hints(
     found
 }
 
-struct Finder<'d> {
+struct HintFinder<'d> {
     document: &'d Document,
     program: &'d Program,
     within: Span,
     found: &'d mut Vec<Hint>,
 }
 
-impl Finder<'_> {
+impl HintFinder<'_> {
     /// Adds a hint before or behind a token that stands in the text just so.
     fn add(&mut self, token: TokenId, is_behind: bool, text: String, kind: HintKind) {
         let token = self.program.token(token).filter(|t| t.is_direct());

@@ -216,7 +216,7 @@ fn verify(
 }
 
 /// What a name means, where it stands.
-type Meaning = (FileSpan, Option<FileSpan>);
+type NameMeaning = (FileSpan, Option<FileSpan>);
 
 /// Refuses what makes a name mean something else.
 fn compare(
@@ -236,8 +236,8 @@ fn compare(
     {
         return refused(format!("`{new}` would be an error: {error}"));
     }
-    let moved: Vec<Vec<Meaning>> = meanings(before, Some(renaming));
-    let now: Vec<Vec<Meaning>> = meanings(after, None);
+    let moved: Vec<Vec<NameMeaning>> = meanings(before, Some(renaming));
+    let now: Vec<Vec<NameMeaning>> = meanings(after, None);
     if moved.len() != now.len() {
         return refused(format!(
             "with `{new}` the text would be read as something else"
@@ -294,7 +294,7 @@ impl Shift<'_> {
 }
 
 /// By shader: where names stand and what declares them; of the text before, where that will be.
-fn meanings(document: &Document, renaming: Option<&Renaming>) -> Vec<Vec<Meaning>> {
+fn meanings(document: &Document, renaming: Option<&Renaming>) -> Vec<Vec<NameMeaning>> {
     let shift = renaming.map(Shift::of);
     let moved = |place: FileSpan| match &shift {
         Some(shift) => shift.moved(place),

@@ -17,7 +17,7 @@ pub fn hangs_on_callers(facts: &Facts, expr: ExprId) -> bool {
     let Some(op) = facts.module().op_of(expr) else {
         return false;
     };
-    let mut search = Search {
+    let mut search = GivenSearch {
         facts,
         ops: vec![op],
         defs: Vec::new(),
@@ -63,7 +63,7 @@ pub fn is_exact(facts: &Facts, program: &Program, value: ExprId, is_low: bool) -
     }
 }
 
-struct Search<'a, 'p> {
+struct GivenSearch<'a, 'p> {
     facts: &'a Facts<'p>,
     ops: Vec<OpId>,
     defs: Vec<DefId>,
@@ -71,7 +71,7 @@ struct Search<'a, 'p> {
     seen_defs: FxHashSet<DefId>,
 }
 
-impl Search<'_, '_> {
+impl GivenSearch<'_, '_> {
     fn run(&mut self) -> bool {
         while self.seen_ops.len() + self.seen_defs.len() < MAX_PARTS {
             if let Some(op) = self.ops.pop() {

@@ -97,7 +97,7 @@ fn walk<'p>(
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let checks = Checks::of(rules, settings);
-    let mut run = Run {
+    let mut run = RuleRun {
         program,
         facts,
         settings,
@@ -212,14 +212,14 @@ impl Checks {
     }
 }
 
-struct Run<'a, 'p> {
+struct RuleRun<'a, 'p> {
     program: &'p Program,
     facts: &'a Facts<'p>,
     settings: &'a Settings,
     diagnostics: &'a mut Vec<Diagnostic>,
 }
 
-impl<'p> Run<'_, 'p> {
+impl<'p> RuleRun<'_, 'p> {
     /// Runs some checks, each as its rule.
     fn each<C: Copy>(&mut self, checks: &[(Active, C)], run: impl Fn(C, &mut Context<'_, 'p>)) {
         let Some((first, _)) = checks.first() else {

@@ -35,11 +35,11 @@ struct Allow {
     /// Whether the findings are expected, not allowed.
     expects: bool,
     /// Text that is no `allow(...)`.
-    problem: Option<Problem>,
+    problem: Option<BadAllow>,
 }
 
 /// Something that is meant to be an `allow(...)`.
-struct Problem {
+struct BadAllow {
     span: Span,
     meant: Option<Meant>,
     /// The rules of the findings that it may speak of.
@@ -83,13 +83,13 @@ impl Allows {
     /// Reads the comments of a shader; gives the addresses of those that speak of findings.
     fn read(&mut self, program: &Program, rules: &[&'static Rule]) -> Vec<u32> {
         let mut own = Vec::new();
-        let mut reader: Option<Reader> = None;
+        let mut reader: Option<CommentReader> = None;
         for &comment in &program.tokens.comments {
             let text = program.sources.text(comment);
             if text.contains(MARK) || misspelt::read(text, rules).is_some() {
                 own.push(comment.start);
                 self.found.entry(comment.start).or_insert_with(|| {
-                    let reader = reader.get_or_insert_with(|| Reader::new(program));
+                    let reader = reader.get_or_insert_with(|| CommentReader::new(program));
                     reader.read(comment, text, rules)
                 });
             }
@@ -108,7 +108,7 @@ impl Allows {
         if own.is_empty() {
             return;
         }
-        let places = Places::of(rules, found);
+        let places = AllowPlaces::of(rules, found);
         let mut allowed_at: FxHashMap<String, Vec<Span>> = FxHashMap::default();
         for address in &own {
             let Some(allow) = self.found.get_mut(address) else {
@@ -238,7 +238,7 @@ fn judge(
     })
 }
 
-impl Problem {
+impl BadAllow {
     /// Spells it right, for the rules that it names, or else for those that find something there.
     fn fix(&self) -> Option<Fix> {
         let meant = self.meant.as_ref()?;
@@ -268,10 +268,10 @@ fn places_of(diagnostic: &Diagnostic) -> impl Iterator<Item = u32> {
 }
 
 /// Where findings may be allowed, in order, by the names of rules and groups.
-struct Places(FxHashMap<&'static str, Vec<u32>>);
+struct AllowPlaces(FxHashMap<&'static str, Vec<u32>>);
 
-impl Places {
-    fn of(rules: &[&'static Rule], found: &[Diagnostic]) -> Places {
+impl AllowPlaces {
+    fn of(rules: &[&'static Rule], found: &[Diagnostic]) -> AllowPlaces {
         let mut by_name: FxHashMap<&'static str, Vec<u32>> = FxHashMap::default();
         for diagnostic in found {
             for name in [Some(diagnostic.rule), group_of(rules, diagnostic)] {
@@ -282,7 +282,7 @@ impl Places {
             }
         }
         by_name.values_mut().for_each(|p| p.sort_unstable());
-        Places(by_name)
+        AllowPlaces(by_name)
     }
 
     /// The rules that find something within a target.
@@ -312,7 +312,7 @@ fn merge(targets: &mut Vec<Span>) {
 }
 
 /// Reads the comments of one shader, in the order of the text.
-struct Reader<'a> {
+struct CommentReader<'a> {
     program: &'a Program,
     /// Where statements end, by where they start.
     ends: FxHashMap<u32, u32>,
@@ -323,9 +323,9 @@ struct Reader<'a> {
     stretch: Option<(Span, Span)>,
 }
 
-impl<'a> Reader<'a> {
-    fn new(program: &'a Program) -> Reader<'a> {
-        Reader {
+impl<'a> CommentReader<'a> {
+    fn new(program: &'a Program) -> CommentReader<'a> {
+        CommentReader {
             program,
             ends: statement_ends(program),
             lines: None,
@@ -359,7 +359,7 @@ impl<'a> Reader<'a> {
             let range = meant.as_ref().map(|m| m.range.clone());
             let range = range.unwrap_or(mark + blanks..mark + blanks + length);
             let at = |offset: usize| comment.start + offset as u32;
-            allow.problem = Some(Problem {
+            allow.problem = Some(BadAllow {
                 span: Span::new(at(range.start), at(range.end)),
                 meant,
                 found: Vec::new(),
@@ -382,7 +382,7 @@ impl<'a> Reader<'a> {
         }
         if allow.names.is_empty() {
             let from = comment.start + (mark + blanks) as u32;
-            allow.problem = Some(Problem {
+            allow.problem = Some(BadAllow {
                 span: Span::new(from, at),
                 meant: None,
                 found: Vec::new(),

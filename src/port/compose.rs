@@ -32,17 +32,17 @@ pub struct Composed {
     /// The pass that each text is the code of; headers are of none.
     owners: Vec<Option<usize>>,
     /// What each pass of the project was, as far as it decides what is compiled.
-    keys: Vec<Key>,
+    keys: Vec<UnitKey>,
 }
 
 /// What of a pass decides what is compiled: what its channels are, its code, and what goes around it.
 #[derive(PartialEq, Eq)]
-struct Key(Pass, Wrapper, Channels, [Arc<str>; 3]);
+struct UnitKey(Pass, Wrapper, Channels, [Arc<str>; 3]);
 
-impl Key {
-    fn of(pass: &ProjectPass) -> Key {
+impl UnitKey {
+    fn of(pass: &ProjectPass) -> UnitKey {
         let texts = [&pass.before, &pass.code, &pass.behind].map(Arc::clone);
-        Key(pass.kind, pass.wrapper, pass.channels(), texts)
+        UnitKey(pass.kind, pass.wrapper, pass.channels(), texts)
     }
 }
 
@@ -71,7 +71,7 @@ impl Composed {
 
     /// Whether it is what a project is put together to, so that what was checked of it holds.
     pub fn is_of(&self, project: &Project) -> bool {
-        let keys = project.passes.iter().map(Key::of);
+        let keys = project.passes.iter().map(UnitKey::of);
         self.keys.iter().eq(keys.collect::<Vec<_>>().iter())
     }
 
@@ -125,7 +125,7 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
         sources: Arc::new(sources),
         units,
         owners,
-        keys: project.passes.iter().map(Key::of).collect(),
+        keys: project.passes.iter().map(UnitKey::of).collect(),
     })
 }
 

@@ -56,7 +56,7 @@ impl SizeTerm {
     /// # Errors
     /// Where it is none.
     pub fn read(text: &str) -> Result<SizeTerm, String> {
-        let mut reader = Reader {
+        let mut reader = DrawReader {
             rest: text.trim_start(),
             depth: 0,
         };
@@ -68,12 +68,12 @@ impl SizeTerm {
     }
 }
 
-struct Reader<'t> {
+struct DrawReader<'t> {
     rest: &'t str,
     depth: usize,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> DrawReader<'t> {
     fn take(&mut self, sign: char) -> bool {
         let Some(rest) = self.rest.strip_prefix(sign) else {
             return false;
@@ -90,12 +90,12 @@ impl<'t> Reader<'t> {
     }
 
     fn sum(&mut self) -> Option<SizeTerm> {
-        self.chain(&[('+', "add"), ('-', "subtract")], Reader::product)
+        self.chain(&[('+', "add"), ('-', "subtract")], DrawReader::product)
     }
 
     fn product(&mut self) -> Option<SizeTerm> {
         let signs = [('*', "multiply"), ('/', "divide"), ('%', "modulo")];
-        self.chain(&signs, Reader::factor)
+        self.chain(&signs, DrawReader::factor)
     }
 
     /// Terms with operators of one rank between them.

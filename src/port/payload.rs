@@ -20,7 +20,7 @@ struct Payload<'a> {
     license: String,
     description: &'a str,
     vertex: &'static str,
-    files: Vec<Text<'a>>,
+    files: Vec<PayloadText<'a>>,
     passes: Vec<PassData<'a>>,
     tunables: Vec<TunableData>,
     controls: &'a [UniformControl],
@@ -38,7 +38,7 @@ struct MediaData {
 }
 
 #[derive(Serialize)]
-struct Text<'a> {
+struct PayloadText<'a> {
     name: String,
     text: &'a str,
     hidden: bool,
@@ -141,9 +141,9 @@ pub(super) fn payload(project: &Project, composed: &Composed) -> String {
     serde_json::to_string(&payload).unwrap_or_default()
 }
 
-fn text<'a>(project: &Project, owner: Option<usize>, file: &'a SourceFile) -> Text<'a> {
+fn text<'a>(project: &Project, owner: Option<usize>, file: &'a SourceFile) -> PayloadText<'a> {
     let pass = owner.and_then(|i| Some((i, project.passes.get(i)?)));
-    Text {
+    PayloadText {
         name: pass.map_or(String::new(), |(i, pass)| pass.title(i)),
         text: &file.text,
         hidden: file.role == Role::Prelude,

@@ -32,7 +32,7 @@ pub(super) struct Added<'a> {
 /// Whether `main` of a rewritten shader does what `mainImage` of a pass did, and everything that it
 /// calls or that runs before it.
 pub(super) fn is_same(pass: &Lowered, image: FunctionRef, made: &Lowered, added: &Added) -> bool {
-    let mut pair = Pair {
+    let mut pair = ShaderPair {
         a: pass,
         b: made,
         variables: FxHashMap::default(),
@@ -46,7 +46,7 @@ pub(super) fn is_same(pass: &Lowered, image: FunctionRef, made: &Lowered, added:
 }
 
 /// Two shaders, walked side by side. Whatever returns nothing has found a difference.
-struct Pair<'a> {
+struct ShaderPair<'a> {
     a: &'a Lowered<'a>,
     b: &'a Lowered<'a>,
     variables: FxHashMap<VariableId, VariableId>,
@@ -60,18 +60,18 @@ struct Pair<'a> {
 
 /// An operation, or a step that is more than operations.
 #[derive(Clone, Copy)]
-enum Item {
+enum ComparedItem {
     Op(OpId),
     Step(Step),
 }
 
 /// The steps of a region, their operations one by one.
-fn items(module: &Module, region: Region) -> Vec<Item> {
+fn items(module: &Module, region: Region) -> Vec<ComparedItem> {
     let mut items = Vec::new();
     for step in module.steps(region) {
         match step {
-            Step::Run(run) => items.extend(run.ops().map(Item::Op)),
-            other => items.push(Item::Step(*other)),
+            Step::Run(run) => items.extend(run.ops().map(ComparedItem::Op)),
+            other => items.push(ComparedItem::Step(*other)),
         }
     }
     items
@@ -99,8 +99,10 @@ impl Lowered<'_> {
     }
 
     /// What an item stores, and where.
-    fn store(&self, item: Item) -> Option<(VariableId, &[Access], &Op)> {
-        let Item::Op(op) = item else { return None };
+    fn store(&self, item: ComparedItem) -> Option<(VariableId, &[Access], &Op)> {
+        let ComparedItem::Op(op) = item else {
+            return None;
+        };
         let OpKind::Store(place, value) = self.module.op(op).kind else {
             return None;
         };
@@ -110,8 +112,8 @@ impl Lowered<'_> {
     }
 
     /// Whether two items write a constant to a part of a variable.
-    fn sets(&self, items: &[Item], to: VariableId, path: &[Access], value: f32) -> bool {
-        let [Item::Op(_), store] = items else {
+    fn sets(&self, items: &[ComparedItem], to: VariableId, path: &[Access], value: f32) -> bool {
+        let [ComparedItem::Op(_), store] = items else {
             return false;
         };
         let Some((variable, own_path, op)) = self.store(*store) else {
@@ -126,7 +128,7 @@ impl Lowered<'_> {
     }
 }
 
-impl Pair<'_> {
+impl ShaderPair<'_> {
     /// Compares the entries, without what the rewriting has added.
     fn entries(&mut self, image: FunctionRef, added: &Added) -> Option<()> {
         let of = self.a.module.function(image)?;
@@ -171,7 +173,11 @@ impl Pair<'_> {
     }
 
     /// The variable that two items set to `gl_FragCoord.xy`.
-    fn copied_coordinate(&self, items: &[Item], fragment: VariableId) -> Option<VariableId> {
+    fn copied_coordinate(
+        &self,
+        items: &[ComparedItem],
+        fragment: VariableId,
+    ) -> Option<VariableId> {
         let (variable, path, op) = self.b.store(*items.last()?)?;
         let OpKind::Load(place) = op.kind else {
             return None;
@@ -186,11 +192,11 @@ impl Pair<'_> {
     fn globals(&mut self) -> Option<()> {
         let own = |side: &Lowered| {
             let all = items(side.module, side.module.globals);
-            let is_output = |item: &Item| {
+            let is_output = |item: &ComparedItem| {
                 let root = side.store(*item).and_then(|s| side.module.variable(s.0));
                 root.is_some_and(|v| v.root == Root::Output)
             };
-            let mut kept: Vec<Item> = Vec::new();
+            let mut kept: Vec<ComparedItem> = Vec::new();
             for item in all {
                 match is_output(&item) {
                     // The value that it would get goes with it.
@@ -233,15 +239,15 @@ impl Pair<'_> {
         self.items(&ours, &theirs)
     }
 
-    fn items(&mut self, ours: &[Item], theirs: &[Item]) -> Option<()> {
+    fn items(&mut self, ours: &[ComparedItem], theirs: &[ComparedItem]) -> Option<()> {
         holds(ours.len() == theirs.len())?;
         for pair in ours.iter().zip(theirs) {
             match pair {
-                (Item::Op(a), Item::Op(b)) => {
+                (ComparedItem::Op(a), ComparedItem::Op(b)) => {
                     self.op(*a, *b)?;
                     self.ops.insert(*a, *b);
                 }
-                (Item::Step(a), Item::Step(b)) => self.step(a, b)?,
+                (ComparedItem::Step(a), ComparedItem::Step(b)) => self.step(a, b)?,
                 _ => return None,
             }
         }

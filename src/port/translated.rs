@@ -22,7 +22,7 @@ pub(super) fn translated(
     let mut made = Vec::new();
     for unit in &composed.units {
         if let Some(pass) = project.passes.get(unit.pass) {
-            made.push(Made {
+            made.push(ShaderOutcome {
                 title: pass.title(unit.pass),
                 slug: pass.slug().to_string(),
                 outcome: translate(project, composed, unit, language, order.first_row),
@@ -126,7 +126,7 @@ pub fn translate_shaders(order: Order, all: &WholeShaders) -> Result<Build, Buil
             }),
         };
         let name = Path::new(&shader.path).file_name();
-        made.push(Made {
+        made.push(ShaderOutcome {
             title: shader.path.clone(),
             slug: name.map_or(String::new(), |n| n.to_string_lossy().into_owned()),
             outcome,
@@ -136,14 +136,14 @@ pub fn translate_shaders(order: Order, all: &WholeShaders) -> Result<Build, Buil
 }
 
 /// What came of a shader.
-struct Made {
+struct ShaderOutcome {
     title: String,
     slug: String,
     outcome: Result<Option<TranslatedShader>, Refused>,
 }
 
 /// The files of all shaders; none where one is refused.
-fn files(order: Order, all: Vec<Made>) -> Result<Build, BuildError> {
+fn files(order: Order, all: Vec<ShaderOutcome>) -> Result<Build, BuildError> {
     let ending = order.target.language().map_or("", |l| l.ending());
     let mut remarks = Vec::new();
     let mut passes = Vec::new();

@@ -14,7 +14,7 @@ const MAX_WIDTH: usize = 160;
 const LEAD: usize = 60;
 
 /// A line of source as it is shown.
-struct Line {
+struct ExcerptLine {
     /// Its number in the file, 1-based.
     number: u32,
     /// Address of the first byte that is shown.
@@ -30,15 +30,15 @@ struct Line {
 }
 
 /// The lines of one file.
-struct Part {
+struct ExcerptPart {
     name: String,
     text: String,
-    lines: Vec<Line>,
+    lines: Vec<ExcerptLine>,
 }
 
 /// All lines that one finding needs.
 pub struct Excerpt {
-    parts: Vec<(u32, Part)>,
+    parts: Vec<(u32, ExcerptPart)>,
 }
 
 impl Excerpt {
@@ -54,7 +54,7 @@ impl Excerpt {
         let part = |(id, inside): (FileId, Vec<Span>)| {
             let file = sources.file(id)?;
             let name = location_name(sources, *inside.first()?);
-            Some((file.base, Part::new(file, name, &inside)))
+            Some((file.base, ExcerptPart::new(file, name, &inside)))
         };
         Excerpt {
             parts: by_file.into_iter().filter_map(part).collect(),
@@ -78,14 +78,14 @@ impl Excerpt {
     }
 }
 
-impl Part {
-    fn new(file: &SourceFile, name: String, spans: &[Span]) -> Part {
+impl ExcerptPart {
+    fn new(file: &SourceFile, name: String, spans: &[Span]) -> ExcerptPart {
         let mut wanted: Vec<(u32, Span)> = spans
             .iter()
             .map(|s| (file.lines().line(s.start - file.base), *s))
             .collect();
         wanted.sort_unstable_by_key(|(number, span)| (*number, span.start));
-        let mut part = Part {
+        let mut part = ExcerptPart {
             name,
             text: String::new(),
             lines: Vec::new(),
@@ -119,7 +119,7 @@ impl Part {
         let (cut, shown) = cut(line, focus);
         let prefix = if cut > 0 { "... " } else { "" };
         let from = file.base + (start + cut) as u32;
-        self.lines.push(Line {
+        self.lines.push(ExcerptLine {
             number,
             from,
             to: from + shown.len() as u32,

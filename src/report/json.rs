@@ -11,16 +11,16 @@ use std::io::{self, Write};
 const SCHEMA: u32 = 1;
 
 #[derive(Serialize)]
-struct Place {
+struct JsonPlace {
     line: u32,
     column: u32,
     utf16: u32,
     byte: u32,
 }
 
-impl From<Position> for Place {
-    fn from(p: Position) -> Place {
-        Place {
+impl From<Position> for JsonPlace {
+    fn from(p: Position) -> JsonPlace {
+        JsonPlace {
             line: p.line,
             column: p.column,
             utf16: p.utf16,
@@ -31,8 +31,8 @@ impl From<Position> for Place {
 
 #[derive(Serialize)]
 struct Range {
-    start: Place,
-    end: Place,
+    start: JsonPlace,
+    end: JsonPlace,
 }
 
 impl Range {

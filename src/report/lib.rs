@@ -65,7 +65,7 @@ const MAX_PRINTED: usize = 200;
 
 /// What is said at the end, in the formats for people.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Ending {
+enum ReportEnd {
     /// Nothing.
     None,
     /// What was found, if anything was.
@@ -83,7 +83,7 @@ pub struct Reporter<W: Write> {
     out: W,
     color: bool,
     pages: Pages,
-    ending: Ending,
+    ending: ReportEnd,
     /// The folder that the paths of the formats for services count from; ends with a slash.
     root: String,
     summary: Summary,
@@ -104,7 +104,7 @@ impl<W: Write> Reporter<W> {
             out,
             color,
             pages: |_| None,
-            ending: Ending::Counts,
+            ending: ReportEnd::Counts,
             root: "/".to_string(),
             summary: Summary::default(),
             printed: 0,
@@ -121,13 +121,13 @@ impl<W: Write> Reporter<W> {
 
     /// Says at the end what was looked at, what was not, and how many findings can be fixed.
     pub fn summing_up(mut self) -> Reporter<W> {
-        self.ending = Ending::All;
+        self.ending = ReportEnd::All;
         self
     }
 
     /// Says nothing at the end, but in the formats that always do.
     pub fn without_summary(mut self) -> Reporter<W> {
-        self.ending = Ending::None;
+        self.ending = ReportEnd::None;
         self
     }
 
@@ -248,13 +248,13 @@ impl<W: Write> Reporter<W> {
     fn sum_up(&mut self) -> io::Result<()> {
         let summary = &self.summary;
         let lines = match self.ending {
-            Ending::None => Vec::new(),
-            Ending::Counts if summary.findings() == 0 => Vec::new(),
-            Ending::Counts => {
+            ReportEnd::None => Vec::new(),
+            ReportEnd::Counts if summary.findings() == 0 => Vec::new(),
+            ReportEnd::Counts => {
                 let files = summary::count(summary.files, "file");
                 vec![format!("{} in {files}", summary.counts())]
             }
-            Ending::All => summary.lines(),
+            ReportEnd::All => summary.lines(),
         };
         for line in lines {
             writeln!(self.out, "{}", clean(&line))?;
@@ -282,7 +282,7 @@ impl<W: Write> Reporter<W> {
             Format::Json => json::end(&mut self.out, &self.summary)?,
             Format::Human => self.sum_up()?,
             Format::Agent => {
-                self.ending = Ending::All;
+                self.ending = ReportEnd::All;
                 self.sum_up()?;
             }
             Format::Sarif => {

@@ -114,7 +114,7 @@ const fn classes_of(word: &str) -> Classes {
     }
 }
 
-const SPECIAL: Special = Special::read();
+const SPECIAL: SpecialWords = SpecialWords::read();
 
 /// Number of words that are special in some version.
 const SPECIAL_WORDS: usize = count_words(RESERVED_ALWAYS)
@@ -124,7 +124,7 @@ const SPECIAL_WORDS: usize = count_words(RESERVED_ALWAYS)
     + TYPES.len();
 
 /// The words that are special in some version, with what they are.
-struct Special {
+struct SpecialWords {
     words: [&'static str; SPECIAL_WORDS],
     classes: [Classes; SPECIAL_WORDS],
     count: usize,
@@ -134,14 +134,14 @@ struct Special {
     clippy::indexing_slicing,
     reason = "the compiler works it out, and would refuse"
 )]
-impl Special {
-    const fn read() -> Special {
+impl SpecialWords {
+    const fn read() -> SpecialWords {
         use WordClass::{Plain, Reserved};
         let plain = Classes {
             es100: Plain,
             es300: Plain,
         };
-        let mut special = Special {
+        let mut special = SpecialWords {
             words: [""; SPECIAL_WORDS],
             classes: [plain; SPECIAL_WORDS],
             count: 0,
@@ -292,7 +292,7 @@ const TYPES: &[(&str, In100, TypeWord)] = {
     ]
 };
 
-struct Entry {
+struct NameEntry {
     key: u64,
     start: u32,
     len: u32,
@@ -306,7 +306,7 @@ const USUAL_LENGTH: usize = 256;
 /// The distinct words of one shader.
 pub struct Names {
     text: String,
-    entries: Vec<Entry>,
+    entries: Vec<NameEntry>,
     /// Open addressing; holds indices into `entries` plus one, 0 for an empty slot.
     slots: Vec<u32>,
 }
@@ -411,7 +411,7 @@ impl Names {
         let classes = classes_of(word);
         let start = self.text.len() as u32;
         self.text.push_str(word);
-        self.entries.push(Entry {
+        self.entries.push(NameEntry {
             key,
             start,
             len: word.len() as u32,

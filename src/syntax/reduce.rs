@@ -29,7 +29,7 @@ enum By {
 /// What is tried is always shorter than what was kept last, so that this ends. The text itself is
 /// taken to be kept.
 pub fn reduce(text: &str, most_tries: usize, keeps: &mut dyn FnMut(&str) -> bool) -> Reduced {
-    let mut search = Search {
+    let mut search = Reduction {
         text: text.to_string(),
         tries: 0,
         most_tries,
@@ -40,7 +40,7 @@ pub fn reduce(text: &str, most_tries: usize, keeps: &mut dyn FnMut(&str) -> bool
         let mut depth = 0;
         // What is deeper is looked at when what stands around it is gone.
         loop {
-            let parts = layers(Structure::of(&search.text).deletable());
+            let parts = layers(TextStructure::of(&search.text).deletable());
             let Some(parts) = parts.get(depth) else { break };
             search.delete(parts);
             depth += 1;
@@ -59,14 +59,14 @@ pub fn reduce(text: &str, most_tries: usize, keeps: &mut dyn FnMut(&str) -> bool
     }
 }
 
-struct Search<'a> {
+struct Reduction<'a> {
     text: String,
     tries: usize,
     most_tries: usize,
     keeps: &'a mut dyn FnMut(&str) -> bool,
 }
 
-impl Search<'_> {
+impl Reduction<'_> {
     fn is_over(&self) -> bool {
         self.tries >= self.most_tries
     }
@@ -108,7 +108,7 @@ impl Search<'_> {
     /// Puts smaller parts in the place of larger ones, as long as that is kept.
     fn replace(&mut self) {
         let mut next = 0;
-        let mut all = Structure::of(&self.text).replaceable();
+        let mut all = TextStructure::of(&self.text).replaceable();
         while let Some((range, by)) = all.get(next).cloned() {
             if self.is_over() {
                 return;
@@ -120,7 +120,7 @@ impl Search<'_> {
             let mut text = self.text.clone();
             text.replace_range(range, &by);
             if self.accept(text) {
-                all = Structure::of(&self.text).replaceable();
+                all = TextStructure::of(&self.text).replaceable();
             } else {
                 next += 1;
             }
@@ -199,7 +199,7 @@ fn directives(text: &str) -> Vec<Range<usize>> {
 }
 
 /// A text, and where the nodes of its tree lie in it.
-struct Structure<'a> {
+struct TextStructure<'a> {
     text: &'a str,
     tokens: Tokens,
     tree: Tree,
@@ -207,8 +207,8 @@ struct Structure<'a> {
     base: usize,
 }
 
-impl Structure<'_> {
-    fn of(text: &str) -> Structure<'_> {
+impl TextStructure<'_> {
+    fn of(text: &str) -> TextStructure<'_> {
         let mut sources = Sources::new();
         // Without a version it may be a pass of ShaderToy.
         let header = match text.contains("#version") {
@@ -226,7 +226,7 @@ impl Structure<'_> {
         // As it stands: what a correction would put in has no place in the text.
         let tree = parse_corrected(&sources, &mut read.tokens, &read.names, language, &[]).tree;
         let file = files.last().and_then(|id| sources.file(*id));
-        Structure {
+        TextStructure {
             text,
             tokens: read.tokens,
             tree,
@@ -247,7 +247,7 @@ impl Structure<'_> {
         (start < end && end <= self.text.len()).then_some(start..end)
     }
 
-    /// As [`Structure::range`], with the `;` that may stand behind.
+    /// As [`TextStructure::range`], with the `;` that may stand behind.
     fn line(&self, extent: Extent) -> Option<Range<usize>> {
         let range = self.range(extent)?;
         let rest = self.text.get(range.end..)?;
@@ -401,7 +401,7 @@ mod tests {
     fn what_is_valid_stays_valid() {
         let text = "float f(float x) { return x; }\nvoid main() { for (int i = 0; i < 3; i++) { float y = f(float(i)) * 2.0; } }\n";
         let mut keeps = |t: &str| {
-            let s = Structure::of(t);
+            let s = TextStructure::of(t);
             let calls = |e: &Expr| matches!(e.kind, ExprKind::Call(..));
             !s.tree.stmts.iter().any(|s| s.kind == StmtKind::Error)
                 && s.tree.exprs.iter().any(calls)

@@ -146,7 +146,7 @@ fn escape(rest: &str) -> Option<(char, usize)> {
 }
 
 /// What is open: an object or a list.
-struct Open<'a> {
+struct OpenContainer<'a> {
     is_list: bool,
     /// Number of the entry.
     index: usize,
@@ -159,12 +159,12 @@ struct Open<'a> {
 /// `None` where one cannot be read.
 pub fn strings_in(text: &str, list: &str, key: &str) -> Option<Vec<(usize, JsonString)>> {
     let bytes = text.as_bytes();
-    let mut open: Vec<Open> = Vec::new();
+    let mut open: Vec<OpenContainer> = Vec::new();
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(&byte) = bytes.get(at) {
         match byte {
-            b'{' | b'[' => open.push(Open {
+            b'{' | b'[' => open.push(OpenContainer {
                 is_list: byte == b'[',
                 index: 0,
                 key: "",

@@ -64,7 +64,7 @@ const PIECE: u32 = 1 << 31;
 
 /// A stretch of a file as the compiler reads it: a shader inside a page, a script or a text.
 #[derive(Clone, Debug)]
-struct Piece {
+struct SourcePiece {
     /// The file.
     file: FileId,
     /// Address of its first byte.
@@ -93,7 +93,7 @@ pub struct CompiledText<'a> {
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     files: Vec<SourceFile>,
-    pieces: Vec<Piece>,
+    pieces: Vec<SourcePiece>,
     /// Whether the pieces are not in the order of the text.
     is_shuffled: bool,
 }
@@ -151,7 +151,7 @@ impl Sources {
         self.is_shuffled |= last.is_some_and(|p| p.base > base);
         let reach = last.map_or(0, |p| p.reach);
         let reach = reach.max(base + code.len() as u32);
-        self.pieces.push(Piece {
+        self.pieces.push(SourcePiece {
             file,
             base,
             code,
@@ -188,7 +188,7 @@ impl Sources {
         };
         let before = self.pieces.get(..from).unwrap_or(&[]);
         let near = before.iter().enumerate().rev();
-        let holds = |p: &Piece| (p.base..=p.base + p.code.len() as u32).contains(&address);
+        let holds = |p: &SourcePiece| (p.base..=p.base + p.code.len() as u32).contains(&address);
         let piece = near
             .take_while(|(_, p)| p.reach >= address)
             .find(|(_, p)| holds(p));

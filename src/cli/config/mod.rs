@@ -57,19 +57,19 @@ pub struct Configs {
     memo: Arc<Memo>,
 }
 
-type Found = Result<Option<Arc<Config>>, Arc<str>>;
+type FoundConfig = Result<Option<Arc<Config>>, Arc<str>>;
 
 #[derive(Default)]
 struct Cache {
     /// By folder.
-    configs: HashMap<PathBuf, Found>,
+    configs: HashMap<PathBuf, FoundConfig>,
     /// By folder of files.
     projects: HashMap<PathBuf, ProjectFolders>,
-    options: HashMap<Key, Arc<Options>>,
+    options: HashMap<ConfigKey, Arc<Options>>,
 }
 
 /// What makes files be judged alike: the folder of the configuration, the project and the overrides.
-type Key = (Option<PathBuf>, ProjectFolders, Vec<usize>);
+type ConfigKey = (Option<PathBuf>, ProjectFolders, Vec<usize>);
 
 impl Configs {
     /// Whether the user names the host of all files.
@@ -87,7 +87,7 @@ impl Configs {
     }
 
     /// The configuration that holds for a file.
-    pub fn config(&self, path: &Path) -> Found {
+    pub fn config(&self, path: &Path) -> FoundConfig {
         match &self.asked.source {
             Source::Nowhere => Ok(None),
             Source::File(file) => self.cached(file, || load(file).map(Some)),
@@ -116,7 +116,7 @@ impl Configs {
         }
     }
 
-    fn cached(&self, key: &Path, find: impl FnOnce() -> Found) -> Found {
+    fn cached(&self, key: &Path, find: impl FnOnce() -> FoundConfig) -> FoundConfig {
         let known = self.lock().configs.get(key).cloned();
         known.unwrap_or_else(|| {
             let found = find();
@@ -125,7 +125,7 @@ impl Configs {
         })
     }
 
-    fn nearest(&self, folder: &Path) -> Found {
+    fn nearest(&self, folder: &Path) -> FoundConfig {
         self.cached(folder, || {
             let file = folder.join(FILE);
             if file.is_file() {

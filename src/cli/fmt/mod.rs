@@ -24,9 +24,9 @@ pub fn run(args: &FormatArgs) -> io::Result<u8> {
     let collected = collect(&args.paths(), args.stdin_filename.as_deref(), &configs);
     collected.problems.iter().for_each(|p| complain(p));
     let inputs = &collected.inputs;
-    let mut tally = Tally {
+    let mut tally = FormatTally {
         has_failed: !collected.problems.is_empty(),
-        ..Tally::default()
+        ..FormatTally::default()
     };
     let work = |index: usize| {
         inputs
@@ -52,7 +52,7 @@ fn complain(message: &str) {
 }
 
 /// What is known of one input.
-enum Outcome {
+enum FormatOutcome {
     /// Its text, and what it becomes.
     Formatted {
         old: String,
@@ -66,30 +66,30 @@ enum Outcome {
 
 /// How many inputs became what.
 #[derive(Default)]
-struct Tally {
+struct FormatTally {
     changed: usize,
     unchanged: usize,
     has_failed: bool,
 }
 
 /// Formats an input, without writing it.
-fn examine(input: &InputFile, configs: &Configs) -> Outcome {
+fn examine(input: &InputFile, configs: &Configs) -> FormatOutcome {
     let style = match configs.style(Path::new(&input.name)) {
         Ok(style) => style,
-        Err(message) => return Outcome::Failed(message.to_string()),
+        Err(message) => return FormatOutcome::Failed(message.to_string()),
     };
     let content = match read(input) {
         Ok(content) if content.encoding == Encoding::Utf8 => content,
-        Ok(_) => return Outcome::Failed("the file is not UTF-8".to_string()),
-        Err(message) => return Outcome::Failed(message),
+        Ok(_) => return FormatOutcome::Failed("the file is not UTF-8".to_string()),
+        Err(message) => return FormatOutcome::Failed(message),
     };
     let old = content.text;
     let Formatting { edits, left } = match format(&input.name, &old, input.claim, &style) {
         Ok(formatting) => formatting,
-        Err(decision) => return Outcome::Skipped(decision.to_string(), old),
+        Err(decision) => return FormatOutcome::Skipped(decision.to_string(), old),
     };
     let Ok(new) = apply_edits(&old, 0, &edits) else {
-        return Outcome::Failed("what was changed overlaps; nothing is written".to_string());
+        return FormatOutcome::Failed("what was changed overlaps; nothing is written".to_string());
     };
     let lines = LineIndex::new(&old);
     let problems = left.iter().map(|why| {
@@ -99,22 +99,22 @@ fn examine(input: &InputFile, configs: &Configs) -> Outcome {
             input.name, place.line, place.column, why.message
         )
     });
-    Outcome::Formatted {
+    FormatOutcome::Formatted {
         problems: problems.collect(),
         old,
         new,
     }
 }
 
-impl Tally {
+impl FormatTally {
     fn outcome(
         &mut self,
         args: &FormatArgs,
         input: &InputFile,
-        outcome: Outcome,
+        outcome: FormatOutcome,
     ) -> io::Result<()> {
         match outcome {
-            Outcome::Formatted { old, new, problems } => {
+            FormatOutcome::Formatted { old, new, problems } => {
                 problems.iter().for_each(|p| complain(p));
                 match (old == new, problems.is_empty()) {
                     (false, _) => self.changed += 1,
@@ -124,7 +124,7 @@ impl Tally {
                 self.has_failed |= !problems.is_empty();
                 self.formatted(args, input, &old, &new)
             }
-            Outcome::Skipped(reason, text) => {
+            FormatOutcome::Skipped(reason, text) => {
                 if input.is_explicit && !args.quiet {
                     complain(&format!("{}: skipped: {reason}", input.name));
                 }
@@ -134,7 +134,7 @@ impl Tally {
                     false => Ok(()),
                 }
             }
-            Outcome::Failed(message) => {
+            FormatOutcome::Failed(message) => {
                 self.has_failed = true;
                 complain(&format!("{}: {message}", input.name));
                 Ok(())

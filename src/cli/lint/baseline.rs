@@ -21,13 +21,13 @@ use std::path::{Path, PathBuf};
 pub struct Baseline {
     folder: PathBuf,
     /// By file.
-    known: BTreeMap<String, Vec<Known>>,
+    known: BTreeMap<String, Vec<KnownFinding>>,
     /// What was there before and is no more, by file and rule: how often.
     stale: BTreeMap<(String, String), usize>,
 }
 
 /// One finding that was there before.
-struct Known {
+struct KnownFinding {
     rule: String,
     fingerprint: String,
 }
@@ -43,12 +43,12 @@ impl Baseline {
             files.ok_or_else(|| wrong("this is no baseline; --write-baseline writes one"))?;
         let known = |entry: &Value| {
             let text = |key: &str| Some(entry.get(key)?.as_str()?.to_string());
-            Some(Known {
+            Some(KnownFinding {
                 rule: text("rule").unwrap_or_default(),
                 fingerprint: text("fingerprint")?,
             })
         };
-        let all = |entries: &Value| -> Vec<Known> {
+        let all = |entries: &Value| -> Vec<KnownFinding> {
             let entries = entries.as_array().into_iter().flatten();
             entries.filter_map(known).collect()
         };
@@ -70,7 +70,7 @@ impl Baseline {
             .into_iter()
             .partition(|(f, _)| folder.join(f).is_file());
         self.known = here;
-        let gone: BTreeMap<String, Vec<Known>> = gone;
+        let gone: BTreeMap<String, Vec<KnownFinding>> = gone;
         for (file, all) in gone {
             all.into_iter().for_each(|k| self.note_stale(&file, k.rule));
         }

@@ -69,7 +69,7 @@ fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result
     } else {
         args.format()
     };
-    let mut printer = Printer {
+    let mut printer = FindingPrinter {
         reporter: reporter(args, format, prints_text),
         talk: args.talk(),
         configs,
@@ -136,7 +136,7 @@ fn reporter(
 type Said = ((String, Option<String>, u32), &'static str, String);
 
 /// Prints what became of inputs.
-struct Printer<'a> {
+struct FindingPrinter<'a> {
     reporter: Reporter<BufWriter<Box<dyn Write>>>,
     talk: Talk,
     configs: &'a Configs,
@@ -151,7 +151,7 @@ struct Printer<'a> {
     all_well: bool,
 }
 
-impl Printer<'_> {
+impl FindingPrinter<'_> {
     fn outcome(&mut self, input: &InputFile, outcome: Outcome) -> io::Result<()> {
         let (report, mending, offer) = match outcome {
             Outcome::Checked(report, mending, offer) => (report, mending, offer),

@@ -41,7 +41,7 @@ pub fn examine_all(
     work: ExtraWork,
     print: &mut impl FnMut(&InputFile, Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
-    let run = &Run {
+    let run = &Examination {
         configs,
         checked: Arc::new(inputs.iter().map(|i| i.name.clone()).collect()),
         disk: Disk::new(),
@@ -55,7 +55,7 @@ pub fn examine_all(
 }
 
 /// What all inputs of a run have in common.
-struct Run<'a> {
+struct Examination<'a> {
     configs: &'a Configs,
     /// Their names.
     checked: Arc<BTreeSet<String>>,
@@ -63,7 +63,7 @@ struct Run<'a> {
     work: ExtraWork,
 }
 
-fn examine(input: &InputFile, run: &Run) -> Outcome {
+fn examine(input: &InputFile, run: &Examination) -> Outcome {
     let options = match run.configs.options(Path::new(&input.name)) {
         Ok(options) => options,
         Err(message) => return Outcome::Misconfigured(message),
@@ -97,7 +97,7 @@ fn judge(
     input: &InputFile,
     mut content: Content,
     options: &Options,
-    run: &Run,
+    run: &Examination,
 ) -> (Report, Mending, Offer) {
     let (name, disk) = (&input.name, &run.disk);
     let (text, mending) = match run.work.mend {

@@ -11,11 +11,11 @@ use tempfile::TempDir;
 /// The pages that were asked for.
 #[derive(Default)]
 pub struct PageFiles {
-    made: Mutex<Made>,
+    made: Mutex<MadePage>,
 }
 
 #[derive(Default)]
-struct Made {
+struct MadePage {
     /// Made at the first question, removed at the end.
     folder: Option<TempDir>,
     pages: HashMap<String, Option<Uri>>,
@@ -58,7 +58,7 @@ impl PageFiles {
         uri
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Made> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, MadePage> {
         self.made
             .lock()
             .unwrap_or_else(|poisoned| poisoned.into_inner())

@@ -13,7 +13,7 @@ mod tools;
 use rmcp::ServiceExt;
 use rmcp::service::ServerInitializeError;
 use rmcp::transport::stdio_pipes;
-use server::Server;
+use server::ToolServer;
 use std::io;
 
 /// Serves a client until it closes standard input.
@@ -25,7 +25,7 @@ pub fn serve() -> io::Result<()> {
         .enable_all()
         .build()?;
     let served = runtime.block_on(async {
-        let running = match Server::new()?.serve(stdio_pipes()).await {
+        let running = match ToolServer::new()?.serve(stdio_pipes()).await {
             Ok(running) => running,
             // Somebody who only looked whether there is a server.
             Err(ServerInitializeError::ConnectionClosed(_)) => return Ok(()),

@@ -20,21 +20,21 @@ pages, modules and plain WebGL2 of ShaderToy code. Paths are relative to the fol
 server was started.";
 
 /// The server.
-pub struct Server {
+pub struct ToolServer {
     program: OwnProgram,
 }
 
-impl Server {
+impl ToolServer {
     /// A server whose commands are this program's.
     ///
     /// # Errors
     /// Where the system does not say which program this is.
-    pub fn new() -> io::Result<Server> {
-        OwnProgram::new().map(|program| Server { program })
+    pub fn new() -> io::Result<ToolServer> {
+        OwnProgram::new().map(|program| ToolServer { program })
     }
 }
 
-impl ServerHandler for Server {
+impl ServerHandler for ToolServer {
     fn get_info(&self) -> ServerConfig {
         let capabilities = ServerCapabilities::builder().enable_tools().build();
         ServerConfig::new(capabilities)

@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 const SHADERS: [&str; 4] = ["glsl", "frag", "fs", "shadertoy"];
 
 /// What the arguments name.
-pub(super) struct Loaded {
+pub(super) struct LoadedProject {
     pub(super) project: Project,
     /// Its passes, put together.
     pub(super) composed: Composed,
@@ -34,7 +34,7 @@ pub(super) struct Loaded {
 }
 
 /// Reads what the arguments name.
-pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
+pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
     let orders = args.orders()?;
     let mode = if args.repair || args.diff {
         Mode::Repair
@@ -99,7 +99,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Loaded, String> {
     }
     read.extend(carried.paths().cloned());
     let composed = project.renew(composed, &name).map_err(wrong)?;
-    Ok(Loaded {
+    Ok(LoadedProject {
         project,
         composed,
         repairs,

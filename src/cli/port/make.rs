@@ -1,9 +1,9 @@
 //! From the arguments to files, and what there is to tell of them.
 
 use super::args::PortArgs;
-use super::load::{self, Loaded};
+use super::load::{self, LoadedProject};
 use super::report::{is_colored, report};
-use super::save::Place;
+use super::save::OutputPlace;
 #[cfg(feature = "naga")]
 use super::whole;
 use crate::cli::command::{CLEAN, FINDINGS};
@@ -16,7 +16,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// What comes of the arguments.
-pub(super) struct Made {
+pub(super) struct MadeFiles {
     /// What is to be written; empty where the errors forbid it, and where a diff was printed.
     pub(super) files: Vec<File>,
     /// The files that it is made of.
@@ -27,14 +27,14 @@ pub(super) struct Made {
 
 /// Ports what the arguments name, and tells what there is to tell. A page that is served knows its
 /// version by which it hears of the next.
-pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, String> {
+pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<MadeFiles, String> {
     #[cfg(feature = "naga")]
     if let Some(shaders) = whole::load(args)? {
         let (files, code) = whole::make(args, &shaders)?;
         let read = args.input.clone();
-        return Ok(Made { files, read, code });
+        return Ok(MadeFiles { files, read, code });
     }
-    let Loaded {
+    let LoadedProject {
         project,
         composed,
         repairs,
@@ -55,7 +55,7 @@ pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, Strin
             );
         }
     }
-    let nothing = |code| Made {
+    let nothing = |code| MadeFiles {
         files: Vec::new(),
         read: Vec::new(),
         code,
@@ -64,7 +64,7 @@ pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, Strin
         return print(diff_of(&repairs).as_bytes()).map(|()| nothing(CLEAN));
     }
     let target = args.target()?;
-    let place = Place::of(args.output.as_deref(), target, &project.info.name);
+    let place = OutputPlace::of(args.output.as_deref(), target, &project.info.name);
     let order = args.order(target, place.output(), version);
     let made = build(&project, &composed, order).map_err(|e| e.to_string())?;
     let analyses = composed.units.iter().map(|u| composed.analysis(u));
@@ -90,7 +90,7 @@ pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<Made, Strin
             code = FINDINGS;
         }
     }
-    Ok(Made {
+    Ok(MadeFiles {
         files: made.files,
         read,
         code,

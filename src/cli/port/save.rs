@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A path of the command line, as a file or a folder.
-pub(super) enum Place {
+pub(super) enum OutputPlace {
     /// Standard output.
     Standard,
     /// One file; others go beside it.
@@ -16,31 +16,31 @@ pub(super) enum Place {
     Folder(PathBuf),
 }
 
-impl Place {
+impl OutputPlace {
     /// Where a project of this title goes. A folder is one that is there, or whose name ends in a
     /// slash; for shaders also one without an ending that nothing else has.
-    pub(super) fn of(path: Option<&Path>, target: Target, title: &str) -> Place {
+    pub(super) fn of(path: Option<&Path>, target: Target, title: &str) -> OutputPlace {
         let Some(path) = path.filter(|p| p.as_os_str() != "-") else {
-            return Place::Standard;
+            return OutputPlace::Standard;
         };
         let is_folder = path.is_dir() || path.to_string_lossy().ends_with(['/', '\\']);
         let may_be_folder = path.extension().is_none() && !path.exists();
         match target.is_shaders() {
-            true if is_folder || may_be_folder => Place::Folder(path.to_path_buf()),
+            true if is_folder || may_be_folder => OutputPlace::Folder(path.to_path_buf()),
             false if is_folder => {
                 let name = format!("{}.{}", file_name(title), target.ending());
-                Place::File(path.join(name))
+                OutputPlace::File(path.join(name))
             }
-            _ => Place::File(path.to_path_buf()),
+            _ => OutputPlace::File(path.to_path_buf()),
         }
     }
 
     /// The same for those who make the files.
     pub(super) fn output(&self) -> Destination<'_> {
         match self {
-            Place::Standard => Destination::Standard,
-            Place::File(path) => Destination::File(path),
-            Place::Folder(path) => Destination::Folder(path),
+            OutputPlace::Standard => Destination::Standard,
+            OutputPlace::File(path) => Destination::File(path),
+            OutputPlace::Folder(path) => Destination::Folder(path),
         }
     }
 }

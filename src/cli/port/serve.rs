@@ -22,31 +22,31 @@ const PATIENCE: Duration = Duration::from_secs(10);
 const PULSE: Duration = Duration::from_secs(10);
 
 /// A running server.
-pub(super) struct Server {
+pub(super) struct PageServer {
     address: SocketAddr,
-    shown: Arc<Shown>,
+    shown: Arc<ShownPage>,
     thread: thread::JoinHandle<()>,
 }
 
 /// The page that is shown, and those who wait for the next.
 #[derive(Default)]
-struct Shown {
-    page: Mutex<Page>,
+struct ShownPage {
+    page: Mutex<ServedPage>,
     changed: Condvar,
 }
 
 /// A page and what tells it from others.
 #[derive(Clone, Default)]
-struct Page {
+struct ServedPage {
     version: String,
     content: Arc<Vec<u8>>,
     /// Why there is no newer one, though there should be.
     trouble: String,
 }
 
-impl Server {
+impl PageServer {
     /// Listens at a port of the loopback device, or at any that is free where somebody else has it.
-    pub(super) fn open(port: u16) -> Result<Server, String> {
+    pub(super) fn open(port: u16) -> Result<PageServer, String> {
         let bind = |port| TcpListener::bind((Ipv4Addr::LOCALHOST, port));
         let opened = bind(port).or_else(|why| {
             tell(&format!("port {port} is taken ({why}); another will do"));
@@ -54,7 +54,7 @@ impl Server {
         });
         let listener = opened.map_err(|e| format!("no page can be served: {e}"))?;
         let address = listener.local_addr().map_err(|e| e.to_string())?;
-        let shown = Arc::new(Shown::default());
+        let shown = Arc::new(ShownPage::default());
         let for_all = Arc::clone(&shown);
         let thread = thread::spawn(move || {
             for stream in listener.incoming().flatten() {
@@ -63,7 +63,7 @@ impl Server {
                 thread::spawn(move || answer(&stream, address, &shown));
             }
         });
-        Ok(Server {
+        Ok(PageServer {
             address,
             shown,
             thread,
@@ -77,7 +77,7 @@ impl Server {
 
     /// Shows a page from now on, and has those who look at an older one load it.
     pub(super) fn show(&self, version: &str, content: Vec<u8>) {
-        *self.shown.page() = Page {
+        *self.shown.page() = ServedPage {
             version: version.to_string(),
             content: Arc::new(content),
             trouble: String::new(),
@@ -105,33 +105,33 @@ impl Server {
     }
 }
 
-impl Page {
+impl ServedPage {
     /// Whether it is none yet.
     fn is_empty(&self) -> bool {
         self.version.is_empty()
     }
 
     /// Whether there is nothing to tell to somebody who knows the other.
-    fn says(&self, other: &Page) -> bool {
+    fn says(&self, other: &ServedPage) -> bool {
         self.version == other.version && self.trouble == other.trouble
     }
 }
 
-impl Shown {
+impl ShownPage {
     /// The page as it is now, which nobody changes meanwhile.
-    fn page(&self) -> MutexGuard<'_, Page> {
+    fn page(&self) -> MutexGuard<'_, ServedPage> {
         self.page.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The page, once there is one: a browser may be quicker than the first conversion.
-    fn first(&self) -> Page {
+    fn first(&self) -> ServedPage {
         let shown = self.changed.wait_while(self.page(), |p| p.is_empty());
         shown.unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// The page, once there is something to tell of it that is not known; after a while in any case.
-    fn next(&self, known: &Page) -> Page {
-        let is_known = |page: &mut Page| page.says(known);
+    fn next(&self, known: &ServedPage) -> ServedPage {
+        let is_known = |page: &mut ServedPage| page.says(known);
         let waited = self
             .changed
             .wait_timeout_while(self.page(), PULSE, is_known);
@@ -145,7 +145,7 @@ struct Request {
     host: String,
 }
 
-fn answer(stream: &TcpStream, address: SocketAddr, shown: &Shown) -> io::Result<()> {
+fn answer(stream: &TcpStream, address: SocketAddr, shown: &ShownPage) -> io::Result<()> {
     stream.set_read_timeout(Some(PATIENCE))?;
     stream.set_write_timeout(Some(PATIENCE))?;
     let Some(request) = read(stream)? else {
@@ -219,12 +219,12 @@ fn reply(mut stream: &TcpStream, status: &str, kind: &str, content: &[u8]) -> io
 }
 
 /// Tells a page the version of the newest, whenever there is one, as server-sent events.
-fn tell_changes(mut stream: &TcpStream, shown: &Shown) -> io::Result<()> {
+fn tell_changes(mut stream: &TcpStream, shown: &ShownPage) -> io::Result<()> {
     stream.write_all(
         b"HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\n\
           Connection: close\r\n\r\n",
     )?;
-    let mut known = Page::default();
+    let mut known = ServedPage::default();
     loop {
         let page = shown.next(&known);
         let (version, trouble) = (&page.version, &page.trouble);
@@ -244,7 +244,7 @@ mod tests {
     use super::*;
 
     /// Everything that the server says to a request.
-    fn ask(server: &Server, head: &str) -> String {
+    fn ask(server: &PageServer, head: &str) -> String {
         let mut stream = TcpStream::connect(server.address).unwrap();
         let head = head.replace("HOST", &server.address.to_string());
         stream.write_all(head.as_bytes()).unwrap();
@@ -255,7 +255,7 @@ mod tests {
 
     #[test]
     fn only_the_page_is_served_and_only_to_this_machine() {
-        let server = Server::open(0).unwrap();
+        let server = PageServer::open(0).unwrap();
         assert!(server.is_empty());
         server.show("1", b"hello".to_vec());
         let page = ask(&server, "GET / HTTP/1.1\r\nHost: HOST\r\n\r\n");
@@ -275,7 +275,7 @@ mod tests {
 
     #[test]
     fn a_browser_that_comes_before_the_first_page_gets_it() {
-        let server = Server::open(0).unwrap();
+        let server = PageServer::open(0).unwrap();
         let mut stream = TcpStream::connect(server.address).unwrap();
         let head = format!("GET / HTTP/1.1\r\nHost: {}\r\n\r\n", server.address);
         stream.write_all(head.as_bytes()).unwrap();
@@ -296,7 +296,7 @@ mod tests {
 
     #[test]
     fn a_page_hears_of_the_next() {
-        let server = Server::open(0).unwrap();
+        let server = PageServer::open(0).unwrap();
         server.show("1", Vec::new());
         let mut stream = TcpStream::connect(server.address).unwrap();
         let head = format!("GET /events HTTP/1.1\r\nHost: {}\r\n\r\n", server.address);

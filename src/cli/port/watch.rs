@@ -5,7 +5,7 @@ use super::load::files_of;
 use super::make::make;
 use super::report::tell;
 use super::save::save;
-use super::serve::Server;
+use super::serve::PageServer;
 use crate::cli::output::Overwrite;
 use crate::cli::watch::{Stamp, wait};
 use crate::port::{ChannelSource, Target, waiting_page};
@@ -21,7 +21,7 @@ pub(super) fn run(args: &PortArgs) -> Result<u8, String> {
         Some(_) if args.target()? != Target::Html => {
             Err("only a page can be served; leave `--target` away".to_string())
         }
-        Some(port) => serve(args, Server::open(port)?),
+        Some(port) => serve(args, PageServer::open(port)?),
         None if !args.is_saved() => {
             Err("say where to write, with `-o FILE`, or `--serve` the page".to_string())
         }
@@ -49,7 +49,7 @@ fn write(args: &PortArgs) -> Result<u8, String> {
 }
 
 /// Shows the page; with `--watch` anew at each change.
-fn serve(args: &PortArgs, server: Server) -> Result<u8, String> {
+fn serve(args: &PortArgs, server: PageServer) -> Result<u8, String> {
     tell(&format!(
         "the page is at {}; Ctrl+C ends it",
         server.address()

@@ -3,7 +3,7 @@
 use super::args::PortArgs;
 use super::read::{read_text, shown};
 use super::report::report;
-use super::save::Place;
+use super::save::OutputPlace;
 use crate::cli::command::{CLEAN, FINDINGS};
 use crate::port::{File, WholeShaders, translate_shaders, whole_shaders};
 use crate::semantic::Stage;
@@ -35,7 +35,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Option<WholeShaders>, String> {
 pub(super) fn make(args: &PortArgs, all: &WholeShaders) -> Result<(Vec<File>, u8), String> {
     let target = args.target()?;
     let name = all.shaders.first().map_or("", |s| &s.path);
-    let place = Place::of(args.output.as_deref(), target, name);
+    let place = OutputPlace::of(args.output.as_deref(), target, name);
     let order = args.order(target, place.output(), None);
     let made = translate_shaders(order, all).map_err(|e| e.to_string())?;
     let found = all.shaders.iter().flat_map(|s| &s.checked.diagnostics);

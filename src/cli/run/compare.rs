@@ -43,7 +43,7 @@ struct MomentCompared {
 }
 
 /// Two pictures of a moment, pixel by pixel.
-struct Difference {
+struct ComparedPictures {
     told: MomentCompared,
     /// By pixel: the largest difference of a channel; the least that there is where bits alone differ.
     by_pixel: Vec<f64>,
@@ -114,7 +114,7 @@ fn moments(args: &RunArgs) -> Vec<Moment> {
     .collect()
 }
 
-fn difference(drawn: [&Drawn; 2], codes: [&Code; 2], moment: &Moment) -> Difference {
+fn difference(drawn: [&Drawn; 2], codes: [&Code; 2], moment: &Moment) -> ComparedPictures {
     let [a, b] = drawn;
     let [code, other] = codes;
     let pictures = [(code, a), (other, b)].map(|(code, drawn)| Picture::of(code, drawn, 0));
@@ -154,7 +154,7 @@ fn difference(drawn: [&Drawn; 2], codes: [&Code; 2], moment: &Moment) -> Differe
         told.first.get_or_insert_with(place);
         by_pixel.push(gap.max(f64::from(f32::MIN_POSITIVE)));
     }
-    Difference { told, by_pixel }
+    ComparedPictures { told, by_pixel }
 }
 
 impl Compared {

@@ -27,7 +27,7 @@ pub struct BadUniforms {
 }
 
 /// A value; those inside it are read when they are asked for.
-enum Given<'t> {
+enum GivenValue<'t> {
     Number(f64),
     Truth(bool),
     List(Vec<&'t RawValue>),
@@ -76,19 +76,19 @@ fn add(
     let at = place(text, raw);
     let wrong = |message: String| BadUniforms { at, message };
     let scalars = match given(raw).filter(|_| depth < MAX_DEPTH) {
-        Some(Given::Members(members)) => {
+        Some(GivenValue::Members(members)) => {
             for (member, value) in members {
                 add(text, format!("{name}.{member}"), value, depth + 1, found)?;
             }
             return Ok(());
         }
-        Some(Given::List(items)) if items.iter().any(|i| holds_members(i)) => {
+        Some(GivenValue::List(items)) if items.iter().any(|i| holds_members(i)) => {
             for (item, i) in items.into_iter().zip(0..) {
                 add(text, format!("{name}[{i}]"), item, depth + 1, found)?;
             }
             return Ok(());
         }
-        Some(Given::List(items)) => {
+        Some(GivenValue::List(items)) => {
             let mut scalars = Vec::new();
             for item in items {
                 flatten(item, depth + 1, &mut scalars)
@@ -96,8 +96,8 @@ fn add(
             }
             scalars
         }
-        Some(Given::Number(number)) => vec![number],
-        Some(Given::Truth(truth)) => vec![f64::from(u8::from(truth))],
+        Some(GivenValue::Number(number)) => vec![number],
+        Some(GivenValue::Truth(truth)) => vec![f64::from(u8::from(truth))],
         None => return Err(wrong(format!("`{name}`: {NO_VALUE}"))),
     };
     found.push(Assignment { name, scalars, at });
@@ -106,13 +106,13 @@ fn add(
 
 const NO_VALUE: &str = "a uniform is a number, a boolean or an array of these";
 
-fn given(raw: &RawValue) -> Option<Given<'_>> {
+fn given(raw: &RawValue) -> Option<GivenValue<'_>> {
     let text = raw.get();
     match text.bytes().next()? {
-        b'[' => serde_json::from_str(text).ok().map(Given::List),
-        b'{' => serde_json::from_str(text).ok().map(Given::Members),
-        b't' | b'f' => serde_json::from_str(text).ok().map(Given::Truth),
-        _ => serde_json::from_str(text).ok().map(Given::Number),
+        b'[' => serde_json::from_str(text).ok().map(GivenValue::List),
+        b'{' => serde_json::from_str(text).ok().map(GivenValue::Members),
+        b't' | b'f' => serde_json::from_str(text).ok().map(GivenValue::Truth),
+        _ => serde_json::from_str(text).ok().map(GivenValue::Number),
     }
 }
 
@@ -126,14 +126,14 @@ fn flatten(raw: &RawValue, depth: usize, scalars: &mut Vec<f64>) -> Option<()> {
         return None;
     }
     match given(raw)? {
-        Given::Number(number) => scalars.push(number),
-        Given::Truth(truth) => scalars.push(f64::from(u8::from(truth))),
-        Given::List(items) => {
+        GivenValue::Number(number) => scalars.push(number),
+        GivenValue::Truth(truth) => scalars.push(f64::from(u8::from(truth))),
+        GivenValue::List(items) => {
             for item in items {
                 flatten(item, depth + 1, scalars)?;
             }
         }
-        Given::Members(_) => return None,
+        GivenValue::Members(_) => return None,
     }
     Some(())
 }

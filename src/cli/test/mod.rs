@@ -49,7 +49,7 @@ pub fn run(args: &TestArgs) -> io::Result<u8> {
     let mut problems = collected.problems;
     problems.iter().for_each(|problem| complain(problem));
     let inputs = with_neighbours(collected.inputs);
-    let run = Run {
+    let run = TestRun {
         args,
         configs: &configs,
         checked: Arc::new(inputs.iter().map(|i| i.name.clone()).collect()),
@@ -142,7 +142,7 @@ fn tests_beside(path: &Path, name: &str) -> Vec<InputFile> {
 }
 
 /// What all files of a run have in common.
-struct Run<'a> {
+struct TestRun<'a> {
     args: &'a TestArgs,
     configs: &'a Configs,
     /// The names of all files.
@@ -163,7 +163,7 @@ struct Done {
     problem: Option<String>,
 }
 
-fn test_file(input: &InputFile, run: &Run) -> Done {
+fn test_file(input: &InputFile, run: &TestRun) -> Done {
     // A fault of this program costs one file its answer, never the others theirs.
     let done = catch_unwind(AssertUnwindSafe(|| judge(input, run)));
     let why = match done {
@@ -177,7 +177,7 @@ fn test_file(input: &InputFile, run: &Run) -> Done {
     }
 }
 
-fn judge(input: &InputFile, run: &Run) -> Result<Done, String> {
+fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
     let name = &input.name;
     let options = run
         .configs
@@ -224,7 +224,7 @@ fn pictures(
     input: &InputFile,
     text: &str,
     report: &Report,
-    run: &Run,
+    run: &TestRun,
     is_wanted: &dyn Fn(&str) -> bool,
     done: &mut Done,
 ) {

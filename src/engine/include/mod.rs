@@ -152,9 +152,9 @@ struct Spreader<'r, 'w> {
     world: World<'w>,
     found: Spread,
     /// The files that are being put in, each named by the one before.
-    open: Vec<Open>,
+    open: Vec<OpenFile>,
     /// The files that were put in.
-    seen: HashMap<PathBuf, Seen>,
+    seen: HashMap<PathBuf, SeenFile>,
     /// The macros that some file takes away.
     undefined: BTreeSet<String>,
     /// What was found, by the file that names it and its path.
@@ -167,7 +167,7 @@ struct Spreader<'r, 'w> {
 }
 
 /// A file that is being put in.
-struct Open {
+struct OpenFile {
     name: String,
     real: PathBuf,
     file: FileId,
@@ -186,7 +186,7 @@ struct Open {
 
 /// Where a file was put in.
 #[derive(Clone, Copy)]
-struct Seen {
+struct SeenFile {
     is_conditional: bool,
     is_inside: bool,
     /// Number of its guard, where it got one.
@@ -194,7 +194,7 @@ struct Seen {
 }
 
 /// What is done with a file that is found.
-enum Way {
+enum IncludeWay {
     Put,
     /// Behind a guard of this number.
     Guard(usize),
@@ -207,7 +207,7 @@ impl Spreader<'_, '_> {
     /// Puts a file before the shader. What is wrong with it is told of itself where it is checked too.
     fn put_before(&mut self, found: Found) -> Option<()> {
         let text = found.file.text.clone();
-        let seen = Seen {
+        let seen = SeenFile {
             is_conditional: false,
             is_inside: false,
             number: self.seen.len(),
@@ -229,7 +229,7 @@ impl Spreader<'_, '_> {
         let room = MAX_ARGUMENTS.saturating_sub(self.undefined.len());
         let more = text.scan.undefined.iter().take(room);
         self.undefined.extend(more.cloned());
-        self.open.push(Open {
+        self.open.push(OpenFile {
             name,
             real,
             file,
@@ -323,19 +323,19 @@ impl Spreader<'_, '_> {
         let mut close = None;
         let way = self.way(&found, is_conditional, depth);
         match way {
-            Way::Leave => return Some(()),
-            Way::Put | Way::Guard(_) if self.budget == 0 => {
+            IncludeWay::Leave => return Some(()),
+            IncludeWay::Put | IncludeWay::Guard(_) if self.budget == 0 => {
                 self.miss(span, &directive.wanted.path, Absent::too_many());
                 return Some(());
             }
-            Way::Circle => {
+            IncludeWay::Circle => {
                 let message = format!("`{}` includes itself", directive.wanted.path);
                 let problem = Diagnostic::error(error::BAD_DIRECTIVE, span, message);
                 self.found.problems.push(problem);
                 return Some(());
             }
-            Way::Put => {}
-            Way::Guard(number) => {
+            IncludeWay::Put => {}
+            IncludeWay::Guard(number) => {
                 let name = format!("shaderlint_once_{number}");
                 let open = format!("#ifndef {name}\n#define {name}\n");
                 let open = self.prelude(&open)?;
@@ -360,11 +360,15 @@ impl Spreader<'_, '_> {
 
     /// Bundlers differ in what they do with a file that is named twice; what is certain is that a
     /// second copy which would only declare the same again is not meant.
-    fn way(&mut self, found: &Found, is_conditional: bool, depth: u32) -> Way {
+    fn way(&mut self, found: &Found, is_conditional: bool, depth: u32) -> IncludeWay {
         let scan = &found.file.scan;
         let is_safe = scan.is_guarded || scan.is_once;
         if self.open.iter().any(|o| o.real == found.real) {
-            return if is_safe { Way::Leave } else { Way::Circle };
+            return if is_safe {
+                IncludeWay::Leave
+            } else {
+                IncludeWay::Circle
+            };
         }
         let is_given = |name: &String| {
             let is_own = scan.defined.contains(name);
@@ -374,7 +378,7 @@ impl Spreader<'_, '_> {
         let own = scan.undefined.iter().take(MAX_ARGUMENTS);
         let takes = own.chain(&self.undefined);
         let is_template = !is_safe && takes.into_iter().any(is_given);
-        let now = Seen {
+        let now = SeenFile {
             is_conditional,
             is_inside: depth > 0,
             number: self.seen.len(),
@@ -385,15 +389,15 @@ impl Spreader<'_, '_> {
         let is_first = seen.number == now.number;
         let declares = scan.declares || !(seen.is_inside || now.is_inside);
         if is_template || !(is_safe || declares) {
-            return Way::Put;
+            return IncludeWay::Put;
         }
         if !is_first && !seen.is_conditional {
-            return Way::Leave;
+            return IncludeWay::Leave;
         }
         // Whether the first copy counts is not known before the text is read.
         match scan.is_guarded || (is_first && !is_conditional) {
-            true => Way::Put,
-            false => Way::Guard(seen.number),
+            true => IncludeWay::Put,
+            false => IncludeWay::Guard(seen.number),
         }
     }
 

@@ -20,7 +20,7 @@ const MAX_DEPTH: usize = 64;
 pub struct Modules {
     /// The names that the shader itself gives to what modules export.
     asked: HashMap<PathBuf, String>,
-    made: Vec<Made>,
+    made: Vec<MadeModule>,
     /// The modules that are being put in.
     open: Vec<PathBuf>,
     count: usize,
@@ -33,7 +33,7 @@ pub struct Modules {
 }
 
 /// A module that stands in the shader.
-struct Made {
+struct MadeModule {
     real: PathBuf,
     arguments: Vec<(String, String)>,
     export: String,
@@ -63,7 +63,7 @@ impl Modules {
         wanted: Option<&str>,
         world: World,
     ) -> Option<(String, String)> {
-        let is_same = |m: &&Made| {
+        let is_same = |m: &&MadeModule| {
             m.real == found.real && m.arguments == arguments && wanted.is_none_or(|w| w == m.export)
         };
         if let Some(made) = self.made.iter().find(is_same) {
@@ -94,7 +94,7 @@ impl Modules {
         self.open.push(found.real.clone());
         let text = self.rewrite(found, names, world);
         self.open.pop();
-        self.made.push(Made {
+        self.made.push(MadeModule {
             real: found.real.clone(),
             arguments: arguments.to_vec(),
             export: exported.clone(),
@@ -189,7 +189,7 @@ const SHARED: [&str; 7] = [
 
 /// The functions, structs, variables and constants that a text declares at its top.
 fn top_names(text: &str) -> HashSet<String> {
-    let mut reader = Reader::default();
+    let mut reader = ModuleReader::default();
     let mut lexer = Lexer::new(text, 0);
     let mut at_line_start = true;
     let mut in_directive = false;
@@ -218,7 +218,7 @@ fn top_names(text: &str) -> HashSet<String> {
 }
 
 #[derive(Default)]
-struct Reader {
+struct ModuleReader {
     found: HashSet<String>,
     /// How many braces and brackets are open.
     depth: usize,
@@ -231,7 +231,7 @@ struct Reader {
     is_struct: bool,
 }
 
-impl Reader {
+impl ModuleReader {
     fn token(&mut self, kind: RawKind, text: &str) {
         let at_top = self.depth == 0;
         let ends_name = matches!(text, "(" | "=" | ";" | "," | "[");

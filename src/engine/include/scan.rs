@@ -106,7 +106,7 @@ pub fn scan(text: &str) -> Scan {
 }
 
 /// `#if` to `#endif`.
-struct Group<'a> {
+struct IfGroup<'a> {
     /// What `#ifndef` asks for.
     guard: Option<&'a str>,
     /// Whether that was defined right away.
@@ -116,7 +116,7 @@ struct Group<'a> {
 struct Scanner<'a> {
     text: &'a str,
     found: Scan,
-    groups: Vec<Group<'a>>,
+    groups: Vec<IfGroup<'a>>,
     /// How many of them are guards.
     guards: usize,
     depth: u32,
@@ -240,7 +240,7 @@ impl<'a> Scanner<'a> {
     }
 
     fn open(&mut self, guard: Option<&'a str>) {
-        self.groups.push(Group {
+        self.groups.push(IfGroup {
             guard,
             is_guard: false,
         });

@@ -32,7 +32,7 @@ pub(super) fn evaluate(pieces: &[Piece]) -> Result<i32, Problem> {
     if pieces.is_empty() {
         return Err(Problem::Empty);
     }
-    let mut parser = Parser {
+    let mut parser = ConditionParser {
         pieces,
         at: 0,
         skipping: 0,
@@ -49,7 +49,7 @@ pub(super) fn evaluate_prefix(pieces: &[Piece]) -> Result<(i32, usize), Problem>
     if pieces.is_empty() {
         return Err(Problem::Empty);
     }
-    let mut parser = Parser {
+    let mut parser = ConditionParser {
         pieces,
         at: 0,
         skipping: 0,
@@ -58,14 +58,14 @@ pub(super) fn evaluate_prefix(pieces: &[Piece]) -> Result<(i32, usize), Problem>
     Ok((value, parser.at))
 }
 
-struct Parser<'a> {
+struct ConditionParser<'a> {
     pieces: &'a [Piece],
     at: usize,
     /// Over 0 inside an operand whose value does not count.
     skipping: u32,
 }
 
-impl Parser<'_> {
+impl ConditionParser<'_> {
     fn peek(&self) -> Option<&Piece> {
         self.pieces.get(self.at)
     }

@@ -2,7 +2,7 @@
 
 use super::condition::{Problem, evaluate};
 use super::macros::{Expander, Macro, Piece};
-use super::{Group, Input, Preprocessor, error_at};
+use super::{ConditionGroup, Input, Preprocessor, error_at};
 use crate::names::Name;
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Fix, error};
@@ -14,7 +14,7 @@ const MAX_GROUPS: usize = 100_000;
 impl Preprocessor<'_> {
     pub(super) fn open_group(&mut self, word: &str, span: Span, rest: &[Piece]) {
         let skip_all = self.is_skipping();
-        let mut group = Group {
+        let mut group = ConditionGroup {
             start: span,
             skip_all,
             skip: false,
@@ -119,7 +119,7 @@ impl Preprocessor<'_> {
     }
 
     /// Notes a group that ends at an address.
-    pub(super) fn close_group(&mut self, group: &Group, end: u32) {
+    pub(super) fn close_group(&mut self, group: &ConditionGroup, end: u32) {
         if group.is_undecided && end >= group.start.start {
             self.out.undecided.push(Span::new(group.start.start, end));
         }

@@ -6,7 +6,7 @@ use shaderlint_text::Sources;
 #[derive(Default)]
 pub(super) struct LineCount {
     /// The texts since the start or the last `#line`, of which the last is being read.
-    texts: Vec<Counted>,
+    texts: Vec<CountedText>,
     /// How far the compiler's count is ahead of the file's own in the first of them, as `#line` says;
     /// without one the first line that is compiled is 1.
     shift: Option<i64>,
@@ -16,7 +16,7 @@ pub(super) struct LineCount {
 
 /// A text whose lines count.
 #[derive(Clone, Copy)]
-struct Counted {
+struct CountedText {
     start: u32,
     end: u32,
     /// Whether a line break comes between it and the next, as behind each Common.
@@ -26,7 +26,7 @@ struct Counted {
 impl LineCount {
     /// A text comes next, from one address to another.
     pub(super) fn go_on(&mut self, start: u32, end: u32, is_ended: bool) {
-        self.texts.push(Counted {
+        self.texts.push(CountedText {
             start,
             end,
             is_ended,

@@ -117,7 +117,7 @@ mod bad {
     pub const REPORTED: u32 = 4;
 }
 
-struct Group {
+struct ConditionGroup {
     start: Span,
     /// The whole `#if ... #endif` lies in a skipped group.
     skip_all: bool,
@@ -146,7 +146,7 @@ struct Preprocessor<'a> {
     macros: Vec<Macro>,
     /// By name, the macro's number plus one; 0 for none.
     macro_of: Vec<u32>,
-    groups: Vec<Group>,
+    groups: Vec<ConditionGroup>,
     /// Start of the skipped text, while some is skipped.
     skipped_from: Option<u32>,
     at_line_start: bool,

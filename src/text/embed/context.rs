@@ -22,7 +22,7 @@ pub struct LiteralContext {
 impl LiteralContext {
     /// Reads what stands before a literal.
     pub fn of(text: &str, tokens: &[ScriptToken], literal: usize) -> LiteralContext {
-        let read = Reader { text, tokens };
+        let read = ContextReader { text, tokens };
         let target = read.target(literal);
         let call = read.call(literal);
         let words = target.map_or(Vec::new(), words);
@@ -109,12 +109,12 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-struct Reader<'a> {
+struct ContextReader<'a> {
     text: &'a str,
     tokens: &'a [ScriptToken],
 }
 
-impl<'a> Reader<'a> {
+impl<'a> ContextReader<'a> {
     fn word(&self, at: usize) -> &'a str {
         let range = self.tokens.get(at).map_or(0..0, |t| t.range.clone());
         self.text.get(range).unwrap_or("")

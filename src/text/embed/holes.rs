@@ -35,7 +35,7 @@ pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> bool {
     for hole in holes {
         write(bytes, hole.range.clone(), |_| OPEN);
     }
-    let mut words = Words::default();
+    let mut words = HoleWords::default();
     let mut is_unknown = false;
     for hole in holes {
         let range = hole.range.clone();
@@ -47,7 +47,7 @@ pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> bool {
         is_unknown |= known.is_none() || hole.content == Content::Nothing;
         let text = known.unwrap_or_else(|| match &hole.content {
             Content::Expression(key) | Content::Known(key) => {
-                Place::of(bytes, &range).text(&mut words, key)
+                HolePlace::of(bytes, &range).text(&mut words, key)
             }
             Content::Nothing => String::new(),
         });
@@ -90,12 +90,12 @@ fn fitted(bytes: &[u8], range: &Range<usize>, value: &str) -> Option<String> {
 
 /// The words that stand for expressions.
 #[derive(Default)]
-struct Words {
+struct HoleWords {
     /// The expressions, each with the length of its hole.
     keys: Vec<(usize, String)>,
 }
 
-impl Words {
+impl HoleWords {
     /// The word for an expression.
     fn word(&mut self, key: &str, length: usize) -> String {
         let entry = (length, key.to_string());
@@ -135,18 +135,18 @@ impl Words {
 }
 
 /// What stands around a hole.
-struct Place<'a> {
+struct HolePlace<'a> {
     length: usize,
     before: &'a [u8],
     behind: &'a [u8],
 }
 
-impl<'a> Place<'a> {
-    fn of(bytes: &'a [u8], range: &Range<usize>) -> Place<'a> {
+impl<'a> HolePlace<'a> {
+    fn of(bytes: &'a [u8], range: &Range<usize>) -> HolePlace<'a> {
         /// How far is looked back, in bytes.
         const NEAR: usize = 2048;
         let from = range.start.saturating_sub(NEAR);
-        Place {
+        HolePlace {
             length: range.len(),
             before: bytes.get(from..range.start).unwrap_or(&[]),
             behind: bytes.get(range.end..).unwrap_or(&[]),
@@ -154,7 +154,7 @@ impl<'a> Place<'a> {
     }
 
     /// What fits there.
-    fn text(&self, words: &mut Words, key: &str) -> String {
+    fn text(&self, words: &mut HoleWords, key: &str) -> String {
         /// Longest word.
         const MAX_WORD: usize = 512;
         if self.length > MAX_WORD {
@@ -170,30 +170,30 @@ impl<'a> Place<'a> {
             return words.word(key, self.length);
         }
         let (last, next) = (self.last_sign(), self.next_sign());
-        let is_start = matches!(last, Sign::Start | Sign::Mark(b';' | b'{' | b'}'));
+        let is_start = matches!(last, HoleSign::Start | HoleSign::Mark(b';' | b'{' | b'}'));
         let behind = self.word_behind();
         let is_declared = next == Some(OPEN) || is_keyword(behind);
         match last {
             _ if is_start && self.is_done(next) => String::new(),
-            Sign::Word(word) if word == "precision" && self.length >= 4 => {
+            HoleSign::Word(word) if word == "precision" && self.length >= 4 => {
                 let precision = if self.length >= 5 { "highp" } else { "lowp" };
                 precision.to_string()
             }
             // A qualifier, or none.
-            Sign::Word(word) if is_declared && is_keyword(word) && word != "return" => {
+            HoleSign::Word(word) if is_declared && is_keyword(word) && word != "return" => {
                 String::new()
             }
-            Sign::Mark(b'(' | b',') if is_declared => String::new(),
+            HoleSign::Mark(b'(' | b',') if is_declared => String::new(),
             _ if is_start && is_declared => String::new(),
-            Sign::Word("case") => words.number(key).to_string(),
-            Sign::Mark(b'=') if self.is_layout() => words.number(key).to_string(),
-            Sign::Mark(b')') if self.is_done(next) || is_declared => "{}".to_string(),
-            Sign::Mark(b')' | b']') => self.behind_operand(next),
-            Sign::Word(word) if !is_keyword(word) && !self.is_declaration(word) => {
+            HoleSign::Word("case") => words.number(key).to_string(),
+            HoleSign::Mark(b'=') if self.is_layout() => words.number(key).to_string(),
+            HoleSign::Mark(b')') if self.is_done(next) || is_declared => "{}".to_string(),
+            HoleSign::Mark(b')' | b']') => self.behind_operand(next),
+            HoleSign::Word(word) if !is_keyword(word) && !self.is_declaration(word) => {
                 self.behind_operand(next)
             }
             // The rest of the statement, with its end.
-            Sign::Word("return") | Sign::Mark(b'=') if self.is_done(next) => {
+            HoleSign::Word("return") | HoleSign::Mark(b'=') if self.is_done(next) => {
                 words.word(key, self.length - 1) + ";"
             }
             _ => words.word(key, self.length),
@@ -215,7 +215,7 @@ impl<'a> Place<'a> {
         std::str::from_utf8(line.unwrap_or(&[])).unwrap_or("")
     }
 
-    fn in_directive(&self, words: &mut Words, key: &str) -> Option<String> {
+    fn in_directive(&self, words: &mut HoleWords, key: &str) -> Option<String> {
         let rest = self.line().trim_start().strip_prefix('#')?.trim_start();
         let name = rest.split(|c: char| !c.is_ascii_alphabetic()).next()?;
         let is_parted = !touches(self.before.last()) && !touches(self.behind.first());
@@ -245,7 +245,7 @@ impl<'a> Place<'a> {
     }
 
     /// The last sign before the hole, comments left out.
-    fn last_sign(&self) -> Sign<'a> {
+    fn last_sign(&self) -> HoleSign<'a> {
         let text = match std::str::from_utf8(self.before) {
             Ok(text) => text,
             Err(error) => {
@@ -258,18 +258,18 @@ impl<'a> Place<'a> {
             let code = line.split("//").next().unwrap_or("").trim();
             let is_own = line.len() == self.line().len();
             if code.starts_with('#') && !is_own || code.ends_with("*/") {
-                return Sign::Start;
+                return HoleSign::Start;
             }
             let Some(last) = code.bytes().next_back() else {
                 continue;
             };
             if !is_word(last) {
-                return Sign::Mark(last);
+                return HoleSign::Mark(last);
             }
             let from = code.rfind(|c: char| !c.is_ascii() || !is_word(c as u8));
-            return Sign::Word(code.get(from.map_or(0, |f| f + 1)..).unwrap_or(""));
+            return HoleSign::Word(code.get(from.map_or(0, |f| f + 1)..).unwrap_or(""));
         }
-        Sign::Start
+        HoleSign::Start
     }
 
     /// The first byte behind it that is no blank.
@@ -320,7 +320,7 @@ impl<'a> Place<'a> {
 
 /// What stands before a hole.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Sign<'a> {
+enum HoleSign<'a> {
     /// Nothing, or what ends a line.
     Start,
     Word(&'a str),

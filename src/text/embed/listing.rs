@@ -47,14 +47,14 @@ pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) 
 }
 
 /// An element of code.
-struct Element<'a> {
+struct CodeElement<'a> {
     name: &'static str,
     head: &'a str,
     start: usize,
     end: usize,
 }
 
-fn next(lower: &str, mut at: usize) -> Option<Element<'_>> {
+fn next(lower: &str, mut at: usize) -> Option<CodeElement<'_>> {
     loop {
         let open = at + lower.get(at..)?.find('<')?;
         let rest = lower.get(open..)?;
@@ -78,7 +78,7 @@ fn next(lower: &str, mut at: usize) -> Option<Element<'_>> {
         let start = open + 1 + name.len() + length + 1;
         let end = start + lower.get(start..)?.find(&format!("</{name}"))?;
         let head = head.get(..length)?;
-        return Some(Element {
+        return Some(CodeElement {
             name,
             head,
             start,
@@ -94,7 +94,7 @@ fn opens(rest: &str, name: &str) -> bool {
 }
 
 /// Whether an element holds a shader: one of its attributes says so, or its text beyond doubt.
-fn is_taken(element: &Element, code: &str) -> bool {
+fn is_taken(element: &CodeElement, code: &str) -> bool {
     let names = ["class", "lang", "data-lang", "data-language", "id", "name"];
     let values = names.iter().filter_map(|n| attribute(element.head, n));
     let words = || {

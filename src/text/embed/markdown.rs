@@ -5,7 +5,7 @@ use crate::kind::Evidence;
 
 /// Finds them.
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
-    let mut open: Option<Fence> = None;
+    let mut open: Option<OpenFence> = None;
     let mut at = 0;
     let mut chapter = 0;
     for line in text.split_inclusive('\n') {
@@ -27,7 +27,7 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
                 let label = info
                     .split([' ', ',', '{', '}', ':'])
                     .find(|w| !w.is_empty());
-                open = Some(Fence {
+                open = Some(OpenFence {
                     mark,
                     count,
                     label: label
@@ -48,7 +48,7 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
 }
 
 /// A fence that has been opened.
-struct Fence {
+struct OpenFence {
     mark: char,
     count: usize,
     /// The language that it names.
@@ -59,7 +59,7 @@ struct Fence {
     chapter: u32,
 }
 
-fn take(text: &str, fence: &Fence, end: usize, base: usize, found: &mut Vec<Embedded>) {
+fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<Embedded>) {
     let Some(content) = text.get(fence.start..end) else {
         return;
     };

@@ -16,7 +16,7 @@ pub(super) fn holes(code: &str) -> Vec<Hole> {
     if !is_candidate {
         return Vec::new();
     }
-    let mut scan = Scan {
+    let mut scan = TemplateScan {
         code,
         known: defined(code),
         last: None,
@@ -64,7 +64,7 @@ fn defined(code: &str) -> HashSet<&str> {
     words.flatten().collect()
 }
 
-struct Scan<'a> {
+struct TemplateScan<'a> {
     code: &'a str,
     /// Macros.
     known: HashSet<&'a str>,
@@ -81,7 +81,7 @@ struct Scan<'a> {
     found: Vec<Hole>,
 }
 
-impl<'a> Scan<'a> {
+impl<'a> TemplateScan<'a> {
     fn run(&mut self) {
         let bytes = self.code.as_bytes();
         let mut at = 0;

@@ -15,7 +15,7 @@ pub fn together(language: DocumentLanguage, text: &str, all: &[Embedded]) -> Vec
     let mut groups = Vec::new();
     for script in scripts(language, text) {
         let read = tokens(text.get(script.clone()).unwrap_or(""));
-        let names = Names::of(text, script.start, &read, all);
+        let names = ShaderNames::of(text, script.start, &read, all);
         names.groups(&read, &mut groups);
     }
     groups.sort();
@@ -33,7 +33,7 @@ fn scripts(language: DocumentLanguage, text: &str) -> Vec<Range<usize>> {
 }
 
 /// The shaders that a script can name.
-struct Names<'a> {
+struct ShaderNames<'a> {
     text: &'a str,
     base: usize,
     all: &'a [Embedded],
@@ -41,9 +41,14 @@ struct Names<'a> {
     named: HashMap<&'a str, Option<usize>>,
 }
 
-impl<'a> Names<'a> {
-    fn of(text: &'a str, base: usize, tokens: &[ScriptToken], all: &'a [Embedded]) -> Names<'a> {
-        let mut names = Names {
+impl<'a> ShaderNames<'a> {
+    fn of(
+        text: &'a str,
+        base: usize,
+        tokens: &[ScriptToken],
+        all: &'a [Embedded],
+    ) -> ShaderNames<'a> {
+        let mut names = ShaderNames {
             text,
             base,
             all,

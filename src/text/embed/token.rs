@@ -213,19 +213,19 @@ fn quoted_end(bytes: &[u8], at: usize) -> Option<usize> {
 /// Offset of the closing backtick, and the outermost `${...}`.
 fn template_end(text: &str, at: usize) -> Option<(usize, Vec<Range<usize>>)> {
     /// What is open: a literal, or the code of a `${` with so many braces.
-    enum Open {
+    enum OpenToken {
         Literal,
         Code(u32),
     }
     let bytes = text.as_bytes();
-    let mut open = vec![Open::Literal];
+    let mut open = vec![OpenToken::Literal];
     let mut holes: Vec<Range<usize>> = Vec::new();
     let mut at = at + 1;
     loop {
         let byte = *bytes.get(at)?;
         let depth = open.len();
         match open.last_mut()? {
-            Open::Literal => match byte {
+            OpenToken::Literal => match byte {
                 b'\\' => at += 1,
                 b'`' => {
                     open.pop();
@@ -237,13 +237,13 @@ fn template_end(text: &str, at: usize) -> Option<(usize, Vec<Range<usize>>)> {
                     if depth == 1 {
                         holes.push(at..at);
                     }
-                    open.push(Open::Code(0));
+                    open.push(OpenToken::Code(0));
                     at += 1;
                 }
                 _ => {}
             },
-            Open::Code(braces) => match byte {
-                b'`' => open.push(Open::Literal),
+            OpenToken::Code(braces) => match byte {
+                b'`' => open.push(OpenToken::Literal),
                 b'{' => *braces += 1,
                 b'}' if *braces > 0 => *braces -= 1,
                 b'}' => {

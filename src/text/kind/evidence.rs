@@ -12,7 +12,7 @@ const SENTENCE: usize = 5;
 const NAMES: usize = 3;
 
 /// A row of [`SIGNS`], read.
-struct Sign {
+struct SignRow {
     number: usize,
     tongue: Tongue,
     /// Its tokens, with a blank between them.
@@ -23,12 +23,12 @@ struct Sign {
     next: Option<usize>,
 }
 
-impl Sign {
-    fn of(number: usize, tongue: Tongue, text: &'static str) -> Sign {
+impl SignRow {
+    fn of(number: usize, tongue: Tongue, text: &'static str) -> SignRow {
         let enough = text.strip_prefix("! ");
         let row = enough.unwrap_or(text);
         let at_start = row.strip_prefix("^ ");
-        Sign {
+        SignRow {
             number,
             tongue,
             row: at_start.unwrap_or(row),
@@ -47,7 +47,7 @@ impl Sign {
 
 /// The signs, and for each first token the first of its rows.
 struct Signs {
-    all: Vec<Sign>,
+    all: Vec<SignRow>,
     heads: FxHashMap<&'static str, usize>,
     /// By the first byte of a token, a bit for each length that a first token has: most tokens start
     /// no row.
@@ -64,9 +64,9 @@ impl Signs {
         let rows = SIGNS
             .iter()
             .flat_map(|(t, rows)| rows.iter().map(|r| (*t, *r)));
-        let mut all: Vec<Sign> = rows
+        let mut all: Vec<SignRow> = rows
             .enumerate()
-            .map(|(number, (tongue, text))| Sign::of(number, tongue, text))
+            .map(|(number, (tongue, text))| SignRow::of(number, tongue, text))
             .collect();
         let mut heads = FxHashMap::default();
         heads.reserve(all.len());
@@ -93,7 +93,7 @@ impl Signs {
     }
 
     /// Those that start with a token, in their order.
-    fn starting_with(&self, first: &str) -> impl Iterator<Item = &Sign> {
+    fn starting_with(&self, first: &str) -> impl Iterator<Item = &SignRow> {
         let head = self.heads.get(first).and_then(|&head| self.all.get(head));
         std::iter::successors(head, |sign| self.all.get(sign.next?))
     }
@@ -109,7 +109,7 @@ fn length_bit(token: &str) -> u32 {
 
 /// A sign that a text shows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct Seen {
+struct SeenSign {
     number: usize,
     tongue: Tongue,
     is_enough: bool,
@@ -146,7 +146,7 @@ pub struct Evidence<'a> {
     text: &'a str,
     /// Its `#version`.
     pub version: Option<VersionLine>,
-    seen: Vec<Seen>,
+    seen: Vec<SeenSign>,
     has_quotes: bool,
     /// Lines that are sentences.
     sentences: usize,
@@ -257,7 +257,7 @@ impl<'a> Evidence<'a> {
             });
             if fits {
                 let last = all.get(end - 1).unwrap_or(token);
-                self.seen.push(Seen {
+                self.seen.push(SeenSign {
                     number: sign.number,
                     tongue: sign.tongue,
                     is_enough: sign.is_enough,
@@ -326,7 +326,7 @@ impl<'a> Evidence<'a> {
 
     /// Whether it is GLSL ES beyond doubt, whatever holds it.
     pub fn is_glsl(&self) -> bool {
-        let is_else = |s: &Seen| !matches!(s.tongue, Tongue::Glsl | Tongue::Web);
+        let is_else = |s: &SeenSign| !matches!(s.tongue, Tongue::Glsl | Tongue::Web);
         if self.seen.iter().any(is_else) || self.start.is_some() || self.foreign().is_some() {
             return false;
         }

@@ -142,7 +142,7 @@ pub enum Claim {
 }
 
 /// What the ending of a name says.
-enum Ending {
+enum Extension {
     /// GLSL.
     Shader,
     /// GLSL, or something else that uses the same ending.
@@ -164,22 +164,24 @@ pub fn ending(name: &str) -> String {
     ending.to_ascii_lowercase()
 }
 
-fn ending_of(name: &str) -> Ending {
+fn ending_of(name: &str) -> Extension {
     let ending = ending(name);
     if let Some(language) = DocumentLanguage::of_extension(&ending) {
-        return Ending::Holds(language);
+        return Extension::Holds(language);
     }
     match ending.as_str() {
-        "glsl" | "frag" | "vert" | "fsh" | "vsh" | "glslf" | "glslv" => Ending::Shader,
-        "fs" | "vs" => Ending::Shared,
-        "json" | "shadertoy" => Ending::Export,
+        "glsl" | "frag" | "vert" | "fsh" | "vsh" | "glslf" | "glslv" => Extension::Shader,
+        "fs" | "vs" => Extension::Shared,
+        "json" | "shadertoy" => Extension::Export,
         "comp" | "geom" | "tesc" | "tese" | "rgen" | "rint" | "rahit" | "rchit" | "rmiss"
-        | "rcall" | "mesh" | "task" => Ending::Stage,
-        "hlsl" | "hlsli" | "fxh" | "cginc" | "cg" | "usf" | "ush" => Ending::Foreign(Tongue::Hlsl),
-        "metal" => Ending::Foreign(Tongue::Metal),
-        "wgsl" => Ending::Foreign(Tongue::Wgsl),
-        "gdshader" => Ending::Foreign(Tongue::Godot),
-        other => others(other).map_or(Ending::Unknown, Ending::Other),
+        | "rcall" | "mesh" | "task" => Extension::Stage,
+        "hlsl" | "hlsli" | "fxh" | "cginc" | "cg" | "usf" | "ush" => {
+            Extension::Foreign(Tongue::Hlsl)
+        }
+        "metal" => Extension::Foreign(Tongue::Metal),
+        "wgsl" => Extension::Foreign(Tongue::Wgsl),
+        "gdshader" => Extension::Foreign(Tongue::Godot),
+        other => others(other).map_or(Extension::Unknown, Extension::Other),
     }
 }
 
@@ -213,24 +215,24 @@ fn others(ending: &str) -> Option<&'static str> {
 /// Decides what a file is.
 pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
     let kind = match ending_of(name) {
-        Ending::Other(what) => {
+        Extension::Other(what) => {
             return Decision::new(FileKind::Other, format!("it is {what}, by its ending"));
         }
-        Ending::Holds(DocumentLanguage::Script) if is_packed(name) => {
+        Extension::Holds(DocumentLanguage::Script) if is_packed(name) => {
             return Decision::new(FileKind::Other, "it is packed, by its ending");
         }
-        Ending::Holds(language) => {
+        Extension::Holds(language) => {
             let reason = format!("it may hold shaders: it is {language}, by its ending");
             return Decision::new(FileKind::Holds(language), reason);
         }
-        Ending::Export => return Decision::new(FileKind::Export, "it is JSON, by its ending"),
-        Ending::Foreign(tongue) => {
+        Extension::Export => return Decision::new(FileKind::Export, "it is JSON, by its ending"),
+        Extension::Foreign(tongue) => {
             let reason = format!("it is {tongue}, by its ending");
             return Decision::new(FileKind::Foreign(tongue), reason);
         }
         kind => kind,
     };
-    let says_glsl = matches!(kind, Ending::Shader | Ending::Stage);
+    let says_glsl = matches!(kind, Extension::Shader | Extension::Stage);
     if says_glsl && starts_as_web(text) && own_directive(text).is_none() {
         return Decision::new(FileKind::Shader, "it is GLSL, by its ending");
     }
@@ -246,17 +248,17 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
         return Decision::new(FileKind::Other, reason);
     }
     match (kind, claim) {
-        (Ending::Stage, _) if evidence.version.is_none() => Decision::new(
+        (Extension::Stage, _) if evidence.version.is_none() => Decision::new(
             FileKind::Foreign(Tongue::Desktop),
             "it is of a stage that WebGL does not have, by its ending",
         ),
-        (Ending::Shader | Ending::Stage, _) => {
+        (Extension::Shader | Extension::Stage, _) => {
             Decision::new(FileKind::Shader, "it is GLSL, by its ending")
         }
-        (Ending::Shared, _) if text.trim().is_empty() || evidence.has_glsl() => {
+        (Extension::Shared, _) if text.trim().is_empty() || evidence.has_glsl() => {
             Decision::new(FileKind::Shader, "it is GLSL, by its ending")
         }
-        (Ending::Shared, Claim::None) => Decision::new(FileKind::Other, "nothing in it is GLSL"),
+        (Extension::Shared, Claim::None) => Decision::new(FileKind::Other, "nothing in it is GLSL"),
         (_, Claim::Shader) => Decision::new(FileKind::Shader, "it is GLSL, as you say"),
         _ if evidence.is_glsl() => Decision::new(FileKind::Shader, "it is GLSL, by what it holds"),
         _ => Decision::new(
@@ -288,14 +290,14 @@ pub fn reason(evidence: &Evidence, tongue: Tongue) -> String {
 pub fn is_searched(name: &str) -> bool {
     let is_known = matches!(
         ending_of(name),
-        Ending::Shader | Ending::Shared | Ending::Export | Ending::Holds(_)
+        Extension::Shader | Extension::Shared | Extension::Export | Extension::Holds(_)
     );
     is_known && !is_packed(name) && !is_declarations(name)
 }
 
 /// Whether a file of this name holds a script.
 pub fn is_script(name: &str) -> bool {
-    matches!(ending_of(name), Ending::Holds(DocumentLanguage::Script))
+    matches!(ending_of(name), Extension::Holds(DocumentLanguage::Script))
 }
 
 /// Whether a file of TypeScript holds declarations alone, as the compiler writes them.

@@ -3,7 +3,7 @@
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, Writes, one_of};
+use super::tool::{Args, Tool, ToolWrites, one_of};
 use crate::cli::command::FAILED;
 use crate::engine::DialectChoice;
 use schemars::JsonSchema;
@@ -34,7 +34,7 @@ impl Tool for CheckTool {
     const ABOUT: &str = "Checks GLSL for WebGL2 and ShaderToy. One line a finding: place, \
         severity, rule, message, and the edit that mends it. An error means that the browser \
         refuses the shader.";
-    const WRITES: Writes = Writes::Nothing;
+    const WRITES: ToolWrites = ToolWrites::Nothing;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;

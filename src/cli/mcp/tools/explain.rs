@@ -2,7 +2,7 @@
 
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
-use super::tool::{Args, Tool, Writes};
+use super::tool::{Args, Tool, ToolWrites};
 use crate::cli::command::CLEAN;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -20,7 +20,7 @@ impl Tool for ExplainTool {
     const TITLE: &str = "Explain a rule";
     const ABOUT: &str = "Says what a rule or compile error means, why it matters and what to do, \
         with examples. Lists all rules where no name is given.";
-    const WRITES: Writes = Writes::Nothing;
+    const WRITES: ToolWrites = ToolWrites::Nothing;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let mut args = match self.name {

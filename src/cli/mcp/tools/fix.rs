@@ -3,7 +3,7 @@
 use super::super::answer::{MAX_TEXT, ToolAnswer};
 use super::super::command::{CommandOutcome, OwnProgram};
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, Writes};
+use super::tool::{Args, Tool, ToolWrites};
 use crate::cli::command::FAILED;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -32,7 +32,7 @@ impl Tool for FixTool {
     const ABOUT: &str = "Mends what `check` reports: fixes that keep the picture, and on demand \
         others. Answers with a diff or, for `code`, with the text; then what is left to be done by \
         hand.";
-    const WRITES: Writes = Writes::Files;
+    const WRITES: ToolWrites = ToolWrites::Files;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;

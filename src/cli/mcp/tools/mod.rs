@@ -18,7 +18,7 @@ use rmcp::handler::server::tool::schema_for_input;
 use rmcp::model::{JsonObject, ToolAnnotations};
 use run::RunTool;
 use serde_json::Value;
-use tool::{Tool, Writes};
+use tool::{Tool, ToolWrites};
 
 /// All tools.
 ///
@@ -59,8 +59,8 @@ pub async fn call(
 fn described<T: Tool>() -> Result<rmcp::model::Tool, ErrorData> {
     let schema = schema_for_input::<T>().map_err(|e| ErrorData::internal_error(e, None))?;
     let annotations = ToolAnnotations::with_title(T::TITLE)
-        .read_only(T::WRITES == Writes::Nothing)
-        .destructive(T::WRITES == Writes::Files)
+        .read_only(T::WRITES == ToolWrites::Nothing)
+        .destructive(T::WRITES == ToolWrites::Files)
         .idempotent(true)
         .open_world(false);
     Ok(rmcp::model::Tool::new(T::NAME, T::ABOUT, schema).with_annotations(annotations))

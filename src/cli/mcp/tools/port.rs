@@ -3,7 +3,7 @@
 use super::super::answer::{MAX_TEXT, ToolAnswer};
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, Writes, one_of};
+use super::tool::{Args, Tool, ToolWrites, one_of};
 use crate::cli::command::FAILED;
 use crate::port::{MainChoice, Target};
 use schemars::JsonSchema;
@@ -54,7 +54,7 @@ impl Tool for PortTool {
     const TITLE: &str = "Port to WebGL2";
     const ABOUT: &str = "Turns ShaderToy code, and what other players take, into WebGL2: a page \
         that plays (`output` like `page.html`), a module, or plain shaders.";
-    const WRITES: Writes = Writes::Files;
+    const WRITES: ToolWrites = ToolWrites::Files;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;

@@ -3,7 +3,7 @@
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, Writes, one_of};
+use super::tool::{Args, Tool, ToolWrites, one_of};
 use crate::cli::command::CLEAN;
 use crate::cli::run::Heat;
 use schemars::JsonSchema;
@@ -64,7 +64,7 @@ impl Tool for RunTool {
     const TITLE: &str = "Draw a shader";
     const ABOUT: &str = "Draws a shader without a GPU, as WebGL2 would. Answers with the picture, \
         and with what was seen: colours, numbers that are not finite, cost, loops.";
-    const WRITES: Writes = Writes::Nothing;
+    const WRITES: ToolWrites = ToolWrites::Nothing;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;

@@ -17,7 +17,7 @@ pub trait Tool: DeserializeOwned + JsonSchema + Any {
     /// What it does, for those who choose.
     const ABOUT: &str;
     /// What it writes.
-    const WRITES: Writes;
+    const WRITES: ToolWrites;
 
     /// Does what it is for. An error is told to the client as the answer.
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String>;
@@ -25,7 +25,7 @@ pub trait Tool: DeserializeOwned + JsonSchema + Any {
 
 /// What a tool writes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Writes {
+pub enum ToolWrites {
     /// Nothing.
     Nothing,
     /// Files that are named, and in the place of others where that is asked for.

@@ -14,7 +14,7 @@ use toml::{Spanned, Value};
 
 /// What is said of rules and groups, by their names.
 #[derive(Deserialize, Default)]
-pub struct Rules(BTreeMap<Spanned<String>, WordOr<Level, RuleTable>>);
+pub struct Rules(BTreeMap<Spanned<String>, WordOr<RuleLevel, RuleTable>>);
 
 type RuleTable = BTreeMap<Spanned<String>, Spanned<Value>>;
 
@@ -24,16 +24,16 @@ pub const LEVELS: [&str; 3] = ["off", "info", "warning"];
 /// How bad findings are; `None` is off.
 #[derive(Deserialize, Clone, Copy)]
 #[serde(try_from = "String")]
-struct Level(Option<Severity>);
+struct RuleLevel(Option<Severity>);
 
-impl TryFrom<String> for Level {
+impl TryFrom<String> for RuleLevel {
     type Error = String;
 
-    fn try_from(word: String) -> Result<Level, String> {
+    fn try_from(word: String) -> Result<RuleLevel, String> {
         match word.as_str() {
-            "off" => Ok(Level(None)),
-            "info" => Ok(Level(Some(Severity::Info))),
-            "warning" => Ok(Level(Some(Severity::Warning))),
+            "off" => Ok(RuleLevel(None)),
+            "info" => Ok(RuleLevel(Some(Severity::Info))),
+            "warning" => Ok(RuleLevel(Some(Severity::Warning))),
             "error" => Err(
                 "no rule has the level `error`: an error means that the browser refuses \
                 the shader; `{ level = \"warning\", fail = true }` makes the run fail on it"
@@ -93,7 +93,7 @@ fn adjustment(
 ) -> Result<Adjustment, Mistake> {
     let name = key.get_ref().as_str();
     Ok(match name {
-        "level" => Adjustment::Level(typed::<Level>(value)?.0),
+        "level" => Adjustment::Level(typed::<RuleLevel>(value)?.0),
         "fail" => Adjustment::Failing(match typed(value)? {
             true => Failing::Yes,
             false => Failing::No,

@@ -12,21 +12,21 @@ use std::sync::Arc;
 /// The stand-ins of a project, each drawn once.
 pub(super) struct StandIns {
     threads: usize,
-    made: Vec<(Key, Arc<Image>)>,
+    made: Vec<(StandInKey, Arc<Image>)>,
 }
 
 /// What decides how a stand-in looks.
 #[derive(Clone, PartialEq)]
-struct Key {
+struct StandInKey {
     stand_in: StandIn,
     kind: InputKind,
     vflip: bool,
     has_levels: bool,
 }
 
-impl Key {
-    fn of(stand_in: &StandIn, input: &Input) -> Key {
-        Key {
+impl StandInKey {
+    fn of(stand_in: &StandIn, input: &Input) -> StandInKey {
+        StandInKey {
             stand_in: *stand_in,
             kind: input.kind,
             vflip: input.sampler.vflip,
@@ -45,7 +45,7 @@ impl StandIns {
 
     /// The image that stands for the file of an input.
     pub fn get(&mut self, stand_in: &StandIn, input: &Input) -> Result<Arc<Image>, PlayProblem> {
-        let key = Key::of(stand_in, input);
+        let key = StandInKey::of(stand_in, input);
         if let Some((_, image)) = self.made.iter().find(|(made, _)| *made == key) {
             return Ok(Arc::clone(image));
         }
@@ -60,7 +60,7 @@ impl StandIns {
 /// A stand-in for a film, drawn for each frame.
 pub(super) struct Film {
     code: Code,
-    key: Key,
+    key: StandInKey,
     time: f64,
     image: Option<Arc<Image>>,
 }
@@ -69,7 +69,7 @@ impl Film {
     pub fn new(stand_in: &StandIn, input: &Input) -> Result<Film, PlayProblem> {
         Ok(Film {
             code: code_of(stand_in)?,
-            key: Key::of(stand_in, input),
+            key: StandInKey::of(stand_in, input),
             time: 0.0,
             image: None,
         })
@@ -105,7 +105,7 @@ fn code_of(stand_in: &StandIn) -> Result<Code, PlayProblem> {
 }
 
 /// Draws all layers of a stand-in.
-fn paint(code: &Code, key: &Key, time: f64, threads: usize) -> Result<Option<Image>, Stop> {
+fn paint(code: &Code, key: &StandInKey, time: f64, threads: usize) -> Result<Option<Image>, Stop> {
     let [width, height, depth] = key.stand_in.size;
     let (shape, layers) = match key.kind {
         InputKind::Cubemap => (ImageShape::Cube, 6),

@@ -34,7 +34,7 @@ pub struct SeenValue {
 }
 
 /// What is looked at: a test at a time, and a pixel.
-struct Look<'a> {
+struct TestedPixel<'a> {
     analysis: &'a Analysis,
     test: FunctionRef,
     time: f64,
@@ -49,7 +49,7 @@ pub fn seen(
     pixel: [u32; 2],
 ) -> Vec<SeenCondition> {
     let program: &Program = &analysis.program;
-    let look = Look {
+    let look = TestedPixel {
         analysis,
         test,
         time,
@@ -152,7 +152,7 @@ fn sides(program: &Program, side: ExprId, shown: &mut Vec<ExprId>) {
     }
 }
 
-impl Look<'_> {
+impl TestedPixel<'_> {
     /// What an expression was when the pixel last came to it, if it did.
     fn value(&self, id: ExprId) -> Option<String> {
         let Analysis { program, .. } = self.analysis;
