@@ -1,6 +1,6 @@
 //! Rounding, choosing and blending (GLSL ES 3.00 section 8.3).
 
-use super::sign_of;
+use super::single::sign_of;
 use wide::f32x8;
 
 /// From here on every float is a whole number.

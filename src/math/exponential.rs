@@ -3,8 +3,7 @@
 
 use super::common::{max, min};
 use super::double::{self, exp2 as power_of_2, log2 as logarithm, narrow, widen};
-use super::sign_of;
-use super::single::{polynomial, round, scale, split};
+use super::single::{polynomial, round, scale, sign_of, split};
 use std::f64::consts::{LN_2, LOG2_E};
 use wide::{f32x8, f64x8};
 

@@ -1,7 +1,7 @@
 //! Angles and ratios for which single precision has too few digits.
 
 use super::double::{atan, bits, narrow, of_bits, polynomial, round, widen};
-use super::sign_of;
+use super::single::sign_of;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 use wide::{f32x8, f64x8, u64x8};
 

@@ -45,11 +45,5 @@ pub fn of_two(f: impl Fn(f32x8, f32x8) -> f32x8, x: f32, y: f32) -> f32 {
     of_one(|x| f(x, f32x8::splat(y)), x)
 }
 
-/// The signs alone, to be put on what has none.
-#[inline(always)]
-fn sign_of(x: f32x8) -> f32x8 {
-    x & f32x8::splat(-0.0)
-}
-
 #[cfg(test)]
 mod tests;

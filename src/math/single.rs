@@ -60,3 +60,9 @@ pub(super) fn split(x: f32x8) -> (f32x8, f32x8) {
         bytemuck::cast::<_, f32x8>(rest) - f32x8::splat(1.0),
     )
 }
+
+/// The signs alone, to be put on what has none.
+#[inline(always)]
+pub(crate) fn sign_of(x: f32x8) -> f32x8 {
+    x & f32x8::splat(-0.0)
+}

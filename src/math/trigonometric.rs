@@ -2,8 +2,8 @@
 //!
 //! What is usual is computed in single precision; large angles, and what has no ratio, in double.
 
-use super::single::{polynomial, round};
-use super::{large, sign_of};
+use super::large;
+use super::single::{polynomial, round, sign_of};
 use std::f32::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 use wide::{f32x8, u32x8};
 

@@ -5,7 +5,7 @@
 //! Of places on one line the first names it. Remarks and notes stand where there is no fix; a note is
 //! told with the first finding that has it.
 
-use super::{clean, location_name};
+use super::place::{clean, location_name};
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
 use shaderlint_text::{Edit, Sources, Span};
 use std::collections::HashSet;

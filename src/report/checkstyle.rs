@@ -1,7 +1,7 @@
 //! Checkstyle XML. Columns count characters.
 
+use super::place::{placed_message, region};
 use super::xml::escape;
-use super::{placed_message, region};
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;
 use std::io::{self, Write};

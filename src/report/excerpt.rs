@@ -1,7 +1,7 @@
 //! The lines of source that a finding is shown with: cut to a readable width, and free of
 //! characters that would upset a terminal.
 
-use super::{clean_char, location_name};
+use super::place::{clean_char, location_name};
 use codespan_reporting::files::{Error, Files};
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::{FileId, SourceFile, Sources, Span};

@@ -1,7 +1,7 @@
 //! Workflow commands of GitHub Actions, which become annotations. Columns count UTF-16 units, as the
 //! site's own editor does.
 
-use super::{path, placed_message, region};
+use super::place::{path, placed_message, region};
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;
 use std::io::{self, Write};

@@ -1,7 +1,7 @@
 //! GitLab's code quality report.
 
 use super::fingerprint::digest;
-use super::{path, placed_message, region};
+use super::place::{path, placed_message, region};
 use serde_json::json;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;

@@ -1,7 +1,7 @@
 //! For people: the finding with an excerpt of the source, rendered by codespan-reporting.
 
-use super::clean;
 use super::excerpt::Excerpt;
+use super::place::clean;
 use anstyle::{AnsiColor, Effects, Style};
 use codespan_reporting::diagnostic as cs;
 use codespan_reporting::term::{Config, WriteStyle, emit_to_io_write, emit_to_write_style};
@@ -155,4 +155,12 @@ impl<W: Write> WriteStyle for Colored<W> {
     fn reset(&mut self) -> io::Result<()> {
         write!(self.0, "{}", anstyle::Reset.render())
     }
+}
+
+/// Renders one finding as people see it, without colour.
+pub fn render(sources: &Sources, diagnostic: &Diagnostic) -> String {
+    let mut out = Vec::new();
+    // Writing to memory cannot fail.
+    let _ = write(&mut out, sources, diagnostic, false);
+    String::from_utf8_lossy(&out).into_owned()
 }

@@ -1,6 +1,6 @@
 //! For programs: one object, or one object a line. The README describes the fields.
 
-use super::Summary;
+use super::summary::Summary;
 use serde::Serialize;
 use serde_json::json;
 use shaderlint_diagnostic::{Diagnostic, Label, MacroUse};

@@ -1,8 +1,9 @@
 //! JUnit XML: a suite a file, a failed case an error or warning. An info is a case that passed and
 //! says something; a file without findings is a case that passed.
 
+use super::human::render;
+use super::place::placed_message;
 use super::xml::escape;
-use super::{placed_message, render};
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;
 use std::io::{self, Write};

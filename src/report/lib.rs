@@ -12,16 +12,20 @@ mod gitlab;
 mod human;
 mod json;
 mod junit;
+mod place;
 mod sarif;
 mod short;
 mod summary;
 mod xml;
 
 pub use fingerprint::fingerprints;
+pub use human::render;
+pub use sarif::Pages;
 pub use summary::{Scope, Summary};
 
+use place::clean;
 use shaderlint_diagnostic::{Diagnostic, Origin, Severity};
-use shaderlint_text::{Position, Sources, Span};
+use shaderlint_text::{Sources, Span};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
@@ -73,9 +77,6 @@ enum ReportEnd {
     /// What was looked at, found, and not looked at.
     All,
 }
-
-/// The page of a rule or a compile error, by its name.
-pub type Pages = fn(&str) -> Option<&'static str>;
 
 /// Writes findings in one format.
 pub struct Reporter<W: Write> {
@@ -315,72 +316,4 @@ fn worst(found: &[Diagnostic]) -> Vec<Diagnostic> {
     order.sort_unstable();
     let picked = order.iter().filter_map(|i| found.get(*i));
     picked.cloned().collect()
-}
-
-/// Where a finding starts and ends in its file; `None` for a pass of an export, whose code does not
-/// stand in the file as such.
-fn region(sources: &Sources, span: Span) -> Option<(Position, Position)> {
-    let file = sources.file_at(span.start).filter(|f| f.part.is_none())?;
-    Some((file.position(span.start), file.position(span.end)))
-}
-
-/// The path of the file that holds a span, from the folder `root` where it lies in there.
-fn path<'a>(sources: &'a Sources, span: Span, root: &str) -> &'a str {
-    let path = sources.file_at(span.start).map_or("", |f| &f.path);
-    path.strip_prefix(root).unwrap_or(path)
-}
-
-/// The message, with the place in its pass where the file has no place for it.
-fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> String {
-    let message = clean(&diagnostic.message);
-    let file = sources.file_at(diagnostic.span.start);
-    match file.and_then(|f| Some((f, f.part.as_ref()?))) {
-        Some((file, part)) => {
-            let at = file.position(diagnostic.span.start);
-            let part = clean(part);
-            format!("{message} ({part}, line {}, column {})", at.line, at.column)
-        }
-        None => message,
-    }
-}
-
-/// Renders one finding as people see it, without colour.
-pub fn render(sources: &Sources, diagnostic: &Diagnostic) -> String {
-    let mut out = Vec::new();
-    // Writing to memory cannot fail.
-    let _ = human::write(&mut out, sources, diagnostic, false);
-    String::from_utf8_lossy(&out).into_owned()
-}
-
-/// Path of the file that holds a span, with the pass where there are several.
-fn location_name(sources: &Sources, span: Span) -> String {
-    match sources.file_at(span.start) {
-        Some(file) => match &file.part {
-            Some(part) => format!("{} ({})", clean(&file.path), clean(part)),
-            None => clean(&file.path),
-        },
-        None => String::new(),
-    }
-}
-
-/// Text without control characters, those that nobody sees, and those that turn the direction of
-/// writing, which could make a terminal show something else. Each is replaced by something of the same length.
-fn clean(text: &str) -> String {
-    text.chars().map(clean_char).collect()
-}
-
-fn clean_char(c: char) -> char {
-    match c {
-        '\t' => c,
-        // Three bytes each in UTF-8, like U+FFFD.
-        '\u{200b}'..='\u{200f}'
-        | '\u{2028}'..='\u{202e}'
-        | '\u{2060}'..='\u{2069}'
-        | '\u{feff}' => '\u{fffd}',
-        // Two bytes each, like U+00A4.
-        '\u{ad}' => '\u{a4}',
-        c if c.is_control() && c.len_utf8() == 1 => '?',
-        c if c.is_control() => '\u{a4}',
-        c => c,
-    }
 }

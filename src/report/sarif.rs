@@ -1,10 +1,13 @@
 //! SARIF 2.1.0. Columns count Unicode scalar values, which the document says itself.
 
-use super::{Pages, path, placed_message, region};
+use super::place::{path, placed_message, region};
 use serde_json::{Value, json};
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::{Edit, Sources, Span};
 use std::io::{self, Write};
+
+/// The page of a rule or a compile error, by its name.
+pub type Pages = fn(&str) -> Option<&'static str>;
 
 /// Writes what comes before the first finding.
 pub fn begin(out: &mut impl Write) -> io::Result<()> {

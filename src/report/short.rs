@@ -1,6 +1,6 @@
 //! One line a finding: `path:line:column: severity[rule]: message`.
 
-use super::{clean, location_name};
+use super::place::{clean, location_name};
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;
 use std::io::{self, Write};

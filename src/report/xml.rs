@@ -1,6 +1,6 @@
 //! Text inside XML.
 
-use super::clean;
+use super::place::clean;
 
 /// Text as it stands in an element or an attribute.
 pub fn escape(text: &str) -> String {

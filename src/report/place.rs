@@ -1,0 +1,64 @@
+//! Where findings stand, and text that a terminal may show.
+
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_text::{Position, Sources, Span};
+
+/// Where a finding starts and ends in its file; `None` for a pass of an export, whose code does not
+/// stand in the file as such.
+pub(super) fn region(sources: &Sources, span: Span) -> Option<(Position, Position)> {
+    let file = sources.file_at(span.start).filter(|f| f.part.is_none())?;
+    Some((file.position(span.start), file.position(span.end)))
+}
+
+/// The path of the file that holds a span, from the folder `root` where it lies in there.
+pub(super) fn path<'a>(sources: &'a Sources, span: Span, root: &str) -> &'a str {
+    let path = sources.file_at(span.start).map_or("", |f| &f.path);
+    path.strip_prefix(root).unwrap_or(path)
+}
+
+/// The message, with the place in its pass where the file has no place for it.
+pub(super) fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> String {
+    let message = clean(&diagnostic.message);
+    let file = sources.file_at(diagnostic.span.start);
+    match file.and_then(|f| Some((f, f.part.as_ref()?))) {
+        Some((file, part)) => {
+            let at = file.position(diagnostic.span.start);
+            let part = clean(part);
+            format!("{message} ({part}, line {}, column {})", at.line, at.column)
+        }
+        None => message,
+    }
+}
+
+/// Path of the file that holds a span, with the pass where there are several.
+pub(super) fn location_name(sources: &Sources, span: Span) -> String {
+    match sources.file_at(span.start) {
+        Some(file) => match &file.part {
+            Some(part) => format!("{} ({})", clean(&file.path), clean(part)),
+            None => clean(&file.path),
+        },
+        None => String::new(),
+    }
+}
+
+/// Text without control characters, those that nobody sees, and those that turn the direction of
+/// writing, which could make a terminal show something else. Each is replaced by something of the same length.
+pub(super) fn clean(text: &str) -> String {
+    text.chars().map(clean_char).collect()
+}
+
+pub(super) fn clean_char(c: char) -> char {
+    match c {
+        '\t' => c,
+        // Three bytes each in UTF-8, like U+FFFD.
+        '\u{200b}'..='\u{200f}'
+        | '\u{2028}'..='\u{202e}'
+        | '\u{2060}'..='\u{2069}'
+        | '\u{feff}' => '\u{fffd}',
+        // Two bytes each, like U+00A4.
+        '\u{ad}' => '\u{a4}',
+        c if c.is_control() && c.len_utf8() == 1 => '?',
+        c if c.is_control() => '\u{a4}',
+        c => c,
+    }
+}
