@@ -1,10 +1,15 @@
-//! The order of the house: layers, pairs, pages, sizes, words.
+//! The order of the house: layers, circles, pairs, pages, sizes, names, words.
 
+mod circles;
+mod code;
+mod names;
+
+use code::{Token, tokens, without_tests};
 use shaderlint::diagnostic::ERRORS;
 use shaderlint::lint::Page;
 use shaderlint::rules::{RULES, error_page};
 use shaderlint::semantic::BuiltinId;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -52,47 +57,30 @@ fn files(folders: &[&str], ending: &str) -> Vec<(String, String)> {
         .collect()
 }
 
-fn is_of_name(c: char) -> bool {
-    c.is_ascii_alphanumeric() || c == '_'
-}
-
-/// What a shader declares (`semantic`) and its resolved form (`ir`) are called by one name.
-const FORMS: [&str; 2] = ["Function", "Variable"];
-
-/// One word, one meaning: a reader who meets a public type's name knows which it is.
-#[test]
-fn public_types_have_names_of_their_own() {
-    let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for (file, text) in files(&["src", "rules"], ".rs") {
-        for line in text.lines().map(str::trim_start) {
-            let kinds = [
-                "pub struct ",
-                "pub enum ",
-                "pub trait ",
-                "pub type ",
-                "pub union ",
-            ];
-            if let Some(rest) = kinds.iter().find_map(|kind| line.strip_prefix(kind)) {
-                let name = rest.split(|c| !is_of_name(c)).next().unwrap();
-                places
-                    .entry(name.to_string())
-                    .or_default()
-                    .push(file.clone());
-            }
-        }
-    }
-    let doubles = places.iter().filter(|(_, files)| files.len() > 1);
-    let doubles = doubles.filter(|(name, _)| !FORMS.contains(&name.as_str()));
-    let doubles = doubles.map(|(name, files)| format!("{name}: {}", files.join(" ")));
-    let doubles: Vec<String> = doubles.collect();
-    assert!(places.len() > 100);
-    assert!(doubles.is_empty(), "{}", doubles.join("\n"));
+/// The folders of all crates, in which their roots stand; `src` holds the programs beside the layers.
+fn crates() -> Vec<String> {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
+    let members = manifest.split_once("members = [").unwrap().1;
+    let members = members.split_once(']').unwrap().0.lines();
+    let members = members.filter_map(|l| l.trim().strip_prefix('"')?.strip_suffix("\","));
+    let with_root = |folder: &str| match root().join(folder).join("src").exists() {
+        true => format!("{folder}/src"),
+        false => folder.to_string(),
+    };
+    members.chain(["src"]).map(with_root).collect()
 }
 
 #[test]
 fn no_rule_names_another() {
     for (file, text) in files(&["rules"], ".rs") {
-        assert!(!text.contains("crate::"), "{file}");
+        let tokens = without_tests(&tokens(&text));
+        let names_another = tokens.windows(2).any(|pair| {
+            let [(first, _), (second, _)] = pair else {
+                return false;
+            };
+            matches!(first, Token::Name("crate" | "super")) && *second == Token::Path
+        });
+        assert!(!names_another, "{file}");
     }
 }
 

@@ -1,0 +1,259 @@
+//! No two files need each other, straight or through others: each can be read after those that it uses.
+
+use super::code::Crate;
+use super::{crates, files};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Circles that are left: the files of each, or folders that hold all of some. This list only becomes
+/// shorter.
+const LEFT: &[&[&str]] = &[
+    &["fuzz/src/main.rs", "fuzz/src/throw.rs"],
+    &["src/diagnostic/code.rs", "src/diagnostic/lib.rs"],
+    &[
+        "src/engine/config/mod.rs",
+        "src/engine/config/read/file.rs",
+        "src/engine/config/read/mod.rs",
+        "src/engine/config/read/rules.rs",
+        "src/engine/config/read/schema.rs",
+    ],
+    &[
+        "src/engine/lib.rs",
+        "src/engine/mend.rs",
+        "src/engine/verify.rs",
+    ],
+    &["src/engine/part.rs", "src/engine/unknown.rs"],
+    &[
+        "src/engine/play/project/channel.rs",
+        "src/engine/play/project/mod.rs",
+        "src/engine/play/project/sound.rs",
+        "src/engine/play/project/target.rs",
+    ],
+    &[
+        "src/engine/play/test/condition.rs",
+        "src/engine/play/test/mod.rs",
+    ],
+    &[
+        "src/exec/code.rs",
+        "src/exec/compile/emit.rs",
+        "src/exec/compile/mod.rs",
+        "src/exec/compile/probe.rs",
+        "src/exec/compile/registers.rs",
+    ],
+    &[
+        "src/exec/draw.rs",
+        "src/exec/machine/mod.rs",
+        "src/exec/machine/watch.rs",
+    ],
+    &[
+        "src/exec/image/cube.rs",
+        "src/exec/image/level.rs",
+        "src/exec/image/lookup.rs",
+        "src/exec/image/mipmap.rs",
+        "src/exec/image/mod.rs",
+    ],
+    &[
+        "src/flow/defs/condition.rs",
+        "src/flow/defs/mod.rs",
+        "src/flow/defs/place.rs",
+        "src/flow/defs/walk.rs",
+        "src/flow/same.rs",
+    ],
+    &[
+        "src/flow/ranges/back.rs",
+        "src/flow/ranges/mod.rs",
+        "src/flow/ranges/reason.rs",
+        "src/flow/ranges/solve.rs",
+    ],
+    &[
+        "src/format/columns.rs",
+        "src/format/gaps.rs",
+        "src/format/grid.rs",
+        "src/format/item.rs",
+        "src/format/layout.rs",
+        "src/format/lib.rs",
+        "src/format/lines.rs",
+        "src/format/spacing.rs",
+        "src/format/structure.rs",
+    ],
+    &["src/ir/lower/mod.rs", "src/ir/lower/precision.rs"],
+    &["src/ir/verify/mod.rs", "src/ir/verify/op.rs"],
+    &["src/lint/change.rs", "src/lint/fix.rs"],
+    &[
+        "src/lint/context.rs",
+        "src/lint/facts.rs",
+        "src/lint/option.rs",
+        "src/lint/rule.rs",
+        "src/lint/settings.rs",
+        "src/lint/trial/bench.rs",
+        "src/lint/trial/culprit.rs",
+        "src/lint/trial/hit.rs",
+        "src/lint/trial/longer.rs",
+        "src/lint/trial/mod.rs",
+        "src/lint/trial/picture.rs",
+        "src/lint/trial/verdict.rs",
+    ],
+    &["src/port/build.rs", "src/port/translated.rs"],
+    &[
+        "src/port/dialect/",
+        "src/port/media/mod.rs",
+        "src/port/media/stock.rs",
+        "src/port/project.rs",
+        "src/port/signature.rs",
+    ],
+    &["src/port/naga/"],
+    &[
+        "src/semantic/blame/calls.rs",
+        "src/semantic/blame/mod.rs",
+        "src/semantic/blame/trial.rs",
+        "src/semantic/settle.rs",
+        "src/semantic/unit.rs",
+    ],
+    &[
+        "src/semantic/builtins/mod.rs",
+        "src/semantic/builtins/prototype.rs",
+    ],
+    &[
+        "src/semantic/link/blocks.rs",
+        "src/semantic/link/limits.rs",
+        "src/semantic/link/mod.rs",
+        "src/semantic/link/uniforms.rs",
+        "src/semantic/link/varyings.rs",
+    ],
+    &[
+        "src/semantic/typing/construct.rs",
+        "src/semantic/typing/member.rs",
+        "src/semantic/typing/mod.rs",
+        "src/semantic/typing/operator.rs",
+    ],
+    &[
+        "src/syntax/parser/correction.rs",
+        "src/syntax/parser/mod.rs",
+    ],
+    &[
+        "src/syntax/preprocessor/amend.rs",
+        "src/syntax/preprocessor/input.rs",
+        "src/syntax/preprocessor/macros.rs",
+        "src/syntax/preprocessor/mod.rs",
+        "src/syntax/preprocessor/number.rs",
+    ],
+    &[
+        "src/text/embed/component.rs",
+        "src/text/embed/holes.rs",
+        "src/text/embed/html.rs",
+        "src/text/embed/listing.rs",
+        "src/text/embed/literal.rs",
+        "src/text/embed/markdown.rs",
+        "src/text/embed/mod.rs",
+        "src/text/embed/script.rs",
+        "src/text/embed/template.rs",
+        "src/text/embed/together.rs",
+        "src/text/kind/chunk.rs",
+        "src/text/kind/evidence.rs",
+        "src/text/kind/mod.rs",
+        "src/text/kind/signs.rs",
+    ],
+];
+
+type Arrows<'a> = BTreeMap<&'a str, BTreeSet<&'a str>>;
+
+/// What can be reached from a file.
+fn reached<'a>(arrows: &Arrows<'a>, from: &str) -> BTreeSet<&'a str> {
+    let mut reached = BTreeSet::new();
+    let mut open: Vec<&str> = arrows.get(from).into_iter().flatten().copied().collect();
+    while let Some(file) = open.pop() {
+        if reached.insert(file) {
+            open.extend(arrows.get(file).into_iter().flatten());
+        }
+    }
+    reached
+}
+
+/// The sets of files that reach each other.
+fn circles<'a>(arrows: &Arrows<'a>) -> BTreeSet<Vec<&'a str>> {
+    let reached_by = arrows.keys().map(|file| (*file, reached(arrows, file)));
+    let all: BTreeMap<&str, BTreeSet<&str>> = reached_by.collect();
+    let with = |file: &str| {
+        let there = all[file].iter().copied();
+        let back = there.filter(|to| all.get(to).is_some_and(|back| back.contains(file)));
+        back.collect::<Vec<&str>>()
+    };
+    let circles = all.keys().map(|file| with(file));
+    circles.filter(|circle| circle.len() > 1).collect()
+}
+
+#[test]
+fn files_need_each_other_one_way() {
+    let all = files(&["src", "rules", "fuzz"], ".rs");
+    let folders = crates();
+    let mut arrows = Arrows::new();
+    for folder in &folders {
+        arrows.extend(Crate::new(folder, &folders, &all).arrows());
+    }
+    let count: usize = arrows.values().map(BTreeSet::len).sum();
+    assert!(count > 1000, "{count} arrows");
+    let mut met = BTreeSet::new();
+    let mut said = Vec::new();
+    for circle in circles(&arrows) {
+        let place = |file: &&str, left: &[&'static str]| {
+            let place = left.iter().find(|place| file.starts_with(**place));
+            place.copied()
+        };
+        let is_left = |left: &&&[&'static str]| circle.iter().all(|f| place(f, left).is_some());
+        match LEFT.iter().find(is_left) {
+            Some(left) => met.extend(circle.iter().filter_map(|f| place(f, left))),
+            None => said.push(tell(&circle, &arrows)),
+        }
+    }
+    assert!(said.is_empty(), "{}", said.join("\n"));
+    for place in LEFT.iter().copied().flatten() {
+        assert!(met.contains(place), "{place} is in no circle any more");
+    }
+}
+
+fn tell(circle: &[&str], arrows: &Arrows) -> String {
+    let mut said = format!("a circle of {}:", circle.len());
+    for from in circle {
+        for to in arrows[from].iter().filter(|to| circle.contains(to)) {
+            said += &format!("\n    {from} -> {to}");
+        }
+    }
+    said
+}
+
+/// The circles of a crate of these files.
+fn circles_of(texts: &[(&str, &str)]) -> Vec<Vec<String>> {
+    let file = |(name, text): &(&str, &str)| (format!("a/{name}.rs"), text.to_string());
+    let files: Vec<(String, String)> = texts.iter().map(file).collect();
+    let read = Crate::new("a", &[], &files);
+    let found = circles(&read.arrows()).into_iter();
+    found
+        .map(|circle| circle.into_iter().map(str::to_string).collect())
+        .collect()
+}
+
+#[test]
+fn circles_are_seen_however_they_are_written() {
+    let two = [vec!["a/b.rs".to_string(), "a/c.rs".to_string()]];
+    let lib = ("lib", "mod b;\nmod c;\npub use b::B;\npub use c::C;\n");
+    let b = ("b", "use super::c::C;\npub struct B;\n");
+    for naming in [
+        "use crate::b::B;",
+        "use crate::{B, b::{self as way, more::More}};",
+        "use super::{b::{deep::Deep, B}};",
+        "use super::b; fn f(_: b::B) {}",
+        "use crate::B;",
+        "fn f(_: crate::b::B) {}",
+        "fn f() { super::b::go(\"\\\"\") }",
+    ] {
+        assert_eq!(circles_of(&[lib, b, ("c", naming)]), two, "{naming}");
+    }
+    for naming in [
+        "// use crate::b::B;",
+        "const A: &str = \"use crate::b::B;\";",
+        "#[cfg(test)]\nmod tests { use super::super::b::B; }",
+        "use other::b::B;",
+        "use super::b;",
+    ] {
+        assert_eq!(circles_of(&[lib, b, ("c", naming)]).len(), 0, "{naming}");
+    }
+}

@@ -1,0 +1,208 @@
+//! One name, one meaning: types, and the names of hosts.
+
+use super::code::{Token, tokens, without_tests};
+use super::{files, root};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Types that share their name with others, and how many there are of it. This list only becomes
+/// shorter, and its numbers smaller.
+const SHARED: &[(&str, usize)] = &[
+    ("Allow", 2),
+    ("Along", 2),
+    ("Answer", 2),
+    ("Around", 4),
+    ("At", 3),
+    ("Block", 2),
+    ("Bound", 3),
+    ("Calls", 2),
+    ("Candidate", 3),
+    ("Case", 3),
+    ("Certainty", 2),
+    ("Change", 2),
+    ("Channel", 2),
+    ("Checked", 3),
+    ("Choice", 2),
+    ("Command", 2),
+    ("Comparison", 2),
+    ("Content", 2),
+    ("ControlKind", 2),
+    ("Copy", 2),
+    ("Declared", 2),
+    ("Directive", 2),
+    ("Entry", 2),
+    ("Field", 2),
+    ("Form", 2),
+    ("Found", 3),
+    ("Frame", 4),
+    ("Function", 2),
+    ("Given", 3),
+    ("Goal", 2),
+    ("Held", 2),
+    ("Input", 2),
+    ("Kind", 2),
+    ("Known", 3),
+    ("Layout", 3),
+    ("List", 2),
+    ("Live", 2),
+    ("Look", 2),
+    ("Lookup", 2),
+    ("Lowered", 2),
+    ("Lowerer", 2),
+    ("Maker", 2),
+    ("Mark", 2),
+    ("Meaning", 2),
+    ("Member", 2),
+    ("Named", 2),
+    ("Operator", 2),
+    ("Order", 2),
+    ("Origin", 3),
+    ("Output", 2),
+    ("Parsed", 2),
+    ("Part", 2),
+    ("Parts", 2),
+    ("Piece", 2),
+    ("Place", 3),
+    ("Plan", 2),
+    ("Precisions", 3),
+    ("Problem", 2),
+    ("Reach", 2),
+    ("Reading", 2),
+    ("Record", 3),
+    ("Repairs", 2),
+    ("Row", 2),
+    ("Scope", 2),
+    ("Seen", 2),
+    ("Shader", 2),
+    ("Shape", 2),
+    ("Side", 3),
+    ("Slot", 2),
+    ("Source", 3),
+    ("Spot", 5),
+    ("State", 2),
+    ("Step", 3),
+    ("Subject", 2),
+    ("Summary", 2),
+    ("Target", 5),
+    ("Token", 2),
+    ("Tokens", 2),
+    ("Told", 2),
+    ("Value", 4),
+    ("Variable", 2),
+    ("Walk", 2),
+    ("Wanted", 3),
+    ("Way", 2),
+    ("Words", 2),
+    ("Writer", 2),
+    ("Written", 2),
+];
+
+/// The types that a text declares: for everyone or for itself alone.
+fn types(text: &str) -> Vec<&str> {
+    let all = tokens(text);
+    let tokens = without_tests(&all);
+    let mut depth = 0_usize;
+    let mut found = Vec::new();
+    for pair in tokens.windows(2) {
+        match [pair[0].0, pair[1].0] {
+            [Token::Mark('{'), _] => depth += 1,
+            [Token::Mark('}'), _] => depth -= 1,
+            [
+                Token::Name("struct" | "enum" | "trait" | "union"),
+                Token::Name(name),
+            ] => {
+                found.push(name);
+            }
+            // Inside of something it is what an implementation calls by the name of a trait.
+            [Token::Name("type"), Token::Name(name)] if depth == 0 => found.push(name),
+            _ => {}
+        }
+    }
+    found
+}
+
+/// A reader who meets a type's name knows which it is.
+#[test]
+fn types_have_names_of_their_own() {
+    let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for (file, text) in files(&["src", "rules"], ".rs") {
+        for name in types(&text) {
+            let place = places.entry(name.to_string()).or_default();
+            place.push(file.clone());
+        }
+    }
+    assert!(places.len() > 800, "{}", places.len());
+    let shared: BTreeMap<&str, usize> = SHARED.iter().copied().collect();
+    assert!(SHARED.is_sorted() && shared.len() == SHARED.len());
+    let mut wrong = Vec::new();
+    for (name, files) in &places {
+        let most = shared.get(name.as_str()).copied().unwrap_or(1);
+        if files.len() > most {
+            wrong.push(format!("{name} is taken: {}", files.join(" ")));
+        }
+    }
+    for (name, listed) in SHARED {
+        let count = places.get(*name).map_or(0, Vec::len);
+        if count < *listed {
+            wrong.push(format!(
+                "{name} is listed {listed} times and stands {count} times"
+            ));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn types_are_seen_however_they_are_declared() {
+    let text = "pub(crate) struct A;\nenum B<'a> { C(&'a str) }\nfn f() { struct D; }\n\
+        impl E for A { type Output = u8; }\ntype F = u8; // struct G;\n#[cfg(test)]\nmod tests { struct H; }";
+    assert_eq!(types(text), ["A", "B", "D", "F"]);
+}
+
+/// Files and folders in which hosts are still told by their names. This list only becomes shorter.
+const TELL_HOSTS: &[&str] = &[
+    "src/cli/lsp/preview.rs",
+    "src/cli/port/load.rs",
+    "src/engine/embedded.rs",
+    "src/engine/include/find.rs",
+    "src/engine/include/mod.rs",
+    "src/engine/include/passes.rs",
+    "src/engine/include/scan.rs",
+    "src/port/dialect/",
+    "src/text/embed/markdown.rs",
+    "src/text/kind/mod.rs",
+];
+
+/// Who runs a shader is told by the table of hosts, not by a name in the code.
+#[test]
+fn no_host_is_told_by_its_name() {
+    let hosts = files(&["src/host"], ".glsl").into_iter();
+    let stem = |file: String| {
+        let name = file.rsplit('/').next().unwrap().to_string();
+        name.trim_end_matches(".glsl").to_string()
+    };
+    let mut names: BTreeSet<String> = hosts.map(|(file, _)| stem(file)).collect();
+    assert!(names.len() > 25 && names.contains("shadertoy") && names.contains("three"));
+    names.extend(["bonzomatic", "glsl-sandbox", "isf", "kodelife", "twigl"].map(str::to_string));
+    let mut met = BTreeSet::new();
+    let mut wrong = Vec::new();
+    for (file, text) in files(&["src"], ".rs") {
+        if file.starts_with("src/host/") {
+            continue;
+        }
+        for (token, line) in without_tests(&tokens(&text)) {
+            let Token::Text(name) = token else { continue };
+            if !names.contains(name) {
+                continue;
+            }
+            match TELL_HOSTS.iter().find(|place| file.starts_with(**place)) {
+                Some(place) => drop(met.insert(*place)),
+                None => wrong.push(format!("{file}:{line}: {name}")),
+            }
+        }
+    }
+    for place in TELL_HOSTS.iter().filter(|place| !met.contains(*place)) {
+        wrong.push(format!("{place} tells no host by its name any more"));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(root().join("src/host/presets").exists());
+}
