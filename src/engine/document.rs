@@ -1,11 +1,12 @@
 //! From the text of one file to what is said of it.
 
 use super::analysis::Analysis;
+use super::check::{PartFindings, ask_first, check_part};
 use super::export::Written;
 use super::host::Hosts;
 use super::input::SplitInput;
 use super::options::Desktop;
-use super::part::{Part, PartFindings, Shader, ask_first, check_part};
+use super::part::{Part, Shader};
 use super::shader::shader_part;
 use super::world::{Keep, World};
 use super::{embedded, foreign, partner};

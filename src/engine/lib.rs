@@ -6,6 +6,7 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod analysis;
+mod check;
 pub mod config;
 mod document;
 mod embedded;

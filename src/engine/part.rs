@@ -1,28 +1,15 @@
 //! One shader of an input.
 
 use super::analysis::Analysis;
-use super::host::Hosts;
 use super::include::MissingInclude;
-use super::options::{DialectChoice, Options};
-use super::play::Supply;
-use super::reading::{Reading, Readings, Standing, lacking};
-use super::unknown::{self, Unresolved};
-use super::version;
-use super::world::Keep;
-use shaderlint_diagnostic::{
-    Applicability, Certainty, Diagnostic, Facet, Severity, Subject, error,
-};
-use shaderlint_lint::{
-    Allows, Around, Facts, Judged, Known, Settings, Unrun, keep_comments, lint_within,
-};
+use super::reading::{Reading, Readings, Standing};
+use shaderlint_lint::Unrun;
 use shaderlint_port::PassUnit;
-use shaderlint_rules::RULES;
-use shaderlint_semantic::{Checked, Dialect, Stage, Wholeness};
-use shaderlint_syntax::{Version, WordClass, classify};
-use shaderlint_text::embed::{Embedder, Front};
-use shaderlint_text::{FileId, Role, Sources};
+use shaderlint_semantic::{Dialect, Stage, Wholeness};
+use shaderlint_syntax::Version;
+use shaderlint_text::FileId;
+use shaderlint_text::embed::Embedder;
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
 /// One shader of an input.
 pub struct Part {
@@ -82,216 +69,6 @@ impl Part {
     }
 }
 
-/// What was found in the shaders of a file.
-#[derive(Default)]
-pub struct PartFindings {
-    /// What is wrong with them.
-    pub diagnostics: Vec<Diagnostic>,
-    /// The comments that allow a finding.
-    pub allows: Allows,
-    /// The names that their hosts have to declare.
-    pub unresolved: Unresolved,
-}
-
-/// Finds what is to be said of a shader, and says what was looked at; of one with errors also what
-/// was judged at all.
-pub fn check_part(
-    sources: &mut Arc<Sources>,
-    part: &mut Part,
-    hosts: &Hosts,
-    options: &Options,
-    keep: Keep,
-    found: &mut PartFindings,
-) -> Option<(Shader, Option<Judged>)> {
-    let mut checked = understand(sources, part, hosts, options)?;
-    let known = Arc::default();
-    unknown::judge(sources, part, &mut checked, hosts, &mut found.unresolved);
-    let missing = version::missing(sources, part, &checked, hosts);
-    checked.diagnostics.extend(missing);
-    let told = tell_part(
-        sources,
-        part,
-        (&mut checked, &known),
-        &options.settings,
-        &mut found.allows,
-        &mut found.diagnostics,
-    )?;
-    if keep == Keep::Programs {
-        part.analysis = Some(Analysis::new(checked, told.0.has_errors, known));
-    }
-    Some(told)
-}
-
-/// Checks a shader. Where it lacks something, its host is looked for first.
-fn understand(
-    sources: &mut Arc<Sources>,
-    part: &mut Part,
-    hosts: &Hosts,
-    options: &Options,
-) -> Option<Checked> {
-    let is_open = options.dialect == DialectChoice::Auto
-        && options.host.preset.is_none()
-        && !part.readings.is_shadertoy();
-    let checked = part.readings.check(sources, part.infer_channels)?;
-    let lacking = lacking(&checked).filter(|_| is_open);
-    let (presets, is_sure) = lacking.map_or((Vec::new(), true), |lacking| {
-        hosts.of(&lacking, &part.readings)
-    });
-    if presets.is_empty() {
-        return Some(checked);
-    }
-    drop(checked);
-    part.readings
-        .host(Arc::make_mut(sources), &presets, options)?;
-    let script = hosts.script();
-    part.readings.are_hosts_complete = presets.iter().all(|p| p.is_complete_in(script));
-    part.readings.is_guessed = !is_sure;
-    part.readings.check(sources, part.infer_channels)
-}
-
-/// Runs the rules over a shader that was checked, and gathers what is to be said.
-fn tell_part(
-    sources: &Sources,
-    part: &Part,
-    (checked, found): (&mut Checked, &Arc<Known>),
-    settings: &Settings,
-    allows: &mut Allows,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Option<(Shader, Option<Judged>)> {
-    let wholeness = checked.wholeness;
-    let known = diagnostics.len();
-    if part.readings.is_shown() && wholeness != Wholeness::Whole {
-        keep_of_excerpt(&mut checked.diagnostics);
-    }
-    if part.readings.is_handed_over() && part.embedder.front == Front::Unknown {
-        let misplaced = checked.diagnostics.iter_mut();
-        for d in misplaced.filter(|d| d.subject == Subject::BlankFront) {
-            d.severity = Severity::Warning;
-            d.notes
-                .push("unless the text is trimmed before it is compiled".to_string());
-        }
-    }
-    let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
-    let errors = checked.diagnostics.iter().filter(is_error).count();
-    allows.expect(&checked.program, RULES, &mut checked.diagnostics);
-    let (unrun, left_out) = run_rules(part, (checked, found), settings, allows, diagnostics);
-    keep_under_hosts(sources, &part.readings, &mut checked.diagnostics);
-    if wholeness != Wholeness::Whole {
-        // The program around a part knows its names.
-        let names = checked.diagnostics.iter_mut();
-        let renamed = names.filter(|d| d.is(error::RESERVED_WORD));
-        renamed.for_each(|d| ask_first(std::slice::from_mut(d)));
-    }
-    diagnostics.append(&mut checked.diagnostics);
-    let own = diagnostics.get_mut(known..).unwrap_or(&mut []);
-    if wholeness != Wholeness::Whole {
-        let hosts: Arc<[String]> = part.readings.hosts.as_slice().into();
-        own.iter_mut().for_each(|d| d.part = Some(hosts.clone()));
-    }
-    if own.iter().any(|d| d.fix.is_some()) {
-        let mut comments = checked.program.tokens.comments.clone();
-        comments.sort();
-        for diagnostic in own {
-            keep_comments(sources, &comments, diagnostic);
-        }
-    }
-    let program = &checked.program;
-    let judged = (errors > 0).then(|| Judged::of(program));
-    let own = |id: &&FileId| sources.code(**id).is_some_and(|c| c.role == Role::User);
-    let shader = Shader {
-        missing: part.missing.clone(),
-        file: part.reading()?.files.iter().rev().find(own).copied(),
-        stage: program.stage,
-        dialect: program.dialect,
-        version: program.version,
-        wholeness,
-        unrun,
-        has_errors: errors > 0,
-        left_out,
-        size: program.size(),
-        holes: std::mem::take(&mut checked.open.names),
-        hosts: part.readings.hosts.clone(),
-    };
-    Some((shader, judged))
-}
-
-/// Keeps what is wrong in an excerpt that a text shows: values that do not fit. It may be cut anywhere,
-/// list prototypes, or declare anew what the text has shown before.
-fn keep_of_excerpt(diagnostics: &mut Vec<Diagnostic>) {
-    diagnostics.retain(|d| {
-        d.severity != Severity::Error
-            || d.certainty() == Certainty::Meaning && !d.has(Facet::Declares)
-    });
-    let errors = diagnostics
-        .iter_mut()
-        .filter(|d| d.severity == Severity::Error);
-    errors.for_each(|d| d.severity = Severity::Warning);
-}
-
-/// Runs the rules over a shader. Says where they did not run, and how many of their findings are too
-/// many.
-fn run_rules(
-    part: &Part,
-    (checked, known): (&Checked, &Arc<Known>),
-    settings: &Settings,
-    allows: &mut Allows,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> (Unrun, usize) {
-    let wholeness = checked.wholeness;
-    let open = &checked.open;
-    // Where more is open than names, no rule knows enough; where names are, the functions without them
-    // are known.
-    let is_known = !open.is_any || open.is_names_only;
-    let is_example = part.readings.is_shown() && !part.readings.has_version();
-    if !is_known || is_example || wholeness == Wholeness::Excerpt {
-        return (Unrun::Everywhere, 0);
-    }
-    let mut found = Vec::new();
-    let program = &checked.program;
-    let errors = checked.diagnostics.iter().chain(&open.unknown);
-    let errors: Vec<Diagnostic> = errors.cloned().collect();
-    let supply = Supply::of(program);
-    let around = Around {
-        embedder: part.embedder,
-        mipmapped: part.mipmapped,
-        supplier: (wholeness == Wholeness::Whole).then_some(&supply),
-    };
-    let mut facts = Facts::of(program, known);
-    facts.around = around;
-    let unrun = lint_within(facts, &errors, RULES, settings, &mut found);
-    if unrun != Unrun::Everywhere {
-        allows.apply(program, RULES, &mut found);
-    }
-    if let Unrun::Functions { broken, .. } = &unrun {
-        allows.excuse(broken);
-    }
-    found.retain(|d| program.sources.is_user(d.span.start));
-    if wholeness != Wholeness::Whole {
-        // What a host makes of it is not known well enough to write anything unasked.
-        ask_first(&mut found);
-    }
-    found.sort_by_key(|d| (d.span.start, d.span.end));
-    let left_out = found.len().saturating_sub(MAX_FINDINGS);
-    found.truncate(MAX_FINDINGS);
-    diagnostics.append(&mut found);
-    (unrun, left_out)
-}
-
-/// Keeps what is wrong even if the hosts give other names, or are not the ones that were guessed.
-fn keep_under_hosts(sources: &Sources, readings: &Readings, diagnostics: &mut Vec<Diagnostic>) {
-    if readings.renames {
-        diagnostics.retain(|d| !d.is(error::RESERVED_WORD));
-    }
-    if readings.is_guessed && !readings.needs_300() {
-        // Where only the project speaks for a host, the text may go by another way, as GLSL ES 1.00.
-        diagnostics.retain(|d| {
-            let word = classify(sources.text(d.span), Version::Es100);
-            let is_free = d.is(error::RESERVED_WORD) && word == WordClass::Plain;
-            !d.is(error::BUILTIN_REDEFINITION) && !is_free
-        });
-    }
-}
-
 /// What was read as one shader, and how far rules looked at it.
 #[derive(Clone, Debug)]
 pub struct Shader {
@@ -319,14 +96,4 @@ pub struct Shader {
     pub hosts: Vec<String>,
     /// What it includes and is not found.
     pub missing: Vec<MissingInclude>,
-}
-
-/// Most findings of the rules in one shader; whoever mends these sees the next.
-const MAX_FINDINGS: usize = 500;
-
-/// Makes all fixes such that a person decides.
-pub fn ask_first(diagnostics: &mut [Diagnostic]) {
-    for fix in diagnostics.iter_mut().filter_map(|d| d.fix.as_mut()) {
-        fix.applicability = Applicability::Unsafe;
-    }
 }

@@ -10,12 +10,14 @@
 
 mod list;
 mod meaning;
+mod near;
 
 pub use meaning::{
     COMMON, Feed, FeedRow, Meanings, OWN, TextureFeed, TextureRow, USUAL, VaryingRow, is_named,
 };
 
 use list::FILES;
+use near::none_of;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::OnceLock;
@@ -149,6 +151,16 @@ pub fn preset(name: &str) -> Option<&'static Preset> {
     }
 }
 
+/// ShaderToy's player.
+pub fn shadertoy() -> Option<&'static Preset> {
+    preset("shadertoy")
+}
+
+/// A page that runs a text as it stands.
+pub fn page() -> Option<&'static Preset> {
+    preset("webgl")
+}
+
 /// The names and aliases of all presets, in the order of the alphabet.
 pub fn names() -> Vec<&'static str> {
     let aliases = presets().flat_map(|p| &p.aliases).map(String::as_str);
@@ -181,16 +193,6 @@ pub fn host_named(name: &str) -> Result<&'static Preset, String> {
             ),
         }
     })
-}
-
-/// That a word is none of some words, with the one that was probably meant.
-fn none_of(word: &str, known: &[&str]) -> String {
-    let distances = known
-        .iter()
-        .map(|k| (strsim::damerau_levenshtein(k, word), *k));
-    let near = distances.filter(|(d, _)| *d <= 3).min();
-    let near = near.map_or(String::new(), |(_, k)| format!("; did you mean `{k}`?"));
-    format!("`{word}` is none of `{}`{near}", known.join("`, `"))
 }
 
 impl Preset {
@@ -343,7 +345,7 @@ pub fn matches_any(all: &[String], name: &str) -> bool {
 /// with a meaning that cannot be read.
 pub fn read(text: &str) -> Result<Preset, HeadError> {
     let mut preset = Preset::default();
-    let mut given = Given::default();
+    let mut given = GivenFacts::default();
     let mut has_facts = false;
     let mut is_head = true;
     // What the lines before a declaration say of it.
@@ -418,12 +420,12 @@ const SHADER_DECLARES: &str = "#ifdef SHADER_DECLARES";
 
 /// Which facts a head gives that a base gives otherwise.
 #[derive(Default)]
-struct Given {
+struct GivenFacts {
     version: bool,
     names: bool,
 }
 
-impl Given {
+impl GivenFacts {
     fn note(&mut self, key: &str) {
         self.version |= key == "version";
         self.names |= key == "names";
@@ -450,7 +452,7 @@ impl Preset {
     }
 
     /// Puts what it says behind what its base says. What shows the base does not show it.
-    fn build_on(&mut self, base: &Preset, given: &Given) {
+    fn build_on(&mut self, base: &Preset, given: &GivenFacts) {
         self.put_behind(base);
         if !given.version {
             self.version = base.version;

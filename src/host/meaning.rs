@@ -4,6 +4,7 @@
 //! `repeat`), further types (`or vec3 ivec2`), `numbered` where the number in the name may be any
 //! other, and how much the name shows that a shader is this host's (`usual`, `own`).
 
+use super::near::none_of;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -193,7 +194,7 @@ pub fn is_named(row: &str, name: &str) -> bool {
 }
 
 /// A declaration with a comment behind it.
-struct Declared<'t> {
+struct DeclaredName<'t> {
     /// `uniform`, `varying` or `in`.
     qualifier: &'t str,
     /// With an array's size.
@@ -283,7 +284,7 @@ impl Meanings {
         let Some((code, meaning)) = line.split_once("// =") else {
             return Ok(());
         };
-        let Some(declared) = Declared::of(code) else {
+        let Some(declared) = DeclaredName::of(code) else {
             let what =
                 "only a uniform or a varying, one in a line, can be given something by `// =`";
             return Err(what.to_string());
@@ -309,7 +310,7 @@ impl Meanings {
 
     fn feed<'w>(
         &mut self,
-        declared: Declared,
+        declared: DeclaredName,
         given: &str,
         words: impl Iterator<Item = &'w str>,
         (weight, is_declared): (u8, bool),
@@ -317,7 +318,7 @@ impl Meanings {
         let feed = Feed::ALL.iter().copied().find(|f| f.name() == given);
         let Some(feed) = feed else {
             let names: Vec<&str> = Feed::ALL.iter().map(|f| f.name()).collect();
-            return Err(super::none_of(given, &names));
+            return Err(none_of(given, &names));
         };
         let mut row = FeedRow {
             name: declared.name.to_string(),
@@ -333,10 +334,7 @@ impl Meanings {
                     .extend(types.split_whitespace().map(str::to_string)),
                 None if word == "numbered" => row.name = numbered(declared.name)?,
                 None => {
-                    return Err(super::none_of(
-                        word,
-                        &["or TYPE", "numbered", "usual", "own"],
-                    ));
+                    return Err(none_of(word, &["or TYPE", "numbered", "usual", "own"]));
                 }
             }
         }
@@ -346,13 +344,13 @@ impl Meanings {
 
     fn texture<'w>(
         &mut self,
-        declared: &Declared,
+        declared: &DeclaredName,
         given: &str,
         words: impl Iterator<Item = &'w str>,
         (weight, is_declared): (u8, bool),
     ) -> Result<(), String> {
         let Some((_, texture, _)) = TEXTURES.iter().find(|(name, ..)| *name == given) else {
-            return Err(super::none_of(given, &TEXTURES.map(|(name, ..)| name)));
+            return Err(none_of(given, &TEXTURES.map(|(name, ..)| name)));
         };
         let mut row = TextureRow {
             name: declared.name.to_string(),
@@ -374,7 +372,7 @@ impl Meanings {
                 _ => {
                     let others = ["numbered", "usual", "own"];
                     let all = [&FILTERS[..], &WRAPS[..], &others[..]].concat();
-                    return Err(super::none_of(word, &all));
+                    return Err(none_of(word, &all));
                 }
             }
         }
@@ -403,8 +401,8 @@ fn numbered(name: &str) -> Result<String, String> {
     Ok(format!("{before}#{behind}"))
 }
 
-impl<'t> Declared<'t> {
-    fn of(code: &'t str) -> Option<Declared<'t>> {
+impl<'t> DeclaredName<'t> {
+    fn of(code: &'t str) -> Option<DeclaredName<'t>> {
         let (declaration, rest) = code.split_once(';')?;
         if !rest.trim().is_empty() || declaration.contains(',') {
             return None;
@@ -421,7 +419,7 @@ impl<'t> Declared<'t> {
             Some((name, _)) => (name, name_size(declaration)?),
             None => (name, ""),
         };
-        words.next().is_none().then(|| Declared {
+        words.next().is_none().then(|| DeclaredName {
             qualifier,
             ty: format!("{ty}{size}"),
             name,

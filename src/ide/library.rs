@@ -2,7 +2,7 @@
 //! `built_ins.txt`, whose head explains its form, and of ShaderToy's uniforms its host's file.
 
 use rustc_hash::FxHashMap;
-use shaderlint_host::preset;
+use shaderlint_host::shadertoy;
 use std::sync::OnceLock;
 
 /// What is said of a name.
@@ -20,7 +20,7 @@ pub fn entry(name: &str) -> Option<&'static Entry> {
     ENTRIES
         .get_or_init(|| {
             let mut all = read(include_str!("built_ins.txt"));
-            let uniforms = preset("shadertoy").into_iter().flat_map(|p| &p.said);
+            let uniforms = shadertoy().into_iter().flat_map(|p| &p.said);
             for (name, said) in uniforms {
                 all.entry(name).or_default().text = said.clone();
             }

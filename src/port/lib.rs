@@ -41,7 +41,7 @@ pub use compose::{Composed, PassUnit, compose};
 pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
 pub use dialect::{
-    Bindings, Change, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, TextsBeside,
+    Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, TextChange, TextsBeside,
     UniformData, VaryingValue, bindings, calls_entry, hosted, recognise,
 };
 pub use draw::{PassDraw, SizeTerm};

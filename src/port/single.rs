@@ -5,7 +5,7 @@ use super::{
     Bindings, Composed, Info, Input, InputKind, Project, ProjectPass, UniformControl, Wrapper,
     compose,
 };
-use shaderlint_host::{Preset, preset};
+use shaderlint_host::{Preset, page};
 use shaderlint_semantic::{
     GuessedKind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels,
 };
@@ -169,7 +169,7 @@ impl Project {
             match unit.wrapper {
                 Wrapper::Player => pass.inputs = channels_used(program, unit.kind),
                 Wrapper::Own => {
-                    let Some(host) = self.host.or_else(|| preset("webgl")) else {
+                    let Some(host) = self.host.or_else(page) else {
                         continue;
                     };
                     let own = (&pass.inputs[..], &controls[..]);

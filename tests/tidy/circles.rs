@@ -21,7 +21,6 @@ const LEFT: &[&[&str]] = &[
         "src/engine/mend.rs",
         "src/engine/verify.rs",
     ],
-    &["src/engine/part.rs", "src/engine/unknown.rs"],
     &[
         "src/engine/play/project/channel.rs",
         "src/engine/play/project/mod.rs",

@@ -61,7 +61,7 @@ fn other_files_are_not() {
     check(&[("a.vert", VERTEX), ("b.frag", FRAGMENT)], &["."], &[]);
     check(&[("a.vert", VERTEX), ("sub/a.frag", FRAGMENT)], &["."], &[]);
     // The other's own mistakes are not this file's.
-    let broken = FRAGMENT.replace("color =", "colour =");
+    let broken = FRAGMENT.replace("color =", "color + =");
     check(&[("a.vert", VERTEX), ("a.frag", &broken)], &["a.vert"], &[]);
     // What the page may turn on is not missing.
     let vertex = VERTEX.replace("out vec3 vUv;", "#ifdef UV\nout vec2 vUv;\n#endif");
@@ -151,7 +151,7 @@ const bad = new THREE.ShaderMaterial({
     check(&[("m.js", script)], &["m.js"], &["m.js:14:18 link-varying"]);
     // A name that is not declared keeps nothing from being linked.
     let unknown = script.replacen("vec4(vUv, 0.0, 1.0)", "vec4(vUv, other, 1.0)", 2);
-    let all = ["m.js:8:42 undeclared-name", "m.js:14:18 link-varying"];
+    let all = ["m.js:8:44 undeclared-name", "m.js:14:18 link-varying"];
     check(&[("m.js", &unknown)], &["m.js"], &all);
     let (one, _) = script.split_once("const bad").unwrap();
     let keys = "uniforms: { uTime: { value: 0 }, uColour: { value: c } },\n  vertexShader";

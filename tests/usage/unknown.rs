@@ -89,12 +89,12 @@ fn a_material_of_three_js_is_complete() {
     let material = "import * as THREE from 'three';\nnew THREE.ShaderMaterial({ fragmentShader: `\n\
         varying vec2 vUv;\nvoid main() { gl_FragColor = vec4(one * vUv, two, toneMappingExposure); }` });\n";
     let errors = [
-        "5:36: error[undeclared-name]: nothing declares `one`",
-        "5:47: error[undeclared-name]: nothing declares `two`",
+        "4:35: error[undeclared-name]: nothing declares `one`",
+        "4:46: error[undeclared-name]: nothing declares `two`",
     ];
     check(&[("a.js", material)], &errors);
     let patched = format!("{material}m.onBeforeCompile = (shader) => change(shader);\n");
-    let listed = "5:36: info[undeclared-name]: 2 names are not declared here: `one`, `two`";
+    let listed = "4:35: info[undeclared-name]: 2 names are not declared here: `one`, `two`";
     check(&[("a.js", &patched)], &[listed]);
 }
 

@@ -2,11 +2,11 @@
 
 use super::moment::Moment;
 use shaderlint_exec::{Code, Draw};
-use shaderlint_host::{Feed, preset};
+use shaderlint_host::{Feed, shadertoy};
 
 /// What the player gives its uniforms whatever the project is like, by their names.
 fn given() -> impl Iterator<Item = (&'static str, Feed)> {
-    let rows = preset("shadertoy").map_or(&[][..], |p| &p.meanings.feeds);
+    let rows = shadertoy().map_or(&[][..], |p| &p.meanings.feeds);
     let is_given = |feed| !matches!(feed, Feed::ChannelTime | Feed::ChannelResolution);
     let own = rows.iter().filter(|row| row.is_declared);
     own.map(|row| (row.name.as_str(), row.feed))

@@ -21,7 +21,7 @@ pub struct Completion {
     /// What goes behind it.
     pub behind: Arc<str>,
     /// What was changed in the text of the user.
-    pub changes: Vec<Change>,
+    pub changes: Vec<TextChange>,
     /// What is to be told of it.
     pub note: Option<String>,
     /// The stage that it is for.
@@ -30,7 +30,7 @@ pub struct Completion {
 
 /// A change of a text, so that it can be compiled behind another.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Change {
+pub struct TextChange {
     /// What is replaced, in bytes of the text.
     pub range: Range<usize>,
     /// What is in its place.
@@ -265,7 +265,7 @@ pub(super) fn has_images(clues: &Clues) -> bool {
 }
 
 /// Makes comments of the declarations of images.
-fn hide_images(text: &str, changes: &mut Vec<Change>) {
+fn hide_images(text: &str, changes: &mut Vec<TextChange>) {
     let mut lexer = Lexer::new(text, 0);
     // Where the declaration at hand begins, and whether it is one of an image.
     let (mut first, mut is_image): (Option<usize>, bool) = (None, false);
@@ -281,7 +281,7 @@ fn hide_images(text: &str, changes: &mut Vec<Change>) {
                 let image = first.take().filter(|_| is_image);
                 let whole = image.and_then(|at| Some((at, text.get(at..end)?)));
                 if let Some((at, own)) = whole.filter(|(_, own)| !own.contains("*/")) {
-                    changes.push(Change {
+                    changes.push(TextChange {
                         range: at..end,
                         put: format!("/*{own}*/"),
                         is_hidden: true,
@@ -336,7 +336,7 @@ fn old_lookups(clues: &Clues) -> String {
 }
 
 /// What is changed in a text that is compiled behind another.
-fn changes(text: &str) -> Vec<Change> {
+fn changes(text: &str) -> Vec<TextChange> {
     let mut all = Vec::new();
     hide_first_lines(text, &mut all);
     hide_images(text, &mut all);
@@ -347,7 +347,7 @@ fn changes(text: &str) -> Vec<Change> {
 }
 
 /// A text with its changes.
-pub(super) fn changed(text: &str, changes: &[Change]) -> String {
+pub(super) fn changed(text: &str, changes: &[TextChange]) -> String {
     let mut out = String::with_capacity(text.len() + 32);
     let mut from = 0;
     for change in changes {
@@ -361,7 +361,7 @@ pub(super) fn changed(text: &str, changes: &[Change]) -> String {
 
 /// Makes comments of `#version` and `#extension` lines: what stands before the text has its own, and
 /// the language wants them first. What it would include is not at hand.
-fn hide_first_lines(text: &str, changes: &mut Vec<Change>) {
+fn hide_first_lines(text: &str, changes: &mut Vec<TextChange>) {
     let mut lexer = Lexer::new(text, 0);
     let mut hash = None;
     loop {
@@ -379,7 +379,7 @@ fn hide_first_lines(text: &str, changes: &mut Vec<Change>) {
                     Some((at, line))
                 });
                 if let Some((at, line)) = line {
-                    changes.push(Change {
+                    changes.push(TextChange {
                         range: at..at + line.len(),
                         put: format!("//{line}"),
                         is_hidden: true,
@@ -394,7 +394,7 @@ fn hide_first_lines(text: &str, changes: &mut Vec<Change>) {
 
 /// Makes input blocks, which GLSL ES 3.00 has not, inputs of structs:
 /// `in VertexData { vec2 uv; } data;`.
-fn make_struct_inputs(text: &str, changes: &mut Vec<Change>) {
+fn make_struct_inputs(text: &str, changes: &mut Vec<TextChange>) {
     let mut lexer = Lexer::new(text, 0);
     // What was read of a block: where `in` stands, its name, and where its brace was closed.
     let mut word: Option<Range<usize>> = None;
@@ -414,7 +414,7 @@ fn make_struct_inputs(text: &str, changes: &mut Vec<Change>) {
             }
             _ => match (own, &block) {
                 ("{", Some((range, _))) => {
-                    changes.push(Change {
+                    changes.push(TextChange {
                         range: range.clone(),
                         put: "struct".to_string(),
                         is_hidden: false,
@@ -422,7 +422,7 @@ fn make_struct_inputs(text: &str, changes: &mut Vec<Change>) {
                     is_open = true;
                 }
                 ("}", Some((_, name))) if is_open => {
-                    changes.push(Change {
+                    changes.push(TextChange {
                         range: range.end..range.end,
                         put: format!("; in {name}"),
                         is_hidden: false,

@@ -26,7 +26,7 @@ pub use bind::{Bindings, MAX_CHANNELS, UniformData};
 use clues::VersionAsked;
 pub use clues::{Clues, Interfacing};
 pub(crate) use complete::best;
-pub use complete::{Change, Completion};
+pub use complete::{Completion, TextChange};
 pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
