@@ -194,7 +194,7 @@ pub fn is_named(row: &str, name: &str) -> bool {
 }
 
 /// A declaration with a comment behind it.
-struct DeclaredName<'t> {
+struct HostDeclaration<'t> {
     /// `uniform`, `varying` or `in`.
     qualifier: &'t str,
     /// With an array's size.
@@ -284,7 +284,7 @@ impl Meanings {
         let Some((code, meaning)) = line.split_once("// =") else {
             return Ok(());
         };
-        let Some(declared) = DeclaredName::of(code) else {
+        let Some(declared) = HostDeclaration::of(code) else {
             let what =
                 "only a uniform or a varying, one in a line, can be given something by `// =`";
             return Err(what.to_string());
@@ -310,7 +310,7 @@ impl Meanings {
 
     fn feed<'w>(
         &mut self,
-        declared: DeclaredName,
+        declared: HostDeclaration,
         given: &str,
         words: impl Iterator<Item = &'w str>,
         (weight, is_declared): (u8, bool),
@@ -344,7 +344,7 @@ impl Meanings {
 
     fn texture<'w>(
         &mut self,
-        declared: &DeclaredName,
+        declared: &HostDeclaration,
         given: &str,
         words: impl Iterator<Item = &'w str>,
         (weight, is_declared): (u8, bool),
@@ -401,8 +401,8 @@ fn numbered(name: &str) -> Result<String, String> {
     Ok(format!("{before}#{behind}"))
 }
 
-impl<'t> DeclaredName<'t> {
-    fn of(code: &'t str) -> Option<DeclaredName<'t>> {
+impl<'t> HostDeclaration<'t> {
+    fn of(code: &'t str) -> Option<HostDeclaration<'t>> {
         let (declaration, rest) = code.split_once(';')?;
         if !rest.trim().is_empty() || declaration.contains(',') {
             return None;
@@ -419,7 +419,7 @@ impl<'t> DeclaredName<'t> {
             Some((name, _)) => (name, name_size(declaration)?),
             None => (name, ""),
         };
-        words.next().is_none().then(|| DeclaredName {
+        words.next().is_none().then(|| HostDeclaration {
             qualifier,
             ty: format!("{ty}{size}"),
             name,
