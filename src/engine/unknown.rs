@@ -49,12 +49,10 @@ pub fn judge(
     for d in &mut unknown {
         suggest(d, sources.text(d.span), &vocabulary);
     }
-    report_inactive(
-        &checked.program,
-        &vocabulary,
-        hosts,
-        &mut checked.diagnostics,
-    );
+    let program = &checked.program;
+    if !program.tokens.undecided.is_empty() {
+        report_inactive(program, &vocabulary, hosts, &mut checked.diagnostics);
+    }
     let openness = Openness::of(part, &unknown, |d| {
         let word = sources.text(d.span);
         is_near(d, word) && vocabulary.count(word) == 1
