@@ -4,8 +4,9 @@
 use super::files::Files;
 use super::path::plain;
 use super::reading::Readings;
-use super::repository::words;
+use super::repository::{counts, hash};
 use super::world::World;
+use rustc_hash::FxHashMap;
 use shaderlint_host::{Preset, presets};
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
@@ -61,6 +62,8 @@ pub struct Hosts<'a> {
     name: &'a str,
     /// The page or script that holds the texts.
     script: Option<Arc<str>>,
+    /// How often each word is used in the script, by its hash, once that was asked.
+    counts: OnceCell<FxHashMap<u64, usize>>,
     world: World<'a>,
     /// The hosts that the script uses, once they were looked for.
     imported: OnceCell<Vec<&'static Preset>>,
@@ -74,6 +77,7 @@ impl<'a> Hosts<'a> {
         Hosts {
             name,
             script,
+            counts: OnceCell::new(),
             world,
             imported: OnceCell::new(),
             installed: OnceCell::new(),
@@ -112,7 +116,8 @@ impl<'a> Hosts<'a> {
     /// Whether a word is used outside of a text that uses it so often: in the script around the text,
     /// or in another file of the repository.
     pub fn is_used_outside(&self, word: &str, count: usize) -> bool {
-        if words(self.script()).filter(|w| *w == word).count() > count {
+        let counts = self.counts.get_or_init(|| counts(self.script()));
+        if counts.get(&hash(word)).is_some_and(|all| *all > count) {
             return true;
         }
         let files = self.world.files;

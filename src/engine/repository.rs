@@ -161,12 +161,22 @@ fn is_passed_over(name: &str, has_source: bool) -> bool {
 }
 
 /// The identifiers of a text, and all that looks like one.
-pub fn words(text: &str) -> impl Iterator<Item = &str> {
+fn words(text: &str) -> impl Iterator<Item = &str> {
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     text.split(move |c| !is_word(c)).filter(|w| w.len() > 1)
 }
 
-fn hash(word: &str) -> u64 {
+/// How often each word of a text is used, by its hash.
+pub fn counts(text: &str) -> FxHashMap<u64, usize> {
+    let mut found = FxHashMap::default();
+    for word in words(text) {
+        *found.entry(hash(word)).or_default() += 1;
+    }
+    found
+}
+
+/// The number that stands for a word.
+pub fn hash(word: &str) -> u64 {
     let mut hasher = FxHasher::default();
     hasher.write(word.as_bytes());
     hasher.finish()

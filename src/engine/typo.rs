@@ -59,14 +59,14 @@ pub fn is_typo(word: &str, name: &str) -> bool {
     if word == name {
         return true;
     }
-    let letters = |w: &str| -> String { w.chars().filter(char::is_ascii_alphabetic).collect() };
-    let (of_word, of_name) = (letters(&word), letters(&name));
-    let limit = 1 + usize::from(of_word.len().min(of_name.len()) > MOST_OF_ONE);
+    let letters = |w: &str| w.chars().filter(char::is_ascii_alphabetic).count();
+    let limit = 1 + usize::from(letters(&word).min(letters(&name)) > MOST_OF_ONE);
+    let no_digits = |w: &str| -> String { w.chars().filter(|c| !c.is_ascii_digit()).collect() };
     let first_two = |w: &str| -> Vec<char> { w.chars().take(2).collect() };
     let (from, to) = (first_two(&word), first_two(&name));
     let starts_alike = from.first() == to.first() || from.iter().rev().eq(&to);
     starts_alike
-        && of_word != of_name
+        && no_digits(&word) != no_digits(&name)
         && word.len().abs_diff(name.len()) <= limit
         && strsim::damerau_levenshtein(&word, &name) <= limit
 }
@@ -159,6 +159,7 @@ mod tests {
             ("coloor", "color"),
             ("Color", "color"),
             ("u_tme", "u_time"),
+            ("u_isplain", "u_is_plain"),
         ] {
             assert!(is_typo(word, name), "{word}");
         }
