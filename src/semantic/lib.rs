@@ -18,6 +18,7 @@ mod host;
 pub mod link;
 pub mod lists;
 mod mentions;
+mod parsed;
 mod part;
 mod program;
 mod reach;
@@ -35,7 +36,6 @@ mod unit;
 pub use builtins::{BuiltinId, Stage};
 pub use calls::CallGraph;
 pub use channels::needed_channels;
-pub use checker::check;
 pub use constant::{Constant, Pool, Value};
 pub use dialect::first_of_300;
 pub use dialect::{

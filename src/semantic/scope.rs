@@ -2,6 +2,7 @@
 
 use super::program::VariableId;
 use shaderlint_syntax::Name;
+use std::ops::Deref;
 
 /// What a name stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -24,9 +25,114 @@ struct Entry {
     depth: u32,
 }
 
-/// The bindings of all names, with the scopes that are open.
+/// What happens to scopes, in the order of the text.
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    Push,
+    Pop,
+    Declare(Name, Binding),
+    DeclareGlobal(Name, Binding),
+}
+
+/// All that happened to the scopes of a shader, so that what a name stood for at some place can be
+/// asked later.
+#[derive(Default, Debug)]
+pub struct ScopeLog(Vec<Step>);
+
+/// How much had happened to the scopes at some place.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct ScopeMark(u32);
+
+/// Scopes as they were at one place after the other.
+pub struct PastScopes<'a> {
+    log: &'a ScopeLog,
+    at: ScopeMark,
+    scopes: Bindings,
+}
+
+impl<'a> PastScopes<'a> {
+    /// The scopes before anything was declared.
+    pub fn new(log: &'a ScopeLog) -> PastScopes<'a> {
+        PastScopes {
+            log,
+            at: ScopeMark::default(),
+            scopes: Bindings::default(),
+        }
+    }
+
+    /// Goes to a place. It is quickest in the order of the text.
+    pub fn go_to(&mut self, mark: ScopeMark) {
+        if mark.0 < self.at.0 {
+            *self = PastScopes::new(self.log);
+        }
+        let steps = self.log.0.get(self.at.0 as usize..mark.0 as usize);
+        for step in steps.unwrap_or(&[]) {
+            self.scopes.apply(*step);
+        }
+        self.at = mark;
+    }
+
+    /// What names stand for at that place.
+    pub fn bindings(&self) -> &Bindings {
+        &self.scopes
+    }
+}
+
+/// The scopes of the place at hand, with all that happened to them.
 #[derive(Default)]
 pub struct Scopes {
+    bindings: Bindings,
+    log: ScopeLog,
+}
+
+impl Scopes {
+    fn step(&mut self, step: Step) {
+        self.log.0.push(step);
+        self.bindings.apply(step);
+    }
+
+    /// Opens a scope.
+    pub fn push(&mut self) {
+        self.step(Step::Push);
+    }
+
+    /// Closes the innermost scope.
+    pub fn pop(&mut self) {
+        self.step(Step::Pop);
+    }
+
+    /// Declares a name in the innermost scope, hiding what it stood for outside.
+    pub fn declare(&mut self, name: Name, binding: Binding) {
+        self.step(Step::Declare(name, binding));
+    }
+
+    /// Declares a name at global scope, while inner scopes may be open.
+    pub fn declare_global(&mut self, name: Name, binding: Binding) {
+        self.step(Step::DeclareGlobal(name, binding));
+    }
+
+    /// How much has happened so far.
+    pub fn mark(&self) -> ScopeMark {
+        ScopeMark(self.log.0.len() as u32)
+    }
+
+    /// All that happened.
+    pub fn into_log(self) -> ScopeLog {
+        self.log
+    }
+}
+
+impl Deref for Scopes {
+    type Target = Bindings;
+
+    fn deref(&self) -> &Bindings {
+        &self.bindings
+    }
+}
+
+/// The bindings of all names, with the scopes that are open.
+#[derive(Default)]
+pub struct Bindings {
     /// By name.
     entries: Vec<Option<Entry>>,
     /// What was hidden, to be put back when its scope ends.
@@ -35,14 +141,23 @@ pub struct Scopes {
     marks: Vec<usize>,
 }
 
-impl Scopes {
+impl Bindings {
+    fn apply(&mut self, step: Step) {
+        match step {
+            Step::Push => self.push(),
+            Step::Pop => self.pop(),
+            Step::Declare(name, binding) => self.declare(name, binding),
+            Step::DeclareGlobal(name, binding) => self.declare_global(name, binding),
+        }
+    }
+
     /// Opens a scope.
-    pub fn push(&mut self) {
+    fn push(&mut self) {
         self.marks.push(self.hidden.len());
     }
 
     /// Closes the innermost scope.
-    pub fn pop(&mut self) {
+    fn pop(&mut self) {
         let mark = self.marks.pop().unwrap_or(0);
         while self.hidden.len() > mark {
             if let Some((name, before)) = self.hidden.pop()
@@ -85,7 +200,7 @@ impl Scopes {
     }
 
     /// Declares a name in the innermost scope, hiding what it stood for outside.
-    pub fn declare(&mut self, name: Name, binding: Binding) {
+    fn declare(&mut self, name: Name, binding: Binding) {
         let index = name.0 as usize;
         if self.entries.len() <= index {
             self.entries.resize(index + 64, None);
@@ -103,7 +218,7 @@ impl Scopes {
     }
 
     /// Declares a name at global scope, while inner scopes may be open.
-    pub fn declare_global(&mut self, name: Name, binding: Binding) {
+    fn declare_global(&mut self, name: Name, binding: Binding) {
         if self.marks.is_empty() {
             return self.declare(name, binding);
         }
@@ -148,8 +263,17 @@ mod tests {
         scopes.declare(a, Binding::Struct(3));
         assert_eq!(scopes.get(a), Some(Binding::Struct(3)));
         assert_eq!(scopes.get_global(a), Some(Binding::Struct(1)));
+        let inside = scopes.mark();
         scopes.pop();
         assert_eq!(scopes.get(a), Some(Binding::Struct(1)));
         assert_eq!(scopes.get(b), None);
+        let after = scopes.mark();
+        let log = scopes.into_log();
+        let mut past = PastScopes::new(&log);
+        past.go_to(after);
+        assert_eq!(past.bindings().get(b), None);
+        past.go_to(inside);
+        assert_eq!(past.bindings().get(b), Some(Binding::Function));
+        assert_eq!(past.bindings().depth(), 1);
     }
 }

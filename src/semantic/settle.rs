@@ -1,7 +1,7 @@
 //! Between the corrections that the syntax allows, the one that means something: the shader is
 //! checked with each of them, and the one that leaves the fewest errors is taken.
 
-use super::checker::{Goal, Parsed};
+use super::checker::{Parsed, Problems};
 use super::program::Program;
 use super::unit::{Unit, judge};
 use shaderlint_diagnostic::Diagnostic;
@@ -24,20 +24,40 @@ pub(super) struct Corrected {
     pub lost: Vec<Name>,
 }
 
+/// A shader, checked under some corrections.
+pub(super) struct Look {
+    pub program: Program,
+    /// What the parser says.
+    pub syntax: Vec<Diagnostic>,
+    /// What the checker finds.
+    pub problems: Problems,
+}
+
+impl Look {
+    pub fn new(program: Program, syntax: Vec<Diagnostic>, problems: Problems) -> Look {
+        Look {
+            program,
+            syntax,
+            problems,
+        }
+    }
+
+    /// How many errors there are.
+    fn count(&self) -> usize {
+        self.syntax.len() + self.problems.len()
+    }
+}
+
 impl Corrected {
     /// Checks the shader, parsed with the first correction of each choice and with `syntax` wrong
     /// then, or with better ones. Returns all that is wrong with it, the syntax included.
-    pub fn settle(
-        &self,
-        parsed: Parsed,
-        syntax: Vec<Diagnostic>,
-        unit: &Unit,
-    ) -> (Program, Vec<Diagnostic>) {
-        let mut found = with_syntax(syntax, judge(parsed, unit));
+    pub fn settle(&self, parsed: Parsed, syntax: Vec<Diagnostic>, unit: &Unit) -> Look {
+        let (program, problems) = judge(parsed, unit);
+        let mut found = Look::new(program, syntax, problems);
         let mistakes = self.choices.len();
         let mut looks = MAX_LOOKS.min(MAX_TOKENS / self.original.len().max(1));
         let mut made = vec![Some(0); mistakes];
-        let mut fewest = found.1.len();
+        let mut fewest = found.count();
         let mut is_tried = false;
         for (i, choice) in self.choices.iter().enumerate() {
             let mut best = Some(0);
@@ -49,28 +69,22 @@ impl Corrected {
                 looks -= 1;
                 is_tried = true;
                 set(&mut made, i, other);
-                found = self.look(found.0, &made, unit, Goal::CountBelow(fewest));
-                if found.1.len() < fewest {
-                    fewest = found.1.len();
+                found = self.look(found.program, &made, unit, fewest);
+                if found.count() < fewest {
+                    fewest = found.count();
                     best = other;
                 }
             }
             set(&mut made, i, best);
         }
         match is_tried {
-            true => self.look(found.0, &made, unit, Goal::Tell),
+            true => self.look(found.program, &made, unit, usize::MAX),
             false => found,
         }
     }
 
-    /// Reads and checks the shader again with other corrections.
-    fn look(
-        &self,
-        program: Program,
-        made: &[Option<usize>],
-        unit: &Unit,
-        goal: Goal,
-    ) -> (Program, Vec<Diagnostic>) {
+    /// Reads and checks the shader again with other corrections, until so many errors are found.
+    fn look(&self, program: Program, made: &[Option<usize>], unit: &Unit, enough: usize) -> Look {
         let corrections: Vec<&Correction> = self
             .choices
             .iter()
@@ -86,16 +100,12 @@ impl Corrected {
             self.options,
             &corrections,
         );
-        parsed.goal = match goal {
-            Goal::Tell => goal,
-            // Those of the syntax count too.
-            Goal::CountBelow(most) => {
-                Goal::CountBelow(most.saturating_sub(parse.diagnostics.len()))
-            }
-        };
+        // Those of the syntax count too.
+        parsed.enough = enough.saturating_sub(parse.diagnostics.len());
         parsed.tree = parse.tree;
         parsed.tree.lost.extend(&self.lost);
-        with_syntax(parse.diagnostics, judge(parsed, unit))
+        let (program, problems) = judge(parsed, unit);
+        Look::new(program, parse.diagnostics, problems)
     }
 }
 
@@ -105,17 +115,10 @@ fn set(made: &mut [Option<usize>], at: usize, to: Option<usize>) {
     }
 }
 
-fn with_syntax(
-    mut syntax: Vec<Diagnostic>,
-    (program, problems): (Program, Vec<Diagnostic>),
-) -> (Program, Vec<Diagnostic>) {
-    syntax.extend(problems);
-    (program, syntax)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::checker::MAX_ERRORS;
     use crate::dialect::Dialect;
     use crate::part::Wholeness;
     use crate::{Pass, Stage};
@@ -124,7 +127,7 @@ mod tests {
     use std::sync::Arc;
 
     /// How many errors a check finds that is made for a goal.
-    fn count(code: &str, goal: Goal) -> usize {
+    fn count(code: &str, enough: usize) -> usize {
         let dialect = Dialect::ShaderToy(Pass::Image);
         let mut sources = Sources::new();
         let prelude = dialect.host().prelude([None; 4]);
@@ -155,7 +158,7 @@ mod tests {
             tree: parse.tree,
             version: read.version,
             has_errors: true,
-            goal,
+            enough,
         };
         judge(parsed, &unit).1.len()
     }
@@ -177,9 +180,9 @@ mod tests {
                     let code = format!(
                         "void mainImage(out vec4 c, in vec2 p) {{ {first} {head} {last} }}"
                     );
-                    let all = count(&code, Goal::COUNT);
+                    let all = count(&code, MAX_ERRORS);
                     for below in 0..8 {
-                        let found = count(&code, Goal::CountBelow(below));
+                        let found = count(&code, below);
                         assert_eq!(found.min(below), all.min(below), "{below} {code}");
                     }
                 }

@@ -3,19 +3,17 @@
 use super::blame::{attribute, gather};
 use super::builtins::Stage;
 use super::channels::needed_channels;
-use super::checker::{Goal, Parsed, check};
+use super::checker::{MAX_ERRORS, Parsed, Problems, check};
 use super::dialect::Dialect;
+use super::explain::explain;
 use super::part::{Open, Wholeness, keep_certain};
 use super::program::Program;
-use super::settle::Corrected;
+use super::settle::{Corrected, Look};
 use super::types::Sampler;
 use shaderlint_diagnostic::{Diagnostic, Facet, Severity, error};
 use shaderlint_syntax::{ParseOptions, Preprocessed, parse, preprocess};
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::sync::Arc;
-
-/// Most errors that are told of one shader.
-const MAX_ERRORS: usize = 200;
 
 /// What makes up one shader.
 pub struct Unit<'a> {
@@ -206,7 +204,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
         tree: parse.tree,
         version,
         has_errors,
-        goal: Goal::Tell,
+        enough: MAX_ERRORS,
     };
     let corrected = Corrected {
         options: language,
@@ -214,10 +212,14 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
         original: parse.original,
         lost: translated.lost,
     };
-    let (program, problems) = match gave_up {
-        true => check(parsed, unit.stage, unit.dialect, [None; 4]),
+    let looked = match gave_up {
+        true => {
+            let (program, problems) = check(parsed, unit.stage, unit.dialect, [None; 4]);
+            Look::new(program, Vec::new(), problems)
+        }
         false => corrected.settle(parsed, parse.diagnostics, unit),
     };
+    let program = looked.program;
     // Of half a shader only what the preprocessor says is certain.
     if !gave_up {
         // What the lexer says of a piece of a foreign form is no second mistake.
@@ -226,7 +228,8 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
             d.is(error::INVALID_NUMBER) && forms.any(|form| form != d.span && form.contains(d.span))
         };
         diagnostics.retain(|d| !is_told(d));
-        diagnostics.extend(problems);
+        diagnostics.extend(looked.syntax);
+        diagnostics.extend(explain(&program, looked.problems));
         diagnostics.extend(translated.diagnostics);
     }
     if let Some(cut) = program.tokens.cut {
@@ -284,7 +287,7 @@ fn limit(diagnostics: &mut Vec<Diagnostic>) {
 }
 
 /// Checks a shader, with the types of its channels found out where they are not known.
-pub(super) fn judge(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
+pub(super) fn judge(parsed: Parsed, unit: &Unit) -> (Program, Problems) {
     match unit.infer_channels {
         true => check_with_any_channels(parsed, unit),
         false => check(parsed, unit.stage, unit.dialect, [None; 4]),
@@ -297,8 +300,8 @@ pub(super) fn judge(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
 /// A count that ends early chooses well enough. Where it ended by lookups that do not fit two
 /// dimensions, either they are more than those that do, and the other channels are taken; or at least
 /// as many do, which would all be errors with the others.
-fn check_with_any_channels(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnostic>) {
-    let goal = parsed.goal;
+fn check_with_any_channels(parsed: Parsed, unit: &Unit) -> (Program, Problems) {
+    let enough = parsed.enough;
     let checked = check(parsed, unit.stage, unit.dialect, [None; 4]);
     if checked.1.is_empty() {
         return checked;
@@ -308,7 +311,7 @@ fn check_with_any_channels(parsed: Parsed, unit: &Unit) -> (Program, Vec<Diagnos
         return checked;
     }
     let parsed = Parsed {
-        goal,
+        enough,
         ..checked.0.into_parsed()
     };
     check(parsed, unit.stage, unit.dialect, channels)
@@ -324,7 +327,7 @@ impl Program {
             tree: self.tree,
             version: self.version,
             has_errors: self.had_errors,
-            goal: Goal::Tell,
+            enough: MAX_ERRORS,
         }
     }
 }

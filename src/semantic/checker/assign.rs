@@ -3,6 +3,17 @@
 use super::qualifier::{Qualified, Wanted};
 use super::*;
 
+/// What is wrong with the value of a declaration.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum ValueError {
+    /// A value that does not fit the type, which may be written here.
+    Initializer(Declarator, Option<Extent>, Type, ExprId, Misfit),
+    /// A type, written here, that fits neither the value nor the uses of the variable.
+    Retyped(Declarator, Extent, Type, ExprId, Misfit),
+    /// A value that has to be constant.
+    NotConstant(Declarator, ExprId, Wanted),
+}
+
 impl Checker<'_> {
     pub(super) fn assign(
         &mut self,
@@ -68,8 +79,8 @@ impl Checker<'_> {
             return true;
         }
         if let Err(misfit) = typing::assign(self.types(), ty, info.ty) {
-            let d = self.explain_initializer(declarator, spec, ty, init, misfit);
-            self.report(d);
+            let problem = ValueError::Initializer(*declarator, spec, ty, init, misfit);
+            self.reject(declarator.extent, problem);
             return false;
         }
         self.check_initializer_constness(declarator, qualified, init);
@@ -87,8 +98,8 @@ impl Checker<'_> {
         let is_const = qualified.storage == Wanted::Const;
         let is_global = self.at_global_scope() && !self.is_global_initializer(init);
         if is_const && !info.is_const || !is_const && is_global {
-            let d = self.explain_initial_value(declarator, init, qualified.storage);
-            self.report(d);
+            let problem = ValueError::NotConstant(*declarator, init, qualified.storage);
+            self.reject_expr(init, problem);
         }
     }
 
@@ -159,16 +170,27 @@ impl Checker<'_> {
         let Some(&(index, 0)) = self.undeclared.get(&name) else {
             return;
         };
-        let Some(fix) = self.declaration_where_set(name, token, ty) else {
-            return;
+        let is_it = |p: &Problem| {
+            p.at == Extent::token(token)
+                && matches!(p.what, ProblemKind::Name(NameError::Undeclared(_)))
         };
-        let span = self.token_span(token);
-        if let Some(d) = self
-            .diagnostics
-            .get_mut(index)
-            .filter(|d| d.span == span && d.is(error::UNDECLARED_NAME))
-        {
-            d.fix = Some(fix);
+        if self.problems.get(index).is_some_and(is_it) {
+            self.add_aside(index, Aside::SetTo(ty));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn values() {
+        let table = r"
+            void main() { float f = 1; } => Initializer
+            void main() { float v = vec2(1.0); v.x = 2.0; v.y = 2.0; } => Retyped
+            uniform float u; const float f = u; => NotConstant
+        ";
+        finds(include_str!("assign.rs"), "ValueError", table);
     }
 }

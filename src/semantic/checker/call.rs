@@ -3,12 +3,34 @@
 use super::super::builtins::{BuiltinId, BuiltinKind, LEGACY_FUNCTIONS, Overload};
 use super::super::constant::Value;
 use super::*;
-use crate::explain::note_written;
 
 /// Least and greatest offset of a texture lookup.
 const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
 
+/// What is wrong with a call and its arguments.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum ArgumentError {
+    /// A call of a variable.
+    Variable(ExprId, Name, VariableId, List),
+    /// A call that fits none of the shader's functions of the name.
+    User(ExprId, Name, List),
+    /// A call that fits no form of a built-in function.
+    Builtin(ExprId, Name, BuiltinId, List),
+    /// An offset of a lookup that is not constant.
+    DynamicOffset(ExprId),
+    /// An offset of a lookup that is too large.
+    Offset(ExprId, i32),
+}
+
 impl Checker<'_> {
+    /// Reports a call that fits no form of a function, unless the form that is meant may be the one
+    /// that could not be read.
+    fn reject_call(&mut self, id: ExprId, name: Name, problem: ArgumentError) {
+        if !self.tree.lost.contains(&name) {
+            self.reject_expr(id, problem);
+        }
+    }
+
     /// `name(args)`: a function, or the constructor of a struct.
     pub(super) fn call(&mut self, id: ExprId, name: Name, args: List) -> ExprInfo {
         if self.unknown_functions.contains(&name) {
@@ -20,8 +42,7 @@ impl Checker<'_> {
             }
             Some(Binding::Error) => return ExprInfo::ERROR,
             Some(Binding::Variable(variable)) => {
-                let d = self.explain_call_of_variable(id, name, variable, args);
-                self.report(d);
+                self.reject_expr(id, ArgumentError::Variable(id, name, variable, args));
                 return ExprInfo::ERROR;
             }
             Some(Binding::Function) => {
@@ -34,8 +55,7 @@ impl Checker<'_> {
         match self.builtin_named(name) {
             Some(function) => self.call_builtin(id, name, function, args),
             None if self.by_name.contains_key(&name) => {
-                let d = self.explain_user_call(id, name, self.tree.args(args));
-                d.into_iter().for_each(|d| self.report(d));
+                self.reject_call(id, name, ArgumentError::User(id, name, args));
                 self.result_of_any(name)
             }
             None if self.is_foreign(name, id) => self.foreign_call(id, name, args),
@@ -52,9 +72,9 @@ impl Checker<'_> {
         if self.builtin_names.len() <= index {
             self.builtin_names.resize(index + 64, None);
         }
-        let text = self.names.text(name);
+        let (text, builtins) = (self.text(name), self.builtins);
         let slot = self.builtin_names.get_mut(index)?;
-        *slot.get_or_insert_with(|| self.builtins.function(text))
+        *slot.get_or_insert_with(|| builtins.function(text))
     }
 
     /// A call of the shader's own function, if one has these parameters.
@@ -129,12 +149,10 @@ impl Checker<'_> {
     }
 
     fn check_out_argument(&mut self, arg: ExprId, direction: &'static str) {
-        let before = self.diagnostics.len();
+        let before = self.problems.len();
         let extent = self.tree.expr(arg).extent;
-        if !self.check_assignable(arg, extent, Writer::Word(direction))
-            && let Some(d) = self.diagnostics.get_mut(before)
-        {
-            d.notes.push(note_written(direction));
+        if !self.check_assignable(arg, extent, Writer::Word(direction)) {
+            self.add_aside(before, Aside::Argument(direction));
         }
     }
 
@@ -154,8 +172,7 @@ impl Checker<'_> {
         let types = list.iter().map(|&a| self.ty(a));
         let fits = |o: &Overload| types.clone().eq(o.params().iter().copied());
         let Some(at) = overloads.iter().position(fits) else {
-            let d = self.explain_builtin_call(id, name, function, list);
-            d.into_iter().for_each(|d| self.report(d));
+            self.reject_call(id, name, ArgumentError::Builtin(id, name, function, args));
             return self.builtin_result_of_any(function, list.len());
         };
         let Some(overload) = overloads.get(at) else {
@@ -210,8 +227,7 @@ impl Checker<'_> {
     fn check_offset(&mut self, arg: ExprId) {
         let info = self.info(arg);
         if !info.is_const {
-            let d = self.explain_dynamic_offset(arg);
-            return self.report(d);
+            return self.reject_expr(arg, ArgumentError::DynamicOffset(arg));
         }
         let out = self
             .pool
@@ -219,8 +235,25 @@ impl Checker<'_> {
             .iter()
             .find(|v| !TEXEL_OFFSETS.contains(&v.as_int()));
         if let Some(value) = out {
-            let d = self.explain_offset(arg, value.as_int());
-            self.report(d);
+            let offset = value.as_int();
+            self.reject_expr(arg, ArgumentError::Offset(arg, offset));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn arguments() {
+        let table = r"
+            void main() { float f = 1.0; f = f(1.0); } => Variable
+            float f(float x) { return x; } void main() { float y = f(true); } => User
+            void main() { float y = sin(true); } => Builtin
+            uniform sampler2D s; uniform ivec2 i; void main() { vec4 c = textureOffset(s, vec2(0.0), i); } => DynamicOffset
+            uniform sampler2D s; void main() { vec4 c = textureOffset(s, vec2(0.0), ivec2(9)); } => Offset
+        ";
+        finds(include_str!("call.rs"), "ArgumentError", table);
     }
 }

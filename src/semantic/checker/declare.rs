@@ -309,7 +309,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds a fix to the error about a name that is declared a second time.
+    /// Adds what a fix has to know to the problem of a name that is declared a second time.
     fn mend_redefinition(
         &mut self,
         ident: Ident,
@@ -318,13 +318,19 @@ impl<'a> Checker<'a> {
         spec: Option<Extent>,
         is_meant: bool,
     ) {
-        let span = self.token_span(ident.token);
-        let is_it = |d: &Diagnostic| d.is(error::REDEFINITION) && d.span == span;
-        if self.diagnostics.last().is_some_and(is_it) {
-            let fix = self.second_declaration(ident, first, ty, spec, is_meant);
-            if let Some(d) = self.diagnostics.last_mut() {
-                d.fix = fix;
-            }
+        let is_it = |p: &Problem| {
+            p.at == Extent::token(ident.token)
+                && matches!(p.what, ProblemKind::Name(NameError::Twice(..)))
+        };
+        if self.problems.last().is_some_and(is_it) {
+            let second = SecondDeclaration {
+                ident,
+                first,
+                ty,
+                spec,
+                is_meant,
+            };
+            self.add_aside(self.problems.len() - 1, Aside::Second(second));
         }
     }
 }

@@ -84,12 +84,11 @@ impl Checker<'_> {
 
     /// Says that the type of a declaration is wrong, in the place of the error about its value.
     fn blame_type(&mut self, spec: Extent, declarator: &Declarator, ty: Type, init: ExprId) {
-        let rule = self
-            .diagnostics
-            .pop()
-            .and_then(|d| d.kind)
-            .unwrap_or(error::TYPE_MISMATCH);
-        let d = self.explain_declared_type(rule, spec, declarator, ty, init);
-        self.report(d);
+        let misfit = match self.problems.pop().map(|p| p.what) {
+            Some(ProblemKind::Value(ValueError::Initializer(.., misfit))) => misfit,
+            _ => Misfit::Value(Clash::Struct),
+        };
+        let problem = ValueError::Retyped(*declarator, spec, ty, init, misfit);
+        self.reject(spec.to(Extent::token(declarator.ident.token)), problem);
     }
 }

@@ -11,8 +11,8 @@ pub(crate) enum EntryError {
     Missing,
     /// A shader without the function that its host calls.
     MissingCalled(EntryPoint),
-    /// A shader without `main`, but with the entry of ShaderToy.
-    Unwrapped,
+    /// A shader without `main`, but with the entry of ShaderToy; and its first output.
+    Unwrapped(Option<Name>),
     /// A function that is not declared as its host calls it.
     Signature(EntryPoint),
     /// A `main` with parameters.
@@ -44,7 +44,10 @@ impl Checker<'_> {
         let found = self.functions.iter().find(is_image);
         let decl = found.and_then(|f| self.tree.function(f.definition?));
         match decl {
-            Some(decl) => self.reject(decl.header, EntryError::Unwrapped),
+            Some(decl) => {
+                let output = self.outputs.first().map(|o| o.ident.name);
+                self.reject(decl.header, EntryError::Unwrapped(output));
+            }
             None => self.reject(Extent::default(), EntryError::Missing),
         }
     }

@@ -4,6 +4,36 @@ use super::super::constant::Value;
 use super::*;
 use crate::typing::LENGTH;
 
+/// What is wrong with an expression.
+#[derive(Clone, Debug)]
+pub(crate) enum ExpressionError {
+    /// Operands or arguments that do not fit, as the misfit numbers them.
+    Misfit(ExprId, Vec<ExprId>, Misfit),
+    /// An unsigned integer in a version without them.
+    Unsigned(ExprId),
+    /// A suffix of a number that ends here, in a version without suffixes.
+    Suffix(ExprId, u32),
+    /// An operator or method of a later version.
+    Later(ExprId),
+    /// A method that does not exist, or that has no arguments.
+    Method(ExprId, ExprId, Name, List),
+    /// A member of a struct behind `,` that holds samplers.
+    MemberBehindComma(ExprId),
+    /// An index of a value outside of so many elements.
+    IndexRange(ExprId, ExprId, i64, u32),
+    /// An index that has to be constant.
+    DynamicIndex(ExprId, Indexed),
+}
+
+/// What takes a constant index only.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Indexed {
+    Samplers,
+    Blocks,
+    Outputs,
+    Output,
+}
+
 impl Checker<'_> {
     /// Checks the expression `root` and everything in it.
     pub(super) fn eval(&mut self, root: ExprId) {
@@ -56,8 +86,7 @@ impl Checker<'_> {
 
     fn uint_literal(&mut self, id: ExprId, value: u32) -> ExprInfo {
         if !self.has(Feature::UnsignedIntegers) {
-            let d = self.explain_unsigned(id);
-            self.report(d);
+            self.reject_expr(id, ExpressionError::Unsigned(id));
             return ExprInfo::ERROR;
         }
         self.literal(Type::UINT, Value::Uint(value))
@@ -73,8 +102,7 @@ impl Checker<'_> {
                 ""
             };
             if text.ends_with(['f', 'F']) {
-                let d = self.explain_suffix(id, spelled.span.end);
-                self.report(d);
+                self.reject_expr(id, ExpressionError::Suffix(id, spelled.span.end));
             }
         }
         self.literal(Type::FLOAT, Value::Float(value))
@@ -155,16 +183,14 @@ impl Checker<'_> {
 
     /// Reports an expression whose operands or arguments do not fit.
     pub(super) fn refuse(&mut self, id: ExprId, parts: &[ExprId], misfit: Misfit) -> ExprInfo {
-        let d = self.explain(id, parts, misfit);
-        self.report(d);
+        self.reject_expr(id, ExpressionError::Misfit(id, parts.to_vec(), misfit));
         ExprInfo::ERROR
     }
 
     /// Reports an operator or method that only a later version of the language has.
     pub(super) fn require(&mut self, feature: Feature, id: ExprId) {
         if !self.has(feature) {
-            let d = self.explain_later(id);
-            self.report(d);
+            self.reject_expr(id, ExpressionError::Later(id));
         }
     }
 
@@ -214,8 +240,7 @@ impl Checker<'_> {
             return ExprInfo::ERROR;
         }
         if self.text(name) != LENGTH || args.len > 0 || !info.ty.is_array() {
-            let d = self.explain_method(id, object, name, args);
-            self.report(d);
+            self.reject_expr(id, ExpressionError::Method(id, object, name, args));
             return ExprInfo::ERROR;
         }
         let len = self.pool.add([Value::Int(info.ty.array as i32)]);
@@ -242,8 +267,7 @@ impl Checker<'_> {
         }
         let text = self.text(name);
         if self.is_behind_comma(object, info.ty) {
-            let d = self.explain_member_behind_comma(id);
-            self.report(d);
+            self.reject_expr(id, ExpressionError::MemberBehindComma(id));
             return ExprInfo::ERROR;
         }
         match typing::member(self.types(), info.ty, name, text) {
@@ -337,15 +361,8 @@ impl Checker<'_> {
         if (0..size as i64).contains(&value) || size == Type::UNSIZED || !is_judged {
             return;
         }
-        let d = self.explain_index_range(object, index, value, size);
-        self.report(d);
-    }
-
-    pub(crate) fn variable_of(&self, id: ExprId) -> Option<VariableId> {
-        match self.info(self.tree.unparen(id)).resolution {
-            Resolution::Variable(id) => Some(id),
-            _ => None,
-        }
+        let problem = ExpressionError::IndexRange(object, index, value, size);
+        self.reject_expr(index, problem);
     }
 
     /// Some arrays take constant indices only.
@@ -370,15 +387,34 @@ impl Checker<'_> {
             return;
         }
         let what = match base.ty.base {
-            Base::Sampler(_) if base.ty.is_array() => "an array of samplers",
-            Base::Block(_) => "an array of blocks",
+            Base::Sampler(_) if base.ty.is_array() => Indexed::Samplers,
+            Base::Block(_) => Indexed::Blocks,
             _ if is_output && self.stage == Stage::Fragment && base.ty.is_array() => {
-                "an array of fragment outputs"
+                Indexed::Outputs
             }
-            _ if is_output && self.stage == Stage::Fragment => "a fragment output",
+            _ if is_output && self.stage == Stage::Fragment => Indexed::Output,
             _ => return,
         };
-        let d = self.explain_dynamic_index(id, what);
-        self.report(d);
+        self.reject_expr(id, ExpressionError::DynamicIndex(id, what));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn expressions() {
+        let table = r"
+            void main() { float f = 1.0 + true; } => Misfit
+            fragment 100: void main() { gl_FragColor = vec4(1u); } => Unsigned
+            fragment 100: void main() { gl_FragColor = vec4(1.0f); } => Suffix
+            fragment 100: void main() { int i = 3 & 1; } => Later
+            void main() { vec2 v; float f = v.size(); } => Method
+            struct S { sampler2D s; float f; }; uniform S a, b; void main() { float f = (a, b).f; } => MemberBehindComma
+            void main() { vec2 v; float f = v[2]; } => IndexRange
+            uniform sampler2D s[2]; uniform int i; void main() { vec4 c = texture(s[i], vec2(0.0)); } => DynamicIndex
+        ";
+        finds(include_str!("expression.rs"), "ExpressionError", table);
     }
 }

@@ -1,7 +1,6 @@
 //! What can be said only when all of the shader is known.
 
 use super::*;
-use crate::explain::note_uses;
 
 /// A loop that never ends, if its variable is never written to.
 #[derive(Clone, Copy, Debug)]
@@ -33,9 +32,9 @@ impl Checker<'_> {
 
     /// Says how often a name that nothing declares is used in all.
     fn note_uses(&mut self) {
-        for (index, uses) in self.undeclared.values() {
-            if let Some(d) = self.diagnostics.get_mut(*index).filter(|_| *uses > 0) {
-                d.notes.push(note_uses(*uses));
+        for (index, uses) in std::mem::take(&mut self.undeclared).into_values() {
+            if uses > 0 {
+                self.add_aside(index, Aside::Used(uses));
             }
         }
     }

@@ -4,6 +4,21 @@ use super::qualifier::Wanted;
 use super::*;
 use shaderlint_syntax::{Foreign, Meaning, WordClass, classify, foreign};
 
+/// A word of another language.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum ForeignError {
+    /// A type that GLSL has nothing for.
+    Absent(Name),
+    /// A type that GLSL has under another word.
+    Type(Name),
+    /// Such a type of what has to be a uniform.
+    Uniform(Name),
+    /// A type that is taken from the value: it takes the place of the words from a token on.
+    Inferred(TokenId, Type),
+    /// A call of a function.
+    Call(ExprId, Name, List),
+}
+
 impl Checker<'_> {
     fn foreign(&self, name: Name) -> Option<Foreign> {
         foreign(self.text(name), self.version)
@@ -19,12 +34,11 @@ impl Checker<'_> {
     pub(super) fn foreign_type(&mut self, name: Name, token: TokenId) -> Option<Type> {
         let found = self.foreign(name)?;
         let Meaning::Type(word) = found.meaning else {
-            let Meaning::Absent(why) = found.meaning else {
+            let Meaning::Absent(_) = found.meaning else {
                 return None;
             };
             if !self.was_reported(name) {
-                let d = self.explain_absent(error::UNKNOWN_TYPE, name, token, why);
-                self.report_undeclared(name, d);
+                self.report_undeclared(name, Extent::token(token), ForeignError::Absent(name));
             }
             return Some(Type::ERROR);
         };
@@ -40,12 +54,11 @@ impl Checker<'_> {
                 None | Some(TokenKind::Semicolon | TokenKind::RightBrace)
             );
         if !self.was_reported(name) {
-            let written = match lacks_uniform {
-                true => &format!("uniform {word}"),
-                false => word,
+            let problem = match lacks_uniform {
+                true => ForeignError::Uniform(name),
+                false => ForeignError::Type(name),
             };
-            let d = self.explain_foreign_type(name, token, found, word, written);
-            self.report_undeclared(name, d);
+            self.report_undeclared(name, Extent::token(token), problem);
         }
         Some(if lacks_uniform { Type::ERROR } else { ty })
     }
@@ -88,8 +101,7 @@ impl Checker<'_> {
             [only] if only.kind == QualifierKind::Const => (only.extent.first, Wanted::None),
             _ => (token, Wanted::None),
         };
-        let d = self.explain_inferred_type(token, from, found);
-        self.report(d);
+        self.reject(Extent::token(token), ForeignError::Inferred(from, found));
         Some((found, wanted))
     }
 
@@ -109,10 +121,11 @@ impl Checker<'_> {
         let is_told =
             matches!(found.meaning, Meaning::Silent) && types.iter().any(|t| t.is_error());
         if !self.was_reported(name) && !is_told {
-            match self.explain_foreign_call(id, name, found, &types) {
-                Some(d) => self.report_undeclared(name, d),
-                None => self.undeclared_function(name, token),
-            }
+            self.report_undeclared(
+                name,
+                Extent::token(token),
+                ForeignError::Call(id, name, args),
+            );
         }
         ExprInfo {
             ty: self.type_of_foreign(found.meaning, &types),
@@ -142,5 +155,22 @@ impl Checker<'_> {
             _ => None,
         };
         found.unwrap_or(Type::ERROR)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::finds;
+
+    #[test]
+    fn foreign_words() {
+        let table = r"
+            void main() { string s; } => Absent
+            void main() { float3 v; } => Type
+            Texture2D t; void main() {} => Uniform
+            void main() { var x = 1.0; } => Inferred
+            void main() { float x = lerp(1.0, 2.0, 0.5); } => Call
+        ";
+        finds(include_str!("foreign.rs"), "ForeignError", table);
     }
 }

@@ -3,19 +3,6 @@
 use super::*;
 
 impl Checker<'_> {
-    /// An expression and all that stands in it, backwards: the operands come right before it.
-    pub(crate) fn subtree(&self, id: ExprId) -> impl Iterator<Item = (ExprId, &ExprInfo, &Expr)> {
-        let extent = self.tree.expr(id).extent;
-        let before = (0..=id.0).rev().map(ExprId);
-        let before = before.map_while(|e| {
-            let info = self.exprs.get(e.0 as usize)?;
-            Some((e, info, self.tree.exprs.get(e.0 as usize)?))
-        });
-        before
-            .take_while(move |(_, _, e)| e.extent.first >= extent.first)
-            .filter(move |(_, _, e)| e.extent.last <= extent.last)
-    }
-
     /// Whether computing an expression writes anything, or calls a function of the shader.
     pub(super) fn has_side_effects(&self, id: ExprId) -> bool {
         self.subtree(id)

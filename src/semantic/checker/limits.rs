@@ -58,7 +58,7 @@ impl Checker<'_> {
         ident: Option<Ident>,
         extent: Extent,
     ) {
-        if !self.diagnostics.is_empty() || ty.is_error() {
+        if !self.problems.is_empty() || ty.is_error() {
             return;
         }
         let is_uniform = storage == Storage::Uniform;
@@ -82,7 +82,7 @@ impl Checker<'_> {
     }
 
     pub(super) fn check_total_size(&mut self) {
-        if self.private_size > MAX_TOTAL && self.diagnostics.is_empty() {
+        if self.private_size > MAX_TOTAL && self.problems.is_empty() {
             let problem = LimitError::Total(self.private_size, MAX_TOTAL);
             self.reject(Extent::default(), problem);
         }

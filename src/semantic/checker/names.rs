@@ -3,13 +3,23 @@
 use super::super::builtins::{BuiltinStorage, BuiltinVariable, LEGACY_FUNCTIONS};
 use super::*;
 
-/// What is wrong with a name that is declared.
+/// What is wrong with a name, where it is declared or used.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum NameError {
     /// A name that is not the user's to give, and whose it is.
     Reserved(Name, Owner),
     /// A name that stands for something in the scope already.
     Twice(Name, Binding),
+    /// A function, block or type where a variable is needed.
+    NotAVariable(Name, Binding),
+    /// A variable that is not declared.
+    Undeclared(Name),
+    /// A name used as a type that is none.
+    UnknownType(Name),
+    /// A function of GLSL ES 1.00, and what took its place.
+    LegacyFunction(Name, &'static str),
+    /// A function that is not declared.
+    UndeclaredFunction(Name),
 }
 
 /// Whose names are reserved.
@@ -61,24 +71,6 @@ impl Checker<'_> {
         let at = Extent::token(ident.token);
         self.reject(at, NameError::Twice(ident.name, before));
         true
-    }
-
-    /// The token that declares what a name stands for.
-    pub(crate) fn declaration_token(&self, name: Name, binding: Binding) -> Option<TokenId> {
-        match binding {
-            Binding::Variable(id) => self.variables.get(id.0 as usize)?.token,
-            Binding::Struct(id) | Binding::Block(id) => {
-                self.structs.get(id as usize).map(|s| s.token)
-            }
-            Binding::Function => {
-                let first = self.by_name.get(&name)?.first()?;
-                let function = self.functions.get(first.0 as usize)?;
-                self.tree
-                    .function(function.declaration)
-                    .map(|f| f.ident.token)
-            }
-            Binding::Error => None,
-        }
     }
 
     /// The variable that a name stands for here, the language's own included.
@@ -156,8 +148,7 @@ impl Checker<'_> {
             Some(Binding::Variable(variable)) => self.variable(variable, token),
             Some(Binding::Error) => ExprInfo::ERROR,
             Some(binding) => {
-                let d = self.explain_not_a_variable(name, token, binding);
-                self.report(d);
+                self.reject(Extent::token(token), NameError::NotAVariable(name, binding));
                 ExprInfo::ERROR
             }
             None => match self.find_variable(name) {
@@ -211,9 +202,14 @@ impl Checker<'_> {
         }
     }
 
-    pub(super) fn report_undeclared(&mut self, name: Name, diagnostic: Diagnostic) {
-        self.undeclared.insert(name, (self.diagnostics.len(), 0));
-        self.report(diagnostic);
+    pub(super) fn report_undeclared(
+        &mut self,
+        name: Name,
+        at: Extent,
+        problem: impl Into<ProblemKind>,
+    ) {
+        self.undeclared.insert(name, (self.problems.len(), 0));
+        self.reject(at, problem);
     }
 
     fn undeclared_variable(&mut self, name: Name, token: TokenId) {
@@ -221,8 +217,7 @@ impl Checker<'_> {
         if self.token(token).kind == TokenKind::Reserved || self.was_reported(name) {
             return;
         }
-        let d = self.explain_undeclared_variable(name, token);
-        self.report_undeclared(name, d);
+        self.report_undeclared(name, Extent::token(token), NameError::Undeclared(name));
     }
 
     /// A name used as a type that is none.
@@ -230,8 +225,7 @@ impl Checker<'_> {
         if self.was_reported(name) {
             return;
         }
-        let d = self.explain_unknown_type(name, token);
-        self.report_undeclared(name, d);
+        self.report_undeclared(name, Extent::token(token), NameError::UnknownType(name));
     }
 
     /// A call of a function that nothing declares.
@@ -239,14 +233,16 @@ impl Checker<'_> {
         let text = self.text(name);
         let legacy = LEGACY_FUNCTIONS.iter().find(|(old, _)| *old == text);
         if let (Some((_, new)), true) = (legacy, self.has(Feature::OverloadedLookups)) {
-            let d = self.explain_legacy_function(text, new, token);
-            return self.report(d);
+            return self.reject(Extent::token(token), NameError::LegacyFunction(name, new));
         }
         if self.was_reported(name) {
             return;
         }
-        let d = self.explain_undeclared_function(name, token);
-        self.report_undeclared(name, d);
+        self.report_undeclared(
+            name,
+            Extent::token(token),
+            NameError::UndeclaredFunction(name),
+        );
     }
 }
 
@@ -261,6 +257,11 @@ mod tests {
             float a__b; => Reserved
             float f; int f; => Twice
             float f; void f() {} => Twice
+            void f() {} void main() { float x = f; } => NotAVariable
+            void main() { float x = y; } => Undeclared
+            void main() { typo x; } => UnknownType
+            uniform sampler2D s; void main() { vec4 x = texture2D(s, vec2(0.0)); } => LegacyFunction
+            void main() { float x = g(1.0); } => UndeclaredFunction
         ";
         finds(include_str!("names.rs"), "NameError", table);
     }

@@ -18,6 +18,10 @@ pub(crate) enum StatementError {
     Discard,
     /// A condition that declares something else than a truth value.
     Condition(Condition, Type),
+    /// A condition that is no truth value.
+    NoCondition(ExprId, Condition, Type),
+    /// A `return` that does not give what the function does.
+    Return(Option<ExprId>, Misfit),
     /// A loop without an end, and the variable that would have to end it.
     Endless(Option<VariableId>),
 }
@@ -210,12 +214,15 @@ impl Checker<'_> {
         if ty.is_error() {
             return;
         }
-        let d = match typing::condition(ty) {
-            Ok(()) => return,
-            Err(Misfit::Condition(ty)) => self.explain_condition(expr, ty, of),
-            Err(misfit) => self.explain(expr, &[expr], misfit),
-        };
-        self.report(d);
+        match typing::condition(ty) {
+            Ok(()) => {}
+            Err(Misfit::Condition(ty)) => {
+                self.reject_expr(expr, StatementError::NoCondition(expr, of, ty));
+            }
+            Err(misfit) => {
+                self.refuse(expr, &[expr], misfit);
+            }
+        }
     }
 
     /// A chain of `if` and `else if`, without recursion.
@@ -405,8 +412,7 @@ impl Checker<'_> {
         let wanted = self.returned;
         let Some(value) = value else {
             if let Err(misfit) = typing::returned(wanted, None) {
-                let d = self.explain_return(None, extent, misfit);
-                self.report(d);
+                self.reject(extent, StatementError::Return(None, misfit));
                 self.returns_value = true;
             }
             return;
@@ -416,8 +422,7 @@ impl Checker<'_> {
         self.root(value, self.level + 1);
         self.wanted = None;
         if let Err(misfit) = typing::returned(wanted, Some(self.ty(value))) {
-            let d = self.explain_return(Some(value), extent, misfit);
-            self.report(d);
+            self.reject(extent, StatementError::Return(Some(value), misfit));
         }
     }
 }
@@ -433,6 +438,9 @@ mod tests {
             void main() { continue; } => Continue
             vertex: void main() { discard; } => Discard
             void main() { while (int i = 1) {} } => Condition
+            void main() { if (1) {} } => NoCondition
+            float f() { return; } => Return
+            void f() { return 1.0; } => Return
             void main() { while (true) {} } => Endless
             void main() { bool b = true; while (b) {} } => Endless
         ";

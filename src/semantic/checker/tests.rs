@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::Pass;
+use crate::explain::explain;
+use shaderlint_diagnostic::Diagnostic;
 use shaderlint_syntax::{ParseOptions, parse, preprocess};
 
 /// Checks a table of lines `code => what is found first`, and that each variant of the enum `name`
@@ -68,11 +70,15 @@ fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
         names: read.names,
         tree: parse.tree,
         version: read.version,
-        goal: Goal::Tell,
+        enough: MAX_ERRORS,
     };
-    let doubts = Doubts::default();
-    let checker = look(&parsed, stage, dialect, [None; 4], doubts, parsed.goal);
-    (checker.rejected, checker.diagnostics)
+    let (program, problems) = super::check(parsed, stage, dialect, [None; 4]);
+    let kind = |p: &Problem| {
+        let shown = format!("{:?}", p.what);
+        shown.split_once('(').map_or("", |(_, of)| of).to_string()
+    };
+    let found = problems.all.iter().map(kind).collect();
+    (found, explain(&program, problems))
 }
 
 /// The name of a variant, without what it holds.

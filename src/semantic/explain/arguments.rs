@@ -19,7 +19,7 @@ const USUAL: &[(BuiltinId, usize, &str)] = &[
 /// Most arguments that are tried in another order.
 const MAX_SWAPPED: usize = 4;
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     /// Takes away what is too much, where only one choice fits.
     pub(super) fn drop_arguments(&self, args: &[ExprId], candidates: &[Candidate]) -> Option<Fix> {
         let mut found = None;
@@ -157,7 +157,7 @@ impl Checker<'_> {
         let fits = |v: &Variable| v.ty == ty && (!writes || self.is_writable(v));
         let param = candidate.names.get(index).map_or("", |n| n.as_str());
         let variables = || {
-            self.scopes
+            self.scopes()
                 .visible()
                 .filter_map(|(_, binding)| match binding {
                     Binding::Variable(id) => {

@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for ArrayError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use ArrayError as E;
         let say = |message: &str| c.error(error::INVALID_ARRAY, at, message);
         let later = |message| c.error(error::NEEDS_WEBGL2, at, message);

@@ -39,7 +39,24 @@ fn distance(wanted: Type, found: Type, is_literal: bool) -> u32 {
     }
 }
 
-impl Checker<'_> {
+impl Explain for ArgumentError {
+    fn explain(self, c: &ExplainContext, _: Extent) -> Diagnostic {
+        use ArgumentError as E;
+        match self {
+            E::Variable(id, name, variable, args) => {
+                c.explain_call_of_variable(id, name, variable, args)
+            }
+            E::User(id, name, args) => c.explain_user_call(id, name, c.tree.args(args)),
+            E::Builtin(id, name, function, args) => {
+                c.explain_builtin_call(id, name, function, c.tree.args(args))
+            }
+            E::DynamicOffset(arg) => c.explain_dynamic_offset(arg),
+            E::Offset(arg, offset) => c.explain_offset(arg, offset),
+        }
+    }
+}
+
+impl ExplainContext<'_> {
     /// A call of what is a variable.
     pub(crate) fn explain_call_of_variable(
         &self,
@@ -60,7 +77,8 @@ impl Checker<'_> {
             .get(variable.0 as usize)
             .and_then(|v| v.token);
         let d = self.with_declaration(d, declared, "declared here");
-        match self.by_name.contains_key(&name) || self.builtins.function(text).is_some() {
+        match self.functions_named(name).next().is_some() || self.builtins.function(text).is_some()
+        {
             true => d
                 .note("the variable hides the function of the same name")
                 .help("rename the variable"),
@@ -71,18 +89,10 @@ impl Checker<'_> {
         }
     }
 
-    /// A call that fits none of the functions that the shader declares; `None` where the one that is
-    /// meant may be among what could not be read.
-    pub(crate) fn explain_user_call(
-        &self,
-        id: ExprId,
-        name: Name,
-        args: &[ExprId],
-    ) -> Option<Diagnostic> {
-        let all = self.by_name.get(&name).cloned().unwrap_or_default();
-        let candidates: Vec<Candidate> = all
-            .iter()
-            .filter_map(|f| self.functions.get(f.0 as usize))
+    /// A call that fits none of the functions that the shader declares.
+    pub(crate) fn explain_user_call(&self, id: ExprId, name: Name, args: &[ExprId]) -> Diagnostic {
+        let candidates: Vec<Candidate> = self
+            .functions_named(name)
             .map(|f| self.user_candidate(f))
             .collect();
         self.no_overload(id, name, args, &candidates)
@@ -130,7 +140,7 @@ impl Checker<'_> {
         name: Name,
         function: BuiltinId,
         args: &[ExprId],
-    ) -> Option<Diagnostic> {
+    ) -> Diagnostic {
         let (_, overloads) = self.builtins.overloads_of(function);
         let candidates: Vec<Candidate> = overloads
             .iter()
@@ -160,23 +170,19 @@ impl Checker<'_> {
         name: Name,
         args: &[ExprId],
         candidates: &[Candidate],
-    ) -> Option<Diagnostic> {
-        // The overload that is meant may be the one that could not be read.
-        if self.tree.lost.contains(&name) {
-            return None;
-        }
+    ) -> Diagnostic {
         if let Some(&arg) = args.iter().find(|&&a| self.ty(a).is_void()) {
-            return Some(self.explain_void(arg));
+            return self.explain_void(arg);
         }
         let same_count: Vec<&Candidate> = candidates
             .iter()
             .filter(|c| c.params.len() == args.len())
             .collect();
-        Some(if same_count.is_empty() {
+        if same_count.is_empty() {
             self.wrong_count(id, name, args, candidates)
         } else {
             self.wrong_types(id, name, args, &same_count, candidates)
-        })
+        }
     }
 
     fn wrong_count(

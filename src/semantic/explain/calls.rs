@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for CallError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         match self {
             CallError::Undefined(callee) => {
                 let name = c.function_name(callee);

@@ -3,7 +3,7 @@
 use super::*;
 use crate::checker::Wanted;
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     /// The initial value of a constant or a global variable, which is not constant.
     pub(crate) fn explain_initial_value(
         &self,

@@ -2,7 +2,7 @@
 
 use super::*;
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     /// A constructor of which no value comes.
     pub(super) fn explain_construction(
         &self,
@@ -118,7 +118,7 @@ impl Checker<'_> {
     /// The struct that is constructed by its name.
     fn constructed(&self, id: ExprId) -> Option<u32> {
         match self.tree.expr(id).kind {
-            ExprKind::Call(name, _) => match self.scopes.get(name)? {
+            ExprKind::Call(name, _) => match self.scopes().get(name)? {
                 Binding::Struct(index) => Some(index),
                 _ => None,
             },
@@ -167,7 +167,7 @@ impl Checker<'_> {
         let (scalar, 1, size) = ty.numeric()? else {
             return None;
         };
-        let added = Checker::added_components(scalar, given as u8, size);
+        let added = ExplainContext::added_components(scalar, given as u8, size);
         let end = self.expr_span(*args.last()?).end;
         let title = format!("add `{}`", added.trim_start_matches(", "));
         Some(Fix::suggestion(title, vec![Edit::insert(end, added)]))

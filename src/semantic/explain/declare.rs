@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for DeclarationError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use DeclarationError as E;
         match self {
             E::Void => c.error(error::VOID_VALUE, at, "a variable cannot be `void`"),

@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for EntryError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use EntryError as E;
         let missing =
             |message: &str| Diagnostic::error(error::MISSING_MAIN, c.start_of_shader(), message);
@@ -17,9 +17,9 @@ impl Explain for EntryError {
             E::MissingCalled(entry) => missing(&format!("the pass has no `{}`", entry.name))
                 .note("the player calls it for every pixel or sample")
                 .help(format!("define `{}`", entry.signature)),
-            E::Unwrapped => {
+            E::Unwrapped(output) => {
                 let message = "`mainImage` is ShaderToy's; WebGL2 calls `main`";
-                c.wrap_main(c.error(error::UNWRAPPED_MAINIMAGE, at, message))
+                c.wrap_main(c.error(error::UNWRAPPED_MAINIMAGE, at, message), output)
             }
             E::Signature(entry) => {
                 let name = entry.name;
@@ -33,7 +33,7 @@ impl Explain for EntryError {
     }
 }
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     /// The place for what is missing from the shader as a whole: the start of its last text.
     fn start_of_shader(&self) -> Span {
         let end = self.tokens.tokens.last().map_or(0, |t| t.span.end);
@@ -43,12 +43,9 @@ impl Checker<'_> {
     }
 
     /// Adds the `main` that calls `mainImage`.
-    fn wrap_main(&self, d: Diagnostic) -> Diagnostic {
+    fn wrap_main(&self, d: Diagnostic, output: Option<Name>) -> Diagnostic {
         let end = self.tokens.tokens.last().map_or(0, |t| t.span.end);
-        let output = self
-            .outputs
-            .first()
-            .map(|o| self.text(o.ident.name).to_string());
+        let output = output.map(|name| self.text(name).to_string());
         let mut text = String::from("\n");
         let name = output.unwrap_or_else(|| {
             text.push_str("out vec4 fragColor;\n");

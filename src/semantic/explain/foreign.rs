@@ -3,18 +3,47 @@
 use super::*;
 use shaderlint_syntax::{Foreign, Meaning, foreign};
 
-impl Checker<'_> {
-    /// A type that GLSL has under another word; `written` takes its place.
-    pub(crate) fn explain_foreign_type(
+impl Explain for ForeignError {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
+        use ForeignError as E;
+        let token = at.first;
+        let word = |name| foreign(c.text(name), c.version);
+        match self {
+            E::Absent(name) => match word(name).map(|f| f.meaning) {
+                Some(Meaning::Absent(why)) => {
+                    c.explain_absent(error::UNKNOWN_TYPE, name, token, why)
+                }
+                _ => c.explain_unknown_type(name, token),
+            },
+            E::Type(name) => c.explain_foreign_type(name, token, word(name), ""),
+            E::Uniform(name) => c.explain_foreign_type(name, token, word(name), "uniform "),
+            E::Inferred(from, found) => c.explain_inferred_type(token, from, found),
+            E::Call(id, name, args) => {
+                let types: Vec<Type> = c.tree.args(args).iter().map(|&a| c.ty(a)).collect();
+                let known = word(name).and_then(|f| c.explain_foreign_call(id, name, f, &types));
+                known.unwrap_or_else(|| c.explain_undeclared_function(name, token))
+            }
+        }
+    }
+}
+
+impl ExplainContext<'_> {
+    /// A type that GLSL has under another word, which takes its place behind `before`.
+    fn explain_foreign_type(
         &self,
         name: Name,
         token: TokenId,
-        found: Foreign,
-        word: &str,
-        written: &str,
+        found: Option<Foreign>,
+        before: &str,
     ) -> Diagnostic {
+        let Some((found, word)) = found.and_then(|f| match f.meaning {
+            Meaning::Type(word) => Some((f, word)),
+            _ => None,
+        }) else {
+            return self.explain_unknown_type(name, token);
+        };
         let d = self.foreign_error(error::UNKNOWN_TYPE, token, found, "type", word);
-        self.rename_fix(d, name, written)
+        self.rename_fix(d, name, &format!("{before}{word}"))
     }
 
     /// What GLSL has nothing for.

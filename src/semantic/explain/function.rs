@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for FunctionError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use FunctionError as E;
         let parameter = |message| c.error(error::INVALID_PARAMETER, at, message);
         let array = |message| c.error(error::INVALID_ARRAY, at, message);
@@ -69,7 +69,7 @@ impl Explain for FunctionError {
     }
 }
 
-impl<'a> Checker<'a> {
+impl<'a> ExplainContext<'a> {
     pub(super) fn function_name(&self, function: FunctionRef) -> &'a str {
         let function = self.functions.get(function.0 as usize);
         function.map_or("", |f| self.text(f.name))

@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for InterfaceError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use InterfaceError as E;
         let say = |message: &str| c.error(error::INTERFACE_TYPE, at, message);
         match self {

@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for LayoutError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use LayoutError as E;
         let say = |message: &str| c.error(error::INVALID_LAYOUT, at, message);
         match self {

@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for LimitError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use LimitError as E;
         let say = |message: &str| c.error(error::BROWSER_LIMIT, at, message);
         match self {

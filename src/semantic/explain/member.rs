@@ -7,7 +7,7 @@ use shaderlint_syntax::{Meaning, foreign};
 /// Most members of a struct that a message lists.
 const MAX_LISTED: usize = 12;
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     /// A member that its object has not.
     pub(super) fn explain_member(&self, id: ExprId, object: ExprId, misfit: Misfit) -> Diagnostic {
         let token = self.tree.expr(id).extent.last;
@@ -91,7 +91,7 @@ impl Checker<'_> {
             return None;
         }
         let name = self.name_of(Type::vector(scalar, size));
-        let added = Checker::added_components(scalar, rows, size);
+        let added = ExplainContext::added_components(scalar, rows, size);
         let written = format!("{name}({}{added})", self.expr_text(object));
         let edits = vec![Edit::replace(self.expr_span(id), written.clone())];
         Some(Fix::suggestion(format!("write `{written}`"), edits))
@@ -177,7 +177,7 @@ impl Checker<'_> {
         let function = match foreign(text, self.version).map(|f| f.meaning) {
             Some(Meaning::Function(function)) => function,
             _ if self.builtins.function(text).is_some() => text,
-            _ if self.by_name.contains_key(&name) => text,
+            _ if self.functions_named(name).next().is_some() => text,
             _ => return None,
         };
         let span = self.expr_span(object);
@@ -289,7 +289,13 @@ impl Checker<'_> {
     }
 
     /// An index that is not constant, where only a constant is taken.
-    pub(crate) fn explain_dynamic_index(&self, id: ExprId, what: &str) -> Diagnostic {
+    pub(crate) fn explain_dynamic_index(&self, id: ExprId, what: Indexed) -> Diagnostic {
+        let what = match what {
+            Indexed::Samplers => "an array of samplers",
+            Indexed::Blocks => "an array of blocks",
+            Indexed::Outputs => "an array of fragment outputs",
+            Indexed::Output => "a fragment output",
+        };
         let message = format!("{what} takes a constant index only");
         self.error_expr(error::INVALID_INDEX, id, message)
             .note("in GLSL ES 3.00 the index must be a constant expression (sections 4.1.7, 4.3.6, 4.3.7)")

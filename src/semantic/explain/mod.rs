@@ -1,8 +1,9 @@
 //! Words: what is said of what does not fit, and the edit that mends it.
 //!
-//! `typing` and `checker` decide; what stands here turns a [`Misfit`] or one of the checker's enums
-//! into a message, each enum in the file that is called as the one it stands in. It reads what the
-//! checker found out so far, and changes nothing of it.
+//! `typing` and `checker` decide, and leave what is wrong as data; [`explain()`] makes messages of it
+//! once it is chosen what is to be said. Each of the checker's enums has its words in the file that is
+//! called as the one it stands in. What they need besides is in the program, as far as the checker
+//! knew it when it met the problem.
 
 mod arguments;
 mod array;
@@ -10,8 +11,10 @@ mod call;
 mod calls;
 mod constant;
 mod construct;
+mod context;
 mod declare;
 mod entry;
+mod expression;
 mod foreign;
 mod function;
 mod interface;
@@ -33,16 +36,14 @@ mod value;
 mod version;
 mod webgl1;
 
-pub(crate) use names::note_uses;
-pub(crate) use place::note_written;
-
 use super::builtins::{Builtins, MAX_PARAMS, Stage};
 use super::checker::*;
-use super::host::EntryPoint;
+use super::parsed::Typed;
 use super::program::*;
 use super::scope::Binding;
 use super::types::*;
 use super::typing::{self, Clash, Misfit, NonNumber};
+use context::ExplainContext;
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, error};
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Feature, Name, Token, TokenKind, Version};
@@ -52,49 +53,76 @@ use shaderlint_text::{Edit, Span};
 const NO_CONVERSION: &str = "GLSL ES converts nothing by itself (section 4.1.10)";
 
 /// Something that is wrong, as data, of which words can be made.
-pub(crate) trait Explain: std::fmt::Debug {
+trait Explain {
     /// What to say of it.
-    fn explain(self, checker: &Checker, at: Extent) -> Diagnostic;
+    fn explain(self, context: &ExplainContext, at: Extent) -> Diagnostic;
 }
 
-impl Checker<'_> {
-    /// What to say of an expression that does not fit. `parts` are its operands or arguments, as
-    /// the misfit numbers them.
-    pub(crate) fn explain(&self, id: ExprId, parts: &[ExprId], misfit: Misfit) -> Diagnostic {
-        use Misfit as M;
-        let part = |number: usize| parts.get(number).copied().unwrap_or(id);
-        match misfit {
-            M::Void(number) => self.explain_void(part(number)),
-            M::Operand(ty) => self.explain_operand(id, part(0), ty),
-            M::Operands(clash) => self.explain_operands(id, part(0), part(1), clash),
-            M::Value(clash) => self.explain_assignment(id, part(0), part(1), clash),
-            M::Condition(ty) => self.explain_condition(part(0), ty, Condition::Choice),
-            M::Arms => self.explain_arms(id, part(0), part(1)),
-            M::Unchosen(kind) => self.explain_unchosen(id, kind),
-            M::Sequence => self.explain_sequence(id),
-            M::NoMembers(_) | M::ArrayMember | M::Letters(_) | M::Component(..) | M::Field(_) => {
-                self.explain_member(id, part(0), misfit)
-            }
-            M::NoElements(ty) => self.explain_no_elements(id, ty),
-            M::Index(ty) => self.explain_index(part(1), ty),
-            M::NotConstructible(_)
-            | M::NoArguments(_)
-            | M::SamplerArgument(_)
-            | M::Count(_)
-            | M::Part(..)
-            | M::NoNumber(..)
-            | M::MatrixBeside
-            | M::TooFew(..)
-            | M::TooMany(..) => self.explain_construction(id, parts, misfit),
-            M::NothingReturned(_) | M::ValueReturned | M::Returned(_) => {
-                self.explain_return(parts.first().copied(), self.tree.expr(id).extent, misfit)
-            }
+/// Makes words of all that is wrong with a shader.
+pub(super) fn explain(program: &Program, problems: Problems) -> Vec<Diagnostic> {
+    let mut context = ExplainContext::new(program, &problems.scopes);
+    let mut all = Vec::with_capacity(problems.all.len());
+    for problem in problems.all {
+        context.go_to(problem.moment);
+        let mut d = problem.what.explain(&context, problem.at);
+        // A fix whose edits do not stand in the user's own text just so is dropped.
+        if let Some(fix) = &d.fix
+            && fix.edits.iter().any(|e| !context.is_editable(e.span))
+        {
+            d.fix = None;
+        }
+        for aside in problem.asides {
+            context.add(&mut d, aside, problem.at);
+        }
+        all.push(d);
+    }
+    all
+}
+
+impl Explain for ProblemKind {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
+        use ProblemKind as K;
+        match self {
+            K::Array(of) => of.explain(c, at),
+            K::Argument(of) => of.explain(c, at),
+            K::Calls(of) => of.explain(c, at),
+            K::Declaration(of) => of.explain(c, at),
+            K::Entry(of) => of.explain(c, at),
+            K::Expression(of) => of.explain(c, at),
+            K::Foreign(of) => of.explain(c, at),
+            K::Function(of) => of.explain(c, at),
+            K::Interface(of) => of.explain(c, at),
+            K::Layout(of) => of.explain(c, at),
+            K::Limit(of) => of.explain(c, at),
+            K::Name(of) => of.explain(c, at),
+            K::Output(of) => of.explain(c, at),
+            K::Place(of) => of.explain(c, at),
+            K::Qualifier(of) => of.explain(c, at),
+            K::Record(of) => of.explain(c, at),
+            K::Restriction(of) => of.explain(c, at),
+            K::Statement(of) => of.explain(c, at),
+            K::Switch(of) => of.explain(c, at),
+            K::Value(of) => of.explain(c, at),
         }
     }
+}
 
-    /// A value of type `void` where one is needed.
-    pub(crate) fn explain_void(&self, id: ExprId) -> Diagnostic {
-        let message = "this has no value: its type is `void`";
-        self.error_expr(error::VOID_VALUE, id, message)
+impl ExplainContext<'_> {
+    /// Adds to what is said of a problem what came to be known of it later.
+    fn add(&self, d: &mut Diagnostic, aside: Aside, at: Extent) {
+        match aside {
+            Aside::Used(1) => d.notes.push("it is used once more".to_string()),
+            Aside::Used(uses) => d.notes.push(format!("it is used {uses} times more")),
+            Aside::SetTo(ty) if d.is(error::UNDECLARED_NAME) => {
+                let name = Name(self.token(at.first).value);
+                let fix = self.declaration_where_set(name, at.first, ty);
+                d.fix = fix.or(d.fix.take());
+            }
+            Aside::SetTo(_) => {}
+            Aside::Second(second) => d.fix = self.second_declaration(second),
+            Aside::Argument(direction) => d.notes.push(format!(
+                "the parameter is `{direction}`: the function writes to it"
+            )),
+        }
     }
 }

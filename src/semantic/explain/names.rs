@@ -25,7 +25,7 @@ const OUTPUT_NAMES: &[&str] = &[
 ];
 
 impl Explain for NameError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         match self {
             NameError::Reserved(name, owner) => {
                 let message = format!("the name `{}` is reserved", c.text(name));
@@ -45,19 +45,20 @@ impl Explain for NameError {
                 let d = c.error(error::REDEFINITION, at, message);
                 c.with_declaration(d, c.declaration_token(name, before), "first declared here")
             }
+            NameError::NotAVariable(name, binding) => {
+                c.explain_not_a_variable(name, at.first, binding)
+            }
+            NameError::Undeclared(name) => c.explain_undeclared_variable(name, at.first),
+            NameError::UnknownType(name) => c.explain_unknown_type(name, at.first),
+            NameError::LegacyFunction(name, new) => {
+                c.explain_legacy_function(c.text(name), new, at.first)
+            }
+            NameError::UndeclaredFunction(name) => c.explain_undeclared_function(name, at.first),
         }
     }
 }
 
-/// How often a name that nothing declares is used besides.
-pub(crate) fn note_uses(uses: u32) -> String {
-    match uses {
-        1 => "it is used once more".to_string(),
-        _ => format!("it is used {uses} times more"),
-    }
-}
-
-impl Checker<'_> {
+impl ExplainContext<'_> {
     /// A function, block or type where a variable is wanted.
     pub(crate) fn explain_not_a_variable(
         &self,
@@ -101,7 +102,7 @@ impl Checker<'_> {
     /// A name used as a type that is none.
     pub(crate) fn explain_unknown_type(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
-        let message = match self.scopes.get(name) {
+        let message = match self.scopes().get(name) {
             Some(Binding::Variable(_)) => format!("`{text}` is a variable, not a type"),
             Some(Binding::Function) => format!("`{text}` is a function, not a type"),
             _ => format!("there is no type `{text}`"),
@@ -240,12 +241,6 @@ impl Checker<'_> {
             }
             _ => None,
         }
-    }
-
-    /// Whether the host declares the shader's outputs, and hands what is computed on to them.
-    fn is_called_by_host(&self) -> bool {
-        let entry = self.dialect.host().entry;
-        entry.is_none_or(EntryPoint::is_called_by_host)
     }
 
     /// `fragCoord` outside ShaderToy's `mainImage`, which gets it as a parameter.
@@ -461,26 +456,6 @@ impl Checker<'_> {
         ))
     }
 
-    /// Where a name is declared at global scope behind a token.
-    pub(crate) fn declared_later(&self, name: Name, token: TokenId) -> Option<Span> {
-        let tree = self.tree;
-        tree.items.iter().find_map(|item| {
-            let ident = match *item {
-                Item::Function(id) => tree.function(id)?.ident,
-                Item::Decl(id) => match tree.decl(id)?.kind {
-                    DeclKind::Variables { declarators, .. } => {
-                        tree.declarators(declarators)
-                            .iter()
-                            .find(|d| d.ident.name == name)?
-                            .ident
-                    }
-                    _ => return None,
-                },
-            };
-            (ident.name == name && ident.token > token).then(|| self.token_span(ident.token))
-        })
-    }
-
     /// The name in scope that looks most like `text`; best of all one in another case.
     pub(super) fn nearest_name(&self, text: &str, is_call: bool) -> Option<String> {
         let limit = match text.len() {
@@ -499,7 +474,7 @@ impl Checker<'_> {
             Binding::Block(_) | Binding::Error => false,
         };
         let scope = self
-            .scopes
+            .scopes()
             .visible()
             .filter(|(_, b)| fits(*b))
             .map(|(n, _)| self.text(n));

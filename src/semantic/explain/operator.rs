@@ -3,7 +3,7 @@
 use super::*;
 use crate::BuiltinId;
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     /// Operands that do not fit an operator. `id` is the whole expression, which may be an
     /// assignment like `l += r`.
     pub(super) fn explain_operands(

@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for OutputError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use OutputError as E;
         let say = |message: &str| c.error(error::OUTPUT_LOCATION, at, message);
         match self {

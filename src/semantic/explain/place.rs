@@ -7,13 +7,8 @@ const MAX_STATEMENT: TokenId = 1000;
 /// Most uses of a name that a fix renames.
 const MAX_RENAMED: usize = 500;
 
-/// What the parameter has to do with it that an argument cannot be written to.
-pub(crate) fn note_written(direction: &str) -> String {
-    format!("the parameter is `{direction}`: the function writes to it")
-}
-
 impl Explain for PlaceError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use PlaceError as E;
         let (id, why) = match self {
             E::NoPlace(id, by) => return c.no_place(id, by, at),
@@ -50,7 +45,7 @@ impl Explain for PlaceError {
     }
 }
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     fn no_place(&self, id: ExprId, by: Writer, at: Extent) -> Diagnostic {
         let symbol = match by {
             Writer::Assign(op) => &format!("{}=", op.map_or("", BinaryOp::symbol)),
@@ -140,14 +135,14 @@ impl Checker<'_> {
 
     /// What to do with a name that is declared a second time: nothing where both say the same, an
     /// assignment where the types are the same, another name where they are not.
-    pub(crate) fn second_declaration(
-        &self,
-        ident: Ident,
-        first: VariableId,
-        ty: Type,
-        spec: Option<Extent>,
-        is_meant: bool,
-    ) -> Option<Fix> {
+    pub(super) fn second_declaration(&self, second: SecondDeclaration) -> Option<Fix> {
+        let SecondDeclaration {
+            ident,
+            first,
+            ty,
+            spec,
+            is_meant,
+        } = second;
         let first = self.variables.get(first.0 as usize)?;
         let spec = spec?;
         let second = self.statement_around(ident.token)?;

@@ -4,7 +4,7 @@ use super::*;
 use shaderlint_text::Role;
 
 impl Explain for QualifierError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use QualifierError as E;
         let say = |message: &str| c.error(error::INVALID_QUALIFIER, at, message);
         let written = c.sources.text(c.span(at));
@@ -58,7 +58,7 @@ impl Explain for QualifierError {
 const ORDER: &str =
     "the order is: invariant, flat or smooth, layout, storage, precision (section 4.7)";
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     fn missing_precision(&self, ty: Type, at: Extent) -> Diagnostic {
         let name = self.name_of(ty);
         let (line, why) = match ty.base {

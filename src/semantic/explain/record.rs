@@ -12,7 +12,7 @@ impl Record {
 }
 
 impl Explain for RecordError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use RecordError as E;
         let of_struct = |message: &str| c.error(error::INVALID_STRUCT, at, message);
         let of_block = |message| c.error(error::INTERFACE_BLOCK, at, message);

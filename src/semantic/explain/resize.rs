@@ -6,7 +6,7 @@ use crate::BuiltinId;
 /// Longest code that a fix's title shows.
 const MAX_SHOWN: usize = 60;
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     /// Makes one of the two vectors in `id` as large as the other. What the value is for decides
     /// which; where that is unknown, a swizzle or a uniform that is too long is cut, and else the
     /// smaller one is filled up.
@@ -249,7 +249,7 @@ impl Checker<'_> {
         if let Some(fix) = self.lengthen(self.core(id), size) {
             return Some(fix);
         }
-        let zeros = Checker::added_components(ty.scalar_kind()?, have, size);
+        let zeros = ExplainContext::added_components(ty.scalar_kind()?, have, size);
         let span = self.expr_span(id);
         let name = self.name_of(ty);
         let text = self.sources.text(span);

@@ -14,7 +14,7 @@ impl Condition {
 }
 
 impl Explain for StatementError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use StatementError as E;
         let misplaced = |message| c.error(error::MISPLACED_JUMP, at, message);
         match self {
@@ -26,12 +26,14 @@ impl Explain for StatementError {
                 let message = format!("{what} must be `bool`, not `{}`", c.name_of(ty));
                 c.error(error::CONDITION_TYPE, at, message)
             }
+            E::NoCondition(id, of, ty) => c.explain_condition(id, ty, of),
+            E::Return(value, misfit) => c.explain_return(value, at, misfit),
             E::Endless(variable) => c.endless_loop(variable, at),
         }
     }
 }
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     fn endless_loop(&self, variable: Option<VariableId>, at: Extent) -> Diagnostic {
         let d = self
             .error(error::INFINITE_LOOP, at, "this loop never ends")

@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for SwitchError {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use SwitchError as E;
         let say = |message: &str| c.error(error::INVALID_SWITCH, at, message);
         // A number that is no integer becomes one.

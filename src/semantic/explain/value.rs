@@ -2,7 +2,24 @@
 
 use super::*;
 
-impl Checker<'_> {
+impl Explain for ValueError {
+    fn explain(self, c: &ExplainContext, _: Extent) -> Diagnostic {
+        use ValueError as E;
+        match self {
+            E::Initializer(declarator, spec, ty, init, misfit) => {
+                c.explain_initializer(&declarator, spec, ty, init, misfit)
+            }
+            E::Retyped(declarator, spec, ty, init, misfit) => {
+                c.explain_declared_type(misfit, spec, &declarator, ty, init)
+            }
+            E::NotConstant(declarator, init, storage) => {
+                c.explain_initial_value(&declarator, init, storage)
+            }
+        }
+    }
+}
+
+impl ExplainContext<'_> {
     /// `l = r` whose types do not fit.
     pub(super) fn explain_assignment(
         &self,
@@ -24,7 +41,7 @@ impl Checker<'_> {
     }
 
     /// A declaration whose initializer does not fit.
-    pub(crate) fn explain_initializer(
+    fn explain_initializer(
         &self,
         declarator: &Declarator,
         spec: Option<Extent>,
@@ -51,14 +68,18 @@ impl Checker<'_> {
     }
 
     /// A declaration whose type is not that of its value and its uses.
-    pub(crate) fn explain_declared_type(
+    fn explain_declared_type(
         &self,
-        rule: ErrorKind,
+        misfit: Misfit,
         spec: Extent,
         declarator: &Declarator,
         ty: Type,
         init: ExprId,
     ) -> Diagnostic {
+        let rule = match misfit {
+            Misfit::Value(clash) => self.rule_for(ty, self.ty(init), clash),
+            _ => error::VOID_VALUE,
+        };
         let (wanted, found) = (self.name_of(ty), self.name_of(self.ty(init)));
         let ident = declarator.ident;
         let text = self.text(ident.name);
@@ -155,22 +176,6 @@ impl Checker<'_> {
         let edit = Edit::insert(self.expr_span(value).start, name.clone());
         (is_list && self.is_direct(self.tree.expr(value).extent))
             .then(|| Fix::safe(format!("write `{name}(...)`"), vec![edit]))
-    }
-
-    /// The token of a literal number, through parentheses and signs.
-    pub(crate) fn literal_token(&self, id: ExprId) -> Option<Token> {
-        let mut at = id;
-        loop {
-            match self.tree.expr(at).kind {
-                ExprKind::Paren(inner) | ExprKind::Unary(UnaryOp::Minus | UnaryOp::Plus, inner) => {
-                    at = inner
-                }
-                ExprKind::Int(_) | ExprKind::Uint(_) | ExprKind::Float(_) => {
-                    return Some(self.token(self.tree.expr(at).extent.first));
-                }
-                _ => return None,
-            }
-        }
     }
 
     /// The digits of a floating point literal without fraction: `2.0` gives `2`.

@@ -2,7 +2,7 @@
 
 use super::*;
 
-impl Checker<'_> {
+impl ExplainContext<'_> {
     /// An operator or method that comes with a later version.
     pub(crate) fn explain_later(&self, id: ExprId) -> Diagnostic {
         let what = match self.tree.expr(id).kind {

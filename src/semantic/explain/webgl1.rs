@@ -3,7 +3,7 @@
 use super::*;
 
 impl Explain for Restriction {
-    fn explain(self, c: &Checker, at: Extent) -> Diagnostic {
+    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use Restriction as E;
         let message = match self {
             E::Loop(word) => format!("WebGL1 has no `{word}` loops"),

@@ -1,0 +1,194 @@
+//! What words are made from: a program, as far as it was known when a problem was met.
+
+use super::*;
+use crate::parsed::ParsedView;
+use crate::scope::{Bindings, PastScopes, ScopeLog};
+use shaderlint_syntax::macro_uses;
+use shaderlint_text::Role;
+use std::cell::Cell;
+use std::ops::Deref;
+
+/// Most names, tokens and pairs of letters that are looked at for advice, over all errors of a shader.
+const MAX_ADVICE: usize = 6_000_000;
+
+/// A program at the moment of a problem.
+pub(super) struct ExplainContext<'a> {
+    parsed: ParsedView<'a>,
+    program: &'a Program,
+    scopes: PastScopes<'a>,
+    pub exprs: &'a [ExprInfo],
+    pub structs: &'a [Struct],
+    pub variables: &'a [Variable],
+    pub functions: &'a [Function],
+    pub current: Option<FunctionRef>,
+    pub whole: ExprId,
+    pub wanted: Option<Type>,
+    /// What may still be spent on looking through all names or tokens for advice on an error.
+    advice: Cell<usize>,
+}
+
+impl<'a> Deref for ExplainContext<'a> {
+    type Target = ParsedView<'a>;
+
+    fn deref(&self) -> &ParsedView<'a> {
+        &self.parsed
+    }
+}
+
+impl<'a> Typed<'a> for ExplainContext<'a> {
+    fn exprs(&self) -> &[ExprInfo] {
+        self.exprs
+    }
+
+    fn structs(&self) -> &[Struct] {
+        self.structs
+    }
+}
+
+impl<'a> ExplainContext<'a> {
+    pub fn new(program: &'a Program, scopes: &'a ScopeLog) -> ExplainContext<'a> {
+        ExplainContext {
+            parsed: ParsedView {
+                sources: &program.sources,
+                tokens: &program.tokens,
+                names: &program.names,
+                tree: &program.tree,
+                version: program.version,
+                stage: program.stage,
+                dialect: program.dialect,
+                builtins: Builtins::of(program.version, program.stage),
+            },
+            program,
+            scopes: PastScopes::new(scopes),
+            exprs: &[],
+            structs: &[],
+            variables: &[],
+            functions: &[],
+            current: None,
+            whole: ExprId(0),
+            wanted: None,
+            advice: Cell::new(MAX_ADVICE),
+        }
+    }
+
+    /// Sees the program as it was known at a moment.
+    pub fn go_to(&mut self, moment: Moment) {
+        fn first<T>(all: &[T], count: usize) -> &[T] {
+            all.get(..count).unwrap_or(all)
+        }
+        let program = self.program;
+        self.exprs = first(&program.exprs, moment.exprs);
+        self.structs = first(&program.structs, moment.structs);
+        self.variables = first(&program.variables, moment.variables);
+        self.functions = first(&program.functions, moment.functions);
+        self.current = moment.current;
+        self.whole = moment.whole;
+        self.wanted = moment.wanted;
+        self.scopes.go_to(moment.scopes);
+    }
+
+    /// What names stand for.
+    pub fn scopes(&self) -> &Bindings {
+        self.scopes.bindings()
+    }
+
+    pub fn at_global_scope(&self) -> bool {
+        self.scopes().depth() == 0
+    }
+
+    /// The functions of the shader that have a name.
+    pub fn functions_named(&self, name: Name) -> impl Iterator<Item = &'a Function> {
+        self.functions.iter().filter(move |f| f.name == name)
+    }
+
+    /// Whether so many names or tokens may still be looked through for advice on an error.
+    pub fn affords(&self, looks: usize) -> bool {
+        let left = self.advice.get().checked_sub(looks);
+        self.advice.set(left.unwrap_or(0));
+        left.is_some()
+    }
+
+    /// The token that declares what a name stands for.
+    pub fn declaration_token(&self, name: Name, binding: Binding) -> Option<TokenId> {
+        match binding {
+            Binding::Variable(id) => self.variables.get(id.0 as usize)?.token,
+            Binding::Struct(id) | Binding::Block(id) => {
+                self.structs.get(id as usize).map(|s| s.token)
+            }
+            Binding::Function => {
+                let function = self.functions_named(name).next()?;
+                self.tree
+                    .function(function.declaration)
+                    .map(|f| f.ident.token)
+            }
+            Binding::Error => None,
+        }
+    }
+
+    pub fn error(&self, kind: ErrorKind, extent: Extent, message: impl Into<String>) -> Diagnostic {
+        let mut d = Diagnostic::error(kind, self.span(extent), message);
+        let first = self.token(extent.first);
+        let token = if first.is_direct() {
+            self.token(extent.last)
+        } else {
+            first
+        };
+        d.macros = macro_uses(
+            &self.tokens.expansions,
+            &self.tokens.macros,
+            self.names,
+            &token,
+        );
+        d
+    }
+
+    pub fn error_at(
+        &self,
+        kind: ErrorKind,
+        token: TokenId,
+        message: impl Into<String>,
+    ) -> Diagnostic {
+        self.error(kind, Extent::token(token), message)
+    }
+
+    pub fn error_expr(
+        &self,
+        kind: ErrorKind,
+        expr: ExprId,
+        message: impl Into<String>,
+    ) -> Diagnostic {
+        self.error(kind, self.tree.expr(expr).extent, message)
+    }
+
+    /// Whether the text under a span is the user's, and no macro call stands there that would be
+    /// torn apart.
+    pub fn is_editable(&self, span: Span) -> bool {
+        let tokens = &self.tokens.tokens;
+        // Tokens are in the order of the text, as each stands where the user sees it.
+        let from = tokens.partition_point(|t| t.span.end <= span.start);
+        let inside = tokens.get(from..).unwrap_or(&[]);
+        let clean = inside
+            .iter()
+            .take_while(|t| t.span.start < span.end)
+            .all(|t| t.is_direct() || span.contains(t.span));
+        clean
+            && self
+                .sources
+                .file_at(span.start)
+                .is_some_and(|f| f.role == Role::User)
+    }
+
+    /// Adds "declared here" where the user's own text declares a name.
+    pub fn with_declaration(
+        &self,
+        d: Diagnostic,
+        token: Option<TokenId>,
+        what: &str,
+    ) -> Diagnostic {
+        match token {
+            Some(token) if !self.is_prelude(token) => d.label(self.token_span(token), what),
+            Some(_) => d.note(format!("{} declares it", self.dialect.host().called)),
+            None => d.note("the language declares it"),
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! A parsed shader, as the checker and who explains its problems read it.
+
+use super::builtins::{Builtins, Stage};
+use super::dialect::Dialect;
+use super::host::EntryPoint;
+use super::program::{ExprInfo, Resolution, VariableId, struct_name};
+use super::types::{Struct, Type, type_name};
+use super::typing::Types;
+use shaderlint_syntax::ast::*;
+use shaderlint_syntax::{Feature, Name, Names, Token, TokenKind, Tokens, Version};
+use shaderlint_text::{Role, Sources, Span};
+use std::ops::Deref;
+
+/// A shader before anything is known of its meaning.
+#[derive(Clone, Copy)]
+pub(super) struct ParsedView<'a> {
+    pub sources: &'a Sources,
+    pub tokens: &'a Tokens,
+    pub names: &'a Names,
+    pub tree: &'a Tree,
+    pub version: Version,
+    pub stage: Stage,
+    pub dialect: Dialect,
+    pub builtins: &'static Builtins,
+}
+
+impl<'a> ParsedView<'a> {
+    /// Whether the version of the language has something.
+    pub fn has(&self, feature: Feature) -> bool {
+        self.version.has(feature)
+    }
+
+    pub fn text(&self, name: Name) -> &'a str {
+        self.names.text(name)
+    }
+
+    pub fn token(&self, id: TokenId) -> Token {
+        let tokens = &self.tokens.tokens;
+        tokens
+            .get(id as usize)
+            .or(tokens.last())
+            .copied()
+            .unwrap_or(Token {
+                kind: TokenKind::End,
+                value: 0,
+                span: Span::default(),
+                spelled: 0,
+                expansion: Token::DIRECT,
+            })
+    }
+
+    pub fn token_span(&self, id: TokenId) -> Span {
+        self.span(Extent::token(id))
+    }
+
+    /// Where code stands: in a macro's definition, if its body supplied all of it.
+    pub fn span(&self, extent: Extent) -> Span {
+        self.tokens.place(self.sources, extent.first, extent.last)
+    }
+
+    pub fn expr_span(&self, id: ExprId) -> Span {
+        self.span(self.tree.expr(id).extent)
+    }
+
+    pub fn expr_text(&self, id: ExprId) -> &'a str {
+        self.sources.text(self.expr_span(id))
+    }
+
+    /// Whether all tokens of a node stand in the text just so, outside any macro call.
+    pub fn is_direct(&self, extent: Extent) -> bool {
+        let tokens = self
+            .tokens
+            .tokens
+            .get(extent.first as usize..=extent.last as usize);
+        tokens.is_some_and(|all| all.iter().all(Token::is_direct))
+    }
+
+    /// Whether a token stands in text that a host put before the user's.
+    pub fn is_prelude(&self, token: TokenId) -> bool {
+        let span = self.token_span(token);
+        self.sources
+            .file_at(span.start)
+            .is_some_and(|f| f.role == Role::Prelude)
+    }
+
+    /// Whether the host declares the shader's outputs, and hands what is computed on to them.
+    pub fn is_called_by_host(&self) -> bool {
+        let entry = self.dialect.host().entry;
+        entry.is_none_or(EntryPoint::is_called_by_host)
+    }
+
+    /// The token of a literal number, through parentheses and signs.
+    pub fn literal_token(&self, id: ExprId) -> Option<Token> {
+        let mut at = id;
+        loop {
+            match self.tree.expr(at).kind {
+                ExprKind::Paren(inner) | ExprKind::Unary(UnaryOp::Minus | UnaryOp::Plus, inner) => {
+                    at = inner
+                }
+                ExprKind::Int(_) | ExprKind::Uint(_) | ExprKind::Float(_) => {
+                    return Some(self.token(self.tree.expr(at).extent.first));
+                }
+                _ => return None,
+            }
+        }
+    }
+
+    /// Where a name is declared at global scope behind a token.
+    pub fn declared_later(&self, name: Name, token: TokenId) -> Option<Span> {
+        let tree = self.tree;
+        tree.items.iter().find_map(|item| {
+            let ident = match *item {
+                Item::Function(id) => tree.function(id)?.ident,
+                Item::Decl(id) => match tree.decl(id)?.kind {
+                    DeclKind::Variables { declarators, .. } => {
+                        tree.declarators(declarators)
+                            .iter()
+                            .find(|d| d.ident.name == name)?
+                            .ident
+                    }
+                    _ => return None,
+                },
+            };
+            (ident.name == name && ident.token > token).then(|| self.token_span(ident.token))
+        })
+    }
+}
+
+/// A shader whose expressions have types, as far as it is checked.
+pub(super) trait Typed<'a>: Deref<Target = ParsedView<'a>> {
+    /// What is known of expressions, by their numbers.
+    fn exprs(&self) -> &[ExprInfo];
+
+    /// The structs and blocks that are declared.
+    fn structs(&self) -> &[Struct];
+
+    fn info(&self, id: ExprId) -> ExprInfo {
+        let info = self.exprs().get(id.0 as usize);
+        info.copied().unwrap_or(ExprInfo::ERROR)
+    }
+
+    fn ty(&self, id: ExprId) -> Type {
+        self.info(id).ty
+    }
+
+    fn name_of(&self, ty: Type) -> String {
+        type_name(ty, |id| struct_name(self.structs(), self.names, id))
+    }
+
+    /// What types mean in this shader.
+    fn types(&self) -> Types<'_> {
+        Types {
+            structs: self.structs(),
+            version: self.version,
+        }
+    }
+
+    /// The variable that an expression names, parentheses aside.
+    fn variable_of(&self, id: ExprId) -> Option<VariableId> {
+        match self.info(self.tree.unparen(id)).resolution {
+            Resolution::Variable(id) => Some(id),
+            _ => None,
+        }
+    }
+
+    /// An expression and all that stands in it, backwards: the operands come right before it.
+    fn subtree(&self, id: ExprId) -> impl Iterator<Item = (ExprId, &ExprInfo, &'a Expr)> {
+        let tree = self.tree;
+        let extent = tree.expr(id).extent;
+        let before = (0..=id.0).rev().map(ExprId);
+        let before = before.map_while(move |e| {
+            let info = self.exprs().get(e.0 as usize)?;
+            Some((e, info, tree.exprs.get(e.0 as usize)?))
+        });
+        before
+            .take_while(move |(_, _, e)| e.extent.first >= extent.first)
+            .filter(move |(_, _, e)| e.extent.last <= extent.last)
+    }
+}
