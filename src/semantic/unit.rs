@@ -229,7 +229,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
         };
         diagnostics.retain(|d| !is_told(d));
         diagnostics.extend(looked.syntax);
-        diagnostics.extend(explain(&program, looked.problems));
+        diagnostics.extend(explain(&program, &looked.problems));
         diagnostics.extend(translated.diagnostics);
     }
     if let Some(cut) = program.tokens.cut {

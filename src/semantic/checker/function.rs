@@ -35,8 +35,8 @@ pub(crate) enum FunctionError {
     ReturnsArrayInside,
     /// The name of a built-in function.
     Builtin(Name),
-    /// Another type than the function has by an earlier declaration.
-    ReturnType(FunctionRef, Type),
+    /// This type, and the other one that the function has by an earlier declaration.
+    ReturnType(FunctionRef, Type, Type),
     /// Other qualifiers of parameters than by an earlier declaration.
     Directions(FunctionRef),
 }
@@ -393,7 +393,7 @@ impl Checker<'_> {
             .zip(params)
             .all(|(a, b)| a.direction == b.direction);
         let problem = if !same_returns {
-            FunctionError::ReturnType(known, returns)
+            FunctionError::ReturnType(known, returns, before.returns)
         } else if !same_directions {
             FunctionError::Directions(known)
         } else {

@@ -78,7 +78,7 @@ fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
         shown.split_once('(').map_or("", |(_, of)| of).to_string()
     };
     let found = problems.all.iter().map(kind).collect();
-    (found, explain(&program, problems))
+    (found, explain(&program, &problems))
 }
 
 /// The name of a variant, without what it holds.

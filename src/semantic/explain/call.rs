@@ -108,7 +108,7 @@ impl ExplainContext<'_> {
                 direction => format!("{} {}", direction.name(), self.name_of(p.ty)),
             })
             .collect();
-        let returns = self.name_of(function.returns);
+        let returns = self.name_of(self.returns_of(function));
         let shown = format!(
             "{returns} {}({})",
             self.text(function.name),

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::parsed::ParsedView;
-use crate::scope::{Bindings, PastScopes, ScopeLog};
+use crate::scope::{Bindings, PastScopes};
 use shaderlint_syntax::macro_uses;
 use shaderlint_text::Role;
 use std::cell::Cell;
@@ -20,6 +20,8 @@ pub(super) struct ExplainContext<'a> {
     pub structs: &'a [Struct],
     pub variables: &'a [Variable],
     pub functions: &'a [Function],
+    /// What functions return until another declaration says something else, by the first one.
+    disputed: Vec<(FunctionId, Type)>,
     pub current: Option<FunctionRef>,
     pub whole: ExprId,
     pub wanted: Option<Type>,
@@ -46,8 +48,15 @@ impl<'a> Typed<'a> for ExplainContext<'a> {
 }
 
 impl<'a> ExplainContext<'a> {
-    pub fn new(program: &'a Program, scopes: &'a ScopeLog) -> ExplainContext<'a> {
+    pub fn new(program: &'a Program, problems: &'a Problems) -> ExplainContext<'a> {
+        let disputed = problems.all.iter().filter_map(|p| match p.what {
+            ProblemKind::Function(FunctionError::ReturnType(known, _, other)) => {
+                Some((program.function(known)?.declaration, other))
+            }
+            _ => None,
+        });
         ExplainContext {
+            disputed: disputed.collect(),
             parsed: ParsedView {
                 sources: &program.sources,
                 tokens: &program.tokens,
@@ -59,7 +68,7 @@ impl<'a> ExplainContext<'a> {
                 builtins: Builtins::of(program.version, program.stage),
             },
             program,
-            scopes: PastScopes::new(scopes),
+            scopes: PastScopes::new(&problems.scopes),
             exprs: &[],
             structs: &[],
             variables: &[],
@@ -99,6 +108,13 @@ impl<'a> ExplainContext<'a> {
     /// The functions of the shader that have a name.
     pub fn functions_named(&self, name: Name) -> impl Iterator<Item = &'a Function> {
         self.functions.iter().filter(move |f| f.name == name)
+    }
+
+    /// What a function returned by its declarations so far.
+    pub fn returns_of(&self, function: &Function) -> Type {
+        let mut disputed = self.disputed.iter();
+        let before = disputed.find(|(declaration, _)| *declaration == function.declaration);
+        before.map_or(function.returns, |(_, ty)| *ty)
     }
 
     /// Whether so many names or tokens may still be looked through for advice on an error.

@@ -45,9 +45,8 @@ impl Explain for FunctionError {
                 array("GLSL ES 1.00 functions cannot return structs that hold arrays")
             }
             E::Builtin(name) => c.builtin_name(name, at),
-            E::ReturnType(known, returns) => {
-                let function = c.functions.get(known.0 as usize);
-                let other = c.name_of(function.map_or(Type::ERROR, |f| f.returns));
+            E::ReturnType(known, returns, other) => {
+                let other = c.name_of(other);
                 let (name, returns) = (c.function_name(known), c.name_of(returns));
                 c.label_other(
                     known,

@@ -59,19 +59,19 @@ trait Explain {
 }
 
 /// Makes words of all that is wrong with a shader.
-pub(super) fn explain(program: &Program, problems: Problems) -> Vec<Diagnostic> {
-    let mut context = ExplainContext::new(program, &problems.scopes);
-    let mut all = Vec::with_capacity(problems.all.len());
-    for problem in problems.all {
+pub(super) fn explain(program: &Program, problems: &Problems) -> Vec<Diagnostic> {
+    let mut context = ExplainContext::new(program, problems);
+    let mut all = Vec::with_capacity(problems.len());
+    for problem in &problems.all {
         context.go_to(problem.moment);
-        let mut d = problem.what.explain(&context, problem.at);
+        let mut d = problem.what.clone().explain(&context, problem.at);
         // A fix whose edits do not stand in the user's own text just so is dropped.
         if let Some(fix) = &d.fix
             && fix.edits.iter().any(|e| !context.is_editable(e.span))
         {
             d.fix = None;
         }
-        for aside in problem.asides {
+        for &aside in &problem.asides {
             context.add(&mut d, aside, problem.at);
         }
         all.push(d);
