@@ -27,7 +27,7 @@ struct Entry {
 
 /// What happens to scopes, in the order of the text.
 #[derive(Clone, Copy, Debug)]
-enum Step {
+enum ScopeStep {
     Push,
     Pop,
     Declare(Name, Binding),
@@ -37,7 +37,7 @@ enum Step {
 /// All that happened to the scopes of a shader, so that what a name stood for at some place can be
 /// asked later.
 #[derive(Default, Debug)]
-pub struct ScopeLog(Vec<Step>);
+pub struct ScopeLog(Vec<ScopeStep>);
 
 /// How much had happened to the scopes at some place.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -47,7 +47,7 @@ pub struct ScopeMark(u32);
 pub struct PastScopes<'a> {
     log: &'a ScopeLog,
     at: ScopeMark,
-    scopes: Bindings,
+    scopes: NameBindings,
 }
 
 impl<'a> PastScopes<'a> {
@@ -56,7 +56,7 @@ impl<'a> PastScopes<'a> {
         PastScopes {
             log,
             at: ScopeMark::default(),
-            scopes: Bindings::default(),
+            scopes: NameBindings::default(),
         }
     }
 
@@ -73,7 +73,7 @@ impl<'a> PastScopes<'a> {
     }
 
     /// What names stand for at that place.
-    pub fn bindings(&self) -> &Bindings {
+    pub fn bindings(&self) -> &NameBindings {
         &self.scopes
     }
 }
@@ -81,34 +81,34 @@ impl<'a> PastScopes<'a> {
 /// The scopes of the place at hand, with all that happened to them.
 #[derive(Default)]
 pub struct Scopes {
-    bindings: Bindings,
+    bindings: NameBindings,
     log: ScopeLog,
 }
 
 impl Scopes {
-    fn step(&mut self, step: Step) {
+    fn step(&mut self, step: ScopeStep) {
         self.log.0.push(step);
         self.bindings.apply(step);
     }
 
     /// Opens a scope.
     pub fn push(&mut self) {
-        self.step(Step::Push);
+        self.step(ScopeStep::Push);
     }
 
     /// Closes the innermost scope.
     pub fn pop(&mut self) {
-        self.step(Step::Pop);
+        self.step(ScopeStep::Pop);
     }
 
     /// Declares a name in the innermost scope, hiding what it stood for outside.
     pub fn declare(&mut self, name: Name, binding: Binding) {
-        self.step(Step::Declare(name, binding));
+        self.step(ScopeStep::Declare(name, binding));
     }
 
     /// Declares a name at global scope, while inner scopes may be open.
     pub fn declare_global(&mut self, name: Name, binding: Binding) {
-        self.step(Step::DeclareGlobal(name, binding));
+        self.step(ScopeStep::DeclareGlobal(name, binding));
     }
 
     /// How much has happened so far.
@@ -123,16 +123,16 @@ impl Scopes {
 }
 
 impl Deref for Scopes {
-    type Target = Bindings;
+    type Target = NameBindings;
 
-    fn deref(&self) -> &Bindings {
+    fn deref(&self) -> &NameBindings {
         &self.bindings
     }
 }
 
 /// The bindings of all names, with the scopes that are open.
 #[derive(Default)]
-pub struct Bindings {
+pub struct NameBindings {
     /// By name.
     entries: Vec<Option<Entry>>,
     /// What was hidden, to be put back when its scope ends.
@@ -141,13 +141,13 @@ pub struct Bindings {
     marks: Vec<usize>,
 }
 
-impl Bindings {
-    fn apply(&mut self, step: Step) {
+impl NameBindings {
+    fn apply(&mut self, step: ScopeStep) {
         match step {
-            Step::Push => self.push(),
-            Step::Pop => self.pop(),
-            Step::Declare(name, binding) => self.declare(name, binding),
-            Step::DeclareGlobal(name, binding) => self.declare_global(name, binding),
+            ScopeStep::Push => self.push(),
+            ScopeStep::Pop => self.pop(),
+            ScopeStep::Declare(name, binding) => self.declare(name, binding),
+            ScopeStep::DeclareGlobal(name, binding) => self.declare_global(name, binding),
         }
     }
 

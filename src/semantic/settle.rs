@@ -25,7 +25,7 @@ pub(super) struct Corrected {
 }
 
 /// A shader, checked under some corrections.
-pub(super) struct Look {
+pub(super) struct Recheck {
     pub program: Program,
     /// What the parser says.
     pub syntax: Vec<Diagnostic>,
@@ -33,9 +33,9 @@ pub(super) struct Look {
     pub problems: Problems,
 }
 
-impl Look {
-    pub fn new(program: Program, syntax: Vec<Diagnostic>, problems: Problems) -> Look {
-        Look {
+impl Recheck {
+    pub fn new(program: Program, syntax: Vec<Diagnostic>, problems: Problems) -> Recheck {
+        Recheck {
             program,
             syntax,
             problems,
@@ -51,9 +51,9 @@ impl Look {
 impl Corrected {
     /// Checks the shader, parsed with the first correction of each choice and with `syntax` wrong
     /// then, or with better ones. Returns all that is wrong with it, the syntax included.
-    pub fn settle(&self, parsed: Parsed, syntax: Vec<Diagnostic>, unit: &Unit) -> Look {
+    pub fn settle(&self, parsed: Parsed, syntax: Vec<Diagnostic>, unit: &Unit) -> Recheck {
         let (program, problems) = judge(parsed, unit);
-        let mut found = Look::new(program, syntax, problems);
+        let mut found = Recheck::new(program, syntax, problems);
         let mistakes = self.choices.len();
         let mut looks = MAX_LOOKS.min(MAX_TOKENS / self.original.len().max(1));
         let mut made = vec![Some(0); mistakes];
@@ -84,7 +84,13 @@ impl Corrected {
     }
 
     /// Reads and checks the shader again with other corrections, until so many errors are found.
-    fn look(&self, program: Program, made: &[Option<usize>], unit: &Unit, enough: usize) -> Look {
+    fn look(
+        &self,
+        program: Program,
+        made: &[Option<usize>],
+        unit: &Unit,
+        enough: usize,
+    ) -> Recheck {
         let corrections: Vec<&Correction> = self
             .choices
             .iter()
@@ -105,7 +111,7 @@ impl Corrected {
         parsed.tree = parse.tree;
         parsed.tree.lost.extend(&self.lost);
         let (program, problems) = judge(parsed, unit);
-        Look::new(program, parse.diagnostics, problems)
+        Recheck::new(program, parse.diagnostics, problems)
     }
 }
 

@@ -8,7 +8,7 @@ use super::dialect::Dialect;
 use super::explain::explain;
 use super::part::{Open, Wholeness, keep_certain};
 use super::program::Program;
-use super::settle::{Corrected, Look};
+use super::settle::{Corrected, Recheck};
 use super::types::Sampler;
 use shaderlint_diagnostic::{Diagnostic, Facet, Severity, error};
 use shaderlint_syntax::{ParseOptions, Preprocessed, parse, preprocess};
@@ -215,7 +215,7 @@ pub(super) fn analyze_once(unit: &Unit) -> Checked {
     let looked = match gave_up {
         true => {
             let (program, problems) = check(parsed, unit.stage, unit.dialect, [None; 4]);
-            Look::new(program, Vec::new(), problems)
+            Recheck::new(program, Vec::new(), problems)
         }
         false => corrected.settle(parsed, parse.diagnostics, unit),
     };

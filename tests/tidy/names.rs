@@ -36,7 +36,6 @@ const SHARED: &[(&str, usize)] = &[
     ("Frame", 4),
     ("Function", 2),
     ("Given", 3),
-    ("Goal", 2),
     ("Held", 2),
     ("Input", 2),
     ("Kind", 2),

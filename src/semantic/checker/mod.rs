@@ -61,7 +61,7 @@ pub(super) use limits::LimitError;
 pub(super) use names::{NameError, Owner};
 pub(super) use output::OutputError;
 pub(super) use place::{PlaceError, Writer};
-pub(super) use problem::{Aside, Moment, Problem, ProblemKind, Problems, SecondDeclaration};
+pub(super) use problem::{Aside, Problem, ProblemKind, ProblemMoment, Problems, SecondDeclaration};
 use qualifier::Precisions;
 pub(super) use qualifier::{QualifierError, Wanted};
 pub(super) use record::{Record, RecordError};
@@ -358,7 +358,7 @@ impl<'a> Checker<'a> {
         if self.gave_up() {
             return;
         }
-        let moment = Moment {
+        let moment = ProblemMoment {
             exprs: self.exprs.len(),
             variables: self.variables.len(),
             functions: self.functions.len(),

@@ -7,14 +7,14 @@ use super::*;
 pub(crate) struct Problem {
     pub at: Extent,
     pub what: ProblemKind,
-    pub moment: Moment,
+    pub moment: ProblemMoment,
     /// What came to be known of it later.
     pub asides: Vec<Aside>,
 }
 
 /// How far the checker was: what was declared later is not known yet.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Moment {
+pub(crate) struct ProblemMoment {
     pub exprs: usize,
     pub variables: usize,
     pub functions: usize,

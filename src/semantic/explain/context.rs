@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::parsed::ParsedView;
-use crate::scope::{Bindings, PastScopes};
+use crate::scope::{NameBindings, PastScopes};
 use shaderlint_syntax::macro_uses;
 use shaderlint_text::Role;
 use std::cell::Cell;
@@ -81,7 +81,7 @@ impl<'a> ExplainContext<'a> {
     }
 
     /// Sees the program as it was known at a moment.
-    pub fn go_to(&mut self, moment: Moment) {
+    pub fn go_to(&mut self, moment: ProblemMoment) {
         fn first<T>(all: &[T], count: usize) -> &[T] {
             all.get(..count).unwrap_or(all)
         }
@@ -97,7 +97,7 @@ impl<'a> ExplainContext<'a> {
     }
 
     /// What names stand for.
-    pub fn scopes(&self) -> &Bindings {
+    pub fn scopes(&self) -> &NameBindings {
         self.scopes.bindings()
     }
 

@@ -7,6 +7,7 @@
 
 mod arguments;
 mod array;
+mod assign;
 mod call;
 mod calls;
 mod constant;
@@ -25,6 +26,7 @@ mod names;
 mod operator;
 mod output;
 mod place;
+mod problem;
 mod qualifier;
 mod record;
 mod resize;
@@ -32,7 +34,6 @@ mod statement;
 mod switch;
 #[cfg(test)]
 mod tests;
-mod value;
 mod version;
 mod webgl1;
 
@@ -77,34 +78,6 @@ pub(super) fn explain(program: &Program, problems: &Problems) -> Vec<Diagnostic>
         all.push(d);
     }
     all
-}
-
-impl Explain for ProblemKind {
-    fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
-        use ProblemKind as K;
-        match self {
-            K::Array(of) => of.explain(c, at),
-            K::Argument(of) => of.explain(c, at),
-            K::Calls(of) => of.explain(c, at),
-            K::Declaration(of) => of.explain(c, at),
-            K::Entry(of) => of.explain(c, at),
-            K::Expression(of) => of.explain(c, at),
-            K::Foreign(of) => of.explain(c, at),
-            K::Function(of) => of.explain(c, at),
-            K::Interface(of) => of.explain(c, at),
-            K::Layout(of) => of.explain(c, at),
-            K::Limit(of) => of.explain(c, at),
-            K::Name(of) => of.explain(c, at),
-            K::Output(of) => of.explain(c, at),
-            K::Place(of) => of.explain(c, at),
-            K::Qualifier(of) => of.explain(c, at),
-            K::Record(of) => of.explain(c, at),
-            K::Restriction(of) => of.explain(c, at),
-            K::Statement(of) => of.explain(c, at),
-            K::Switch(of) => of.explain(c, at),
-            K::Value(of) => of.explain(c, at),
-        }
-    }
 }
 
 impl ExplainContext<'_> {

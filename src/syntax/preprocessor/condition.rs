@@ -9,7 +9,7 @@ const MAX_DEPTH: u32 = 1_000;
 
 /// Why an expression has no value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Problem {
+pub(super) enum ConditionProblem {
     /// There is nothing to evaluate.
     Empty,
     /// A name that no macro defines, where its value counts.
@@ -28,9 +28,9 @@ pub(super) enum Problem {
 
 /// Value of the fully expanded tokens of a condition. Operands that `&&` and `||` leave out may
 /// hold undefined names and divisions by zero, as in the browser.
-pub(super) fn evaluate(pieces: &[Piece]) -> Result<i32, Problem> {
+pub(super) fn evaluate(pieces: &[Piece]) -> Result<i32, ConditionProblem> {
     if pieces.is_empty() {
-        return Err(Problem::Empty);
+        return Err(ConditionProblem::Empty);
     }
     let mut parser = ConditionParser {
         pieces,
@@ -40,14 +40,14 @@ pub(super) fn evaluate(pieces: &[Piece]) -> Result<i32, Problem> {
     let value = parser.binary(0, 0)?;
     match parser.peek() {
         None => Ok(value),
-        Some(piece) => Err(Problem::Unexpected(piece.token.span)),
+        Some(piece) => Err(ConditionProblem::Unexpected(piece.token.span)),
     }
 }
 
 /// Value of the first expression, and how many tokens it took: for `#line`, which may hold two.
-pub(super) fn evaluate_prefix(pieces: &[Piece]) -> Result<(i32, usize), Problem> {
+pub(super) fn evaluate_prefix(pieces: &[Piece]) -> Result<(i32, usize), ConditionProblem> {
     if pieces.is_empty() {
-        return Err(Problem::Empty);
+        return Err(ConditionProblem::Empty);
     }
     let mut parser = ConditionParser {
         pieces,
@@ -76,7 +76,7 @@ impl ConditionParser<'_> {
             .map_or(Span::default(), |p| p.token.span.after())
     }
 
-    fn binary(&mut self, min: u8, depth: u32) -> Result<i32, Problem> {
+    fn binary(&mut self, min: u8, depth: u32) -> Result<i32, ConditionProblem> {
         let mut left = self.unary(depth)?;
         while let Some((op, power)) = self.peek().and_then(|p| infix(p.token.kind)) {
             if power < min {
@@ -97,19 +97,19 @@ impl ConditionParser<'_> {
         Ok(left)
     }
 
-    fn unary(&mut self, depth: u32) -> Result<i32, Problem> {
+    fn unary(&mut self, depth: u32) -> Result<i32, ConditionProblem> {
         let Some(&piece) = self.peek() else {
-            return Err(Problem::Incomplete(self.end()));
+            return Err(ConditionProblem::Incomplete(self.end()));
         };
         let span = piece.token.span;
         if depth > MAX_DEPTH {
-            return Err(Problem::TooDeep(span));
+            return Err(ConditionProblem::TooDeep(span));
         }
         self.at += 1;
         match piece.token.kind {
             TokenKind::Int | TokenKind::Uint => Ok(piece.token.value as i32),
             TokenKind::Identifier if self.skipping > 0 => Ok(0),
-            TokenKind::Identifier => Err(Problem::Undefined(span)),
+            TokenKind::Identifier => Err(ConditionProblem::Undefined(span)),
             TokenKind::Plus => self.unary(depth + 1),
             TokenKind::Minus => Ok(self.unary(depth + 1)?.wrapping_neg()),
             TokenKind::Not => Ok((self.unary(depth + 1)? == 0) as i32),
@@ -118,16 +118,16 @@ impl ConditionParser<'_> {
                 let value = self.binary(0, depth + 1)?;
                 match self.peek() {
                     Some(p) if p.token.kind == TokenKind::RightParen => self.at += 1,
-                    Some(p) => return Err(Problem::Unexpected(p.token.span)),
-                    None => return Err(Problem::Incomplete(self.end())),
+                    Some(p) => return Err(ConditionProblem::Unexpected(p.token.span)),
+                    None => return Err(ConditionProblem::Incomplete(self.end())),
                 }
                 Ok(value)
             }
-            _ => Err(Problem::Unexpected(span)),
+            _ => Err(ConditionProblem::Unexpected(span)),
         }
     }
 
-    fn apply(&self, op: TokenKind, l: i32, r: i32, span: Span) -> Result<i32, Problem> {
+    fn apply(&self, op: TokenKind, l: i32, r: i32, span: Span) -> Result<i32, ConditionProblem> {
         let counts = self.skipping == 0;
         Ok(match op {
             TokenKind::OrOr => (l != 0 || r != 0) as i32,
@@ -143,7 +143,7 @@ impl ConditionParser<'_> {
             TokenKind::GreaterEqual => (l >= r) as i32,
             TokenKind::ShiftLeft | TokenKind::ShiftRight if !(0..32).contains(&r) => {
                 return if counts {
-                    Err(Problem::Shift(span))
+                    Err(ConditionProblem::Shift(span))
                 } else {
                     Ok(0)
                 };
@@ -155,7 +155,7 @@ impl ConditionParser<'_> {
             TokenKind::Star => l.wrapping_mul(r),
             _ if r == 0 => {
                 return if counts {
-                    Err(Problem::DivisionByZero(span))
+                    Err(ConditionProblem::DivisionByZero(span))
                 } else {
                     Ok(0)
                 };

@@ -1,7 +1,7 @@
 //! Directives: the lines that start with `#` (GLSL ES 3.00 section 3.4).
 
 use super::amend::meant;
-use super::condition::{Problem, evaluate, evaluate_prefix};
+use super::condition::{ConditionProblem, evaluate, evaluate_prefix};
 use super::macros::{Macro, MacroId, Piece};
 use super::{ExtensionUse, Preprocessor, bad, error_at};
 use crate::language::Feature;
@@ -483,7 +483,7 @@ impl Preprocessor<'_> {
                 self.lines.set(self.sources, span.start, number, file);
                 self.check_line_count(span, line);
             }
-            Err(Problem::Empty) => {
+            Err(ConditionProblem::Empty) => {
                 self.report(error_at(
                     error::BAD_DIRECTIVE,
                     span,

@@ -1,6 +1,6 @@
 //! Conditional groups: `#if` to `#endif` (GLSL ES 3.00 section 3.4).
 
-use super::condition::{Problem, evaluate};
+use super::condition::{ConditionProblem, evaluate};
 use super::macros::{Expander, Macro, Piece};
 use super::{ConditionGroup, Input, Preprocessor, error_at};
 use crate::names::Name;
@@ -238,16 +238,21 @@ impl Preprocessor<'_> {
         Some(out)
     }
 
-    pub(super) fn report_condition(&mut self, directive: Span, rest: &[Piece], problem: Problem) {
+    pub(super) fn report_condition(
+        &mut self,
+        directive: Span,
+        rest: &[Piece],
+        problem: ConditionProblem,
+    ) {
         let (span, message, note) = match problem {
-            Problem::Empty => (directive, "this has no condition".to_string(), None),
-            Problem::Undefined(span) => {
+            ConditionProblem::Empty => (directive, "this has no condition".to_string(), None),
+            ConditionProblem::Undefined(span) => {
                 let name = self.sources.text(span);
                 let note =
                     "in C an undefined name counts as 0; GLSL ES makes it an error (section 3.4)";
                 (span, format!("no macro `{name}` is defined"), Some(note))
             }
-            Problem::Unexpected(span) => {
+            ConditionProblem::Unexpected(span) => {
                 let text = self.sources.text(span);
                 let note = "a condition is made of integers, macros and operators";
                 (
@@ -256,14 +261,18 @@ impl Preprocessor<'_> {
                     Some(note),
                 )
             }
-            Problem::Incomplete(span) => (span, "the condition ends too early".to_string(), None),
-            Problem::DivisionByZero(span) => (span, "this divides by zero".to_string(), None),
-            Problem::Shift(span) => (
+            ConditionProblem::Incomplete(span) => {
+                (span, "the condition ends too early".to_string(), None)
+            }
+            ConditionProblem::DivisionByZero(span) => {
+                (span, "this divides by zero".to_string(), None)
+            }
+            ConditionProblem::Shift(span) => (
                 span,
                 "this shifts by less than 0 or more than 31 bits".to_string(),
                 None,
             ),
-            Problem::TooDeep(span) => (
+            ConditionProblem::TooDeep(span) => (
                 span,
                 "this condition is nested too deeply".to_string(),
                 None,
@@ -272,14 +281,14 @@ impl Preprocessor<'_> {
         let mut d = error_at(error::PREPROCESSOR_EXPRESSION, span, message);
         d.notes.extend(note.map(String::from));
         d.fix = match problem {
-            Problem::Unexpected(at) => self.mend_condition(rest, at),
-            Problem::Undefined(at) => self.foreign_operator(rest, at),
-            Problem::Empty if self.sources.text(directive).ends_with("elif") => Some(
+            ConditionProblem::Unexpected(at) => self.mend_condition(rest, at),
+            ConditionProblem::Undefined(at) => self.foreign_operator(rest, at),
+            ConditionProblem::Empty if self.sources.text(directive).ends_with("elif") => Some(
                 Fix::suggestion("write `#else`", vec![Edit::replace(directive, "#else")]),
             ),
             _ => None,
         };
-        if let Problem::Undefined(span) = problem {
+        if let ConditionProblem::Undefined(span) = problem {
             let name = self.sources.text(span);
             d = d.help(format!(
                 "ask `#ifdef {name}`, or `#if defined({name}) && {name} ...`"
