@@ -7,7 +7,9 @@ use glsl_lang::ast::TranslationUnit;
 use glsl_lang::parse::DefaultParse;
 use shaderlint::diagnostic::Severity;
 use shaderlint::semantic::Pass;
-use shaderlint::syntax::{ParseOptions, RawKind, TokenKind, parse, preprocess, tokenize, unsplice};
+use shaderlint::syntax::{
+    ParseOptions, RawKind, Search, TokenKind, parse, preprocess, tokenize, unsplice,
+};
 use shaderlint::text::{Role, Sources, Span};
 use std::collections::HashMap;
 use std::fs;
@@ -112,7 +114,9 @@ fn preprocessed(text: &str) -> (String, bool) {
         version: read.version,
         is_fragment: true,
     };
-    let problems = parse(&sources, &mut read.tokens, &read.names, language).diagnostics;
+    let search = &mut Search::for_text();
+    let parse = parse(&sources, &mut read.tokens, &read.names, language, search);
+    let problems = parse.diagnostics;
     let mut all = read.diagnostics.iter().chain(&problems);
     let is_good = !all.any(|d| d.severity == Severity::Error);
     let ends: HashMap<u32, u32> = sources

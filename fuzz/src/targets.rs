@@ -14,7 +14,7 @@ use shaderlint::port::{Project, compose, glsl, html};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
 use shaderlint::semantic::Stage;
-use shaderlint::syntax::{ParseOptions, parse, preprocess, tokenize};
+use shaderlint::syntax::{ParseOptions, Search, parse, preprocess, tokenize};
 use shaderlint::text::{FileId, Role, Sources, apply_edits};
 
 /// Something to throw shaders at.
@@ -180,7 +180,8 @@ fn parse_only(text: &str) {
         version: read.version,
         is_fragment: true,
     };
-    let tree = parse(&sources, &mut read.tokens, &read.names, language).tree;
+    let search = &mut Search::for_text();
+    let tree = parse(&sources, &mut read.tokens, &read.names, language, search).tree;
     for (i, expr) in tree.exprs.iter().enumerate() {
         assert!(
             expr.extent.first <= expr.extent.last,

@@ -7,10 +7,10 @@ use shaderlint_diagnostic::{Diagnostic, Lack, Severity};
 use shaderlint_host::{HostVersion, Preset};
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{
-    Checked, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, Stage, Unit, Wholeness, analyze,
-    analyze_part, confirm_unknown, first_of_300, guess, needs_300, part_declarations,
+    Checked, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, Stage, Unit, Wholeness, analyze_part,
+    analyze_within, confirm_unknown, first_of_300, guess, needs_300, part_declarations,
 };
-use shaderlint_syntax::{ES_300, Feature, Version};
+use shaderlint_syntax::{ES_300, Feature, Search, Version};
 use shaderlint_text::kind::has_main;
 use shaderlint_text::{FileId, Role, Sources};
 use std::cell::{LazyCell, OnceCell};
@@ -389,10 +389,11 @@ impl Readings {
             infer_channels,
             wholeness,
         };
+        let mut search = Search::for_text();
         let mut all = self.all.as_slice();
         if wholeness == Wholeness::Whole {
             let (first, others) = all.split_first()?;
-            let checked = analyze(&unit(first, wholeness));
+            let checked = analyze_within(&unit(first, wholeness), &mut search);
             // What the text itself defines, however badly, no host has to.
             let code = OnceCell::new();
             let is_macro = |name: &str| {
@@ -406,11 +407,11 @@ impl Readings {
             let is_whole = match self.standing {
                 Standing::Unversioned => {
                     let is_wrong = checked.diagnostics.iter().any(is_error);
-                    let with_version = |r| analyze(&unit(r, Wholeness::Whole)).diagnostics;
-                    let would_be = || others.first().map_or(Vec::new(), with_version);
                     let is_open = |d: &Diagnostic| d.lacks().is_some();
                     let is_left = |d: &Diagnostic| is_error(d) && !is_open(d);
-                    !is_wrong || would_be().iter().any(is_left)
+                    let mut with_version = |r| analyze_within(&unit(r, wholeness), &mut search);
+                    let is_left = |r| with_version(r).diagnostics.iter().any(is_left);
+                    !is_wrong || others.first().is_some_and(is_left)
                 }
                 Standing::Complete => !lacks,
                 _ => true,
@@ -426,7 +427,7 @@ impl Readings {
             wholeness => wholeness,
         };
         let units: Vec<Unit> = all.iter().map(|r| unit(r, wholeness)).collect();
-        analyze_part(&units)
+        analyze_part(&units, &mut search)
     }
 }
 

@@ -5,6 +5,7 @@
 //! browsers, reads them.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
+mod analyze;
 mod blame;
 pub mod builtins;
 mod calls;
@@ -15,9 +16,11 @@ mod dialect;
 mod explain;
 mod fold;
 mod host;
+mod judge;
 pub mod link;
 pub mod lists;
 mod mentions;
+mod once;
 mod parsed;
 mod part;
 mod program;
@@ -33,6 +36,9 @@ mod typing;
 mod undefined;
 mod unit;
 
+pub use analyze::{
+    analyze, analyze_alone, analyze_fragment, analyze_part, analyze_within, confirm_unknown,
+};
 pub use builtins::{BuiltinId, Stage};
 pub use calls::CallGraph;
 pub use channels::needed_channels;
@@ -53,5 +59,4 @@ pub use structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
 pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type, type_name};
 pub use undefined::{ComparedWith, Comparing, OperandTest, Undefined};
-pub use unit::analyze_fragment;
-pub use unit::{Checked, Unit, analyze, analyze_alone, analyze_part, confirm_unknown};
+pub use unit::{Checked, Unit};

@@ -2,14 +2,15 @@
 //! checked with each of them, and the one that leaves the fewest errors is taken.
 
 use super::checker::{Parsed, Problems};
+use super::judge::judge;
 use super::program::Program;
-use super::unit::{Unit, judge};
+use super::unit::Unit;
 use shaderlint_diagnostic::Diagnostic;
-use shaderlint_syntax::{Choice, Correction, Name, ParseOptions, Token, parse_corrected};
+use shaderlint_syntax::{Choice, Correction, Name, ParseOptions, Search, Token, parse_corrected};
 
 /// Most times that one shader is checked for it.
 const MAX_LOOKS: usize = 8;
-/// Most tokens that are checked for it.
+/// Most tokens that are checked for it, what its checks try themselves not counted.
 const MAX_TOKENS: usize = 100_000;
 
 /// How a shader that cannot be read as it stands was corrected.
@@ -51,53 +52,62 @@ impl Recheck {
 impl Corrected {
     /// Checks the shader, parsed with the first correction of each choice and with `syntax` wrong
     /// then, or with better ones. Returns all that is wrong with it, the syntax included.
-    pub fn settle(&self, parsed: Parsed, syntax: Vec<Diagnostic>, unit: &Unit) -> Recheck {
-        let (program, problems) = judge(parsed, unit);
+    pub fn settle(
+        &self,
+        parsed: Parsed,
+        syntax: Vec<Diagnostic>,
+        unit: &Unit,
+        search: &mut Search,
+    ) -> Recheck {
+        let (program, problems) = judge(parsed, unit, search);
         let mut found = Recheck::new(program, syntax, problems);
         let mistakes = self.choices.len();
-        let mut looks = MAX_LOOKS.min(MAX_TOKENS / self.original.len().max(1));
+        let size = self.original.len();
         let mut made = vec![Some(0); mistakes];
-        let mut fewest = found.count();
+        let mut standing = found.count();
         let mut is_tried = false;
-        for (i, choice) in self.choices.iter().enumerate() {
-            let mut best = Some(0);
-            let others = (1..choice.len()).map(Some).chain([None]);
-            for other in others {
-                if fewest <= mistakes || looks == 0 {
-                    break;
+        search.within(MAX_TOKENS.min(MAX_LOOKS * size), |search| {
+            for (i, choice) in self.choices.iter().enumerate() {
+                let others = (1..choice.len()).map(Some).chain([None]);
+                let best = search.fewest(
+                    (standing, mistakes),
+                    size,
+                    others,
+                    |search, other, below| {
+                        is_tried = true;
+                        set(&mut made, i, *other);
+                        self.look(&mut found, &made, unit, below, search);
+                        Some(found.count())
+                    },
+                );
+                if let Some((_, fewer)) = best {
+                    standing = fewer;
                 }
-                looks -= 1;
-                is_tried = true;
-                set(&mut made, i, other);
-                found = self.look(found.program, &made, unit, fewest);
-                if found.count() < fewest {
-                    fewest = found.count();
-                    best = other;
-                }
+                set(&mut made, i, best.map_or(Some(0), |(best, _)| best));
             }
-            set(&mut made, i, best);
+        });
+        if is_tried {
+            self.look(&mut found, &made, unit, usize::MAX, search);
         }
-        match is_tried {
-            true => self.look(found.program, &made, unit, usize::MAX),
-            false => found,
-        }
+        found
     }
 
     /// Reads and checks the shader again with other corrections, until so many errors are found.
     fn look(
         &self,
-        program: Program,
+        found: &mut Recheck,
         made: &[Option<usize>],
         unit: &Unit,
         enough: usize,
-    ) -> Recheck {
+        search: &mut Search,
+    ) {
         let corrections: Vec<&Correction> = self
             .choices
             .iter()
             .zip(made)
             .filter_map(|(choice, made)| choice.get((*made)?))
             .collect();
-        let mut parsed = program.into_parsed();
+        let mut parsed = found.program.take_parsed();
         parsed.tokens.tokens = self.original.clone();
         let parse = parse_corrected(
             &parsed.sources,
@@ -110,8 +120,8 @@ impl Corrected {
         parsed.enough = enough.saturating_sub(parse.diagnostics.len());
         parsed.tree = parse.tree;
         parsed.tree.lost.extend(&self.lost);
-        let (program, problems) = judge(parsed, unit);
-        Recheck::new(program, parse.diagnostics, problems)
+        let (program, problems) = judge(parsed, unit, search);
+        *found = Recheck::new(program, parse.diagnostics, problems);
     }
 }
 
@@ -128,7 +138,7 @@ mod tests {
     use crate::dialect::Dialect;
     use crate::part::Wholeness;
     use crate::{Pass, Stage};
-    use shaderlint_syntax::{parse, preprocess};
+    use shaderlint_syntax::{Search, parse, preprocess};
     use shaderlint_text::{Role, Sources};
     use std::sync::Arc;
 
@@ -156,7 +166,8 @@ mod tests {
             version: read.version,
             is_fragment: true,
         };
-        let parse = parse(&sources, &mut read.tokens, &read.names, options);
+        let search = &mut Search::for_text();
+        let parse = parse(&sources, &mut read.tokens, &read.names, options, search);
         let parsed = Parsed {
             sources: Arc::clone(&sources),
             tokens: read.tokens,
@@ -166,7 +177,7 @@ mod tests {
             has_errors: true,
             enough,
         };
-        judge(parsed, &unit).1.len()
+        judge(parsed, &unit, search).1.len()
     }
 
     #[test]

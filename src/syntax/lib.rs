@@ -11,6 +11,7 @@ mod names;
 mod parser;
 mod preprocessor;
 mod reduce;
+mod search;
 pub mod set;
 mod token;
 mod translation;
@@ -25,6 +26,7 @@ pub use preprocessor::{
     preprocess,
 };
 pub use reduce::{Reduced, reduce};
+pub use search::Search;
 pub use set::TokenSet;
 pub use token::{RawKind, RawToken, Token, TokenKind};
 pub use translation::Translated;

@@ -83,13 +83,6 @@ const LEFT: &[&[&str]] = &[
     ],
     &["src/port/naga/"],
     &[
-        "src/semantic/blame/calls.rs",
-        "src/semantic/blame/mod.rs",
-        "src/semantic/blame/trial.rs",
-        "src/semantic/settle.rs",
-        "src/semantic/unit.rs",
-    ],
-    &[
         "src/semantic/builtins/mod.rs",
         "src/semantic/builtins/prototype.rs",
     ],

@@ -30,12 +30,12 @@ pub(super) struct Known {
     resolved: Vec<Cell<u32>>,
     /// By guard: whether it may hold, if that is known.
     met: Vec<Option<bool>>,
-    search: Search,
+    search: TarjanState,
 }
 
 /// The lists of a search, kept for the next one.
 #[derive(Default, Debug)]
-struct Search {
+struct TarjanState {
     frames: Vec<Frame>,
     /// The operands that are not known, of the nodes of the frames and of those left.
     operands: Vec<Node>,
@@ -108,8 +108,8 @@ impl Known {
         found
     }
 
-    fn search(&mut self, query: &Query, root: Node, search: &mut Search) {
-        let Search {
+    fn search(&mut self, query: &Query, root: Node, search: &mut TarjanState) {
+        let TarjanState {
             frames,
             operands,
             left,

@@ -1,7 +1,8 @@
 //! Definitions that hold a bracket without its partner.
 
+use super::Case;
+use super::candidate::Candidate;
 use super::definition::{Definition, is_operator};
-use super::{Candidate, Case};
 use crate::builtins::Builtins;
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::{Piece, TokenKind, WordClass, classify};

@@ -1,7 +1,8 @@
 //! Calls of macros that are themselves at fault: an argument too few or too many, a `)` that is
 //! missing.
 
-use super::{Candidate, Case, MAX_LOOKED_AT};
+use super::candidate::Candidate;
+use super::{Case, MAX_LOOKED_AT};
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::{Lexer, RawKind, RawToken, TokenKind};
 use shaderlint_text::{Edit, Span};

@@ -1,6 +1,6 @@
 //! The macro calls of a shader, and which errors belong to them.
 
-use super::Candidate;
+use super::candidate::Candidate;
 use crate::program::Program;
 use shaderlint_diagnostic::{Diagnostic, Label, error};
 use shaderlint_syntax::{MacroId, Token};

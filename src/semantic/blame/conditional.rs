@@ -1,6 +1,7 @@
 //! Where the `#endif` belongs that a group lacks.
 
-use super::{Candidate, Case};
+use super::Case;
+use super::candidate::Candidate;
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::DIRECTIVES;
 use shaderlint_text::{Edit, Role, Span};

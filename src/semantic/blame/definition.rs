@@ -1,7 +1,8 @@
 //! Definitions of macros whose shape is not what was meant.
 
 use super::calls::Calls;
-use super::{Candidate, Case, MAX_LOOKED_AT};
+use super::candidate::Candidate;
+use super::{Case, MAX_LOOKED_AT};
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::{Macro, MacroId, Piece, TokenKind};
 use shaderlint_text::{Edit, Span};

@@ -1,8 +1,9 @@
 //! Definitions whose numbers have the wrong type, that lack their value, or that misspell a
 //! parameter.
 
+use super::Case;
+use super::candidate::Candidate;
 use super::definition::Definition;
-use super::{Candidate, Case};
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::TokenKind;
 use shaderlint_text::Edit;

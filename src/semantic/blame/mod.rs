@@ -9,6 +9,7 @@
 mod brackets;
 mod call;
 mod calls;
+mod candidate;
 mod conditional;
 mod definition;
 mod literal;
@@ -18,26 +19,24 @@ mod trial;
 
 pub(super) use calls::gather;
 
+use super::once::analyze_once;
 use super::program::Program;
-use super::unit::{Unit, analyze_once};
+use super::unit::Unit;
 use calls::Calls;
+use candidate::Candidate;
 use shaderlint_diagnostic::{Diagnostic, Facet};
+use shaderlint_syntax::Search;
 use shaderlint_text::{Edit, Span};
-use trial::{Budget, Copy};
+use trial::Copy;
 
+/// Tokens that the repairs of one shader may read and check.
+const MAX_TOKENS: usize = 200_000;
+/// What one more trial costs beside its tokens: much is set up for it.
+const TRIAL_TOKENS: usize = 1_000;
 /// Most repairs of one shader.
 const MAX_REPAIRS: u32 = 12;
 /// Most errors whose surroundings are looked at.
 const MAX_LOOKED_AT: usize = 20;
-
-/// A repair that a line suggests.
-struct Candidate {
-    edits: Vec<Edit>,
-    /// What is said if it is the right one.
-    diagnostic: Diagnostic,
-    /// The macro whose calls stumble, by the name in its definition.
-    of: Option<Span>,
-}
 
 /// A shader with what was found in it.
 struct Case<'a> {
@@ -52,8 +51,11 @@ pub(super) fn attribute(
     unit: &Unit,
     program: &Program,
     errors: Vec<Diagnostic>,
+    search: &mut Search,
 ) -> Vec<Diagnostic> {
-    let mut errors = repair(unit, program, errors, &mut Budget::new(), MAX_REPAIRS);
+    let mut errors = search.within(MAX_TOKENS, |search| {
+        repair(unit, program, errors, search, MAX_REPAIRS)
+    });
     errors.sort_by_key(|d| (d.span.start, d.span.end));
     errors
 }
@@ -63,7 +65,7 @@ fn repair(
     unit: &Unit,
     program: &Program,
     mut errors: Vec<Diagnostic>,
-    budget: &mut Budget,
+    search: &mut Search,
     left: u32,
 ) -> Vec<Diagnostic> {
     if errors.is_empty() || left == 0 {
@@ -75,7 +77,7 @@ fn repair(
         errors: &errors,
         calls: Calls::of(program),
     };
-    let Some(chosen) = case.choose(budget) else {
+    let Some(chosen) = case.choose(search) else {
         drop_unproved(program, &mut errors);
         return errors;
     };
@@ -83,7 +85,7 @@ fn repair(
         return errors;
     };
     let repaired = copy.unit(unit);
-    let analysis = analyze_once(&repaired);
+    let analysis = analyze_once(&repaired, search);
     let after = analysis.diagnostics.clone();
     let gone: Vec<&Diagnostic> = {
         let after: Vec<Diagnostic> = after.iter().map(|d| copy.back(d.clone())).collect();
@@ -91,7 +93,7 @@ fn repair(
         errors.iter().filter(is_gone).collect()
     };
     let told = case.calls.tell(chosen, &gone);
-    let rest = repair(&repaired, &analysis.program, after, budget, left - 1);
+    let rest = repair(&repaired, &analysis.program, after, search, left - 1);
     let mut all: Vec<Diagnostic> = rest.into_iter().map(|d| copy.back(d)).collect();
     all.retain(|d| d.span != told.span);
     all.push(told);
@@ -119,33 +121,22 @@ fn drop_unproved(program: &Program, errors: &mut [Diagnostic]) {
 
 impl Case<'_> {
     /// The repair after which the least is wrong.
-    fn choose(&self, budget: &mut Budget) -> Option<Candidate> {
-        let mut best: Option<(usize, Candidate)> = None;
-        for candidate in self.candidates() {
-            if !budget.pays(self.unit, self.errors.len()) {
-                break;
-            }
-            let Some(after) = self.attempt(&candidate.edits) else {
-                continue;
-            };
-            if !self.mends(&candidate, &after) {
-                continue;
-            }
-            if after.is_empty() {
-                return Some(candidate);
-            }
-            if best.as_ref().is_none_or(|(count, _)| after.len() < *count) {
-                best = Some((after.len(), candidate));
-            }
-        }
-        best.map(|(_, candidate)| candidate)
+    fn choose(&self, search: &mut Search) -> Option<Candidate> {
+        // Where much is wrong a trial takes longer, and proves less.
+        let tokens = (self.program.size() + TRIAL_TOKENS) * (1 + self.errors.len() / 50);
+        let faults = |search: &mut Search, candidate: &Candidate, _| {
+            let after = self.attempt(&candidate.edits, search)?;
+            self.mends(candidate, &after).then_some(after.len())
+        };
+        let best = search.fewest((usize::MAX, 0), tokens, self.candidates(), faults);
+        best.map(|(candidate, _)| candidate)
     }
 
     /// What is wrong when the edits are made, at the places of the text as it is.
-    fn attempt(&self, edits: &[Edit]) -> Option<Vec<Diagnostic>> {
+    fn attempt(&self, edits: &[Edit], search: &mut Search) -> Option<Vec<Diagnostic>> {
         let copy = Copy::new(self.unit, edits)?;
         let unit = copy.unit(self.unit);
-        let found = analyze_once(&unit).diagnostics;
+        let found = analyze_once(&unit, search).diagnostics;
         Some(found.into_iter().map(|d| copy.back(d)).collect())
     }
 

@@ -6,40 +6,6 @@ use shaderlint_diagnostic::{Diagnostic, Fix};
 use shaderlint_text::{Edit, FileId, Sources, Span, apply_edits};
 use std::sync::Arc;
 
-/// Most bytes that all trials of one shader may check.
-const MAX_BYTES: usize = 200_000;
-/// Most trials of one shader.
-const MAX_TRIALS: usize = 40;
-
-/// What may still be spent on trials.
-pub(super) struct Budget {
-    bytes: usize,
-    trials: usize,
-}
-
-impl Budget {
-    pub fn new() -> Budget {
-        Budget {
-            bytes: MAX_BYTES,
-            trials: MAX_TRIALS,
-        }
-    }
-
-    /// Whether one more trial of this unit, in which so many errors were found, can be paid; then it
-    /// is. Where much is wrong a trial takes longer, and proves less.
-    pub fn pays(&mut self, unit: &Unit, errors: usize) -> bool {
-        let codes = unit.files.iter().filter_map(|&id| unit.sources.code(id));
-        let size: usize = codes.map(|c| c.text.len()).sum();
-        let size = size * (1 + errors / 50);
-        if self.trials == 0 || self.bytes < size {
-            return false;
-        }
-        self.trials -= 1;
-        self.bytes -= size;
-        true
-    }
-}
-
 /// One stretch of text that is the same in the copy and in what it was made from.
 struct Stretch {
     copy: u32,

@@ -5,7 +5,7 @@ use super::*;
 /// Most declarations of a shader that are judged by the uses of their variables.
 const MAX_DOUBTS: usize = 8;
 
-/// Number of expressions that are checked again, all in all.
+/// Most expressions that are checked again, all in all, in a shader that has fewer.
 const MAX_SIZE: usize = 60_000;
 
 /// What is known of declarations whose value is of another type.
@@ -23,20 +23,23 @@ pub(super) fn settle(
     first: usize,
     met: &[usize],
     size: usize,
+    search: &mut Search,
     mut count: impl FnMut(&Doubts) -> usize,
 ) -> Doubts {
-    let mut best = first;
-    let most = (MAX_SIZE / size.max(1)).clamp(1, MAX_DOUBTS);
+    let mut standing = first;
     let mut doubts = Doubts::default();
-    for &declarator in met.iter().take(most) {
-        doubts.retyped.push(declarator);
-        let errors = count(&doubts);
-        if errors < best {
-            best = errors;
-        } else {
-            doubts.retyped.pop();
+    search.within(MAX_SIZE.max(size), |search| {
+        for &declarator in met.iter().take(MAX_DOUBTS) {
+            doubts.retyped.push(declarator);
+            let retyped = |_: &mut Search, _: &(), _| Some(count(&doubts));
+            match search.fewest((standing, 0), size, [()], retyped) {
+                Some((_, fewer)) => standing = fewer,
+                None => {
+                    doubts.retyped.pop();
+                }
+            }
         }
-    }
+    });
     doubts
 }
 

@@ -67,7 +67,7 @@ pub(super) use qualifier::{QualifierError, Wanted};
 pub(super) use record::{Record, RecordError};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Feature, Name, Names, TokenKind, Tokens, Version};
+use shaderlint_syntax::{Feature, Name, Names, Search, TokenKind, Tokens, Version};
 use shaderlint_text::{Role, Sources, Span};
 pub(super) use statement::{Condition, StatementError};
 use std::ops::Deref;
@@ -106,6 +106,7 @@ pub fn check(
     stage: Stage,
     dialect: Dialect,
     channels: Channels,
+    search: &mut Search,
 ) -> (Program, Problems) {
     let run = |doubts, enough| look(&parsed, stage, dialect, channels, doubts, enough);
     let mut checker = run(Doubts::default(), parsed.enough);
@@ -115,7 +116,8 @@ pub fn check(
             checker = run(Doubts::default(), MAX_ERRORS);
         }
         let met = std::mem::take(&mut checker.doubts.met);
-        let doubts = settle(checker.problems.len(), &met, parsed.tree.exprs.len(), |d| {
+        let standing = checker.problems.len();
+        let doubts = settle(standing, &met, parsed.tree.exprs.len(), search, |d| {
             run(d.clone(), MAX_ERRORS).problems.len()
         });
         if !doubts.retyped.is_empty() {

@@ -4,7 +4,7 @@ use super::*;
 use crate::Pass;
 use crate::explain::explain;
 use shaderlint_diagnostic::Diagnostic;
-use shaderlint_syntax::{ParseOptions, parse, preprocess};
+use shaderlint_syntax::{ParseOptions, Search, parse, preprocess};
 
 /// Checks a table of lines `code => what is found first`, and that each variant of the enum `name`
 /// in `source` is found and explained with a message of one line.
@@ -62,7 +62,8 @@ fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
         version: read.version,
         is_fragment,
     };
-    let parse = parse(&sources, &mut read.tokens, &read.names, language);
+    let search = &mut Search::for_text();
+    let parse = parse(&sources, &mut read.tokens, &read.names, language, search);
     let parsed = Parsed {
         has_errors: !parse.diagnostics.is_empty(),
         sources: Arc::new(sources),
@@ -72,7 +73,7 @@ fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
         version: read.version,
         enough: MAX_ERRORS,
     };
-    let (program, problems) = super::check(parsed, stage, dialect, [None; 4]);
+    let (program, problems) = super::check(parsed, stage, dialect, [None; 4], search);
     let kind = |p: &Problem| {
         let shown = format!("{:?}", p.what);
         shown.split_once('(').map_or("", |(_, of)| of).to_string()

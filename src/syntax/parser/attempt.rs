@@ -86,7 +86,7 @@ impl<'a> Parser<'a> {
         scope: Scope,
         reported: Option<Diagnostic>,
     ) -> bool {
-        if self.repairs.budget == 0 {
+        if self.repairs.search.is_over() {
             return false;
         }
         let Some(fault) = self.fault.take() else {
@@ -133,11 +133,10 @@ impl<'a> Parser<'a> {
         let code = self.tokens.get(start..end).unwrap_or(&[]).to_vec();
         let mut found = Vec::new();
         for candidate in self.candidates(start, fault, scope) {
-            if self.repairs.budget < code.len() {
-                self.repairs.budget = 0;
+            if !self.repairs.search.pays(code.len()) {
+                self.repairs.search.give_up();
                 break;
             }
-            self.repairs.budget -= code.len();
             let mut tokens = code.clone();
             change_tokens(&mut tokens, candidate.at - start, candidate.change);
             tokens.push(Token {
@@ -454,7 +453,7 @@ fn starts_operand(kind: TokenKind) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::{ParseOptions, Version, parse, preprocess};
+    use crate::{ParseOptions, Search, Version, parse, preprocess};
     use shaderlint_text::{Role, Sources, apply_edits};
 
     /// What is reported of a text, and the text with the fixes of the corrections made.
@@ -470,7 +469,14 @@ mod tests {
             version: Version::Es300,
             is_fragment: true,
         };
-        let found = parse(&sources, &mut read.tokens, &read.names, language).diagnostics;
+        let found = parse(
+            &sources,
+            &mut read.tokens,
+            &read.names,
+            language,
+            &mut Search::for_text(),
+        )
+        .diagnostics;
         let said: Vec<&str> = found.iter().map(|d| d.message.as_str()).collect();
         assert_eq!(said, messages, "{text}");
         let fixes = found.iter().filter_map(|d| d.fix.as_ref());

@@ -159,10 +159,9 @@ impl Parser<'_> {
         weighed.truncate(MAX_TRIALS);
         let code = self.tokens.get(first..end).unwrap_or(&[]).to_vec();
         for candidate in &mut weighed {
-            if self.repairs.budget < code.len() {
+            if !self.repairs.search.pays(code.len()) {
                 return false;
             }
-            self.repairs.budget -= code.len();
             candidate.faults = self.faults_under(&code, candidate.at - first, candidate.change);
         }
         weighed.sort_by_key(|w| (w.faults, w.cost));

@@ -5,6 +5,7 @@
 //! what follows can be read. Where several do, the checker decides: see `semantic::unit`.
 
 use super::Parser;
+use crate::Search;
 use crate::names::{Name, TypeWord};
 use crate::set;
 use crate::token::{Token, TokenKind};
@@ -81,8 +82,8 @@ pub type Choice = Vec<Correction>;
 /// What corrections are found and made while reading.
 #[derive(Default)]
 pub(super) struct Repairs {
-    /// Tokens that may still be read in trials; none are made where this is 0.
-    pub budget: usize,
+    /// What may still be tried.
+    pub search: Search,
     /// For every token its index before any correction; empty where there was none.
     pub origin: Vec<u32>,
     /// What was corrected.

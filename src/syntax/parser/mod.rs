@@ -19,6 +19,7 @@ pub use correction::{Choice, Correction};
 use super::ast::*;
 use super::names::{Name, Names, Version};
 use super::preprocessor::{Tokens, macro_uses};
+use super::search::Search;
 use super::token::{Token, TokenKind};
 use super::translation::{Translated, translate};
 use correction::{Repairs, change_tokens};
@@ -71,12 +72,13 @@ pub struct ParseOptions {
 /// Parses what the preprocessor left of a shader.
 ///
 /// Where that cannot be read, the forms of other languages are put into GLSL; where it still
-/// cannot, the slips are looked for that explain it. `tokens` are what was probably meant.
+/// cannot, the slips that explain it are searched for. `tokens` are what was probably meant.
 pub fn parse(
     sources: &Sources,
     tokens: &mut Tokens,
     names: &Names,
     options: ParseOptions,
+    search: &mut Search,
 ) -> Parse {
     let mut parse = parse_corrected(sources, tokens, names, options, &[]);
     if (parse.has_unknown_types || parse.diagnostics.iter().any(|d| d.has(Facet::ForeignForm)))
@@ -95,9 +97,13 @@ pub fn parse(
     let translated = parse.translated;
     let original = std::mem::take(&mut tokens.tokens);
     let mut parser = Parser::new(sources, tokens, names, options, original.clone());
-    parser.repairs.budget = MAX_TRIAL_TOKENS.min(TRIAL_TOKENS + 4 * parser.tokens.len());
-    parser.balance();
-    parser.translation_unit();
+    let most = MAX_TRIAL_TOKENS.min(TRIAL_TOKENS + 4 * parser.tokens.len());
+    search.within(most, |part| {
+        std::mem::swap(part, &mut parser.repairs.search);
+        parser.balance();
+        parser.translation_unit();
+        std::mem::swap(part, &mut parser.repairs.search);
+    });
     let (mut parse, list) = parser.finish();
     tokens.tokens = list;
     let corrected = parse.choices.iter().filter_map(|choice| choice.first());

@@ -1,0 +1,141 @@
+//! One shader from files to findings: what is wrong, and whose fault it is.
+
+use super::blame::attribute;
+use super::builtins::Stage;
+use super::checker::MAX_ERRORS;
+use super::dialect::Dialect;
+use super::once::analyze_once;
+use super::part::Wholeness;
+use super::unit::{Checked, Unit};
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_syntax::Search;
+use shaderlint_text::{FileId, Role, Sources, Span};
+use std::sync::Arc;
+
+/// Checks a complete fragment shader without a host: the short way in. `None` where it is too large.
+pub fn analyze_alone(code: String, role: Role) -> Option<Checked> {
+    let mut sources = Sources::new();
+    let file = sources.add("", None, role, code)?;
+    Some(analyze_files(sources, &[file]))
+}
+
+/// The same for the tests of all layers above.
+pub fn analyze_fragment(code: &str) -> Checked {
+    let mut sources = Sources::new();
+    let file = sources.add("test", None, Role::User, code);
+    analyze_files(sources, file.as_slice())
+}
+
+fn analyze_files(sources: Sources, files: &[FileId]) -> Checked {
+    analyze(&Unit {
+        sources: &Arc::new(sources),
+        files,
+        stage: Stage::Fragment,
+        dialect: Dialect::WebGl,
+        infer_channels: false,
+        wholeness: Wholeness::Whole,
+    })
+}
+
+/// Reads and checks a part of a shader in each way in which a host may take it, the likeliest first:
+/// what is wrong in all of them is wrong.
+pub fn analyze_part(readings: &[Unit], search: &mut Search) -> Option<Checked> {
+    let (first, others) = readings.split_first()?;
+    let mut analysis = analyze_within(first, search);
+    for other in others {
+        if !analysis.has_errors() {
+            break;
+        }
+        if !search.pays(analysis.program.size()) {
+            // What the others would say is not known.
+            analysis.open.is_any = true;
+            analysis.open.unknown.clear();
+            analysis
+                .diagnostics
+                .retain(|d| d.severity != Severity::Error);
+            break;
+        }
+        let Checked {
+            diagnostics: found,
+            open,
+            ..
+        } = analyze_within(other, search);
+        let is_told = |d: &Diagnostic| found.iter().any(|o| o.span.touches(d.span));
+        analysis
+            .diagnostics
+            .retain(|d| d.severity != Severity::Error || is_told(d));
+        keep_common(&mut analysis.open.unknown, &open.unknown);
+    }
+    Some(analysis)
+}
+
+/// Keeps the names that are unknown in each way in which a host may take a part: what only one stage
+/// or version has is known in that.
+pub fn confirm_unknown(readings: &[Unit], unknown: &mut Vec<Diagnostic>) {
+    for reading in readings {
+        if unknown.is_empty() {
+            return;
+        }
+        keep_common(unknown, &analyze(reading).open.unknown);
+    }
+}
+
+fn keep_common(unknown: &mut Vec<Diagnostic>, others: &[Diagnostic]) {
+    unknown.retain(|d| others.iter().any(|o| o.span == d.span));
+}
+
+/// Reads and checks one shader, and finds whose fault its errors are.
+pub fn analyze(unit: &Unit) -> Checked {
+    analyze_within(unit, &mut Search::for_text())
+}
+
+/// Does so for a text that may be read in several ways, with what is left of its search.
+pub fn analyze_within(unit: &Unit, search: &mut Search) -> Checked {
+    let Checked {
+        program,
+        diagnostics,
+        open,
+        wholeness,
+    } = analyze_once(unit, search);
+    let mut diagnostics = attribute(unit, &program, diagnostics, search);
+    // An entry that stands behind an `#if` without its end is there, only not read.
+    if diagnostics
+        .iter()
+        .any(|d| d.is(error::UNBALANCED_CONDITIONAL))
+    {
+        diagnostics.retain(|d| !d.is(error::MISSING_MAIN));
+    }
+    if unit.wholeness != Wholeness::Whole {
+        keep_own(unit.sources, &mut diagnostics);
+    }
+    limit(&mut diagnostics);
+    Checked {
+        program,
+        diagnostics,
+        open,
+        wholeness,
+    }
+}
+
+/// Keeps what is said of the user's text, without what it says of a host's.
+fn keep_own(sources: &Sources, diagnostics: &mut Vec<Diagnostic>) {
+    let is_user = |span: Span| {
+        let file = sources.file_at(span.start);
+        file.is_some_and(|f| f.role == Role::User && f.span().contains(span))
+    };
+    diagnostics.retain(|d| is_user(d.span));
+    for diagnostic in diagnostics {
+        diagnostic.labels.retain(|l| is_user(l.span));
+    }
+}
+
+fn limit(diagnostics: &mut Vec<Diagnostic>) {
+    if diagnostics.len() >= MAX_ERRORS {
+        diagnostics.truncate(MAX_ERRORS);
+        if let Some(last) = diagnostics.last_mut() {
+            last.notes.push(format!(
+                "there may be more: only the first {MAX_ERRORS} errors are told"
+            ));
+        }
+    }
+}

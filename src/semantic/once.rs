@@ -1,0 +1,113 @@
+//! One shader from files to findings, each of which stands where the compiler stumbles.
+
+use super::blame::gather;
+use super::builtins::Stage;
+use super::checker::{MAX_ERRORS, Parsed, check};
+use super::explain::explain;
+use super::part::{Open, Wholeness, keep_certain};
+use super::settle::{Corrected, Recheck};
+use super::unit::{Checked, Unit};
+use shaderlint_diagnostic::{Diagnostic, Facet, Severity, error};
+use shaderlint_syntax::{ParseOptions, Preprocessed, Search, parse, preprocess};
+use shaderlint_text::{Sources, Span};
+use std::sync::Arc;
+
+/// Reads and checks one shader: every error stands where the compiler stumbles.
+pub(super) fn analyze_once(unit: &Unit, search: &mut Search) -> Checked {
+    let is_fragment = unit.stage == Stage::Fragment;
+    let Preprocessed {
+        mut tokens,
+        names,
+        version,
+        mut diagnostics,
+        gave_up,
+    } = preprocess(unit.sources, unit.files, is_fragment);
+    if gave_up {
+        tokens.tokens.drain(..tokens.tokens.len().saturating_sub(1));
+    }
+    let language = ParseOptions {
+        version,
+        is_fragment,
+    };
+    let parse = parse(unit.sources, &mut tokens, &names, language, search);
+    let translated = parse.translated;
+    let has_errors = !diagnostics.is_empty()
+        || !parse.diagnostics.is_empty()
+        || !translated.diagnostics.is_empty();
+    let parsed = Parsed {
+        sources: Arc::clone(unit.sources),
+        tokens,
+        names,
+        tree: parse.tree,
+        version,
+        has_errors,
+        enough: MAX_ERRORS,
+    };
+    let corrected = Corrected {
+        options: language,
+        choices: parse.choices,
+        original: parse.original,
+        lost: translated.lost,
+    };
+    let looked = match gave_up {
+        true => {
+            let (program, problems) = check(parsed, unit.stage, unit.dialect, [None; 4], search);
+            Recheck::new(program, Vec::new(), problems)
+        }
+        false => corrected.settle(parsed, parse.diagnostics, unit, search),
+    };
+    let program = looked.program;
+    // Of half a shader only what the preprocessor says is certain.
+    if !gave_up {
+        // What the lexer says of a piece of a foreign form is no second mistake.
+        let is_told = |d: &Diagnostic| {
+            let mut forms = translated.diagnostics.iter().map(|form| form.span);
+            d.is(error::INVALID_NUMBER) && forms.any(|form| form != d.span && form.contains(d.span))
+        };
+        diagnostics.retain(|d| !is_told(d));
+        diagnostics.extend(looked.syntax);
+        diagnostics.extend(explain(&program, &looked.problems));
+        diagnostics.extend(translated.diagnostics);
+    }
+    if let Some(cut) = program.tokens.cut {
+        judge_cut(unit.sources, cut, &mut diagnostics);
+    }
+    let open = match unit.wholeness {
+        Wholeness::Whole => Open::default(),
+        wholeness => keep_certain(&program, wholeness, &mut diagnostics),
+    };
+    let mut diagnostics = gather(&program, diagnostics);
+    diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
+    diagnostics.truncate(MAX_ERRORS);
+    Checked {
+        program,
+        diagnostics,
+        open,
+        wholeness: unit.wholeness,
+    }
+}
+
+/// A NUL ends the shader. What is then missing is that one mistake; where nothing is missing, the
+/// rest of the text is only not used.
+fn judge_cut(sources: &Sources, cut: Span, diagnostics: &mut Vec<Diagnostic>) {
+    let count = diagnostics.len();
+    diagnostics.retain(|d| d.span.end < cut.start && !d.has(Facet::EndsEarly));
+    let severity = if diagnostics.len() < count {
+        Severity::Error
+    } else {
+        Severity::Warning
+    };
+    let rest = sources.file_at(cut.start).and_then(|file| {
+        let from = (cut.end - file.base) as usize;
+        file.text.get(from..)
+    });
+    if severity == Severity::Error || rest.is_some_and(|r| !r.trim_matches(['\0', '\n']).is_empty())
+    {
+        let message = "a NUL character ends the shader here";
+        let kind = error::INVALID_CHARACTER;
+        diagnostics.push(
+            Diagnostic::of(kind, severity, cut, message)
+                .note("the browser reads nothing of what stands behind it"),
+        );
+    }
+}
