@@ -220,7 +220,8 @@ impl Readings {
     pub fn lacks_version(&self, code: &str) -> Option<Range<usize>> {
         let is_whole = self.told.has_main && !self.has_gaps() && !self.is_shown();
         let is_lacking = is_whole && self.hosts.is_empty() && !self.has_version();
-        first_of_300(code).filter(|_| is_lacking && !self.is_shadertoy())
+        let is_lacking = is_lacking && !self.is_shadertoy();
+        is_lacking.then(|| first_of_300(code)).flatten()
     }
 
     /// Whether the script around the text hands it to the browser as it is.

@@ -1,6 +1,6 @@
 //! The errors of a project that have one answer, mended in all of its passes.
 
-use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_lint::{Allow, Look, fix, without_pictures};
 use shaderlint_port::{Composed, Project, add_repairs, compose};
 use shaderlint_text::{Role, SourceFile, Sources, Span};
@@ -168,8 +168,8 @@ fn join(known: &mut Diagnostic, other: Diagnostic) {
     let (Some(fix), Some(other)) = (&mut known.fix, other.fix) else {
         return;
     };
-    let name = |title: &str| title.rsplit('`').nth(1).map(str::to_string);
-    if name(&fix.title) != name(&other.title) {
+    let written = |fix: &Fix| fix.edits.first().map(|edit| edit.text.clone());
+    if written(fix) != written(&other) {
         return;
     }
     for edit in other.edits {
