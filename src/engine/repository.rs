@@ -4,8 +4,8 @@ use super::files::{FileType, Files};
 use super::path::plain;
 use rustc_hash::{FxHashMap, FxHasher};
 use shaderlint_text::kind::ending;
-use std::collections::VecDeque;
-use std::hash::Hasher;
+use std::collections::{HashMap, VecDeque};
+use std::hash::{BuildHasherDefault, Hasher};
 use std::path::{Path, PathBuf};
 
 /// Most files that are read.
@@ -29,12 +29,8 @@ const CODE: &[&str] = &[
     "java", "kt", "swift", "go", "dart", "py", "rb", "php", "lua", "hx", "pde", "gd", "zig",
 ];
 
-/// In which file a word appears.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Appears {
-    In(u32),
-    InSeveral,
-}
+/// In place of a file: a word appears in more than one.
+const SEVERAL: u32 = u32::MAX;
 
 /// What the programs of a repository do with shaders.
 #[derive(Default)]
@@ -47,8 +43,8 @@ struct Programs {
 /// The words of the code of a repository.
 #[derive(Default)]
 pub struct RepositoryWords {
-    /// By the hash of the word.
-    words: FxHashMap<u64, Appears>,
+    /// By the hash of the word the file that it appears in, or [`SEVERAL`].
+    words: HashMap<u64, u32, BuildHasherDefault<HashedBefore>>,
     files: FxHashMap<PathBuf, u32>,
     /// Whether all of the code was read.
     pub is_all: bool,
@@ -109,14 +105,10 @@ impl RepositoryWords {
         }
         let number = self.files.len() as u32;
         for word in words(&text) {
-            let appears = self.words.entry(hash(word));
-            appears
-                .and_modify(|a| {
-                    if *a != Appears::In(number) {
-                        *a = Appears::InSeveral;
-                    }
-                })
-                .or_insert(Appears::In(number));
+            let file = self.words.entry(hash(word)).or_insert(number);
+            if *file != number {
+                *file = SEVERAL;
+            }
         }
         self.files.insert(path, number);
         text.len()
@@ -126,8 +118,8 @@ impl RepositoryWords {
     pub fn is_beside(&self, word: &str, file: &Path) -> bool {
         match self.words.get(&hash(word)) {
             None => false,
-            Some(Appears::InSeveral) => true,
-            Some(Appears::In(number)) => self.files.get(file) != Some(number),
+            Some(&SEVERAL) => true,
+            Some(number) => self.files.get(file) != Some(number),
         }
     }
 }
@@ -160,10 +152,48 @@ fn is_passed_over(name: &str, has_source: bool) -> bool {
         || has_source && matches!(name, "dist" | "build" | "out")
 }
 
-/// The identifiers of a text, and all that looks like one.
+/// The bytes that make up words, a bit each.
+const IN_WORD: u128 = {
+    let mut bits = 1 << b'_';
+    let mut byte = 0;
+    while byte < 128 {
+        bits |= ((byte as u8).is_ascii_alphanumeric() as u128) << byte;
+        byte += 1;
+    }
+    bits
+};
+
+/// The identifiers of a text, and all that looks like one. Letters that are not ASCII stand between words.
 fn words(text: &str) -> impl Iterator<Item = &str> {
-    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    text.split(move |c| !is_word(c)).filter(|w| w.len() > 1)
+    let in_word = |&byte: &u8| byte < 128 && IN_WORD >> byte & 1 == 1;
+    let mut at = 0;
+    let next = move || {
+        let rest = text.as_bytes().get(at..)?;
+        let start = at + rest.iter().position(in_word)?;
+        let word = text.as_bytes().get(start..)?;
+        let length = word.iter().position(|byte| !in_word(byte));
+        at = start + length.unwrap_or(word.len());
+        text.get(start..at)
+    };
+    std::iter::from_fn(next).filter(|word| word.len() > 1)
+}
+
+/// The hasher of what is a hash already.
+#[derive(Default)]
+struct HashedBefore(u64);
+
+impl Hasher for HashedBefore {
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.write_u64(byte.into()));
+    }
+
+    fn write_u64(&mut self, hash: u64) {
+        self.0 ^= hash;
+    }
+
+    fn finish(&self) -> u64 {
+        self.0
+    }
 }
 
 /// How often each word of a text is used, by its hash.
