@@ -43,7 +43,7 @@ pub use files::{FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use format::{Formatting, format};
 pub use include::{Absence, MissingInclude};
 pub use memo::Memo;
-pub use mend::{Offer, mend, offer};
+pub use mend::{Offer, mend};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};
 pub use part::Shader;
 pub use repair::{Repairs, repair, repair_webgl1, repairable};

@@ -7,7 +7,7 @@ use super::verify::equal;
 use super::world::{Keep, World};
 use shaderlint_diagnostic::{Applicability, Diagnostic};
 use shaderlint_exec::Equality;
-use shaderlint_lint::{Allow, Fixed, Judged, Look, Proof, Shown, fix, fix_seen, without_pictures};
+use shaderlint_lint::{Allow, Fixed, Judged, Look, Proof, Shown, fix};
 use shaderlint_semantic::{Dialect, Pass, Program, Wholeness};
 use shaderlint_text::{Encoding, Span};
 use std::sync::Arc;
@@ -142,9 +142,9 @@ impl Report {
 /// How many findings can be fixed.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Offer {
-    /// Mended by the fixes that keep the picture.
+    /// Found with a fix that keeps the picture. Mending them may bring others to light.
     pub safe: usize,
-    /// Found with a fix that has to be asked for; mending them may bring others to light.
+    /// Found with a fix that has to be asked for.
     pub others: usize,
 }
 
@@ -162,26 +162,6 @@ impl Offer {
             safe: of(Applicability::Safe),
             others: of(Applicability::Unsafe),
         }
-    }
-}
-
-/// Counts the findings in the text of an input that fixes mend: those that `--fix` mends by mending
-/// it, so that the ones are counted that come to light on the way.
-pub fn offer(
-    name: &str,
-    text: &str,
-    options: &Options,
-    files: &dyn Files,
-    report: &Report,
-) -> Offer {
-    let world = World::new(options, files);
-    let apparent = Offer::of(report);
-    let seen = report.look(text).filter(|_| apparent.safe > 0);
-    let look = |text: &str| look(name, text, world);
-    let fixed = seen.map(|seen| fix_seen(text, seen, Allow::Safe, look, without_pictures));
-    Offer {
-        safe: fixed.map_or(0, |f| f.applied.len()),
-        ..apparent
     }
 }
 

@@ -130,7 +130,7 @@ pub fn without_pictures(_: &Look, _: &Look) -> Proof {
 
 /// Applies fixes to a text that has been looked at: first the safe ones, and then, where they may be
 /// applied, the others too; so what the safe ones mend does not depend on the others.
-pub fn fix_seen(
+fn fix_seen(
     text: &str,
     mut seen: Look,
     allow: Allow,

@@ -32,7 +32,7 @@ mod words;
 pub use broken::Broken;
 pub use context::{Context, Finding};
 pub use facts::{Around, Facts, Known};
-pub use fix::{Allow, Fixed, Look, Proof, Shown, fix, fix_seen, keep_comments, without_pictures};
+pub use fix::{Allow, Fixed, Look, Proof, Shown, fix, keep_comments, without_pictures};
 pub use judged::Judged;
 pub use option::{OptionType, OptionValue, RuleOption, Setting};
 pub use page::{Fence, FenceKind, Page};

@@ -56,14 +56,6 @@ pub enum Format {
     Statistics,
 }
 
-impl Format {
-    /// Whether it says at the end how many findings can be fixed.
-    pub fn sums_up(self) -> bool {
-        use Format::{Agent, Human, Statistics};
-        matches!(self, Human | Agent | Statistics)
-    }
-}
-
 /// Most findings of one input that are printed.
 const MAX_PRINTED: usize = 200;
 

@@ -7,7 +7,7 @@ use super::super::config::{Configs, absolute};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::args::{LintArgs, Talk};
-use super::examine::{ExtraWork, Outcome, examine_all};
+use super::examine::{Outcome, examine_all};
 use crate::diagnostic::Diagnostic;
 use crate::report::fingerprints;
 use crate::text::Sources;
@@ -149,42 +149,37 @@ pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Re
     let folder = folder_of(path);
     let mut all_well = true;
     let mut count = 0;
-    examine_all(
-        inputs,
-        configs,
-        ExtraWork::default(),
-        &mut |input, outcome| {
-            match outcome {
-                Outcome::Checked(mut report, ..) => {
-                    let found = &mut report.diagnostics;
-                    if let Ok(options) = configs.options(Path::new(&input.name)) {
-                        found.retain(|d| options.settings.reports(d.rule));
-                    }
-                    let prints = fingerprints(&report.sources, found);
-                    let entries = found.iter().zip(prints);
-                    let entries = entries.map(|(d, p)| entry(d.rule, &p));
-                    let entries: Vec<Value> = entries.collect();
-                    count += entries.len();
-                    if !entries.is_empty() {
-                        files.insert(named(&folder, &input.name), entries);
-                    }
-                    if let Some(old) = &mut old {
-                        old.filter(&input.name, &report.sources, found);
-                    }
+    examine_all(inputs, configs, None, &mut |input, outcome| {
+        match outcome {
+            Outcome::Checked(mut report, ..) => {
+                let found = &mut report.diagnostics;
+                if let Ok(options) = configs.options(Path::new(&input.name)) {
+                    found.retain(|d| options.settings.reports(d.rule));
                 }
-                Outcome::Skipped(..) => {}
-                Outcome::Failed(message) => {
-                    tell(&format!("{}: {message}", input.name));
-                    all_well = false;
+                let prints = fingerprints(&report.sources, found);
+                let entries = found.iter().zip(prints);
+                let entries = entries.map(|(d, p)| entry(d.rule, &p));
+                let entries: Vec<Value> = entries.collect();
+                count += entries.len();
+                if !entries.is_empty() {
+                    files.insert(named(&folder, &input.name), entries);
                 }
-                Outcome::Misconfigured(message) => {
-                    tell(&message);
-                    all_well = false;
+                if let Some(old) = &mut old {
+                    old.filter(&input.name, &report.sources, found);
                 }
             }
-            Ok(())
-        },
-    )?;
+            Outcome::Skipped(..) => {}
+            Outcome::Failed(message) => {
+                tell(&format!("{}: {message}", input.name));
+                all_well = false;
+            }
+            Outcome::Misconfigured(message) => {
+                tell(&message);
+                all_well = false;
+            }
+        }
+        Ok(())
+    })?;
     let old = old.as_ref();
     for (file, known) in old.iter().flat_map(|o| &o.known) {
         let kept = known.iter().map(|k| entry(&k.rule, &k.fingerprint));

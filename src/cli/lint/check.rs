@@ -5,7 +5,7 @@ use super::super::config::Configs;
 use super::super::input::{InputFile, collect};
 use super::args::{LintArgs, Talk};
 use super::baseline::{self, Baseline};
-use super::examine::{ExtraWork, Outcome, examine_all};
+use super::examine::{Outcome, examine_all};
 use super::mend::{Mend, Mended};
 use super::{explain, verbose};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -79,10 +79,7 @@ fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result
         said: HashSet::new(),
         all_well: true,
     };
-    let mut work = ExtraWork {
-        mend,
-        counts_fixes: format.sums_up() && printer.talk >= Talk::Normal,
-    };
+    let mut left_to_mend = mend;
     // All is mended before anything is said: files include each other.
     if let Some(mend) = mend.filter(|m| m.writes() && !prints_text) {
         let all = mend_all(inputs, configs, mend)?;
@@ -95,9 +92,9 @@ fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result
             printer.all_well = false;
         }
         printer.left = all.left;
-        work.mend = None;
+        left_to_mend = None;
     }
-    examine_all(inputs, configs, work, &mut |input, outcome| {
+    examine_all(inputs, configs, left_to_mend, &mut |input, outcome| {
         printer.outcome(input, outcome)
     })?;
     if printer.talk >= Talk::Normal
@@ -310,12 +307,8 @@ fn mend_all(inputs: &[InputFile], configs: &Configs, mend: Mend) -> io::Result<A
     let mut all = AllMended::default();
     for round in 0..ROUNDS {
         let before = all.fixed;
-        let work = ExtraWork {
-            mend: Some(mend),
-            ..ExtraWork::default()
-        };
         let mut includes = false;
-        examine_all(inputs, configs, work, &mut |input, outcome| {
+        examine_all(inputs, configs, Some(mend), &mut |input, outcome| {
             if let Outcome::Checked(report, mending, _) = outcome {
                 includes |= report.includes();
                 let proofs = all.proofs.entry(input.name.clone()).or_default();

@@ -5,7 +5,7 @@ use super::super::disk::Disk;
 use super::super::input::{InputFile, read};
 use super::super::parallel::in_order;
 use super::mend::{Mend, Mended, Mending};
-use crate::engine::{Offer, Options, Report, Unread, check_content, offer};
+use crate::engine::{Offer, Options, Report, Unread, check_content};
 use crate::text::{Content, Encoding};
 use std::collections::BTreeSet;
 use std::io;
@@ -25,27 +25,18 @@ pub enum Outcome {
     Misconfigured(Arc<str>),
 }
 
-/// What is done with each input besides checking it.
-#[derive(Clone, Copy, Default)]
-pub struct ExtraWork {
-    /// How it is mended.
-    pub mend: Option<Mend>,
-    /// Whether it is found out how many findings can be fixed.
-    pub counts_fixes: bool,
-}
-
-/// Checks all inputs and hands on what became of them, in order.
+/// Mends all inputs, where they are to be, checks them and hands on what became of them, in order.
 pub fn examine_all(
     inputs: &[InputFile],
     configs: &Configs,
-    work: ExtraWork,
+    mend: Option<Mend>,
     print: &mut impl FnMut(&InputFile, Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
     let run = &Examination {
         configs,
         checked: Arc::new(inputs.iter().map(|i| i.name.clone()).collect()),
         disk: Disk::new(),
-        work,
+        mend,
     };
     let work = |index: usize| inputs.get(index).map(|input| (input, examine(input, run)));
     in_order(inputs.len(), &work, &mut |done| match done {
@@ -60,7 +51,7 @@ struct Examination<'a> {
     /// Their names.
     checked: Arc<BTreeSet<String>>,
     disk: Disk,
-    work: ExtraWork,
+    mend: Option<Mend>,
 }
 
 fn examine(input: &InputFile, run: &Examination) -> Outcome {
@@ -100,7 +91,7 @@ fn judge(
     run: &Examination,
 ) -> (Report, Mending, Offer) {
     let (name, disk) = (&input.name, &run.disk);
-    let (text, mending) = match run.work.mend {
+    let (text, mending) = match run.mend {
         Some(mend) => mend.apply(input, &content, options, disk),
         None => (None, Mending::default()),
     };
@@ -110,8 +101,8 @@ fn judge(
     let mut report = check_content(name, &content, options, disk);
     report.leave_alone(&mending.left);
     let is_written = content.encoding == Encoding::Utf8 && report.unread.is_none();
-    let offer = match run.work.counts_fixes && is_written {
-        true => offer(name, &content.text, options, disk, &report),
+    let offer = match is_written {
+        true => Offer::of(&report),
         false => Offer::default(),
     };
     (report, mending, offer)
