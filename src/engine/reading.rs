@@ -407,12 +407,16 @@ impl Readings {
                 .any(|d| self.may_lack(d) && !is_macro(sources.text(d.span)));
             let is_whole = match self.standing {
                 Standing::Unversioned => {
-                    let is_wrong = checked.diagnostics.iter().any(is_error);
-                    let is_open = |d: &Diagnostic| d.lacks().is_some();
-                    let is_left = |d: &Diagnostic| is_error(d) && !is_open(d);
-                    let mut with_version = |r| analyze_within(&unit(r, wholeness), &mut search);
-                    let is_left = |r| with_version(r).diagnostics.iter().any(is_left);
-                    !is_wrong || others.first().is_some_and(is_left)
+                    let wrong = checked.diagnostics.iter().filter(|d| is_error(d)).count();
+                    let is_left = |d: &&Diagnostic| is_error(d) && d.lacks().is_none();
+                    let left = |search: &mut Search, r: &&'u Reading, _| {
+                        let with_version = analyze_within(&unit(r, wholeness), search);
+                        Some(with_version.diagnostics.iter().filter(is_left).count())
+                    };
+                    // Whether less is wrong behind a `#version 300 es`.
+                    let tokens = checked.program.size();
+                    let other = others.first();
+                    search.fewest((wrong, 0), tokens, other, left).is_none()
                 }
                 Standing::Complete => !lacks,
                 _ => true,

@@ -61,12 +61,18 @@ pub fn is_typo(word: &str, name: &str) -> bool {
     }
     let letters = |w: &str| w.chars().filter(char::is_ascii_alphabetic).count();
     let limit = 1 + usize::from(letters(&word).min(letters(&name)) > MOST_OF_ONE);
-    let no_digits = |w: &str| -> String { w.chars().filter(|c| !c.is_ascii_digit()).collect() };
+    let part = |w: &str, digits: bool| -> String {
+        let of_kind = |c: &char| c.is_ascii_digit() == digits;
+        w.chars().filter(of_kind).collect()
+    };
+    // Names that differ by their number alone are those of two things.
+    let is_other_number =
+        part(&word, false) == part(&name, false) && part(&word, true) != part(&name, true);
     let first_two = |w: &str| -> Vec<char> { w.chars().take(2).collect() };
     let (from, to) = (first_two(&word), first_two(&name));
     let starts_alike = from.first() == to.first() || from.iter().rev().eq(&to);
     starts_alike
-        && no_digits(&word) != no_digits(&name)
+        && !is_other_number
         && word.len().abs_diff(name.len()) <= limit
         && strsim::damerau_levenshtein(&word, &name) <= limit
 }
@@ -160,6 +166,7 @@ mod tests {
             ("Color", "color"),
             ("u_tme", "u_time"),
             ("u_isplain", "u_is_plain"),
+            ("radiu2s", "radius2"),
         ] {
             assert!(is_typo(word, name), "{word}");
         }

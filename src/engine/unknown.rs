@@ -10,7 +10,7 @@ use super::reading::code_of;
 use super::typo::{Vocabulary, is_typo, variables};
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_host::matches_any;
-use shaderlint_semantic::{BuiltinId, Checked, Program, Wholeness};
+use shaderlint_semantic::{BuiltinId, Checked, Wholeness};
 use shaderlint_text::{Edit, Sources, Span};
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
@@ -35,7 +35,15 @@ pub fn judge(
     hosts: &Hosts,
     unresolved: &mut Unresolved,
 ) {
-    if checked.wholeness == Wholeness::Whole || part.readings.is_shown() {
+    if part.readings.is_shown() {
+        return;
+    }
+    let code = code_of(sources, part.reading().map_or(&[], |r| &r.files));
+    let vocabulary = LazyCell::new(|| Vocabulary::of(&code));
+    if !checked.program.tokens.undecided.is_empty() {
+        report_inactive(checked, &vocabulary, hosts);
+    }
+    if checked.wholeness == Wholeness::Whole {
         return;
     }
     let mut unknown = checked.open.unknown.clone();
@@ -44,14 +52,8 @@ pub fn judge(
         let word = sources.text(d.span);
         is_word(word) && !matches_any(&part.readings.declared_at_times, word)
     });
-    let code = code_of(sources, part.reading().map_or(&[], |r| &r.files));
-    let vocabulary = LazyCell::new(|| Vocabulary::of(&code));
     for d in &mut unknown {
         suggest(d, sources.text(d.span), &vocabulary);
-    }
-    let program = &checked.program;
-    if !program.tokens.undecided.is_empty() {
-        report_inactive(program, &vocabulary, hosts, &mut checked.diagnostics);
     }
     let openness = Openness::of(part, &unknown, |d| {
         let word = sources.text(d.span);
@@ -73,8 +75,11 @@ pub fn judge(
         severities.for_each(|s| *s = Severity::Warning);
     }
     checked.diagnostics.append(&mut mistakes);
-    let place = |d: &Diagnostic| (d.span.start, d.span.end);
-    checked.diagnostics.sort_by_key(place);
+    sort(&mut checked.diagnostics);
+}
+
+fn sort(diagnostics: &mut [Diagnostic]) {
+    diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
 }
 
 /// What may be added to a text.
@@ -123,12 +128,8 @@ fn meant(span: Span, near: &str) -> Fix {
 }
 
 /// Reports the typos in groups of `#if` that are left out here and that the host may take.
-fn report_inactive(
-    program: &Program,
-    vocabulary: &Vocabulary,
-    hosts: &Hosts,
-    diagnostics: &mut Vec<Diagnostic>,
-) {
+fn report_inactive(checked: &mut Checked, vocabulary: &Vocabulary, hosts: &Hosts) {
+    let program = &checked.program;
     let (sources, tokens) = (&program.sources, &program.tokens);
     let groups = tokens.inactive.iter().filter(|span| {
         let is_open = || tokens.undecided.iter().any(|group| group.contains(**span));
@@ -150,9 +151,10 @@ fn report_inactive(
             let span = Span::new(start, start + word.len() as u32);
             let message = format!("`{word}` is not declared");
             let d = Diagnostic::of(error::UNDECLARED_NAME, Severity::Warning, span, message);
-            diagnostics.push(d.fix(Some(meant(span, near))));
+            checked.diagnostics.push(d.fix(Some(meant(span, near))));
         }
     }
+    sort(&mut checked.diagnostics);
 }
 
 fn is_word(text: &str) -> bool {

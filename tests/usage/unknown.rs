@@ -78,10 +78,13 @@ fn typos_are_found_in_groups_that_a_host_may_take() {
         &[("a.glsl", code)],
         &["4:8: warning[undeclared-name]: `opcaity` is not declared"],
     );
-    // Nobody defines anything before a `#version`.
+    // Whoever defines the name later has the typo, in a text that is complete too.
     let whole = "#version 300 es\nprecision highp float;\nuniform float opacity;\nout vec4 color;\n\
         void main() {\n#ifdef FADES\ncolor = vec4(opcaity);\n#endif\ncolor = vec4(opacity);\n}\n";
-    check(&[("a.glsl", whole)], &[]);
+    check(
+        &[("a.glsl", whole)],
+        &["7:14: warning[undeclared-name]: `opcaity` is not declared"],
+    );
 }
 
 #[test]
