@@ -3,6 +3,7 @@
 
 use super::analysis::Analysis;
 use super::host::Hosts;
+use super::hosted;
 use super::options::{DialectChoice, Options};
 use super::part::{Part, Shader};
 use super::play::Supply;
@@ -47,6 +48,7 @@ pub fn check_part(
 ) -> Option<(Shader, Option<Judged>)> {
     let mut checked = understand(sources, part, hosts, options)?;
     let known = Arc::default();
+    let before = found.diagnostics.len();
     unknown::judge(sources, part, &mut checked, hosts, &mut found.unresolved);
     let missing = version::missing(sources, part, &checked, hosts);
     checked.diagnostics.extend(missing);
@@ -58,6 +60,12 @@ pub fn check_part(
         &mut found.allows,
         &mut found.diagnostics,
     )?;
+    // A host that takes no GLSL of desktops refuses it, as WebGL does.
+    if let Some(host) = part.host.filter(|h| !h.composes || h.runs_desktop()) {
+        let mut own = found.diagnostics.split_off(before);
+        hosted::leave_repaired(sources, (part, host), &mut own);
+        found.diagnostics.append(&mut own);
+    }
     if keep == Keep::Programs {
         part.analysis = Some(Analysis::new(checked, told.0.has_errors, known));
     }
@@ -75,7 +83,14 @@ fn understand(
         && options.host.preset.is_none()
         && !part.readings.is_shadertoy();
     let checked = part.readings.check(sources, part.infer_channels)?;
-    let lacking = lacking(&checked).filter(|_| is_open);
+    let lacking = lacking(&checked);
+    if (lacking.is_some() || hosted::given_composer(options).is_some())
+        && part.host.is_none()
+        && let Some(composed) = hosted::compose(sources, part, hosts, options)
+    {
+        return Some(composed);
+    }
+    let lacking = lacking.filter(|_| is_open);
     let (presets, is_sure) = lacking.map_or((Vec::new(), true), |lacking| {
         hosts.of(&lacking, &part.readings)
     });
@@ -153,6 +168,7 @@ fn tell_part(
         size: program.size(),
         holes: std::mem::take(&mut checked.open.names),
         hosts: part.readings.hosts.clone(),
+        host: part.host,
     };
     Some((shader, judged))
 }

@@ -9,7 +9,7 @@ use super::options::Desktop;
 use super::part::{Part, Shader};
 use super::shader::shader_part;
 use super::world::{Keep, World};
-use super::{embedded, foreign, partner};
+use super::{embedded, foreign, hosted, partner};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_lint::Judged;
 use shaderlint_port::{Project, ProjectError, compose};
@@ -136,9 +136,6 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
     if let (Encoding::Damaged(at), true) = (encoding, kind != FileKind::Export) {
         report_damage(&input, at, &mut diagnostics);
     }
-    if let Some(host) = input.hosted {
-        foreign::leave_repaired(host, text, &mut diagnostics);
-    }
     diagnostics.retain(|d| input.hushed.admits(&input.sources, d));
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
     diagnostics.dedup_by(|a, b| (a.span, a.rule, &a.message) == (b.span, b.rule, &b.message));
@@ -234,14 +231,16 @@ fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Spli
             embedded::parts(&mut input, name, language, file, text, world)
         }
         FileKind::Shader
-            if foreign::is_pass_of_another(text, options)
-                && foreign::hosted(&mut input, file, text, options).ok_or(Unread::TooLarge)? =>
+            if hosted::is_pass_of_another(text, options)
+                && hosted::part(&mut input, name, (file, 0), text, world)
+                    .ok_or(Unread::TooLarge)? =>
         {
             Some(())
         }
         FileKind::Foreign(Tongue::Desktop)
             if options.desktop == Desktop::Report
-                && foreign::hosted(&mut input, file, text, options).ok_or(Unread::TooLarge)? =>
+                && hosted::part(&mut input, name, (file, 0), text, world)
+                    .ok_or(Unread::TooLarge)? =>
         {
             Some(())
         }

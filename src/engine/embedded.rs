@@ -2,6 +2,7 @@
 
 use super::foreign;
 use super::front::front;
+use super::hosted;
 use super::input::SplitInput;
 use super::options::Options;
 use super::part::Part;
@@ -57,8 +58,16 @@ pub(super) fn parts(
     let mut known = Known::default();
     for embedded in &all {
         known.enter(embedded.chapter);
-        let is_other = own_directive(&embedded.code).is_some();
-        if is_other || foreign::inside(input, file, embedded, options)? {
+        if own_directive(&embedded.code).is_some() {
+            continue;
+        }
+        if foreign::is_reported(&embedded.code, options) {
+            let place = (file, embedded.start);
+            if hosted::part(input, name, place, &embedded.code, world)? {
+                continue;
+            }
+        }
+        if foreign::inside(input, file, embedded, options)? {
             continue;
         }
         let around = Around {
@@ -141,6 +150,7 @@ fn part(
         embedder: around.embedder,
         mipmapped: [None; 4],
         missing: Vec::new(),
+        host: None,
         analysis: None,
     })
 }

@@ -108,6 +108,16 @@ impl<'a> Hosts<'a> {
         (some(&mut imported.chain(others).copied()), false)
     }
 
+    /// The name of the file.
+    pub fn name(&self) -> &'a str {
+        self.name
+    }
+
+    /// What its texts are judged with.
+    pub fn world(&self) -> World<'a> {
+        self.world
+    }
+
     /// The page or script that holds the texts; empty where they are files.
     pub fn script(&self) -> &str {
         self.script.as_deref().unwrap_or("")

@@ -4,7 +4,6 @@ use super::export::Written;
 use super::include::Hushed;
 use super::part::Part;
 use shaderlint_diagnostic::Diagnostic;
-use shaderlint_host::Preset;
 use shaderlint_text::embed::Embedded;
 use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
@@ -24,8 +23,6 @@ pub struct SplitInput {
     pub problems: Vec<Diagnostic>,
     /// Where the code of the passes is written, where it is an export.
     pub export: Option<Written>,
-    /// Who runs it, where it is a desktop shader that is checked as what its port makes of it.
-    pub hosted: Option<&'static Preset>,
     /// Files whose findings are not told here.
     pub hushed: Hushed,
 }

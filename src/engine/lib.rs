@@ -16,6 +16,7 @@ mod foreign;
 mod format;
 mod front;
 mod host;
+mod hosted;
 mod include;
 mod input;
 mod memo;

@@ -3,6 +3,7 @@
 use super::analysis::Analysis;
 use super::include::MissingInclude;
 use super::reading::{Reading, Readings, Standing};
+use shaderlint_host::Preset;
 use shaderlint_lint::Unrun;
 use shaderlint_port::PassUnit;
 use shaderlint_semantic::{Dialect, Stage, Wholeness};
@@ -23,6 +24,8 @@ pub struct Part {
     pub mipmapped: [Option<bool>; 4],
     /// What it includes and is not found.
     pub missing: Vec<MissingInclude>,
+    /// Who runs it, where it is checked as what its host makes of it.
+    pub host: Option<&'static Preset>,
     /// What came of checking it, where that is kept.
     pub analysis: Option<Analysis>,
 }
@@ -41,18 +44,20 @@ impl Part {
             embedder: Embedder::default(),
             mipmapped: unit.mipmapped,
             missing: Vec::new(),
+            host: None,
             analysis: None,
         }
     }
 
     /// A shader with all that its host puts around it.
-    pub fn hosted(reading: Reading) -> Part {
+    pub fn hosted(readings: Readings, host: &'static Preset) -> Part {
         Part {
-            readings: Readings::whole(reading),
+            readings,
             infer_channels: false,
             embedder: Embedder::default(),
             mipmapped: [None; 4],
             missing: Vec::new(),
+            host: Some(host),
             analysis: None,
         }
     }
@@ -94,6 +99,8 @@ pub struct Shader {
     pub holes: BTreeSet<String>,
     /// The hosts that are thought to complete it.
     pub hosts: Vec<String>,
+    /// Who runs it, where it was checked as what its host makes of it.
+    pub host: Option<&'static Preset>,
     /// What it includes and is not found.
     pub missing: Vec<MissingInclude>,
 }

@@ -239,6 +239,24 @@ impl Readings {
         self.text.surroundings == Surroundings::Shown
     }
 
+    /// Whether the text is a vertex shader by its words or by its place.
+    pub fn is_vertex(&self) -> bool {
+        self.text.stage.or(self.told.stage) == Some(Stage::Vertex)
+    }
+
+    /// Whether something that is put into the text is not at hand.
+    pub fn has_missing(&self) -> bool {
+        self.text.is_open || self.text.has_holes
+    }
+
+    /// Takes the text for a part of what a host composes.
+    pub fn open(&mut self, host: &Preset, is_open: bool) {
+        self.standing = Standing::Part;
+        self.hosts.push(host.title.clone());
+        self.are_hosts_complete = host.is_complete;
+        self.text.is_open = is_open;
+    }
+
     /// Whether something is put into the text, or beside it, that is not at hand.
     pub fn has_gaps(&self) -> bool {
         self.text.is_open

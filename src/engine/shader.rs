@@ -72,6 +72,7 @@ pub(super) fn shader_part(
         embedder: Embedder::default(),
         mipmapped: [None; 4],
         missing,
+        host: None,
         analysis: None,
     });
     Some(())

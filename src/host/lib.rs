@@ -95,6 +95,11 @@ pub struct Preset {
     pub takes_desktop: bool,
     /// Whether it gives other names to what a text declares.
     pub renames: bool,
+    /// Whether what it puts around a text depends on that, so that a text is checked as what it
+    /// becomes.
+    pub composes: bool,
+    /// Directives that it obeys before the text is compiled; `*` at the end stands for anything.
+    pub directives: Vec<String>,
     /// The functions that it calls.
     pub entries: Vec<String>,
     /// What further shows it in a text.
@@ -226,10 +231,14 @@ impl Preset {
             ("Adds nothing to texts of", &self.complete),
             ("Unless changed by", &self.patched),
             ("May declare", &self.also),
+            ("Obeys the directives", &self.directives),
         ] {
             if !words.is_empty() {
                 facts.push((what, code(words)));
             }
+        }
+        if self.composes {
+            facts.push(("Around a shader", "what its text asks for".to_string()));
         }
         if !self.includes.is_empty() {
             facts.push(("Includes", format!("`{}`", self.includes)));
@@ -488,9 +497,27 @@ pub fn declared_in(line: &str) -> Option<&str> {
 }
 
 /// The keys of a head.
-const KEYS: [&str; 18] = [
-    "alias", "reads", "base", "source", "package", "global", "word", "shows", "entry", "include",
-    "hole", "version", "names", "renames", "takes", "complete", "patched", "also",
+const KEYS: [&str; 20] = [
+    "alias",
+    "reads",
+    "base",
+    "source",
+    "package",
+    "global",
+    "word",
+    "shows",
+    "entry",
+    "include",
+    "hole",
+    "version",
+    "names",
+    "renames",
+    "takes",
+    "complete",
+    "patched",
+    "also",
+    "composes",
+    "directive",
 ];
 
 /// Whether a word in front of a colon may be meant as a key.
@@ -535,13 +562,9 @@ impl Preset {
             "complete" => self.complete.extend(words()),
             "patched" => self.patched.extend(words()),
             "also" => self.also.extend(words()),
-            "renames" => {
-                self.renames = match value {
-                    "yes" => true,
-                    "no" => false,
-                    _ => return Err(format!("`{value}` is neither `yes` nor `no`")),
-                }
-            }
+            "directive" => self.directives.extend(words()),
+            "renames" => self.renames = yes_or_no(value)?,
+            "composes" => self.composes = yes_or_no(value)?,
             "names" => {
                 self.is_complete = match value {
                     "all" => true,
@@ -554,6 +577,14 @@ impl Preset {
             }
         }
         Ok(())
+    }
+}
+
+fn yes_or_no(value: &str) -> Result<bool, String> {
+    match value {
+        "yes" => Ok(true),
+        "no" => Ok(false),
+        _ => Err(format!("`{value}` is neither `yes` nor `no`")),
     }
 }
 

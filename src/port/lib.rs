@@ -42,7 +42,7 @@ pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
 pub use dialect::{
     Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, TextChange, TextsBeside,
-    UniformData, VaryingValue, bindings, calls_entry, hosted, recognise,
+    UniformData, VaryingValue, bindings, calls_entry, hosted, may_be_composed, recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
 pub use export::{MAX_EXPORT, ProjectError};

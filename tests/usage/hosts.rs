@@ -82,7 +82,9 @@ fn both_programs_read_a_shader_alike() {
 fn what_one_program_plays_the_other_does_not_refuse() {
     let scratch = Scratch::new(&[]);
     for (host, path) in fixtures() {
-        if !["bonzomatic", "kodelife", "kodi", "synthclipse"].contains(&host.as_str()) {
+        let is_whole = ["bonzomatic", "kodelife", "kodi", "synthclipse"].contains(&host.as_str());
+        let composes = preset(&host).is_some_and(|host| host.composes);
+        if !is_whole && !composes {
             continue;
         }
         let (_, plays) = ported(&scratch, &path, &["--host", &host]);
@@ -94,8 +96,98 @@ fn what_one_program_plays_the_other_does_not_refuse() {
             let args = [&[path.to_str().unwrap(), "--format", "short"], host].concat();
             let linted = scratch.run(&args);
             assert!(!linted.out.contains("error"), "{args:?}: {}", linted.out);
+            let is_open = linted.out.contains("undeclared-name");
+            assert!(!(composes && is_open), "{args:?}: {}", linted.out);
         }
     }
+}
+
+/// An ISF shader as people write them for desktops: persistent passes, and numbers that convert.
+const ISF: &str = r#"/*{
+  "ISFVSN": "2",
+  "INPUTS": [
+    {"NAME": "inputImage", "TYPE": "image"}, {"NAME": "amount", "TYPE": "float", "DEFAULT": 0.5},
+    {"NAME": "at", "TYPE": "point2D"}
+  ],
+  "PASSES": [{"TARGET": "old", "PERSISTENT": true, "FLOAT": true}, {}]
+}*/
+void main() {
+    if (PASSINDEX == 0) {
+        gl_FragColor = mix(IMG_THIS_PIXEL(inputImage), IMG_THIS_PIXEL(old), amount);
+    } else {
+        gl_FragColor = IMG_NORM_PIXEL(old, isf_FragNormCoord) + IMG_PIXEL(old, at) * TIME * 0;
+    }
+}
+"#;
+
+/// The head of a text says what its names are: what remains unknown is a mistake.
+#[test]
+fn what_the_head_of_a_text_declares_is_known() {
+    let wrong = ISF.replace("old), amount)", "old), amuont)");
+    let versioned = ISF.replace("}*/", "}*/\n#version 120");
+    let scratch = Scratch::new(&[("a.fs", ISF), ("b.fs", &wrong), ("c.fs", &versioned)]);
+    for file in ["a.fs", "c.fs"] {
+        assert_eq!(scratch.places(&[file]), [] as [&str; 0], "{file}");
+        let (told, plays) = ported(&scratch, Path::new(file), &[]);
+        assert!(
+            plays && told.is_some_and(|t| t.starts_with("ISF, by ")),
+            "{file}"
+        );
+    }
+    assert_eq!(scratch.places(&["b.fs"]), ["11:77 undeclared-name"]);
+    assert!(!ported(&scratch, Path::new("b.fs"), &[]).1);
+}
+
+/// What is included may hold directives of the host, too, and need not be a shader.
+#[test]
+fn directives_of_a_host_are_obeyed() {
+    let image = "#include \"ui.glsl\"\n#iChannel0 \"file://buffer.glsl\"\n\
+        void mainImage(out vec4 c, in vec2 p) {\n    \
+        c = texture(iChannel0, p / iResolution.xy) * speed * iMouseButton.x;\n}\n";
+    let buffer = "void main() { gl_FragColor = vec4(sin(iTime)); }\n";
+    let typo = image.replace("* speed", "* sped");
+    let gone = image.replace("ui.glsl", "gone.glsl");
+    let scratch = Scratch::new(&[
+        ("a.glsl", image),
+        ("ui.glsl", "#iUniform float speed = 1.0 in { 0.0, 2.0 }\n"),
+        ("buffer.glsl", buffer),
+        ("typo.glsl", &typo),
+        ("away.glsl", &gone),
+    ]);
+    assert_eq!(scratch.places(&["a.glsl", "ui.glsl"]), [] as [&str; 0]);
+    assert!(ported(&scratch, Path::new("a.glsl"), &[]).1);
+    assert_eq!(scratch.places(&["typo.glsl"]), ["4:50 undeclared-name"]);
+    assert!(!ported(&scratch, Path::new("typo.glsl"), &[]).1);
+    // What is not there may declare it.
+    let told = scratch.run(&["away.glsl", "--format", "short"]);
+    assert!(
+        told.out.contains("info[undeclared-name]: `speed`"),
+        "{}",
+        told.out
+    );
+}
+
+/// A shader in a text or a script is read as one in a file of its own is.
+#[test]
+fn hosts_of_shaders_inside_other_files_are_known() {
+    let bonzomatic = "#version 410 core\nuniform float fGlobalTime;\nuniform vec2 v2Resolution;\n\
+        uniform sampler1D texFFT;\nout vec4 o;\nvoid main(void) {\n    \
+        o = vec4(v2Resolution, sin(fGlobalTime), 1) + texture(texFFT, 0.1);\n}\n";
+    let text = format!("# Shaders\n\n```glsl\n{bonzomatic}```\n\n```glsl\n{ISF}```\n");
+    let wrong = bonzomatic.replace("0.1)", "0.1) + oops");
+    let script = format!("const a = `{wrong}`;\nconst b = `#version 330\nvoid main() {{}}`;\n");
+    let scratch = Scratch::new(&[("a.md", &text), ("a.js", &script)]);
+    let ran = scratch.run(&["a.md", "-v"]);
+    assert!(ran.out.contains("no findings"), "{}", ran.out);
+    assert!(
+        ran.err.contains("read as Bonzomatic: fragment shader"),
+        "{}",
+        ran.err
+    );
+    let places = ["7:74 undeclared-name", "10:12 unsupported-version"];
+    assert_eq!(scratch.places(&["a.js"]), places);
+    // A text that holds shaders is none itself.
+    assert!(!ported(&scratch, Path::new("a.md"), &[]).1);
 }
 
 #[test]

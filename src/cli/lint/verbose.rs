@@ -83,7 +83,10 @@ fn told(shader: &Shader, report: &Report) -> String {
         }
         (Wholeness::Whole, Unrun::Everywhere) => ", rules not run for its errors".to_string(),
     };
-    format!("{kind}{part}{unrun}{}", completed(shader))
+    // Of a file that is a shader its line begins with that.
+    let host = shader.host.filter(|_| report.holds_shaders());
+    let host = host.map_or(String::new(), |h| format!("{}: ", h.read_as()));
+    format!("{host}{kind}{part}{unrun}{}", completed(shader))
 }
 
 /// Of a part: who completes it, and what it lacks.

@@ -12,6 +12,7 @@ use crate::port::{
     unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
+use crate::text::kind::{Claim, FileKind, decide};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -272,6 +273,11 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
         return Err(wrong(
             "this is a page of HTML or XML, and no shader".to_string(),
         ));
+    }
+    if let FileKind::Holds(language) = decide(&name, &text, Claim::None).kind {
+        return Err(wrong(format!(
+            "this is {language}, which may hold shaders and is none; give a shader as a file of its own"
+        )));
     }
     let title = if name == "-" {
         String::new()

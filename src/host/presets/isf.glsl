@@ -19,6 +19,7 @@
 // takes: desktop
 // names: some
 // entry: main
+// composes: yes
 precision highp float;
 precision highp int;
 #define vv_FragNormCoord isf_FragNormCoord

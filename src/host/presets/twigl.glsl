@@ -11,6 +11,7 @@
 // version: any
 // names: some
 // entry: main
+// composes: yes
 precision highp float;
 #define FC gl_FragCoord
 uniform vec2 r; // = resolution

@@ -10,6 +10,7 @@
 // version: 100
 // names: all
 // entry: main
+// composes: yes
 attribute float vertexId;
 uniform vec2 mouse; // = pointer-signed
 uniform vec2 resolution; // = resolution

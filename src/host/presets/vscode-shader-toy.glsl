@@ -9,6 +9,8 @@
 // version: 300 es
 // names: some
 // entry: mainImage main
+// composes: yes
+// directive: iChannel* iUniform iKeyboard iVertex iFirstPersonControls StrictCompatibility
 uniform vec3 iResolution; // = resolution
 uniform float iTime; // = time
 uniform float iTimeDelta; // = delta

@@ -40,6 +40,7 @@ fn plan(clues: &Clues) -> Plan {
             .filter_map(|c| defining(&c, clues, &name))
             .collect(),
         inputs: Vec::new(),
+        is_of_text: true,
     });
     let mut all: Vec<PlannedPass> = passes.collect();
     all.extend(picture.passes);

@@ -97,7 +97,7 @@ impl<'t> Clues<'t> {
     }
 
     /// What the words of a text show.
-    fn unread(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
+    pub(super) fn unread(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
         let guess = guess(text);
         let Words {
             words,

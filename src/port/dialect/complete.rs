@@ -3,7 +3,7 @@
 
 use super::clues::{Clues, VersionAsked};
 use shaderlint_diagnostic::Severity;
-use shaderlint_host::{Preset, declared_in};
+use shaderlint_host::{Preset, declared_in, matches_any};
 use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
 use shaderlint_semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
 use shaderlint_syntax::{Lexer, RawKind, Version};
@@ -54,7 +54,7 @@ impl Completion {
 
     /// A text behind a prelude, which brings the `#version`.
     pub fn behind(before: String, text: &str) -> Completion {
-        let changes = changes(text);
+        let changes = usual_changes(text);
         Completion {
             before: Arc::from(before),
             code: Arc::from(changed(text, &changes)),
@@ -335,15 +335,73 @@ fn old_lookups(clues: &Clues) -> String {
     text
 }
 
+/// What is changed in a text that a host compiles behind another, of which it obeys directives.
+pub(super) fn changes(text: &str, host: &Preset) -> Vec<TextChange> {
+    let obeyed = directives(text, |word| matches_any(&host.directives, word));
+    let hidden = obeyed.into_iter().map(|d| TextChange {
+        put: format!("//{}", text.get(d.start..d.end).unwrap_or("")),
+        range: d.start..d.end,
+        is_hidden: true,
+    });
+    let mut all = usual_changes(text);
+    all.extend(hidden);
+    in_order(all)
+}
+
 /// What is changed in a text that is compiled behind another.
-fn changes(text: &str) -> Vec<TextChange> {
+fn usual_changes(text: &str) -> Vec<TextChange> {
     let mut all = Vec::new();
     hide_first_lines(text, &mut all);
     hide_images(text, &mut all);
     make_struct_inputs(text, &mut all);
+    in_order(all)
+}
+
+/// Changes by their places; of those that overlap the first stays.
+fn in_order(mut all: Vec<TextChange>) -> Vec<TextChange> {
     all.sort_by_key(|c| (c.range.start, c.range.end));
     all.dedup_by(|next, last| next.range.start < last.range.end);
     all
+}
+
+/// A line with a directive.
+pub(super) struct Directive<'t> {
+    /// Where its `#` stands.
+    pub(super) start: usize,
+    /// Where the line ends.
+    pub(super) end: usize,
+    pub(super) word: &'t str,
+    /// What stands behind the word.
+    pub(super) rest: &'t str,
+}
+
+/// The lines of a text with directives of these words.
+pub(super) fn directives(text: &str, is_wanted: impl Fn(&str) -> bool) -> Vec<Directive<'_>> {
+    let mut lexer = Lexer::new(text, 0);
+    let mut found: Vec<Directive> = Vec::new();
+    let mut hash = None;
+    loop {
+        let token = lexer.next_token();
+        let (start, end) = (token.span.start as usize, token.span.end as usize);
+        match token.kind {
+            RawKind::End => return found,
+            RawKind::Whitespace => {}
+            RawKind::Hash => hash = Some(start),
+            RawKind::Word => {
+                let word = text.get(start..end).unwrap_or("");
+                if let Some(at) = hash.take().filter(|_| is_wanted(word)) {
+                    let rest = text.get(end..).and_then(|t| t.lines().next()).unwrap_or("");
+                    found.push(Directive {
+                        start: at,
+                        end: end + rest.len(),
+                        word,
+                        rest,
+                    });
+                }
+            }
+            _ => hash = None,
+        }
+    }
 }
 
 /// A text with its changes.
@@ -362,34 +420,13 @@ pub(super) fn changed(text: &str, changes: &[TextChange]) -> String {
 /// Makes comments of `#version` and `#extension` lines: what stands before the text has its own, and
 /// the language wants them first. What it would include is not at hand.
 fn hide_first_lines(text: &str, changes: &mut Vec<TextChange>) {
-    let mut lexer = Lexer::new(text, 0);
-    let mut hash = None;
-    loop {
-        let token = lexer.next_token();
-        let (start, end) = (token.span.start as usize, token.span.end as usize);
-        match token.kind {
-            RawKind::End => return,
-            RawKind::Hash => hash = Some(start),
-            RawKind::Whitespace => {}
-            RawKind::Word => {
-                let word = text.get(start..end).unwrap_or("");
-                let is_first = matches!(word, "version" | "extension" | "include");
-                let line = hash.filter(|_| is_first).and_then(|at| {
-                    let line = text.get(at..)?.lines().next()?;
-                    Some((at, line))
-                });
-                if let Some((at, line)) = line {
-                    changes.push(TextChange {
-                        range: at..at + line.len(),
-                        put: format!("//{line}"),
-                        is_hidden: true,
-                    });
-                }
-                hash = None;
-            }
-            _ => hash = None,
-        }
-    }
+    let is_first = |word: &str| matches!(word, "version" | "extension" | "include");
+    let lines = directives(text, is_first).into_iter();
+    changes.extend(lines.map(|d| TextChange {
+        put: format!("//{}", text.get(d.start..d.end).unwrap_or("")),
+        range: d.start..d.end,
+        is_hidden: true,
+    }));
 }
 
 /// Makes input blocks, which GLSL ES 3.00 has not, inputs of structs:
@@ -445,7 +482,7 @@ mod tests {
         let text =
             "#version 410 core\n # extension GL_X : enable\n#define version 1\n// #version\n";
         assert_eq!(
-            changed(text, &changes(text)),
+            changed(text, &usual_changes(text)),
             "//#version 410 core\n //# extension GL_X : enable\n#define version 1\n// #version\n"
         );
     }

@@ -143,6 +143,7 @@ fn plan(clues: &Clues) -> Plan {
                 output: OutputId(OutputId::IMAGE.to_string()),
                 candidates,
                 inputs: Vec::new(),
+                is_of_text: true,
             },
         };
         pass.inputs.clone_from(&head.inputs);

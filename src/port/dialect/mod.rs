@@ -32,7 +32,7 @@ pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
 use complete::{completions_behind, completions_of, declarations, has_images};
-use shaderlint_host::{Feed, Preset, TextSign, is_named, preset, presets};
+use shaderlint_host::{Feed, OWN, Preset, TextSign, is_named, preset, presets};
 use shaderlint_semantic::{Pass, Program, Stage};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -110,6 +110,8 @@ pub struct PlannedPass {
     pub candidates: Vec<Completion>,
     /// What its samplers read, where the text says it; by [`Input::uniform`].
     pub inputs: Vec<Input>,
+    /// Whether it is the text itself, and neither one beside it nor one that was made for it.
+    pub is_of_text: bool,
 }
 
 impl Plan {
@@ -122,6 +124,7 @@ impl Plan {
                 output: OutputId(OutputId::IMAGE.to_string()),
                 candidates,
                 inputs: Vec::new(),
+                is_of_text: true,
             }],
             ..Plan::default()
         }
@@ -137,6 +140,7 @@ impl PlannedPass {
             output: OutputId::of_dialect(name),
             candidates,
             inputs: Vec::new(),
+            is_of_text: true,
         }
     }
 
@@ -150,6 +154,7 @@ impl PlannedPass {
             output: OutputId(OutputId::IMAGE.to_string()),
             candidates: vec![Completion::bare(code)],
             inputs: vec![read_buffer("port_buffer", name)],
+            is_of_text: false,
         }
     }
 }
@@ -264,7 +269,7 @@ pub fn recognise(clues: &Clues) -> Option<Recognised> {
     let is_desktop = matches!(clues.asked, VersionAsked::Desktop(_));
     for host in presets().filter(|h| !is_desktop || h.runs_desktop()) {
         let signs = signs(host, clues);
-        let weight = signs.iter().map(|s| u32::from(s.weight)).sum();
+        let weight = weight(&signs);
         if weight >= ENOUGH {
             found.push((weight, host, signs));
         }
@@ -291,28 +296,58 @@ pub struct Hosted {
     pub recognised: Recognised,
     /// The text, and what goes around it.
     pub completion: Completion,
+    /// The texts beside it that it asks for, and that have not been read.
+    pub wanted: Vec<String>,
 }
 
-/// What becomes of a text for desktops that a known host runs: the one that the user names, or that
-/// the text shows. `None` where nothing shows one.
-pub fn hosted(text: &str, given: Option<&'static Preset>) -> Option<Hosted> {
-    let clues = Clues::of(text);
+/// How much evidence leaves no doubt: a form that no other host has.
+const SURE: u32 = 3 * OWN as u32;
+
+impl Hosted {
+    /// Whether there is no doubt of the host: the user names it, or the text has a form of its own.
+    pub fn is_sure(&self) -> bool {
+        let signs = &self.recognised.signs;
+        signs.is_empty() || weight(signs) >= SURE
+    }
+
+    /// What is changed in a piece of the text, so that it can be compiled there.
+    pub fn changes(&self, piece: &str) -> Vec<TextChange> {
+        match self.completion.before.is_empty() {
+            true => Vec::new(),
+            false => complete::changes(piece, self.recognised.host),
+        }
+    }
+}
+
+/// Whether a text may be of a host that composes a shader of it; asked before more is done to know.
+pub fn may_be_composed(text: &str) -> bool {
+    let nothing = TextsBeside::new();
+    let clues = Clues::unread(text, "", &nothing);
+    let mut hosts = presets().filter(|h| h.composes);
+    hosts.any(|h| weight(&signs(h, &clues)) >= ENOUGH)
+}
+
+/// What becomes of a text that a known host runs: the one that the user names, or that the text
+/// shows. `None` where nothing shows one.
+pub fn hosted(clues: &Clues, given: Option<&'static Preset>) -> Option<Hosted> {
     let recognised = match given {
         Some(host) => Recognised::given(host),
-        None => recognise(&clues).filter(|found| !found.signs.is_empty())?,
+        None => recognise(clues).filter(|found| !found.signs.is_empty())?,
     };
-    let plan = plan(recognised.host, &clues)?;
+    let host = recognised.host;
+    let plan = plan(host, clues)?;
     let draws_vertices = plan.draws.iter().any(|d| d.has_vertices);
     if plan.is_description || clues.guess.stage == Some(Stage::Vertex) && !draws_vertices {
         return None;
     }
-    let last = plan.passes.into_iter().next_back()?;
-    let completion = best(last.candidates)?;
-    // Places are those of the text only where it is all of it.
-    let is_text = *complete::changed(text, &completion.changes) == *completion.code;
-    is_text.then_some(Hosted {
+    let own = plan.passes.into_iter().rfind(|pass| pass.is_of_text)?;
+    let completion = best(own.candidates)?;
+    // Places are those of the text only where it is all of it; what directives put in is told apart.
+    let is_text = *complete::changed(clues.text, &completion.changes) == *completion.code;
+    (is_text || !host.directives.is_empty()).then_some(Hosted {
         recognised,
         completion,
+        wanted: plan.wanted,
     })
 }
 
@@ -359,6 +394,11 @@ fn own_text(program: &Program) -> Cow<'_, str> {
         [text] => Cow::Borrowed(*text),
         texts => Cow::Owned(texts.join("\n")),
     }
+}
+
+/// How much signs tell together.
+fn weight(signs: &[Sign]) -> u32 {
+    signs.iter().map(|s| u32::from(s.weight)).sum()
 }
 
 /// What speaks for a host, the strongest first.

@@ -159,6 +159,7 @@ impl<'d> Maker<'_, '_, 'd> {
                 output: OutputId(OutputId::IMAGE.to_string()),
                 candidates,
                 inputs: Vec::new(),
+                is_of_text: false,
             },
         };
         let samplers: Vec<&str> = inner

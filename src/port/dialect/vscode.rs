@@ -7,13 +7,12 @@
 //! another shader, `self` or a file; pictures are linear and repeated unless `::MagFilter`,
 //! `::MinFilter` and `::WrapMode` say otherwise, and buffers hold floats.
 
-use super::complete::modern;
+use super::complete::{self, Directive, modern};
 use super::isf::is_identifier;
 use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
 use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name};
-use shaderlint_host::{OWN, preset};
+use shaderlint_host::{OWN, matches_any, preset};
 use shaderlint_semantic::Pass;
-use shaderlint_syntax::{Lexer, RawKind};
 
 pub(super) static CODE: HostCode = HostCode {
     host: "vscode-shader-toy",
@@ -39,56 +38,14 @@ fn signs(clues: &Clues) -> Vec<Sign> {
     found
 }
 
-/// A line of the host's.
-struct Directive<'t> {
-    /// Where its `#` stands.
-    start: usize,
-    /// Where the line ends.
-    end: usize,
-    word: &'t str,
-    /// What stands behind the word.
-    rest: &'t str,
-}
-
 /// The lines of a text that are the host's.
 fn directives(text: &str) -> Vec<Directive<'_>> {
-    let mut lexer = Lexer::new(text, 0);
-    let mut found: Vec<Directive> = Vec::new();
-    let mut hash = None;
-    loop {
-        let token = lexer.next_token();
-        let (start, end) = (token.span.start as usize, token.span.end as usize);
-        match token.kind {
-            RawKind::End => return found,
-            RawKind::Whitespace => {}
-            RawKind::Hash => hash = Some(start),
-            RawKind::Word => {
-                let word = text.get(start..end).unwrap_or("");
-                if let Some(at) = hash.take().filter(|_| is_ours(word)) {
-                    let rest = text.get(end..).and_then(|t| t.lines().next()).unwrap_or("");
-                    found.push(Directive {
-                        start: at,
-                        end: end + rest.len(),
-                        word,
-                        rest,
-                    });
-                }
-            }
-            _ => hash = None,
-        }
-    }
-}
-
-fn is_ours(word: &str) -> bool {
-    const WORDS: [&str; 6] = [
-        "include",
-        "iUniform",
-        "iKeyboard",
-        "iVertex",
-        "iFirstPersonControls",
-        "StrictCompatibility",
-    ];
-    WORDS.contains(&word) || channel_of(word).is_some()
+    let own = preset("vscode-shader-toy").map_or(&[][..], |p| &p.directives);
+    let is_ours = |word: &str| match word.starts_with("iChannel") {
+        true => channel_of(word).is_some(),
+        false => word == "include" || matches_any(own, word),
+    };
+    complete::directives(text, is_ours)
 }
 
 fn channel_of(word: &str) -> Option<u8> {
@@ -166,6 +123,7 @@ impl Maker<'_, '_> {
         let inputs = told.channels.iter().filter_map(|c| self.input(path, c));
         let inputs: Vec<Input> = inputs.collect();
         let mut pass = PlannedPass::buffer(path, vec![completion(&code, &told)]);
+        pass.is_of_text = path.is_empty();
         pass.inputs = inputs;
         if told.has_keyboard {
             let keys = sampled("iKeyboard", InputKind::Keyboard, ("nearest", "clamp"));

@@ -1,0 +1,258 @@
+//! Texts of known hosts that WebGL does not compile as they stand: each is checked as what it becomes,
+//! which is what the port makes of it.
+
+use super::host::Hosts;
+use super::input::SplitInput;
+use super::options::{DialectChoice, Options};
+use super::part::Part;
+use super::reading::{Reading, Readings, lacking};
+use super::repair::repair;
+use super::world::World;
+use shaderlint_diagnostic::{Applicability, Diagnostic, Facet, Severity, error};
+use shaderlint_host::{Preset, preset};
+use shaderlint_port::{
+    Clues, Hosted, Project, TextChange, TextsBeside, calls_entry, hosted, may_be_composed,
+};
+use shaderlint_semantic::snippet::is_body;
+use shaderlint_semantic::{Checked, Dialect, Stage, guess};
+use shaderlint_text::{FileId, Role, Sources, Span};
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Most texts beside one that it is made of.
+const MAX_TEXTS: usize = 256;
+
+/// Whether the user says that a host runs a text which is a pass of ShaderToy by what it holds.
+pub(super) fn is_pass_of_another(text: &str, options: &Options) -> bool {
+    let host = options.host.preset.as_deref();
+    host.is_some_and(|host| calls_entry(host) && !host.composes) && guess(text).is_shadertoy()
+}
+
+/// Makes a part of a shader that a known host runs, which is a file or lies in one at an offset: of
+/// what it becomes there. Gives whether there is such a host.
+pub(super) fn part(
+    input: &mut SplitInput,
+    name: &str,
+    (file, start): (FileId, usize),
+    text: &str,
+    world: World,
+) -> Option<bool> {
+    let Some(found) = beside(name, text, given(world.options), world) else {
+        return Some(false);
+    };
+    let sources = Arc::make_mut(&mut input.sources);
+    let piece = sources.embed(file, start, text)?;
+    let reading = reading(sources, &[piece], &found)?;
+    let readings = Readings::whole(reading);
+    input
+        .parts
+        .push(Part::hosted(readings, found.recognised.host));
+    Some(true)
+}
+
+/// Reads a shader that lacks something as what its host makes of it, where the user names a host that
+/// composes shaders or the text shows one. Gives what is said of it then.
+pub(super) fn compose(
+    sources: &mut Arc<Sources>,
+    part: &mut Part,
+    hosts: &Hosts,
+    options: &Options,
+) -> Option<Checked> {
+    let given = given_composer(options);
+    let is_open = options.dialect == DialectChoice::Auto && options.host.preset.is_none();
+    let (text, pieces) = own_text(sources, part)?;
+    if given.is_none() && !(is_open && may_be_composed(&text)) {
+        return None;
+    }
+    let found = beside(hosts.name(), &text, given, hosts.world())?;
+    let host = found.recognised.host;
+    let is_vertex = found.completion.stage == Stage::Vertex;
+    let told = guess(&text);
+    let has_entry = told.has_main || told.is_shadertoy() || is_body(&text);
+    // Where there is nothing to call, no end is put behind.
+    let is_misread = !has_entry && !found.completion.behind.is_empty();
+    if !host.composes || is_misread || part.readings.is_vertex() && !is_vertex {
+        return None;
+    }
+    let reading = reading(Arc::make_mut(sources), &pieces, &found)?;
+    let mut readings = Readings::whole(reading);
+    let checked = readings.check(sources, false)?;
+    let lacks_main = checked
+        .diagnostics
+        .iter()
+        .any(|d| d.is(error::MISSING_MAIN));
+    let lacks_name = lacking(&checked).is_some_and(|names| !names.is_empty());
+    if !found.is_sure() && (lacks_main || lacks_name) {
+        return None;
+    }
+    // What is missing may declare what is unknown.
+    let is_open = part.readings.has_missing();
+    let checked = match lacks_main || is_open {
+        true => {
+            readings.open(host, is_open);
+            readings.check(sources, false)?
+        }
+        false => checked,
+    };
+    (part.readings, part.host) = (readings, Some(host));
+    (part.infer_channels, part.mipmapped) = (false, [None; 4]);
+    Some(checked)
+}
+
+/// The host of the table that the user names.
+fn given(options: &Options) -> Option<&'static Preset> {
+    let own = options.host.preset.as_deref()?;
+    preset(own.name)
+}
+
+/// The same, where it composes shaders.
+pub(super) fn given_composer(options: &Options) -> Option<&'static Preset> {
+    given(options).filter(|host| host.composes)
+}
+
+/// All that a user wrote of a part, and its pieces in order, with what they include.
+fn own_text(sources: &Sources, part: &Part) -> Option<(String, Vec<FileId>)> {
+    let is_own = |id: &FileId| sources.code(*id).is_some_and(|c| c.role == Role::User);
+    let pieces: Vec<FileId> = part
+        .reading()?
+        .files
+        .iter()
+        .copied()
+        .filter(is_own)
+        .collect();
+    let codes = pieces.iter().filter_map(|id| sources.code(*id));
+    Some((codes.map(|c| c.text).collect(), pieces))
+}
+
+/// What a user wrote of a part, before its host changed anything.
+fn text_before(sources: &Sources, part: &Part) -> Option<String> {
+    // What was changed lies between two pieces of one file.
+    let mut stretches: Vec<(FileId, Range<u32>)> = Vec::new();
+    for id in &part.reading()?.files {
+        let Some(code) = sources.code(*id).filter(|c| c.role == Role::User) else {
+            continue;
+        };
+        let file = sources.file_id_at(code.base)?;
+        let end = code.base + code.text.len() as u32;
+        match stretches.last_mut() {
+            Some((last, range)) if *last == file && range.end <= end => range.end = end,
+            _ => stretches.push((file, code.base..end)),
+        }
+    }
+    let texts = stretches.iter();
+    Some(
+        texts
+            .map(|(_, r)| sources.text(Span::new(r.start, r.end)))
+            .collect(),
+    )
+}
+
+/// What a host makes of a text, with those beside it that it asks for.
+fn beside(name: &str, text: &str, given: Option<&'static Preset>, world: World) -> Option<Hosted> {
+    let path = Path::new(name);
+    let title = path.file_stem().map_or("".into(), |s| s.to_string_lossy());
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut texts = TextsBeside::new();
+    loop {
+        let found = hosted(&Clues::beside(text, &title, &texts), given)?;
+        let known = texts.len();
+        for asked in &found.wanted {
+            if !texts.contains_key(asked) && texts.len() < MAX_TEXTS {
+                let text = world.files.load(&folder.join(asked)).ok();
+                texts.insert(asked.clone(), text);
+            }
+        }
+        if texts.len() == known {
+            return Some(found);
+        }
+    }
+}
+
+/// Leaves out what GLSL of desktops takes and the port puts right unasked: conversions, words, and
+/// all of it where nothing is wrong any more behind that.
+pub(super) fn leave_repaired(
+    sources: &Sources,
+    (part, host): (&Part, &'static Preset),
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let is_error = |d: &Diagnostic| d.severity == Severity::Error;
+    let is_safe = |d: &Diagnostic| {
+        let fix = d.fix.as_ref();
+        fix.is_some_and(|fix| fix.applicability == Applicability::Safe)
+    };
+    let is_desktop = |d: &Diagnostic| d.kind.is_some_and(|kind| kind.has(Facet::Desktop));
+    diagnostics.retain(|d| !is_desktop(d) || !is_safe(d));
+    let mut errors = diagnostics.iter().filter(|d| is_error(d)).peekable();
+    let is_left = errors.peek().is_some() && errors.all(is_desktop);
+    let text = || text_before(sources, part);
+    if is_left && text().is_some_and(|text| is_repaired(host, &text).unwrap_or(false)) {
+        diagnostics.retain(|d| !is_error(d));
+    }
+}
+
+/// Whether the port's repairs make a shader of a host one that compiles.
+fn is_repaired(host: &'static Preset, text: &str) -> Option<bool> {
+    let mut project = Project::draft("", text, Some(host)).ok()?;
+    let composed = project.resolve("").ok()?;
+    repair(&mut project, &composed, "")?;
+    Some(!project.resolve("").ok()?.has_errors())
+}
+
+/// The pieces of a text with what goes around them and the changes in them. What is a comment there
+/// has the same length here, so that places stay.
+fn reading(sources: &mut Sources, pieces: &[FileId], found: &Hosted) -> Option<Reading> {
+    let completion = &found.completion;
+    let mut files = Vec::new();
+    if !completion.before.is_empty() {
+        files.push(sources.add("", None, Role::Prelude, completion.before.clone())?);
+    }
+    for piece in pieces {
+        let code = sources.code(*piece)?;
+        let (base, text) = (code.base, code.text.to_string());
+        let file = sources.file_id_at(base)?;
+        let start = (base - sources.file(file)?.base) as usize;
+        put(
+            sources,
+            (file, start),
+            &text,
+            &found.changes(&text),
+            &mut files,
+        )?;
+    }
+    if !completion.behind.is_empty() {
+        files.push(sources.add("", None, Role::Prelude, completion.behind.clone())?);
+    }
+    Some(Reading {
+        files,
+        stage: completion.stage,
+        dialect: Dialect::WebGl,
+    })
+}
+
+/// Adds a piece that stands at an offset of a file, with the changes in it.
+fn put(
+    sources: &mut Sources,
+    (file, start): (FileId, usize),
+    text: &str,
+    changes: &[TextChange],
+    files: &mut Vec<FileId>,
+) -> Option<()> {
+    let mut code = text.as_bytes().to_vec();
+    let hidden = changes.iter().filter(|c| c.is_hidden);
+    for byte in hidden.flat_map(|c| c.range.clone()) {
+        match code.get_mut(byte) {
+            Some(b'\n' | b'\r') | None => {}
+            Some(byte) => *byte = b' ',
+        }
+    }
+    let code = String::from_utf8(code).ok()?;
+    let mut from = 0;
+    for change in changes.iter().filter(|c| !c.is_hidden) {
+        files.push(sources.embed(file, start + from, code.get(from..change.range.start)?)?);
+        files.push(sources.add("", None, Role::Prelude, change.put.clone())?);
+        from = change.range.end;
+    }
+    files.push(sources.embed(file, start + from, code.get(from..)?)?);
+    Some(())
+}
