@@ -92,11 +92,6 @@ impl Dialect {
     pub const fn is_shadertoy(self) -> bool {
         matches!(self, Dialect::ShaderToy(_))
     }
-
-    /// The stage that passes are written for.
-    pub const fn default_stage(self) -> Stage {
-        Stage::Fragment
-    }
 }
 
 /// What a text seems to be written for.

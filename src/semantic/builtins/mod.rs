@@ -147,16 +147,6 @@ impl Overload {
         self.out & 1 << position != 0
     }
 
-    /// Whether its last argument shifts the level that a lookup reads.
-    pub fn has_bias(&self) -> bool {
-        match self.function.kind() {
-            BuiltinKind::Lookup(lookup) => {
-                lookup.level == Level::Implicit && self.count > 2 + lookup.has_offset as u8
-            }
-            BuiltinKind::Math | BuiltinKind::Derivative(_) | BuiltinKind::Size => false,
-        }
-    }
-
     /// Its result of constant arguments, given as scalars; `None` where it is not known.
     pub fn fold(&self, args: &[&[Value]]) -> Option<Vec<Value>> {
         let first = self.params().first().copied().unwrap_or(Type::VOID);
@@ -341,15 +331,16 @@ mod tests {
             for version in [Version::Es100, Version::Es300] {
                 for overload in Builtins::of(version, stage).overloads {
                     let BuiltinKind::Lookup(lookup) = overload.function.kind() else {
-                        assert!(!overload.has_bias());
                         continue;
                     };
+                    let offset = lookup.has_offset as u8;
                     let level = match lookup.level {
-                        Level::Implicit => overload.has_bias() as u8,
+                        // Its last argument may shift the level.
+                        Level::Implicit => u8::from(overload.count > 2 + offset),
                         Level::Explicit | Level::Fetch => 1,
                         Level::Gradient => 2,
                     };
-                    let count = 2 + level + lookup.has_offset as u8;
+                    let count = 2 + level + offset;
                     assert_eq!(overload.count, count, "{overload:?}");
                     assert_eq!(overload.constant != 0, lookup.has_offset, "{overload:?}");
                 }

@@ -2,8 +2,7 @@
 //! where the grammar fails is tried, and those stay under which the reading gets furthest.
 
 use super::correction::{Certainty, Change, Choice, VALUE_TYPES, change_tokens};
-use super::{Parser, Repairs};
-use crate::ast::Tree;
+use super::{ParseOptions, Parser};
 use crate::set::{self, TokenSet};
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::Diagnostic;
@@ -56,25 +55,15 @@ struct Candidate {
 impl<'a> Parser<'a> {
     /// A parser of other tokens, which makes no corrections itself.
     pub(super) fn trial(&self, tokens: Vec<Token>) -> Parser<'a> {
+        let options = ParseOptions {
+            version: self.version,
+            is_fragment: self.is_fragment,
+        };
+        let end = tokens.last().copied().unwrap_or(self.end);
         Parser {
-            end: tokens.last().copied().unwrap_or(self.end),
-            tokens,
-            at: 0,
-            depth: 0,
-            function_open: 0,
-            behind_error: None,
-            missing_brace_at: None,
-            fault: None,
-            repairs: Repairs::default(),
-            item_before: None,
+            end,
             structs: None,
-            has_unknown_types: false,
-            tree: Tree::default(),
-            open_args: Vec::new(),
-            open_stmts: Vec::new(),
-            reserved: Vec::new(),
-            diagnostics: Vec::new(),
-            ..*self
+            ..Parser::new(self.sources, self.all, self.names, options, tokens)
         }
     }
 
