@@ -1,6 +1,6 @@
 //! For programs: one object, or one object a line. The README describes the fields.
 
-use super::summary::Summary;
+use super::summary::{ReadAs, Summary};
 use serde::Serialize;
 use serde_json::json;
 use shaderlint_diagnostic::{Diagnostic, Label, MacroUse};
@@ -105,9 +105,16 @@ struct JsonDiagnostic<'a> {
     part: Option<bool>,
     #[serde(skip_serializing_if = "Option::is_none")]
     host: Option<String>,
+    /// What the file is read as that was checked; it may be another, which includes this one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    read_as: Option<&'a str>,
 }
 
-fn convert<'a>(sources: &'a Sources, d: &'a Diagnostic) -> JsonDiagnostic<'a> {
+fn convert<'a>(
+    sources: &'a Sources,
+    d: &'a Diagnostic,
+    read_as: Option<&'a ReadAs>,
+) -> JsonDiagnostic<'a> {
     let file = sources.file_at(d.span.start);
     let pass_at = |span: Span| sources.file_at(span.start).and_then(|f| f.part.as_deref());
     let label = |l: &'a Label| JsonLabel {
@@ -151,6 +158,7 @@ fn convert<'a>(sources: &'a Sources, d: &'a Diagnostic) -> JsonDiagnostic<'a> {
             .as_ref()
             .filter(|p| !p.is_empty())
             .map(|p| p.join(", ")),
+        read_as: read_as.map(|r| r.read_as.as_str()),
     }
 }
 
@@ -171,13 +179,18 @@ pub fn write(
     is_first: bool,
 ) -> io::Result<()> {
     out.write_all(if is_first { b"\n" } else { b",\n" })?;
-    serde_json::to_writer(&mut *out, &convert(sources, d))?;
+    serde_json::to_writer(&mut *out, &convert(sources, d, None))?;
     Ok(())
 }
 
 /// Writes one finding as a line of its own.
-pub fn write_line(out: &mut impl Write, sources: &Sources, d: &Diagnostic) -> io::Result<()> {
-    serde_json::to_writer(&mut *out, &convert(sources, d))?;
+pub fn write_line(
+    out: &mut impl Write,
+    sources: &Sources,
+    d: &Diagnostic,
+    read_as: Option<&ReadAs>,
+) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, &convert(sources, d, read_as))?;
     out.write_all(b"\n")
 }
 
@@ -201,5 +214,10 @@ pub fn end(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
         "unrun_shaders": summary.unrun_shaders,
         "unrun_functions": unrun
     });
-    writeln!(out, "\n],\"summary\":{value}}}")
+    let readings = summary.readings.iter();
+    let readings: Vec<_> = readings
+        .map(|(file, r)| json!({"file": file, "hosts": r.hosts, "read_as": r.read_as}))
+        .collect();
+    let readings = json!(readings);
+    writeln!(out, "\n],\"readings\":{readings},\"summary\":{value}}}")
 }

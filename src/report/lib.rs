@@ -21,7 +21,7 @@ mod xml;
 pub use fingerprint::fingerprints;
 pub use human::render;
 pub use sarif::Pages;
-pub use summary::{Scope, Summary};
+pub use summary::{ReadAs, Scope, Summary};
 
 use place::clean;
 use shaderlint_diagnostic::{Diagnostic, Origin, Severity};
@@ -130,6 +130,11 @@ impl<W: Write> Reporter<W> {
         self
     }
 
+    /// Whether the format says what each input was read as.
+    pub fn tells_readings(&self) -> bool {
+        matches!(self.format, Format::Json | Format::Jsonl)
+    }
+
     /// Counts findings that were mended before they could be reported.
     pub fn add_fixed(&mut self, count: usize) {
         self.summary.fixed += count;
@@ -177,14 +182,14 @@ impl<W: Write> Reporter<W> {
         self.summary.left_out += left_out;
         let missing = scope.left_out + left_out;
         if missing == 0 {
-            return self.print(name, sources, diagnostics);
+            return self.print((name, scope), sources, diagnostics);
         }
         let noun = if missing == 1 { "finding" } else { "findings" };
         let more = format!("and {missing} more {noun}");
         let mut printed = worst(diagnostics);
         match self.format {
             Format::Human | Format::Short | Format::Agent => {
-                self.print(name, sources, &printed)?;
+                self.print((name, scope), sources, &printed)?;
                 writeln!(self.out, "{}: {more}", clean(name))
             }
             _ => {
@@ -193,12 +198,18 @@ impl<W: Write> Reporter<W> {
                     .map_or(Span::at(0), |d| Span::at(d.span.start));
                 let (rule, origin) = ("more-findings", Origin::Report);
                 printed.push(Diagnostic::new(rule, origin, Severity::Info, at, more));
-                self.print(name, sources, &printed)
+                self.print((name, scope), sources, &printed)
             }
         }
     }
 
-    fn print(&mut self, name: &str, sources: &Sources, found: &[Diagnostic]) -> io::Result<()> {
+    fn print(
+        &mut self,
+        (name, scope): (&str, &Scope),
+        sources: &Sources,
+        found: &[Diagnostic],
+    ) -> io::Result<()> {
+        let read_as = scope.read_as.as_ref();
         match self.format {
             Format::Checkstyle => checkstyle::file(&mut self.out, name, sources, found)?,
             Format::Junit => junit::file(&mut self.out, name, sources, found)?,
@@ -212,7 +223,7 @@ impl<W: Write> Reporter<W> {
                 Format::Short => short::write(out, sources, diagnostic)?,
                 Format::Agent => agent::write(out, sources, diagnostic, &mut self.told)?,
                 Format::Json => json::write(out, sources, diagnostic, self.printed == 0)?,
-                Format::Jsonl => json::write_line(out, sources, diagnostic)?,
+                Format::Jsonl => json::write_line(out, sources, diagnostic, read_as)?,
                 Format::Github => github::write(out, sources, diagnostic, &self.root)?,
                 _ => {}
             }

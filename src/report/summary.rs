@@ -6,11 +6,22 @@ use std::collections::BTreeSet;
 /// Most names in one line.
 const MAX_NAMES: usize = 5;
 
+/// What an input was read as.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct ReadAs {
+    /// Who runs its shaders, by the names that `--host` takes.
+    pub hosts: Vec<&'static str>,
+    /// What it is, in words, as `-v` says it.
+    pub read_as: String,
+}
+
 /// What was looked at in one input, and what was not.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Scope {
     /// Shaders that were read in it.
     pub shaders: usize,
+    /// What it was read as, where the format says that.
+    pub read_as: Option<ReadAs>,
     /// Shaders in which no rule ran, since they have errors outside their functions.
     pub unrun_shaders: usize,
     /// The functions in which no rule ran, since they have errors.
@@ -66,6 +77,8 @@ pub struct Summary {
     pub unrun_shaders: usize,
     /// Functions in which no rule ran, in the order of the text, and the file of each.
     pub unrun_functions: Vec<(String, String)>,
+    /// The inputs, and what each was read as, where the format says that.
+    pub readings: Vec<(String, ReadAs)>,
 }
 
 impl Summary {
@@ -81,6 +94,9 @@ impl Summary {
     /// Counts what was looked at.
     pub fn enter(&mut self, input: &str, scope: &Scope) {
         self.shaders += scope.shaders;
+        let read_as = scope.read_as.iter().cloned();
+        self.readings
+            .extend(read_as.map(|r| (input.to_string(), r)));
         self.holding += usize::from(scope.shaders > 0);
         self.left_out += scope.left_out;
         self.hidden += scope.hidden;

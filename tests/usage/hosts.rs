@@ -190,6 +190,43 @@ fn hosts_of_shaders_inside_other_files_are_known() {
     assert!(!ported(&scratch, Path::new("a.md"), &[]).1);
 }
 
+/// Programs are told who runs a file in the words that people read.
+#[test]
+fn programs_are_told_what_a_file_is_read_as() {
+    let bonzomatic = Path::new(DIALECTS).join("bonzomatic/default.glsl");
+    let bonzomatic = fs::read_to_string(bonzomatic).unwrap();
+    let toy = "void mainImage(out vec4 c, vec2 p) { c = vec4(x); }\n";
+    let text = format!("```glsl\n{ISF}```\n");
+    let files = [
+        ("a.glsl", &bonzomatic[..]),
+        ("b.glsl", toy),
+        ("c.md", &text),
+    ];
+    let scratch = Scratch::new(&files);
+    let said = scratch.run(&[".", "-v"]).err;
+    let json = scratch.run(&[".", "--format", "json"]).out;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let readings = json["readings"].as_array().unwrap();
+    let hosts: Vec<&serde_json::Value> = readings.iter().map(|r| &r["hosts"][0]).collect();
+    assert_eq!(hosts, ["bonzomatic", "shadertoy", "isf"]);
+    for (reading, (file, _)) in readings.iter().zip(files) {
+        let read_as = reading["read_as"].as_str().unwrap();
+        let line = format!("{file}: read as {read_as}; no configuration");
+        assert!(
+            reading["file"] == file && said.contains(&line),
+            "{line}\n{said}"
+        );
+    }
+    let lines = scratch.run(&["b.glsl", "--format", "jsonl"]).out;
+    let line: serde_json::Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
+    assert_eq!(line["read_as"], readings[1]["read_as"]);
+    let named = scratch
+        .run(&["b.glsl", "--format", "json", "--host", "kodi"])
+        .out;
+    let named: serde_json::Value = serde_json::from_str(&named).unwrap();
+    assert_eq!(named["readings"][0]["hosts"][0], "kodi");
+}
+
 #[test]
 fn a_name_of_no_host_is_told_with_those_close_to_it() {
     let scratch = Scratch::new(&[("a.glsl", "void main() {}")]);

@@ -227,9 +227,12 @@ impl FindingPrinter<'_> {
         }
         let options = self.configs.options(Path::new(&input.name)).ok();
         let settings = options.as_ref().map(|o| &o.settings);
-        let found = &mut report.diagnostics;
         let mut scope = scope_of(&report.shaders);
         scope.left_out = report.left_out;
+        if self.reporter.tells_readings() {
+            scope.read_as = Some(verbose::reading(&input.name, &report, self.configs));
+        }
+        let found = &mut report.diagnostics;
         if let Some(settings) = settings {
             let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
             let before = found.iter().filter(is_error).count();

@@ -4,21 +4,29 @@ use super::super::command::complain;
 use super::super::config::Configs;
 use super::super::input::{InputFile, PassedOver};
 use crate::engine::{Report, Shader, Wholeness};
+use crate::host::shadertoy;
 use crate::lint::{Proof, Unrun};
-use crate::port::{Clues, TextsBeside, recognise};
+use crate::port::{Clues, Recognised, TextsBeside, recognise};
+use crate::report::ReadAs;
 use crate::semantic::Stage;
 use std::path::Path;
 
 /// Most names that are told of one shader.
 const MAX_NAMES: usize = 20;
 
-/// What one file was read as.
+/// What one file was read as, and the configuration for it.
 pub fn read(input: &InputFile, report: &Report, configs: &Configs) -> String {
     let here = std::env::current_dir().unwrap_or_default();
     let config = match configs.file_of(Path::new(&input.name)) {
         Some(file) => format!("{}", file.strip_prefix(&here).unwrap_or(&file).display()),
         None => "no configuration".to_string(),
     };
+    let told = reading(&input.name, report, configs).read_as;
+    format!("{}: read as {told}; {config}", input.name)
+}
+
+/// What one file was read as.
+pub fn reading(name: &str, report: &Report, configs: &Configs) -> ReadAs {
     let shaders = match report.shaders.as_slice() {
         [] => "no shader".to_string(),
         all => {
@@ -38,15 +46,29 @@ pub fn read(input: &InputFile, report: &Report, configs: &Configs) -> String {
             lines.collect::<Vec<_>>().join("; ")
         }
     };
-    let host = told_host(&input.name, report)
-        .filter(|_| !configs.names_host())
-        .map_or(String::new(), |told| told + ": ");
-    format!("{}: read as {host}{shaders}; {config}", input.name)
+    let given = configs.options(Path::new(name)).ok();
+    let given = given.and_then(|o| o.host.preset.as_ref().map(|p| p.name));
+    let shown = recognised(name, report).filter(|_| !configs.names_host());
+    let read_as = match &shown {
+        Some(found) => format!("{}: {shaders}", found.title_and_signs()),
+        None => shaders,
+    };
+    let runs = |s: &Shader| match s.dialect.is_shadertoy() {
+        true => shadertoy().map(|p| p.name),
+        false => s.host.map(|p| p.name),
+    };
+    let mut hosts: Vec<&str> = report.shaders.iter().filter_map(runs).collect();
+    if hosts.is_empty() {
+        let shown = shown.map(|found| found.host.name);
+        hosts.extend(given.filter(|name| !name.is_empty()).or(shown));
+    }
+    hosts.dedup();
+    ReadAs { hosts, read_as }
 }
 
 /// Who runs a shader file, and what shows it, as `shaderport` tells it. What ShaderToy's player runs
 /// is told by its passes.
-fn told_host(name: &str, report: &Report) -> Option<String> {
+fn recognised(name: &str, report: &Report) -> Option<Recognised> {
     let file = report.file.and_then(|id| report.sources.file(id))?;
     if report.holds_shaders() || report.shaders.is_empty() {
         return None;
@@ -54,8 +76,7 @@ fn told_host(name: &str, report: &Report) -> Option<String> {
     let title = Path::new(name).file_stem()?.to_string_lossy();
     let nothing = TextsBeside::new();
     let found = recognise(&Clues::beside(&file.text, &title, &nothing))?;
-    let is_told = !found.signs.is_empty() && !found.is_player();
-    is_told.then(|| found.title_and_signs())
+    (!found.signs.is_empty() && !found.is_player()).then_some(found)
 }
 
 /// What one shader was read as, and where rules did not look.
