@@ -5,7 +5,7 @@ use super::host::Hosts;
 use super::input::SplitInput;
 use super::options::{DialectChoice, Options};
 use super::part::Part;
-use super::reading::{Reading, Readings, lacking};
+use super::reading::{Reading, Readings};
 use super::repair::repair;
 use super::world::World;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Facet, Severity, error};
@@ -82,8 +82,8 @@ pub(super) fn compose(
         .diagnostics
         .iter()
         .any(|d| d.is(error::MISSING_MAIN));
-    let lacks_name = lacking(&checked).is_some_and(|names| !names.is_empty());
-    if !found.is_sure() && (lacks_main || lacks_name) {
+    // Names alone may be those of a host that is not known.
+    if !found.is_sure() && checked.has_errors() {
         return None;
     }
     // What is missing may declare what is unknown.

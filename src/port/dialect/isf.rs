@@ -31,7 +31,12 @@ pub(super) static CODE: HostCode = HostCode {
 fn signs(clues: &Clues) -> Vec<Sign> {
     let mut found = Vec::new();
     if head(clues.text).is_some_and(|text| KEYS.iter().any(|key| text.contains(key))) {
-        found.push(Sign::new("its head, a JSON object with `INPUTS`", 3 * OWN));
+        let what = "its head, a JSON object with `INPUTS`";
+        // What a head that cannot be read declares is not known.
+        found.push(match head(clues.text).is_some_and(|h| object(h).is_ok()) {
+            true => Sign::form(what, 3 * OWN),
+            false => Sign::new(what, 3 * OWN),
+        });
     }
     for word in [
         "vv_FragNormCoord",

@@ -32,7 +32,7 @@ pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
 use complete::{completions_behind, completions_of, declarations, has_images};
-use shaderlint_host::{Feed, OWN, Preset, TextSign, is_named, preset, presets};
+use shaderlint_host::{Feed, Preset, TextSign, is_named, preset, presets};
 use shaderlint_semantic::{Pass, Program, Stage};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -55,6 +55,8 @@ pub struct Sign {
     pub what: String,
     /// How much it tells; [`ENOUGH`] is enough.
     pub weight: u8,
+    /// Whether it is a form that the texts of no other host have, which leaves no doubt.
+    pub is_form: bool,
 }
 
 impl Sign {
@@ -63,6 +65,15 @@ impl Sign {
         Sign {
             what: what.into(),
             weight,
+            is_form: false,
+        }
+    }
+
+    /// A form that the texts of one host have alone.
+    pub fn form(what: impl Into<String>, weight: u8) -> Sign {
+        Sign {
+            is_form: true,
+            ..Sign::new(what, weight)
         }
     }
 }
@@ -300,14 +311,11 @@ pub struct Hosted {
     pub wanted: Vec<String>,
 }
 
-/// How much evidence leaves no doubt: a form that no other host has.
-const SURE: u32 = 3 * OWN as u32;
-
 impl Hosted {
     /// Whether there is no doubt of the host: the user names it, or the text has a form of its own.
     pub fn is_sure(&self) -> bool {
         let signs = &self.recognised.signs;
-        signs.is_empty() || weight(signs) >= SURE
+        signs.is_empty() || signs.iter().any(|sign| sign.is_form)
     }
 
     /// What is changed in a piece of the text, so that it can be compiled there.

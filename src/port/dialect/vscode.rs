@@ -24,15 +24,16 @@ fn signs(clues: &Clues) -> Vec<Sign> {
     let all = directives(clues.text);
     let sign = |d: &Directive| match d.word {
         // Other tools include files, too, but no text of ShaderToy's does.
-        "include" => clues.has_word("mainImage").then_some(OWN + 1),
-        _ => Some(3 * OWN),
+        "include" => {
+            let is_pass = clues.has_word("mainImage");
+            is_pass.then(|| Sign::new("`#include`", OWN + 1))
+        }
+        word => Some(Sign::form(format!("`#{word}`"), 3 * OWN)),
     };
     let mut found: Vec<Sign> = Vec::new();
     for directive in &all {
-        if let Some(weight) = sign(directive)
-            && found.is_empty()
-        {
-            found.push(Sign::new(format!("`#{}`", directive.word), weight));
+        if found.is_empty() {
+            found.extend(sign(directive));
         }
     }
     found
