@@ -61,8 +61,12 @@ pub(super) fn compose(
 ) -> Option<Checked> {
     let given = given_composer(options);
     let is_open = options.dialect == DialectChoice::Auto && options.host.preset.is_none();
+    // What has a version needs none of them.
+    if given.is_none() && (!is_open || part.readings.has_version()) {
+        return None;
+    }
     let (text, pieces) = own_text(sources, part)?;
-    if given.is_none() && !(is_open && may_be_composed(&text)) {
+    if given.is_none() && !may_be_composed(&text) {
         return None;
     }
     let found = beside(hosts.name(), &text, given, hosts.world())?;

@@ -7,6 +7,7 @@ use super::args::{LintArgs, Talk};
 use super::baseline::{self, Baseline};
 use super::examine::{Outcome, examine_all};
 use super::mend::{Mend, Mended};
+use super::verbose::Recognition;
 use super::{explain, verbose};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::engine::{Offer, Report, Shader, Wholeness};
@@ -230,7 +231,12 @@ impl FindingPrinter<'_> {
         let mut scope = scope_of(&report.shaders);
         scope.left_out = report.left_out;
         if self.reporter.tells_readings() {
-            scope.read_as = Some(verbose::reading(&input.name, &report, self.configs));
+            scope.read_as = Some(verbose::reading(
+                &input.name,
+                &report,
+                self.configs,
+                Recognition::WhereComposed,
+            ));
         }
         let found = &mut report.diagnostics;
         if let Some(settings) = settings {

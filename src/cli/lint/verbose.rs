@@ -21,12 +21,21 @@ pub fn read(input: &InputFile, report: &Report, configs: &Configs) -> String {
         Some(file) => format!("{}", file.strip_prefix(&here).unwrap_or(&file).display()),
         None => "no configuration".to_string(),
     };
-    let told = reading(&input.name, report, configs).read_as;
+    let told = reading(&input.name, report, configs, Recognition::Always).read_as;
     format!("{}: read as {told}; {config}", input.name)
 }
 
+/// Which files are looked at once more to tell who runs them.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Recognition {
+    /// All.
+    Always,
+    /// Those that were checked as what their host makes of them: it takes as long as checking.
+    WhereComposed,
+}
+
 /// What one file was read as.
-pub fn reading(name: &str, report: &Report, configs: &Configs) -> ReadAs {
+pub fn reading(name: &str, report: &Report, configs: &Configs, recognition: Recognition) -> ReadAs {
     let shaders = match report.shaders.as_slice() {
         [] => "no shader".to_string(),
         all => {
@@ -48,7 +57,10 @@ pub fn reading(name: &str, report: &Report, configs: &Configs) -> ReadAs {
     };
     let given = configs.options(Path::new(name)).ok();
     let given = given.and_then(|o| o.host.preset.as_ref().map(|p| p.name));
-    let shown = recognised(name, report).filter(|_| !configs.names_host());
+    let is_composed = report.shaders.iter().any(|s| s.host.is_some());
+    let is_asked = recognition == Recognition::Always || is_composed;
+    let is_asked = is_asked && !configs.names_host();
+    let shown = is_asked.then(|| recognised(name, report)).flatten();
     let read_as = match &shown {
         Some(found) => format!("{}: {shaders}", found.title_and_signs()),
         None => shaders,

@@ -329,6 +329,10 @@ impl Hosted {
 
 /// Whether a text may be of a host that composes a shader of it; asked before more is done to know.
 pub fn may_be_composed(text: &str) -> bool {
+    // What tells passes of the player's from those of its likes are directives.
+    if text.contains("mainImage") && !vscode::may_have_directives(text) {
+        return false;
+    }
     let nothing = TextsBeside::new();
     let clues = Clues::unread(text, "", &nothing);
     let mut hosts = presets().filter(|h| h.composes);

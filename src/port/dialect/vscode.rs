@@ -39,14 +39,25 @@ fn signs(clues: &Clues) -> Vec<Sign> {
     found
 }
 
+/// Whether a text may have directives of the host's: a comment may hold what looks like one.
+pub(super) fn may_have_directives(text: &str) -> bool {
+    let behind = text.split('#').skip(1).map(str::trim_start);
+    let mut words = behind.filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric()).next());
+    words.any(is_ours)
+}
+
 /// The lines of a text that are the host's.
 fn directives(text: &str) -> Vec<Directive<'_>> {
+    complete::directives(text, is_ours)
+}
+
+/// Whether a directive of this name is the host's.
+fn is_ours(word: &str) -> bool {
     let own = preset("vscode-shader-toy").map_or(&[][..], |p| &p.directives);
-    let is_ours = |word: &str| match word.starts_with("iChannel") {
+    match word.starts_with("iChannel") {
         true => channel_of(word).is_some(),
         false => word == "include" || matches_any(own, word),
-    };
-    complete::directives(text, is_ours)
+    }
 }
 
 fn channel_of(word: &str) -> Option<u8> {
