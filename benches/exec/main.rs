@@ -46,7 +46,7 @@ fn scene(analysis: &Analysis, watch: Watch) -> Scene {
         watch,
         ..CompileOptions::default()
     };
-    Scene::of(&analysis.program, analysis.module(), &options).expect("it can be run")
+    Scene::of(&analysis.program, None, analysis.module(), &options).expect("it can be run")
 }
 
 /// What is measured of a template.
@@ -74,8 +74,7 @@ fn measured(name: &str) -> serde_json::Value {
         "sampling_ms": asked(plain.draw(SIZE, &moment)),
         "watched_sampling_ms": asked(watched.draw(SIZE, &moment)),
         "lower_ms": best(|| drop(black_box(lower(&analysis.program)))),
-        "compile_ms": best(|| drop(black_box(Scene::of(
-            &analysis.program, analysis.module(), &options,
+        "compile_ms": best(|| drop(black_box(Scene::of(&analysis.program, None, analysis.module(), &options,
         )))),
         "pixel_one_core_ns": one * 1e6 / pixels,
         "pixel_all_cores_ns": whole(&plain, cores) * 1e6 / pixels,

@@ -1,5 +1,6 @@
 //! A checked shader that outlives the call that checked it: what editors and runs keep.
 
+use shaderlint_host::Preset;
 use shaderlint_ir::Module;
 use shaderlint_lint::{Facts, Known};
 use shaderlint_semantic::{Checked, Program, Wholeness};
@@ -15,16 +16,24 @@ pub struct Analysis {
     pub wholeness: Wholeness,
     /// Whether the browser would refuse it as it stands.
     pub has_errors: bool,
+    /// Who runs it, as the user says or the text asks for.
+    pub host: Option<&'static Preset>,
     known: Arc<Known>,
 }
 
 impl Analysis {
     /// `known` is what the rules have found out already.
-    pub(super) fn new(checked: Checked, has_errors: bool, known: Arc<Known>) -> Analysis {
+    pub(super) fn new(
+        checked: Checked,
+        has_errors: bool,
+        host: Option<&'static Preset>,
+        known: Arc<Known>,
+    ) -> Analysis {
         Analysis {
             program: Arc::new(checked.program),
             wholeness: checked.wholeness,
             has_errors,
+            host,
             known,
         }
     }

@@ -14,9 +14,8 @@ use super::world::Keep;
 use shaderlint_diagnostic::{
     Applicability, Certainty, Diagnostic, Facet, Severity, Subject, error,
 };
-use shaderlint_lint::{
-    Allows, Around, Facts, Judged, Known, Settings, Unrun, keep_comments, lint_within,
-};
+use shaderlint_host::Preset;
+use shaderlint_lint::{Allows, Around, Facts, Judged, Known, Unrun, keep_comments, lint_within};
 use shaderlint_rules::RULES;
 use shaderlint_semantic::{Checked, Wholeness};
 use shaderlint_syntax::{Version, WordClass, classify};
@@ -56,7 +55,7 @@ pub fn check_part(
         sources,
         part,
         (&mut checked, &known),
-        &options.settings,
+        options,
         &mut found.allows,
         &mut found.diagnostics,
     )?;
@@ -67,9 +66,19 @@ pub fn check_part(
         found.diagnostics.append(&mut own);
     }
     if keep == Keep::Programs {
-        part.analysis = Some(Analysis::new(checked, told.0.has_errors, known));
+        part.analysis = Some(Analysis::new(
+            checked,
+            told.0.has_errors,
+            host_of(part, options),
+            known,
+        ));
     }
     Some(told)
+}
+
+/// Who runs a shader: what it was read for, or else what the user says.
+fn host_of(part: &Part, options: &Options) -> Option<&'static Preset> {
+    part.host.or(options.host.preset)
 }
 
 /// Checks a shader. Where it lacks something, its host is looked for first.
@@ -111,7 +120,7 @@ fn tell_part(
     sources: &Sources,
     part: &Part,
     (checked, found): (&mut Checked, &Arc<Known>),
-    settings: &Settings,
+    options: &Options,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(Shader, Option<Judged>)> {
@@ -131,7 +140,7 @@ fn tell_part(
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
     let errors = checked.diagnostics.iter().filter(is_error).count();
     allows.expect(&checked.program, RULES, &mut checked.diagnostics);
-    let (unrun, left_out) = run_rules(part, (checked, found), settings, allows, diagnostics);
+    let (unrun, left_out) = run_rules(part, (checked, found), options, allows, diagnostics);
     keep_under_hosts(sources, &part.readings, &mut checked.diagnostics);
     if wholeness != Wholeness::Whole {
         // The program around a part knows its names.
@@ -191,7 +200,7 @@ fn keep_of_excerpt(diagnostics: &mut Vec<Diagnostic>) {
 fn run_rules(
     part: &Part,
     (checked, known): (&Checked, &Arc<Known>),
-    settings: &Settings,
+    options: &Options,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> (Unrun, usize) {
@@ -208,7 +217,7 @@ fn run_rules(
     let program = &checked.program;
     let errors = checked.diagnostics.iter().chain(&open.unknown);
     let errors: Vec<Diagnostic> = errors.cloned().collect();
-    let supply = Supply::of(program);
+    let supply = Supply::of(program, host_of(part, options));
     let around = Around {
         embedder: part.embedder,
         mipmapped: part.mipmapped,
@@ -216,7 +225,7 @@ fn run_rules(
     };
     let mut facts = Facts::of(program, known);
     facts.around = around;
-    let unrun = lint_within(facts, &errors, RULES, settings, &mut found);
+    let unrun = lint_within(facts, &errors, RULES, &options.settings, &mut found);
     if unrun != Unrun::Everywhere {
         allows.apply(program, RULES, &mut found);
     }

@@ -9,7 +9,7 @@ use super::reading::{Reading, Readings};
 use super::repair::repair;
 use super::world::World;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Facet, Severity, error};
-use shaderlint_host::{Preset, preset};
+use shaderlint_host::Preset;
 use shaderlint_port::{
     Clues, Hosted, Project, TextChange, TextsBeside, calls_entry, hosted, may_be_composed,
 };
@@ -25,7 +25,7 @@ const MAX_TEXTS: usize = 256;
 
 /// Whether the user says that a host runs a text which is a pass of ShaderToy by what it holds.
 pub(super) fn is_pass_of_another(text: &str, options: &Options) -> bool {
-    let host = options.host.preset.as_deref();
+    let host = options.host.preset;
     host.is_some_and(|host| calls_entry(host) && !host.composes) && guess(text).is_shadertoy()
 }
 
@@ -38,7 +38,13 @@ pub(super) fn part(
     text: &str,
     world: World,
 ) -> Option<bool> {
-    let Some(found) = beside(name, text, given(world.options), world) else {
+    // One that a user wrote runs GLSL of desktops only where it says so.
+    let takes = |host: &&Preset| {
+        let is_pass = is_pass_of_another(text, world.options);
+        is_pass || !host.name.is_empty() || host.runs_desktop()
+    };
+    let given = world.options.host.preset.filter(takes);
+    let Some(found) = beside(name, text, given, world) else {
         return Some(false);
     };
     let sources = Arc::make_mut(&mut input.sources);
@@ -104,15 +110,9 @@ pub(super) fn compose(
     Some(checked)
 }
 
-/// The host of the table that the user names.
-fn given(options: &Options) -> Option<&'static Preset> {
-    let own = options.host.preset.as_deref()?;
-    preset(own.name)
-}
-
-/// The same, where it composes shaders.
+/// The host that the user names, where it composes shaders.
 pub(super) fn given_composer(options: &Options) -> Option<&'static Preset> {
-    given(options).filter(|host| host.composes)
+    options.host.preset.filter(|host| host.composes)
 }
 
 /// All that a user wrote of a part, and its pieces in order, with what they include.

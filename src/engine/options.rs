@@ -1,7 +1,7 @@
 //! How a text is judged: what it is written for, what completes it, where its files are found.
 
 use super::memo::Memo;
-use shaderlint_host::Preset;
+use shaderlint_host::{Preset, kept};
 use shaderlint_lint::Settings;
 use shaderlint_rules::RULES;
 use shaderlint_text::kind::Claim;
@@ -86,7 +86,7 @@ pub enum DialectChoice {
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct HostNames {
     /// The host that completes the shaders.
-    pub preset: Option<Arc<Preset>>,
+    pub preset: Option<&'static Preset>,
     /// The file in which the user describes a host, as the configuration names it.
     pub prelude: Option<String>,
     /// Further uniforms.
@@ -96,11 +96,11 @@ pub struct HostNames {
 impl HostNames {
     /// Puts what the user says of a host behind the preset.
     pub fn describe(&mut self, own: Preset) {
-        let described = match &self.preset {
+        let described = match self.preset {
             Some(preset) => own.over(preset),
             None => own,
         };
-        self.preset = Some(Arc::new(described));
+        self.preset = Some(kept(described));
     }
 }
 

@@ -162,7 +162,7 @@ impl Readings {
         if standing == Standing::Part && is_body(code) {
             found.put_in_function(sources)?;
         }
-        let given = options.host.preset.as_deref().filter(|p| found.may_host(p));
+        let given = options.host.preset.filter(|p| found.may_host(p));
         if let Some(preset) = given.filter(|_| !told.is_shadertoy()) {
             found.host(sources, &[preset], options)?;
             let is_all = told.has_main && preset.is_complete && !found.text.is_open;

@@ -114,7 +114,7 @@ pub fn equal(before: &Program, after: &Program, fuel: &mut u64) -> Result<Equali
     // Both get what the names mean in the original.
     let scene = |program: &Program| {
         let options = CompileOptions::default();
-        let scene = Scene::bound(program, &lower(program), bindings(before), &options);
+        let scene = Scene::bound(program, &lower(program), bindings(before, None), &options);
         scene.map_err(|refusal| refusal.what)
     };
     let stage = before.stage;

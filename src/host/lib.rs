@@ -20,7 +20,7 @@ use list::FILES;
 use near::none_of;
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// What version of the language a host compiles as.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -156,6 +156,19 @@ pub fn preset(name: &str) -> Option<&'static Preset> {
     }
 }
 
+/// Keeps a host that a user wrote, as those of the table are, until the program ends; the same one is
+/// kept once.
+pub fn kept(host: Preset) -> &'static Preset {
+    static KEPT: Mutex<Vec<&'static Preset>> = Mutex::new(Vec::new());
+    let mut all = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = all.iter().find(|own| ***own == host) {
+        return known;
+    }
+    let own: &'static Preset = Box::leak(Box::new(host));
+    all.push(own);
+    own
+}
+
 /// ShaderToy's player.
 pub fn shadertoy() -> Option<&'static Preset> {
     preset("shadertoy")
@@ -271,12 +284,12 @@ impl Preset {
 
     /// What is put before a shader of a stage.
     pub fn declarations(&self, is_vertex: bool) -> String {
-        let stage = if is_vertex {
-            "VERTEX_SHADER"
-        } else {
-            "FRAGMENT_SHADER"
-        };
-        format!("#define {stage} 1\n{}\n#undef {stage}\n", self.prelude)
+        for_stage(&self.prelude, is_vertex)
+    }
+
+    /// The part of that which is its own, and not its base's.
+    pub fn own_declarations(&self, is_vertex: bool) -> String {
+        for_stage(self.prelude.get(self.own_start..).unwrap_or(""), is_vertex)
     }
 
     /// Whether a text has places that the host puts something in: a hole around a word.
@@ -336,6 +349,15 @@ impl Preset {
     pub fn has_word(&self, name: &str) -> bool {
         matches_any(&self.words, name)
     }
+}
+
+/// What is put before a shader, for one of the stages.
+fn for_stage(prelude: &str, is_vertex: bool) -> String {
+    let stage = match is_vertex {
+        true => "VERTEX_SHADER",
+        false => "FRAGMENT_SHADER",
+    };
+    format!("#define {stage} 1\n{prelude}\n#undef {stage}\n")
 }
 
 /// Whether a name is one of some, of which those that end with `*` stand for all that begin so.
@@ -447,6 +469,10 @@ impl Preset {
         self.put_behind(base);
         self.is_complete &= base.is_complete;
         self.version = base.version;
+        self.base = Some(base.name);
+        if self.entries.is_empty() {
+            self.entries = base.entries.clone();
+        }
         self
     }
 

@@ -77,7 +77,7 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
 
 /// What a host gives a uniform of this name, where its table says it.
 fn given(program: &Program, name: &str) -> Option<&'static str> {
-    let bound = bindings(program);
+    let bound = bindings(program, None);
     let uniform = bound.uniforms.iter().find(|u| u.name == name)?;
     let is_known = !matches!(uniform.source, Feed::Control | Feed::Identity);
     is_known.then(|| uniform.source.says())

@@ -109,5 +109,5 @@ fn scene(analysis: &Analysis, options: &CompileOptions) -> Option<Scene> {
     if analysis.has_errors || analysis.program.stage != Stage::Fragment {
         return None;
     }
-    Scene::of(&analysis.program, analysis.module(), options).ok()
+    Scene::of(&analysis.program, analysis.host, analysis.module(), options).ok()
 }

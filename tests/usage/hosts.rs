@@ -9,7 +9,6 @@ use shaderlint::lint::Settings;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Arc;
 
 const DIALECTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/dialects");
 
@@ -290,6 +289,77 @@ fn a_described_host_builds_on_another() {
     assert_eq!(scratch.run(&["a.frag"]).code, 0);
 }
 
+/// A shader of the host that `host.glsl` describes gets what that says in all programs, and a mistake in
+/// it is one in both.
+fn own_host(scratch: &Scratch, file: &str, more: &[&str]) {
+    let args = |first: &[&'static str]| -> Vec<String> {
+        let all = first.iter().chain(more).map(|a| a.to_string());
+        all.chain([file.to_string()]).collect()
+    };
+    let run = |first: &[&'static str]| {
+        let args = args(first);
+        scratch.run(&args.iter().map(String::as_str).collect::<Vec<_>>())
+    };
+    let linted = run(&["-v"]);
+    assert_eq!(linted.code, 0, "{}", linted.out);
+    let shot = ["run", "--time", "0.25", "--size", "2x2", "--format", "json"];
+    let drawn: serde_json::Value = serde_json::from_str(&run(&shot).out).unwrap();
+    let mean = &drawn["outputs"][0]["mean"];
+    assert_eq!(*mean, serde_json::json!([0.25, 0.5, 0.5]), "{drawn}");
+    let page = Command::new(get_cargo_bin("shaderport"))
+        .current_dir(scratch.path(""))
+        .args(args(&["-t", "html"]))
+        .output()
+        .unwrap();
+    let page = String::from_utf8(page.stdout).unwrap();
+    for given in [("tick", "float", "time"), ("area", "vec2", "resolution")] {
+        let (name, ty, source) = given;
+        let given = format!(r#""name":"{name}","type":"{ty}","source":"{source}""#);
+        assert!(page.contains(&given), "{file}: {given}");
+    }
+    let text = fs::read_to_string(scratch.path(file)).unwrap();
+    scratch.write(file, text.replace("/ area", "/ arae"));
+    let wrong = run(&["--format", "short"]);
+    assert!(
+        wrong
+            .out
+            .contains("error[undeclared-name]: nothing declares `arae`"),
+        "{}",
+        wrong.out
+    );
+    assert!(!ported(scratch, Path::new(file), more).1);
+}
+
+/// What a user says of a host is as good as what the table says of its own.
+#[test]
+fn a_host_of_ones_own_is_as_good_as_others() {
+    let names = "uniform float tick; // = time\nuniform vec2 area; // = resolution\n";
+    let three = format!("// Mine\n//\n// As three.js.\n//\n// base: three\n// names: all\n{names}");
+    let over = format!("// Mine\n//\n// More of three.js.\n//\n// names: all\n{names}");
+    let image = format!(
+        "// Mine\n//\n// A tool.\n//\n// version: 300 es\n// names: all\n// entry: mainImage\n{names}"
+    );
+    let main = "void main() { gl_FragColor = vec4(fract(tick), gl_FragCoord.xy / area, 1.0); }\n";
+    let entry = "void mainImage(out vec4 c, in vec2 p) { c = vec4(fract(tick), p / area, 1.0); }\n";
+    let prelude = "[host]\nprelude = \"host.glsl\"\n";
+    let preset = "[host]\npreset = \"webgl\"\nprelude = \"host.glsl\"\n";
+    for (host, code, toml) in [
+        (&three, main, prelude),
+        (&over, main, prelude),
+        (&over, main, preset),
+        (&image, entry, prelude),
+    ] {
+        let configured = [
+            ("shaderlint.toml", toml),
+            ("host.glsl", host),
+            ("a.glsl", code),
+        ];
+        own_host(&Scratch::new(&configured), "a.glsl", &[]);
+        let named = [("host.glsl", &host[..]), ("a.glsl", code)];
+        own_host(&Scratch::new(&named), "a.glsl", &["--host", "host.glsl"]);
+    }
+}
+
 /// Whether something in a text shows a host.
 fn is_shown(host: &Preset) -> bool {
     let names = &host.meanings;
@@ -326,7 +396,7 @@ fn what_hosts_declare_compiles() {
     for host in presets() {
         for name in ["a.frag", "a.vert"] {
             let mut options = Options::new(DialectChoice::Auto, Settings::of_rules(&[]));
-            options.host.preset = Some(Arc::new(host.clone()));
+            options.host.preset = Some(host);
             let report = check(
                 name,
                 "float part(float x) {\n    return x;\n}\n",

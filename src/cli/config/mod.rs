@@ -6,7 +6,7 @@ mod project;
 use crate::engine::config::{Config, Selection, options, parse, style};
 use crate::engine::{HostNames, Memo, Options};
 use crate::format::{Style, StyleChoice};
-use crate::host::read as read_host;
+use crate::host::{Preset, host_named, kept, read as read_host};
 use crate::lint::{Settings, UnknownRule};
 use crate::rules::RULES;
 use project::ProjectFolders;
@@ -224,6 +224,34 @@ fn load(file: &Path) -> Result<Arc<Config>, Arc<str>> {
         }
     }
     Ok(Arc::new(config))
+}
+
+/// The host that a user names: one of the table, or a file of GLSL that describes one.
+///
+/// # Errors
+/// What is wrong with the name, or with the file.
+pub fn host_of(name: &str) -> Result<&'static Preset, String> {
+    if !name.ends_with(".glsl") {
+        return host_named(name);
+    }
+    let text = fs::read_to_string(name).map_err(|e| format!("{name}: {e}"))?;
+    let own = read_host(&text).map_err(|e| format!("{name}:{}: {}", e.line, e.message))?;
+    Ok(kept(own))
+}
+
+/// The host that the configuration of a file names.
+///
+/// # Errors
+/// What is wrong with the configuration.
+pub fn configured_host(path: &Path) -> Result<Option<&'static Preset>, String> {
+    let configs = Configs::new(ConfigArgs {
+        given: Selection::default(),
+        source: Source::Nearest,
+        exclusion: Exclusion::Found,
+        paths: Vec::new(),
+    });
+    let options = configs.options(path).map_err(|e| e.to_string())?;
+    Ok(options.host.preset)
 }
 
 /// Reads the file in which the user describes a host; a preset comes before it.

@@ -2,9 +2,10 @@
 
 use super::super::color::ColorChoice;
 use super::super::config::{ConfigArgs, Exclusion, Source};
+use crate::cli::config::host_of;
 use crate::engine::DialectChoice;
 use crate::engine::config::Selection;
-use crate::host::{Preset, host_named};
+use crate::host::Preset;
 use crate::report::Format;
 use clap::{ArgAction, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -53,8 +54,9 @@ pub struct LintArgs {
     )]
     #[arg(conflicts_with_all = ["select", "ignore"])]
     pub only: Vec<String>,
-    /// Who runs or completes the shaders, like `three` or `bonzomatic`; an unknown name shows all
-    #[arg(long, value_name = "NAME", value_parser = host_named, help_heading = "Rules")]
+    /// Who runs or completes the shaders, like `three` or `bonzomatic`, or a file that describes one; an
+    /// unknown name shows all
+    #[arg(long, value_name = "NAME", value_parser = host_of, help_heading = "Rules")]
     #[arg(conflicts_with = "dialect")]
     pub host: Option<&'static Preset>,
     /// What the shaders are written for: auto, shadertoy, webgl2, webgl1

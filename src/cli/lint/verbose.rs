@@ -56,7 +56,7 @@ pub fn reading(name: &str, report: &Report, configs: &Configs, recognition: Reco
         }
     };
     let given = configs.options(Path::new(name)).ok();
-    let given = given.and_then(|o| o.host.preset.as_ref().map(|p| p.name));
+    let given = given.and_then(|o| o.host.preset.map(|p| p.name));
     let is_composed = report.shaders.iter().any(|s| s.host.is_some());
     let is_asked = recognition == Recognition::Always || is_composed;
     let is_asked = is_asked && !configs.names_host();

@@ -25,7 +25,8 @@ pub struct PortArgs {
     /// What to make; without it the ending of the output tells
     #[arg(short, long, value_enum, value_name = "TARGET")]
     pub(super) target: Option<Target>,
-    /// Who runs the code, like `shadertoy`, `glsl-sandbox` or `bonzomatic`; without it the code tells.
+    /// Who runs the code, like `shadertoy`, `glsl-sandbox` or `bonzomatic`, or a file that describes one;
+    /// without it the configuration or the code tells.
     /// An unknown name shows all
     #[arg(long, value_name = "NAME", visible_alias = "from")]
     pub(super) host: Option<String>,

@@ -5,8 +5,9 @@ use super::beside::{draft_beside, folder_of};
 use super::channels::{GivenOrder, file_of, orders};
 use super::media::{Carried, is_cube};
 use super::read::{plain_error, read_text, shown};
+use crate::cli::config::{configured_host, host_of};
 use crate::engine::{Repairs, repair, repair_webgl1};
-use crate::host::{Preset, host_named};
+use crate::host::Preset;
 use crate::port::{
     ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, TextsBeside, add_stand_ins,
     unknown_pass, unknown_source,
@@ -152,7 +153,7 @@ pub(in crate::cli) fn draft(
 
 /// The host that the user says runs the code.
 fn host(from: Option<&str>) -> Result<Option<&'static Preset>, String> {
-    let named = from.map(|name| host_named(name).map_err(|e| format!("--host: {e}")));
+    let named = from.map(|name| host_of(name).map_err(|e| format!("--host: {e}")));
     named.transpose()
 }
 
@@ -283,6 +284,10 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
         String::new()
     } else {
         stem(path)
+    };
+    let from = match from {
+        None if name != "-" => configured_host(path)?,
+        from => from,
     };
     let mut beside = TextsBeside::new();
     let mut draft = |text: &str| {

@@ -30,7 +30,8 @@ pub struct RunArgs {
     /// structs
     #[arg(long, value_name = "FILE", help_heading = "Moment")]
     pub uniforms: Option<PathBuf>,
-    /// Who runs the code, like `shadertoy`, `glsl-sandbox` or `isf`; without it the code tells
+    /// Who runs the code, like `shadertoy`, `glsl-sandbox` or `isf`, or a file that describes one; without
+    /// it the configuration or the code tells
     #[arg(
         long,
         value_name = "NAME",

@@ -322,7 +322,7 @@ fn alone(
     let program = &composed.analysis(unit).program;
     let scene = match (unit.wrapper, project.passes.get(unit.pass)) {
         (Wrapper::Own, Some(pass)) => Scene::bound(program, module, pass.bound.clone(), options),
-        _ => Scene::of(program, module, options),
+        _ => Scene::of(program, project.host, module, options),
     };
     let mut scene = scene.map_err(|refusal| refused(&composed.sources, program, name, &refusal))?;
     let described = project.controls.iter().take(project.described);

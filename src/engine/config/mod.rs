@@ -194,7 +194,7 @@ pub fn options(
         options.dialect = given.dialect;
     }
     if let Some(host) = given.host {
-        options.host.preset = Some(Arc::new(host.clone()));
+        options.host.preset = Some(host);
     }
     options.settings = Arc::new(settings);
     Ok(options)

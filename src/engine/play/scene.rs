@@ -4,7 +4,7 @@
 use super::moment::Moment;
 use super::varyings::Varyings;
 use shaderlint_exec::{Code, CompileOptions, Draw, Refusal, UniformSlot, compile};
-use shaderlint_host::Feed;
+use shaderlint_host::{Feed, Preset};
 use shaderlint_ir::Module;
 use shaderlint_port::{Bindings, UniformControl, bindings};
 use shaderlint_semantic::{Program, Storage, Type};
@@ -46,16 +46,17 @@ pub enum Unfit {
 
 impl Scene {
     /// A shader that brings its own uniforms, or a pass that ShaderToy's player completes, by the
-    /// meaning of its names.
+    /// meaning of its names. `host` is who runs it, as the user says.
     ///
     /// # Errors
     /// What of it cannot be run.
     pub fn of(
         program: &Program,
+        host: Option<&'static Preset>,
         module: &Module,
         options: &CompileOptions,
     ) -> Result<Scene, Refusal> {
-        Scene::bound(program, module, bindings(program), options)
+        Scene::bound(program, module, bindings(program, host), options)
     }
 
     /// A shader of which it is known what it is given.

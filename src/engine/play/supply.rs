@@ -4,7 +4,7 @@ use super::moment::{Button, Moment, Mouse};
 use super::player::{player_draw, player_gives};
 use super::scene::Given;
 use shaderlint_exec::{Code, Draw};
-use shaderlint_host::Feed;
+use shaderlint_host::{Feed, Preset};
 use shaderlint_lint::trial::{Instant, Supplier};
 use shaderlint_port::bindings;
 use shaderlint_semantic::Program;
@@ -13,19 +13,23 @@ use std::cell::OnceCell;
 /// What a checked shader is given, found out when that is asked for.
 pub(crate) struct Supply<'p> {
     program: &'p Program,
+    /// Who runs it, as the user says.
+    host: Option<&'static Preset>,
     given: OnceCell<Given>,
 }
 
 impl<'p> Supply<'p> {
-    pub fn of(program: &'p Program) -> Supply<'p> {
+    pub fn of(program: &'p Program, host: Option<&'static Preset>) -> Supply<'p> {
         Supply {
             program,
+            host,
             given: OnceCell::new(),
         }
     }
 
     fn given(&self) -> &Given {
-        self.given.get_or_init(|| Given::of(bindings(self.program)))
+        self.given
+            .get_or_init(|| Given::of(bindings(self.program, self.host)))
     }
 }
 

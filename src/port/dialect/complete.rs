@@ -90,6 +90,16 @@ impl Completion {
         }
     }
 
+    /// The same with a `main` behind the text that calls ShaderToy's entry.
+    pub fn calling_image(self) -> Completion {
+        let (declared, color) = match self.before.starts_with("#version 300") {
+            true => ("out vec4 port_Color;\n", "port_Color"),
+            false => ("", "gl_FragColor"),
+        };
+        let main = format!("void main() {{\n    mainImage({color}, gl_FragCoord.xy);\n}}\n");
+        self.with_end(&format!("\n{declared}{main}"))
+    }
+
     /// The same with something behind the text.
     pub fn with_end(self, behind: &str) -> Completion {
         Completion {
@@ -184,7 +194,11 @@ pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) 
 
 /// What a host declares, without what the text declares itself.
 pub(super) fn declarations(host: &Preset, clues: &Clues, is_vertex: bool) -> String {
-    let text = host.declarations(is_vertex);
+    without_own(&host.declarations(is_vertex), clues)
+}
+
+/// Declarations without those of names that the text declares itself.
+pub(super) fn without_own(text: &str, clues: &Clues) -> String {
     let is_theirs = |line: &&str| declared_in(line).is_none_or(|name| !clues.declares(name));
     let lines = text.lines().filter(|l| !l.is_empty()).filter(is_theirs);
     lines.map(|line| format!("{line}\n")).collect()

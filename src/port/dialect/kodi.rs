@@ -4,7 +4,7 @@
 //! `--host` tells them.
 
 use super::complete::completions_behind;
-use super::{Clues, HostCode, Plan};
+use super::{Clues, Completion, HostCode, Plan};
 use shaderlint_host::preset;
 
 pub(super) static CODE: HostCode = HostCode {
@@ -26,14 +26,6 @@ fn plan(clues: &Clues) -> Plan {
         false => "",
     };
     let all = completions_behind(clues, &format!("{host}{names}"), false);
-    let main = "\nvoid main() {\n    mainImage(gl_FragColor, gl_FragCoord.xy);\n}\n";
-    let new =
-        "\nout vec4 port_Color;\nvoid main() {\n    mainImage(port_Color, gl_FragCoord.xy);\n}\n";
-    let ended = all
-        .into_iter()
-        .map(|c| match c.before.starts_with("#version 300") {
-            true => c.with_end(new),
-            false => c.with_end(main),
-        });
+    let ended = all.into_iter().map(Completion::calling_image);
     Plan::picture(ended.collect())
 }

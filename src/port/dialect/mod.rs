@@ -31,7 +31,7 @@ pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
-use complete::{completions_behind, completions_of, declarations, has_images};
+use complete::{completions_behind, completions_of, declarations, has_images, without_own};
 use shaderlint_host::{Feed, Preset, TextSign, is_named, preset, presets};
 use shaderlint_semantic::{Pass, Program, Stage};
 use std::borrow::Cow;
@@ -219,8 +219,26 @@ fn with_usual(host: &Preset) -> impl Iterator<Item = &Preset> {
 pub(super) fn plan(host: &Preset, clues: &Clues) -> Option<Plan> {
     match code_of(host) {
         Some(code) => code.plan.map(|plan| plan(clues)),
-        None => Some(usual_plan(host, clues)),
+        None => Some(match base_plan(host) {
+            Some(plan) => plan_with_own(plan(clues), host, clues),
+            None => usual_plan(host, clues),
+        }),
     }
+}
+
+/// How a text becomes passes for the host that one builds on.
+fn base_plan(host: &Preset) -> Option<fn(&Clues) -> Plan> {
+    code_of(preset(host.base?)?)?.plan
+}
+
+/// A plan of a host's base, with what the host declares besides.
+fn plan_with_own(mut plan: Plan, host: &Preset, clues: &Clues) -> Plan {
+    let own = without_own(&host.own_declarations(false), clues);
+    let candidates = plan.passes.iter_mut().flat_map(|p| &mut p.candidates);
+    for candidate in candidates.filter(|c| !c.before.is_empty()) {
+        candidate.before = Arc::from(format!("{}{own}", candidate.before));
+    }
+    plan
 }
 
 /// One pass: the text behind what its host declares, and as it stands.
@@ -229,6 +247,15 @@ fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
     if !host.prelude.trim().is_empty() {
         let before = declarations(host, clues, false);
         candidates = completions_behind(clues, &before, false);
+    }
+    let calls = host.entries.iter().any(|entry| entry == "mainImage");
+    if calls && clues.has_word("mainImage") && !clues.guess.has_main {
+        return Plan::picture(
+            candidates
+                .into_iter()
+                .map(Completion::calling_image)
+                .collect(),
+        );
     }
     candidates.extend(completions_of(clues));
     let mut plan = Plan::picture(candidates);
@@ -365,15 +392,16 @@ pub fn hosted(clues: &Clues, given: Option<&'static Preset>) -> Option<Hosted> {
 
 /// Whether a host other than ShaderToy's player calls ShaderToy's entry.
 pub fn calls_entry(host: &Preset) -> bool {
-    let is_completed = code_of(host).is_some_and(|code| code.plan.is_some());
-    is_completed && host.entries.iter().any(|entry| entry == "mainImage")
+    !is_player(host) && host.entries.iter().any(|entry| entry == "mainImage")
 }
 
-/// What a checked shader is given that is whole, or that ShaderToy's player completes.
-pub fn bindings(program: &Program) -> Bindings {
+/// What a checked shader is given that is whole, or that ShaderToy's player completes. `given` is who
+/// runs it, as the user says.
+pub fn bindings(program: &Program, given: Option<&'static Preset>) -> Bindings {
     let text = own_text(program);
     let clues = Clues::checked(&text, program);
-    let Some(recognised) = recognise(&clues) else {
+    let given = given.map(Recognised::given);
+    let Some(recognised) = given.or_else(|| recognise(&clues)) else {
         return Bindings::default();
     };
     let mut bound = bind(program, recognised.host, (&[], &[]), None, None);

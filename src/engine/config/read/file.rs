@@ -12,7 +12,6 @@ use shaderlint_host::{Preset, host_named, names};
 use shaderlint_lint::Renderer;
 use shaderlint_syntax::{Version, WordClass, classify};
 use std::collections::BTreeMap;
-use std::sync::Arc;
 use toml::Spanned;
 
 // Two structs have the keys of a layer: serde forgets the places of what it flattens.
@@ -167,13 +166,13 @@ pub struct DescribedHost {
 #[derive(Deserialize, JsonSchema)]
 #[serde(try_from = "String")]
 #[schemars(with = "String", extend("enum" = names()))]
-pub struct KnownHost(Arc<Preset>);
+pub struct KnownHost(&'static Preset);
 
 impl TryFrom<String> for KnownHost {
     type Error = String;
 
     fn try_from(name: String) -> Result<KnownHost, String> {
-        Ok(KnownHost(Arc::new(host_named(&name)?.clone())))
+        Ok(KnownHost(host_named(&name)?))
     }
 }
 

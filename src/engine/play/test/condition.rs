@@ -162,7 +162,7 @@ impl TestedPixel<'_> {
             probe: Some(Probe::Value(module.op_of(program.tree.unparen(id))?)),
             ..CompileOptions::default()
         };
-        let scene = Scene::of(program, module, &options).ok()?;
+        let scene = Scene::of(program, self.analysis.host, module, &options).ok()?;
         let draw = scene.draw(SIZE, &Moment::at(self.time));
         let (sampled, at) = draw_quad(&draw, self.pixel)?;
         let [.., value, reached] = &sampled.outputs[..] else {

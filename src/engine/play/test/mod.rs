@@ -77,7 +77,12 @@ pub fn run_test(analysis: &Analysis, test: FunctionRef) -> TestVerdict {
         entry: Some(test),
         ..CompileOptions::default()
     };
-    let scene = match Scene::of(&analysis.program, analysis.module(), &options) {
+    let scene = match Scene::of(
+        &analysis.program,
+        analysis.host,
+        analysis.module(),
+        &options,
+    ) {
         Ok(scene) => scene,
         Err(refusal) => return refused(analysis, &refusal),
     };
