@@ -9,7 +9,7 @@ use super::part::Part;
 use super::reading::{InputText, Readings, Surroundings};
 use super::world::World;
 use shaderlint_diagnostic::{Applicability, Diagnostic, error};
-use shaderlint_host::preset;
+use shaderlint_host::shadertoy;
 use shaderlint_semantic::snippet::{SnippetItem, items};
 use shaderlint_semantic::{GuessedKind, Stage, guess, needs_300};
 use shaderlint_syntax::{Version, WordClass, classify};
@@ -95,7 +95,7 @@ struct Around {
 /// Whether the shaders of a text speak of GLSL ES 3.00, or of ShaderToy, and none of 1.00: then its
 /// excerpts are of that version too.
 fn speaks_of_300(all: &[Embedded]) -> bool {
-    let shadertoy = preset("shadertoy");
+    let shadertoy = shadertoy();
     let words = shadertoy.map_or(&[][..], |p| p.words.as_slice());
     let is_new = |e: &Embedded| {
         let uses_player = words.iter().any(|w| e.code.contains(w.as_str()));

@@ -98,6 +98,8 @@ pub struct Preset {
     /// Whether what it puts around a text depends on that, so that a text is checked as what it
     /// becomes.
     pub composes: bool,
+    /// What names of files with its passes end with.
+    pub endings: Vec<String>,
     /// Directives that it obeys before the text is compiled; `*` at the end stands for anything.
     pub directives: Vec<String>,
     /// The functions that it calls.
@@ -244,6 +246,7 @@ impl Preset {
             ("Adds nothing to texts of", &self.complete),
             ("Unless changed by", &self.patched),
             ("May declare", &self.also),
+            ("Passes in files that end with", &self.endings),
             ("Obeys the directives", &self.directives),
         ] {
             if !words.is_empty() {
@@ -343,6 +346,11 @@ impl Preset {
     pub fn is_complete_in(&self, script: &str) -> bool {
         let uses = |name: &String| script.contains(name.as_str());
         self.is_complete || self.complete.iter().any(uses) && !self.patched.iter().any(uses)
+    }
+
+    /// Whether a file with this ending may hold a pass of it.
+    pub fn has_ending(&self, ending: &str) -> bool {
+        self.endings.iter().any(|own| own == ending)
     }
 
     /// Whether only this host declares a name.
@@ -523,7 +531,7 @@ pub fn declared_in(line: &str) -> Option<&str> {
 }
 
 /// The keys of a head.
-const KEYS: [&str; 20] = [
+const KEYS: [&str; 21] = [
     "alias",
     "reads",
     "base",
@@ -544,6 +552,7 @@ const KEYS: [&str; 20] = [
     "also",
     "composes",
     "directive",
+    "ending",
 ];
 
 /// Whether a word in front of a colon may be meant as a key.
@@ -589,6 +598,7 @@ impl Preset {
             "patched" => self.patched.extend(words()),
             "also" => self.also.extend(words()),
             "directive" => self.directives.extend(words()),
+            "ending" => self.endings.extend(words()),
             "renames" => self.renames = yes_or_no(value)?,
             "composes" => self.composes = yes_or_no(value)?,
             "names" => {

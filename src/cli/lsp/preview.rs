@@ -4,6 +4,7 @@ use super::buffers::TextBuffer;
 use super::snapshot::{Answer, Failure, Snapshot};
 use crate::diagnostic::Severity;
 use crate::engine::Files;
+use crate::host::shadertoy;
 use crate::port::{Composed, PassFile, PassRole, Project, add_stand_ins, html};
 use crate::semantic::Pass;
 use std::path::Path;
@@ -82,6 +83,6 @@ fn parts(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<PassFile> {
 /// What a file is for, by its name.
 fn role_of(name: &str) -> Option<PassRole> {
     let (stem, ending) = name.rsplit_once('.')?;
-    let is_shader = matches!(ending, "glsl" | "frag" | "fs" | "shadertoy");
+    let is_shader = shadertoy().is_some_and(|host| host.has_ending(ending));
     PassRole::of_name(stem).filter(|_| is_shader)
 }

@@ -7,7 +7,7 @@ use super::media::{Carried, is_cube};
 use super::read::{plain_error, read_text, shown};
 use crate::cli::config::{configured_host, host_of};
 use crate::engine::{Repairs, repair, repair_webgl1};
-use crate::host::Preset;
+use crate::host::{Preset, shadertoy};
 use crate::port::{
     ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, TextsBeside, add_stand_ins,
     unknown_pass, unknown_source,
@@ -16,9 +16,6 @@ use crate::semantic::Pass;
 use crate::text::kind::{Claim, FileKind, decide};
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Endings of the shader files that a folder is searched for.
-const SHADERS: [&str; 4] = ["glsl", "frag", "fs", "shadertoy"];
 
 /// What the arguments name.
 pub(super) struct LoadedProject {
@@ -410,5 +407,5 @@ pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)
 /// Whether a file of a folder may be a pass.
 fn is_shader(path: &Path) -> bool {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-    SHADERS.contains(&ending) && path.is_file()
+    shadertoy().is_some_and(|host| host.has_ending(ending)) && path.is_file()
 }

@@ -1,11 +1,10 @@
 //! The files of a folder that hold the passes of a ShaderToy project.
 
 use super::super::files::Files;
+use shaderlint_host::shadertoy;
 use shaderlint_port::PassRole;
 use std::path::{Path, PathBuf};
 
-/// Endings of the files that hold passes.
-const ENDINGS: [&str; 4] = ["glsl", "frag", "fs", "shadertoy"];
 /// Most files of a folder that are looked at.
 const MAX_FILES: usize = 10_000;
 
@@ -58,9 +57,8 @@ impl Passes {
 /// What a file is for by its name, and what stands before that in it.
 pub fn role(name: &str) -> Option<(PassRole, String)> {
     let (stem, ending) = name.rsplit_once('.')?;
-    if !ENDINGS.contains(&ending.to_ascii_lowercase().as_str()) {
-        return None;
-    }
+    let ending = ending.to_ascii_lowercase();
+    shadertoy().filter(|host| host.has_ending(&ending))?;
     let role = PassRole::of_name(stem)?;
     let mut starts = stem.char_indices().map(|(at, _)| at).rev();
     let behind = |at: &usize| PassRole::of_name(stem.get(*at..).unwrap_or("")) == Some(role);

@@ -9,6 +9,7 @@
 // version: any
 // names: some
 // entry: mainImage mainSound mainCubemap main
+// ending: glsl frag fs shadertoy
 /// The size of the picture in pixels: `x` is the width, `y` the height. `z` is the ratio of a
 /// pixel's sides, and always 1.0 on the site. It is a `vec3`, so write `iResolution.xy` beside a
 /// `vec2`. 1024 by 1024 in a Cubemap pass; not in Sound.
