@@ -98,7 +98,7 @@ macro_rules! errors {
     ($($(#[$doc:meta])* $constant:ident = $name:literal $(, $facet:ident $(($of:expr))?)*;)*) => {
         /// The kinds of all compile errors.
         pub mod error {
-            use super::{ErrorKind, Facet, Lack};
+            use crate::code::{ErrorKind, Facet, Lack};
             $($(#[$doc])* pub const $constant: ErrorKind =
                 ErrorKind::new($name)$(.$facet($($of)?))*;)*
         }

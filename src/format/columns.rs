@@ -1,7 +1,7 @@
 //! What the author has lined up in lines below one another stays lined up.
 
 use super::item::{FormatItem, ItemKind};
-use super::layout::ItemPlace;
+use super::place::ItemPlace;
 use super::structure::{ItemRole, StatementStart};
 use shaderlint_syntax::TokenKind as T;
 use std::cmp::Ordering;

@@ -1,8 +1,8 @@
 //! From the places of items to edits of the white space between them.
 
-use super::TextExtent;
 use super::item::FormatItem;
-use super::layout::ItemPlace;
+use super::place::ItemPlace;
+use super::request::TextExtent;
 use super::style::{Indentation, Style};
 use shaderlint_text::{Edit, Span};
 

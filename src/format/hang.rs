@@ -1,9 +1,7 @@
 //! Where a line starts that goes on with a statement.
 
 use super::item::FormatItem;
-use super::layout::LineLayout;
-use super::overflow::precedence;
-use shaderlint_syntax::TokenKind as T;
+use super::place::LineLayout;
 
 impl LineLayout<'_> {
     /// Column of a line that goes on with a statement, and what it is lined up with.
@@ -60,26 +58,5 @@ impl LineLayout<'_> {
         found
             .map(|(i, _)| i)
             .filter(|i| self.placed(*i).line == last)
-    }
-
-    /// The last item that started a line as this one does.
-    pub(super) fn sibling(&mut self, at: usize) -> Option<&mut Option<usize>> {
-        let bracket = self.role(at).bracket.map_or(0, |b| b as usize + 1);
-        let sort = self.sort_of_line(at);
-        self.siblings.get_mut(bracket)?.get_mut(sort)
-    }
-
-    /// What a line inside a statement starts with: an operator, an operand behind one, or one more
-    /// of a list.
-    fn sort_of_line(&self, at: usize) -> usize {
-        let token = |i: Option<&FormatItem>| i.and_then(FormatItem::token);
-        let before = token(self.before(at));
-        let is_first = matches!(before, Some(T::Comma | T::LeftParen | T::LeftBrace));
-        let is_operator = token(self.item(at)).is_some_and(|kind| precedence(kind).is_some());
-        match (is_first, is_operator) {
-            (true, _) => 0,
-            (false, true) => 1,
-            (false, false) => 2,
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! What white space stands between: tokens, comments, and directives as a whole.
 
-use super::Unformatted;
+use super::request::Unformatted;
 use shaderlint_syntax::{RawKind, RawToken, TokenKind, Version, WordClass, classify, tokenize};
 use shaderlint_text::Span;
 

@@ -18,6 +18,8 @@ mod item;
 mod layout;
 mod lines;
 mod overflow;
+mod place;
+mod request;
 mod spacing;
 mod structure;
 mod style;
@@ -26,35 +28,9 @@ mod style;
 mod tests;
 
 use item::items;
-use shaderlint_text::{Edit, Span};
+pub use request::{Lines, TextExtent, Unformatted};
+use shaderlint_text::Edit;
 pub use style::{Brace, Indentation, Style, StyleChoice};
-
-/// What a text is part of.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum TextExtent {
-    /// A file of its own: blank lines at both ends go, the last line is ended.
-    File,
-    /// A part of a text in another language: what stands around it stays.
-    Inside,
-}
-
-/// What becomes of line breaks.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Lines {
-    /// Statements get lines of their own.
-    Free,
-    /// Every token stays in its line, as its number is asked for: `__LINE__`.
-    Kept,
-}
-
-/// Why a text is not formatted.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Unformatted {
-    /// Where, in bytes from the start of the text.
-    pub span: Span,
-    /// What is wrong there.
-    pub message: String,
-}
 
 /// The macro that tells the number of a line.
 const LINE_MACRO: &str = "__LINE__";

@@ -1,11 +1,11 @@
 //! Whether a line ends before an item.
 
-use super::Lines;
+use super::columns;
 use super::item::{FormatItem, ItemKind};
-use super::layout::LineLayout;
+use super::place::LineLayout;
+use super::request::{Lines, TextExtent};
 use super::structure::{ItemRole, StatementStart};
 use super::style::Brace;
-use super::{TextExtent, columns};
 use shaderlint_syntax::TokenKind as T;
 use std::ops::Range;
 
@@ -194,11 +194,6 @@ impl LineLayout<'_> {
             && are_plain
             && !columns::goes_on(self.items, self.roles, line.end)
             && last.is_some_and(|last| self.fits(line.start, last, column + apart))
-    }
-
-    /// Whether an item starts a statement that stays behind another, as a part of a table.
-    pub(super) fn is_in_row(&self, at: usize) -> bool {
-        self.in_rows.get(at) == Some(&true)
     }
 
     /// Whether what the author set into the rest of the line fits into this one.

@@ -1,8 +1,8 @@
 //! Where a line is broken that is too long.
 
-use super::Lines;
-use super::layout::{ItemPlace, LineLayout};
-use super::spacing::is_assignment;
+use super::place::{ItemPlace, LineLayout};
+use super::request::Lines;
+use super::spacing::{is_assignment, precedence};
 use super::structure::StatementStart;
 use shaderlint_syntax::TokenKind as T;
 
@@ -91,23 +91,4 @@ impl LineLayout<'_> {
     fn labels(&self, at: usize) -> bool {
         self.role(at).is_label || self.role(self.statement).start == StatementStart::Label
     }
-}
-
-/// How tightly an operator binds, the loosest first (section 5.1).
-pub fn precedence(kind: T) -> Option<u32> {
-    Some(match kind {
-        T::Question | T::Colon => 4,
-        T::OrOr => 5,
-        T::XorXor => 6,
-        T::AndAnd => 7,
-        T::Or => 8,
-        T::Xor => 9,
-        T::And => 10,
-        T::EqualEqual | T::NotEqual => 11,
-        T::Less | T::Greater | T::LessEqual | T::GreaterEqual => 12,
-        T::ShiftLeft | T::ShiftRight => 13,
-        T::Plus | T::Minus => 14,
-        T::Star | T::Slash | T::Percent => 15,
-        _ => return None,
-    })
 }

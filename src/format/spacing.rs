@@ -107,3 +107,22 @@ fn may_fuse(text: &str, before: &FormatItem, item: &FormatItem) -> bool {
     let is_operator = |b: u8| b"+-*/%<>=!&|^~?:#".contains(&b);
     (is_word(a) && is_word(b)) || (is_operator(a) && is_operator(b))
 }
+
+/// How tightly an operator binds, the loosest first (section 5.1).
+pub fn precedence(kind: T) -> Option<u32> {
+    Some(match kind {
+        T::Question | T::Colon => 4,
+        T::OrOr => 5,
+        T::XorXor => 6,
+        T::AndAnd => 7,
+        T::Or => 8,
+        T::Xor => 9,
+        T::And => 10,
+        T::EqualEqual | T::NotEqual => 11,
+        T::Less | T::Greater | T::LessEqual | T::GreaterEqual => 12,
+        T::ShiftLeft | T::ShiftRight => 13,
+        T::Plus | T::Minus => 14,
+        T::Star | T::Slash | T::Percent => 15,
+        _ => return None,
+    })
+}

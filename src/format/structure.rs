@@ -1,8 +1,8 @@
 //! Where statements begin, and how deep: read off brackets, semicolons and the words of control
 //! flow, of all branches of the preprocessor.
 
-use super::Unformatted;
 use super::item::{BranchDirective, FormatItem, ItemKind};
+use super::request::Unformatted;
 use shaderlint_syntax::TokenKind as T;
 
 /// Most brackets, bodies without braces and conditions of the preprocessor inside one another.

@@ -1,6 +1,6 @@
 //! What edits do to the places and errors of a text.
 
-use super::fix::Look;
+use super::look::Look;
 use shaderlint_diagnostic::{Diagnostic, Facet, Severity};
 use shaderlint_text::{Edit, Span};
 

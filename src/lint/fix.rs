@@ -2,11 +2,9 @@
 //! nothing is left to mend.
 
 use super::change::{Change, Moves, errors};
-use super::judged::Judged;
+use super::look::Look;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
-use shaderlint_semantic::Program;
 use shaderlint_text::{Edit, Sources, Span, apply_edits};
-use std::sync::Arc;
 
 /// Most looks that are taken at one text.
 const MAX_ROUNDS: usize = 16;
@@ -32,28 +30,6 @@ impl Allow {
     pub fn permits(self, fix: &Fix) -> bool {
         self == Allow::Unsafe || fix.applicability == Applicability::Safe
     }
-}
-
-/// What the findings in a text are, and where the text lies among the addresses.
-pub struct Look {
-    /// The findings.
-    pub diagnostics: Vec<Diagnostic>,
-    /// Addresses of the text.
-    pub span: Span,
-    /// What of the text was judged; `None` stands for all of it.
-    pub judged: Option<Judged>,
-    /// How many tokens and macro calls were read.
-    pub size: usize,
-    /// Its shaders, where pictures are compared.
-    pub shaders: Vec<Shown>,
-}
-
-/// A shader of a text.
-pub struct Shown {
-    /// What it means.
-    pub program: Arc<Program>,
-    /// Whether it is whole and compiles, so that it has a picture.
-    pub is_drawn: bool,
 }
 
 /// What is known of the picture of a text after fixes that should keep it, the surest first.
@@ -391,6 +367,7 @@ fn is_taken(taken: &[Span], span: Span) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::judged::Judged;
     use shaderlint_diagnostic::{Origin, Severity, error};
 
     fn info(span: Span) -> Diagnostic {

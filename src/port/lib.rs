@@ -20,6 +20,8 @@ mod json;
 mod media;
 #[cfg(feature = "naga")]
 pub mod naga;
+mod order;
+mod output;
 mod parts;
 mod payload;
 mod project;
@@ -33,9 +35,7 @@ mod supply;
 #[cfg(feature = "naga")]
 mod translated;
 
-pub use build::{
-    BadEnding, Build, BuildError, Destination, File, MainChoice, Order, Remark, Target, build,
-};
+pub use build::build;
 pub use channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
 pub use compose::{Composed, PassUnit, compose};
 pub use control::{ControlChoice, ControlKind, UniformControl};
@@ -50,6 +50,8 @@ pub use glsl::{GlslPass, VERTEX, glsl};
 pub use html::{html, waiting_page};
 pub use json::json;
 pub use media::{Generator, StandIn, add_stand_ins, is_gray};
+pub use order::{BadEnding, Destination, MainChoice, Order, Target};
+pub use output::{Build, BuildError, File, Remark};
 pub use parts::{PartsError, PassFile, PassRole, unknown_pass};
 pub use project::{
     Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, SignalForm, Wrapper,

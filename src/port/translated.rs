@@ -1,8 +1,9 @@
 //! The files of the languages that naga writes: of the passes of a project, and of whole shaders of
 //! both stages, whatever their uniforms mean.
 
-use super::build::{Build, BuildError, File, NamedPass, Order, Remark, file, named};
 use super::naga::{LowerOptions, Refused, TranslatedShader, lower, translate, write};
+use super::order::Order;
+use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 use super::{Composed, Project};
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_semantic::{Checked, Dialect, GuessedKind, Stage, Unit, Wholeness, analyze, guess};

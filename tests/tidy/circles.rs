@@ -8,14 +8,6 @@ use std::collections::{BTreeMap, BTreeSet};
 /// shorter.
 const LEFT: &[&[&str]] = &[
     &["fuzz/src/main.rs", "fuzz/src/throw.rs"],
-    &["src/diagnostic/code.rs", "src/diagnostic/lib.rs"],
-    &[
-        "src/engine/config/mod.rs",
-        "src/engine/config/read/file.rs",
-        "src/engine/config/read/mod.rs",
-        "src/engine/config/read/rules.rs",
-        "src/engine/config/read/schema.rs",
-    ],
     &[
         "src/engine/lib.rs",
         "src/engine/mend.rs",
@@ -27,38 +19,13 @@ const LEFT: &[&[&str]] = &[
         "src/engine/play/project/sound.rs",
         "src/engine/play/project/target.rs",
     ],
-    &[
-        "src/engine/play/test/condition.rs",
-        "src/engine/play/test/mod.rs",
-    ],
     &["src/exec/machine/mod.rs", "src/exec/machine/watch.rs"],
-    &["src/exec/image/mipmap.rs", "src/exec/image/mod.rs"],
-    &[
-        "src/flow/defs/condition.rs",
-        "src/flow/defs/mod.rs",
-        "src/flow/defs/place.rs",
-        "src/flow/defs/walk.rs",
-        "src/flow/same.rs",
-    ],
     &[
         "src/flow/ranges/back.rs",
         "src/flow/ranges/mod.rs",
         "src/flow/ranges/reason.rs",
         "src/flow/ranges/solve.rs",
     ],
-    &[
-        "src/format/columns.rs",
-        "src/format/gaps.rs",
-        "src/format/grid.rs",
-        "src/format/item.rs",
-        "src/format/layout.rs",
-        "src/format/lib.rs",
-        "src/format/lines.rs",
-        "src/format/spacing.rs",
-        "src/format/structure.rs",
-    ],
-    &["src/ir/verify/mod.rs", "src/ir/verify/op.rs"],
-    &["src/lint/change.rs", "src/lint/fix.rs"],
     &[
         "src/lint/context.rs",
         "src/lint/facts.rs",
@@ -73,7 +40,6 @@ const LEFT: &[&[&str]] = &[
         "src/lint/trial/picture.rs",
         "src/lint/trial/verdict.rs",
     ],
-    &["src/port/build.rs", "src/port/translated.rs"],
     &[
         "src/port/dialect/",
         "src/port/media/mod.rs",
@@ -82,23 +48,6 @@ const LEFT: &[&[&str]] = &[
         "src/port/signature.rs",
     ],
     &["src/port/naga/"],
-    &[
-        "src/semantic/builtins/mod.rs",
-        "src/semantic/builtins/prototype.rs",
-    ],
-    &[
-        "src/semantic/link/blocks.rs",
-        "src/semantic/link/limits.rs",
-        "src/semantic/link/mod.rs",
-        "src/semantic/link/uniforms.rs",
-        "src/semantic/link/varyings.rs",
-    ],
-    &[
-        "src/semantic/typing/construct.rs",
-        "src/semantic/typing/member.rs",
-        "src/semantic/typing/mod.rs",
-        "src/semantic/typing/operator.rs",
-    ],
     &[
         "src/syntax/parser/correction.rs",
         "src/syntax/parser/mod.rs",
@@ -109,22 +58,6 @@ const LEFT: &[&[&str]] = &[
         "src/syntax/preprocessor/macros.rs",
         "src/syntax/preprocessor/mod.rs",
         "src/syntax/preprocessor/number.rs",
-    ],
-    &[
-        "src/text/embed/component.rs",
-        "src/text/embed/holes.rs",
-        "src/text/embed/html.rs",
-        "src/text/embed/listing.rs",
-        "src/text/embed/literal.rs",
-        "src/text/embed/markdown.rs",
-        "src/text/embed/mod.rs",
-        "src/text/embed/script.rs",
-        "src/text/embed/template.rs",
-        "src/text/embed/together.rs",
-        "src/text/kind/chunk.rs",
-        "src/text/kind/evidence.rs",
-        "src/text/kind/mod.rs",
-        "src/text/kind/signs.rs",
     ],
 ];
 

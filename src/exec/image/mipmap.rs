@@ -1,6 +1,6 @@
 //! The levels of an image.
 
-use super::Texels;
+use super::texels::Texels;
 
 /// The next level: each texel is what lies in the middle of those that it stands for, between two
 /// along each side that is halved. Sides of a level that is not even lose the rest, as in browsers.

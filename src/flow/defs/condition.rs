@@ -1,7 +1,7 @@
 //! What a condition speaks of: the comparisons that it is made of, and the values that those are
 //! made of.
 
-use super::{Def, DefId, Defs, Hop, Premise, Refinement};
+use super::def::{Def, DefId, Defs, Hop, Premise, Refinement};
 use crate::same::is_same;
 use shaderlint_ir::{Binary, Module, OpId, OpKind, Unary, length_lane};
 use shaderlint_semantic::BuiltinId;

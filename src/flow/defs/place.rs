@@ -1,12 +1,12 @@
 //! Which slots a place stands for.
 
-use super::Slot;
+use super::def::Slot;
 use shaderlint_ir::{Access, Lanes, Layout, Module, PlaceId, column_lanes};
 use shaderlint_semantic::Type;
 
 /// The slots of a place.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Spot {
+pub(super) struct PlaceSlots {
     /// The first slot.
     pub first: Slot,
     /// The type of what stands there, before components are picked.
@@ -22,20 +22,20 @@ pub(super) struct Spot {
     pub vector: Option<(Slot, u8)>,
 }
 
-impl Spot {
+impl PlaceSlots {
     /// Resolves a place; `None` for what has no lanes.
     pub(super) fn of(
         module: &Module,
         layout: &Layout,
         slots: &[u32],
         place: PlaceId,
-    ) -> Option<Spot> {
+    ) -> Option<PlaceSlots> {
         let place = module.place(place);
         let ty = module.variable(place.variable)?.ty;
         if layout.lanes(ty) == 0 {
             return None;
         }
-        let mut spot = Spot {
+        let mut spot = PlaceSlots {
             first: Slot(*slots.get(place.variable.0 as usize)?),
             ty,
             picks: [(1, 0); 2],

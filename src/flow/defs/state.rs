@@ -1,7 +1,7 @@
 //! What each lane of a variable holds at the moment of a walk, and how ways come together.
 
+use super::def::{Def, DefId, Defs, Slot};
 use super::walk::{Changes, Walker};
-use super::{Def, DefId, Defs, Slot};
 use shaderlint_ir::{OpId, Root};
 use shaderlint_syntax::ast::List;
 

@@ -1,8 +1,8 @@
 //! The walk over the regions of each function that numbers definitions.
 
 use super::condition::{each_comparison, each_load};
-use super::place::Spot;
-use super::{Def, DefId, Defs, Guard, Refinement, Slot};
+use super::def::{Def, DefId, Defs, Guard, Refinement, Slot};
+use super::place::PlaceSlots;
 use crate::calls::Calls;
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{
@@ -46,7 +46,7 @@ pub(super) fn walk(program: &Program, module: &Module, calls: &Calls) -> Defs {
 }
 
 /// A loop or `switch` that can be left from inside.
-struct Frame {
+struct JumpFrame {
     is_loop: bool,
     /// Where the changes inside it begin.
     mark: usize,
@@ -63,7 +63,7 @@ pub(super) struct Walker<'m> {
     pub(super) entries: Vec<Option<DefId>>,
     /// What each change since the function began took the place of.
     pub(super) trail: Vec<(Slot, Option<DefId>)>,
-    frames: Vec<Frame>,
+    frames: Vec<JumpFrame>,
     guard: Option<u32>,
     /// Whether the step that follows can be reached.
     is_alive: bool,
@@ -202,7 +202,7 @@ impl<'m> Visit<'m> for Walker<'m> {
         let was_alive = self.is_alive;
         let heads = self.heads(id, found);
         let (mark, guard) = (self.trail.len(), self.guard);
-        self.frames.push(Frame {
+        self.frames.push(JumpFrame {
             is_loop: true,
             mark,
             breaks: Vec::new(),
@@ -246,7 +246,7 @@ impl<'m> Visit<'m> for Walker<'m> {
         let module = self.module;
         let (since, mark, guard, was_alive) =
             (self.next(), self.trail.len(), self.guard, self.is_alive);
-        self.frames.push(Frame {
+        self.frames.push(JumpFrame {
             is_loop: false,
             mark,
             breaks: Vec::new(),
@@ -434,7 +434,7 @@ impl<'m> Walker<'m> {
     }
 
     /// Leaves the innermost frame that has such a way out.
-    fn leave(&mut self, way: impl Fn(&mut Frame) -> Option<&mut Vec<Changes>>) {
+    fn leave(&mut self, way: impl Fn(&mut JumpFrame) -> Option<&mut Vec<Changes>>) {
         if !self.is_alive {
             return;
         }
@@ -515,8 +515,8 @@ impl<'m> Walker<'m> {
         spot.slot(lane)
     }
 
-    fn spot(&self, place: PlaceId) -> Option<Spot> {
-        Spot::of(self.module, &self.defs.layout, &self.defs.slots, place)
+    fn spot(&self, place: PlaceId) -> Option<PlaceSlots> {
+        PlaceSlots::of(self.module, &self.defs.layout, &self.defs.slots, place)
     }
 
     /// The heads of what a loop writes to.
@@ -668,7 +668,7 @@ impl<'m> Walker<'m> {
         }
     }
 
-    fn lane_of(&mut self, spot: Spot, lane: u32) -> DefId {
+    fn lane_of(&mut self, spot: PlaceSlots, lane: u32) -> DefId {
         if !spot.is_picked() {
             let slot = spot.slot(lane);
             return slot.map_or(Defs::UNKNOWN, |slot| self.get(slot));

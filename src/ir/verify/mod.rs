@@ -3,6 +3,10 @@
 
 mod op;
 mod place;
+mod verifier;
+
+pub use verifier::Problem;
+use verifier::{StepContext, Verifier};
 
 use crate::form::{
     Case, CaseLabel, Function, Loop, Module, OpId, PlaceId, Provenance, Region, Root, Run, Step,
@@ -11,25 +15,6 @@ use crate::form::{
 use crate::layout::Layout;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
-use std::fmt;
-
-/// Something that a module must not have.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Problem {
-    /// The operation; `None` where it is of no single one.
-    pub op: Option<OpId>,
-    /// What is wrong.
-    pub text: String,
-}
-
-impl fmt::Display for Problem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.op {
-            Some(op) => write!(f, "%{}: {}", op.0, self.text),
-            None => f.write_str(&self.text),
-        }
-    }
-}
 
 /// What is wrong with the module that a shader was lowered to; nothing, if lowering is right.
 pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
@@ -38,7 +23,7 @@ pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
         layout: Layout::of(program),
         module,
         builtins: Builtins::of(program.version, program.stage),
-        at: At::default(),
+        at: StepContext::default(),
         next: 0,
         defined: vec![false; module.ops.len()],
         trail: Vec::new(),
@@ -65,52 +50,7 @@ pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
     verifier.problems
 }
 
-/// What is around the step that is looked at.
-#[derive(Clone, Copy, Default)]
-struct At {
-    function: Option<FunctionRef>,
-    /// Inside how many loops.
-    loops: u32,
-    /// Inside how many loops and `switch` statements.
-    breakable: u32,
-}
-
-struct Verifier<'a> {
-    program: &'a Program,
-    layout: Layout,
-    module: &'a Module,
-    builtins: &'static Builtins,
-    at: At,
-    /// The operation that the next run must start with: all of them stand in runs, in order.
-    next: u32,
-    /// By operation: whether its value is there on every path to here.
-    defined: Vec<bool>,
-    /// The operations that are defined, in order.
-    trail: Vec<OpId>,
-    /// By step: whether a region that was looked at has it.
-    seen: Vec<bool>,
-    problems: Vec<Problem>,
-}
-
 impl Verifier<'_> {
-    /// A problem of no single operation.
-    fn tell(&mut self, text: impl Into<String>) {
-        let text = match self.at.function.and_then(|f| self.program.function(f)) {
-            Some(f) => format!("`{}`: {}", self.program.names.text(f.name), text.into()),
-            None => text.into(),
-        };
-        self.problems.push(Problem { op: None, text });
-    }
-
-    fn tell_op(&mut self, op: OpId, text: impl Into<String>) {
-        let text = text.into();
-        self.problems.push(Problem { op: Some(op), text });
-    }
-
-    fn name(&self, ty: Type) -> String {
-        self.program.type_name(ty)
-    }
-
     /// The tables that go by the program's numbers.
     fn tables(&mut self) {
         let (program, module) = (self.program, self.module);
@@ -177,7 +117,7 @@ impl Verifier<'_> {
             None if function.ops.len > 0 => self.tell("it has operations and no body"),
             None => {}
         }
-        self.at = At::default();
+        self.at = StepContext::default();
     }
 
     fn parameters(&mut self, id: FunctionRef, function: &Function) {
@@ -207,9 +147,9 @@ impl Verifier<'_> {
 
     /// Looks at everything that runs in a function, or before the entry.
     fn walk(&mut self, function: Option<FunctionRef>, body: Region) {
-        self.at = At {
+        self.at = StepContext {
             function,
-            ..At::default()
+            ..StepContext::default()
         };
         self.region(body);
         self.undefine(0);
@@ -334,7 +274,7 @@ impl Verifier<'_> {
 
     fn looped(&mut self, found: &Loop) {
         let outer = self.at;
-        let inner = At {
+        let inner = StepContext {
             loops: outer.loops + 1,
             breakable: outer.breakable + 1,
             ..outer
@@ -356,9 +296,9 @@ impl Verifier<'_> {
         let mark = self.trail.len();
         // Nothing leaves the loop from its condition but the condition.
         let outer = self.at;
-        self.at = At {
+        self.at = StepContext {
             function: outer.function,
-            ..At::default()
+            ..StepContext::default()
         };
         self.steps(found.test);
         if let Some(condition) = found.condition {

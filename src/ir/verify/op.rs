@@ -1,12 +1,13 @@
 //! Operations: what they may work on and what they give.
 
-use super::{Verifier, place};
+use super::place;
+use super::verifier::Verifier;
 use crate::form::{Binary, Module, OpId, OpKind, PlaceId, Root, Unary};
 use shaderlint_semantic::builtins::{BuiltinId, Overload};
 use shaderlint_semantic::{Direction, FunctionRef, Scalar, Type};
 use shaderlint_syntax::ast::List;
 
-type Checked = Result<(), String>;
+type OpResult = Result<(), String>;
 
 /// Whether a value of one type may stand where the other is asked for. What is wrong in the text
 /// fits everywhere.
@@ -15,7 +16,7 @@ pub(super) fn fits(a: Type, b: Type) -> bool {
 }
 
 /// Whether an operation is well-formed, its operands being there.
-pub(super) fn check(v: &Verifier<'_>, id: OpId) -> Checked {
+pub(super) fn check(v: &Verifier<'_>, id: OpId) -> OpResult {
     let module = v.module;
     let op = *module.op(id);
     let ty = |operand| module.ty(operand);
@@ -87,7 +88,7 @@ pub(super) fn check(v: &Verifier<'_>, id: OpId) -> Checked {
 }
 
 /// Whether an operator with one operand works on it.
-fn takes_one(v: &Verifier<'_>, unary: Unary, operand: OpId) -> Checked {
+fn takes_one(v: &Verifier<'_>, unary: Unary, operand: OpId) -> OpResult {
     let ty = v.module.ty(operand);
     let scalar = v.module.scalar(operand);
     let is_taken = match unary {
@@ -98,23 +99,23 @@ fn takes_one(v: &Verifier<'_>, unary: Unary, operand: OpId) -> Checked {
     holds(is_taken, || format!("{unary:?} of {}", v.name(ty)))
 }
 
-fn holds(what: bool, otherwise: impl FnOnce() -> String) -> Checked {
+fn holds(what: bool, otherwise: impl FnOnce() -> String) -> OpResult {
     if what { Ok(()) } else { Err(otherwise()) }
 }
 
-fn gives(v: &Verifier<'_>, said: Type, found: Type) -> Checked {
+fn gives(v: &Verifier<'_>, said: Type, found: Type) -> OpResult {
     holds(fits(said, found), || {
         format!("it gives {} and not {}", v.name(found), v.name(said))
     })
 }
 
-fn takes(v: &Verifier<'_>, found: Type, needed: Type) -> Checked {
+fn takes(v: &Verifier<'_>, found: Type, needed: Type) -> OpResult {
     holds(fits(found, needed), || {
         format!("it takes {} and not {}", v.name(needed), v.name(found))
     })
 }
 
-fn computed(v: &Verifier<'_>, ty: Type, base: Type, index: Type) -> Checked {
+fn computed(v: &Verifier<'_>, ty: Type, base: Type, index: Type) -> OpResult {
     holds(place::is_index(index), || {
         format!("{} is no index", v.name(index))
     })?;
@@ -129,7 +130,7 @@ fn scalar_of(ty: Type) -> Type {
     ty.scalar_kind().map_or(Type::ERROR, Type::scalar)
 }
 
-fn constant_fits(v: &Verifier<'_>, ty: Type, len: usize) -> Checked {
+fn constant_fits(v: &Verifier<'_>, ty: Type, len: usize) -> OpResult {
     let scalars = v.layout.scalars(ty);
     holds(scalars == Some(len as u32) || ty.is_error(), || {
         format!("a constant of {len} scalars is no {}", v.name(ty))
@@ -137,7 +138,7 @@ fn constant_fits(v: &Verifier<'_>, ty: Type, len: usize) -> Checked {
 }
 
 /// A place is read and written where its variable is.
-fn inside(v: &Verifier<'_>, place: PlaceId) -> Checked {
+fn inside(v: &Verifier<'_>, place: PlaceId) -> OpResult {
     let variable = v.module.variable(v.module.place(place).variable);
     let owner = variable.and_then(|v| v.function);
     holds(owner.is_none() || owner == v.at.function, || {
@@ -145,7 +146,7 @@ fn inside(v: &Verifier<'_>, place: PlaceId) -> Checked {
     })
 }
 
-fn writable(module: &Module, place: PlaceId) -> Checked {
+fn writable(module: &Module, place: PlaceId) -> OpResult {
     let variable = module.variable(module.place(place).variable);
     let root = variable.map(|v| v.root);
     holds(
@@ -157,7 +158,7 @@ fn writable(module: &Module, place: PlaceId) -> Checked {
     })
 }
 
-fn takes_both(v: &Verifier<'_>, binary: Binary, a: Type, b: Type) -> Checked {
+fn takes_both(v: &Verifier<'_>, binary: Binary, a: Type, b: Type) -> OpResult {
     use Binary::*;
     if a.is_error() || b.is_error() {
         return Ok(());
@@ -182,7 +183,7 @@ fn takes_both(v: &Verifier<'_>, binary: Binary, a: Type, b: Type) -> Checked {
 }
 
 /// The shape of a matrix, or of a vector as the matrix that it is on its side of a product.
-fn product(v: &Verifier<'_>, ty: Type, a: Type, b: Type) -> Checked {
+fn product(v: &Verifier<'_>, ty: Type, a: Type, b: Type) -> OpResult {
     let (Some((_, ac, ar)), Some((_, bc, br))) = (a.numeric(), b.numeric()) else {
         return holds(a.is_error() || b.is_error(), || {
             "a product of no matrices".into()
@@ -200,7 +201,7 @@ fn product(v: &Verifier<'_>, ty: Type, a: Type, b: Type) -> Checked {
     }
 }
 
-fn converts(v: &Verifier<'_>, ty: Type, from: Type) -> Checked {
+fn converts(v: &Verifier<'_>, ty: Type, from: Type) -> OpResult {
     let (Some(to), Some(of)) = (ty.scalar_kind(), from.scalar_kind()) else {
         return holds(ty.is_error() || from.is_error(), || {
             format!("{} converted to {}", v.name(from), v.name(ty))
@@ -211,7 +212,7 @@ fn converts(v: &Verifier<'_>, ty: Type, from: Type) -> Checked {
     })
 }
 
-fn composes(v: &Verifier<'_>, ty: Type, list: List) -> Checked {
+fn composes(v: &Verifier<'_>, ty: Type, list: List) -> OpResult {
     let parts: Vec<Type> = v
         .module
         .operands(list)
@@ -246,7 +247,7 @@ fn composes(v: &Verifier<'_>, ty: Type, list: List) -> Checked {
     })
 }
 
-fn each_takes(v: &Verifier<'_>, list: List, needed: impl Iterator<Item = Type>) -> Checked {
+fn each_takes(v: &Verifier<'_>, list: List, needed: impl Iterator<Item = Type>) -> OpResult {
     let arguments = v.module.operands(list);
     let needed: Vec<Type> = needed.collect();
     holds(arguments.len() == needed.len(), || {
@@ -268,14 +269,14 @@ fn form<'v>(v: &'v Verifier<'_>, function: BuiltinId, arguments: List) -> Option
     v.builtins.overloads_of(function).1.iter().find(takes_them)
 }
 
-fn builtin(v: &Verifier<'_>, ty: Type, function: BuiltinId, arguments: List) -> Checked {
+fn builtin(v: &Verifier<'_>, ty: Type, function: BuiltinId, arguments: List) -> OpResult {
     match form(v, function, arguments) {
         Some(overload) => gives(v, ty, overload.returns),
         None => Err(format!("`{}` does not take its operands", function.name())),
     }
 }
 
-fn call(v: &Verifier<'_>, ty: Type, callee: FunctionRef, arguments: List) -> Checked {
+fn call(v: &Verifier<'_>, ty: Type, callee: FunctionRef, arguments: List) -> OpResult {
     let Some(function) = v.program.function(callee) else {
         return Err(format!("there is no function {}", callee.0));
     };
@@ -290,7 +291,7 @@ fn call(v: &Verifier<'_>, ty: Type, callee: FunctionRef, arguments: List) -> Che
 }
 
 /// What comes back is that of a parameter which the callee writes to.
-fn returned(v: &Verifier<'_>, ty: Type, call: OpId, number: u32) -> Checked {
+fn returned(v: &Verifier<'_>, ty: Type, call: OpId, number: u32) -> OpResult {
     let found = match v.module.op(call).kind {
         OpKind::Call(callee, _) => {
             let params = v.program.function(callee).map(|f| &f.params);

@@ -1,10 +1,12 @@
 //! What the language defines: functions and variables. Their declarations are GLSL text; what the
 //! functions do stands in `table.rs`.
 
+mod overload;
 mod prototype;
 mod row;
 mod table;
 
+pub use overload::{BuiltinStorage, BuiltinVariable, MAX_PARAMS, Overload};
 pub use row::{Axis, BuiltinKind, Level, Lookup, Transfer};
 pub use table::BuiltinId;
 
@@ -14,11 +16,7 @@ use super::types::Type;
 use super::undefined::Undefined;
 use prototype::Declared;
 use shaderlint_syntax::Version;
-use shaderlint_syntax::ast::QualifierKind;
 use std::ops::Range;
-
-/// Most parameters of a built-in function.
-pub const MAX_PARAMS: usize = 5;
 
 /// The stage a shader is written for.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -106,77 +104,6 @@ pub const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
     ("texture2DGradEXT", "textureGrad"), ("texture2DProjGradEXT", "textureProjGrad"),
     ("textureCubeGradEXT", "textureGrad"), ("shadow2D", "texture"),
 ];
-
-/// One form of a built-in function.
-#[derive(Clone, Copy, Debug)]
-pub struct Overload {
-    /// Its function.
-    pub function: BuiltinId,
-    /// Types of the parameters; unused places are `void`.
-    pub params: [Type; MAX_PARAMS],
-    /// Number of parameters.
-    pub count: u8,
-    /// Bit `i` is set if parameter `i` is `out`.
-    pub out: u8,
-    /// Bit `i` is set if argument `i` must be a constant expression.
-    pub constant: u8,
-    /// What it yields.
-    pub returns: Type,
-}
-
-impl Overload {
-    /// Of nothing; stands where none is yet.
-    const NONE: Overload = Overload {
-        function: BuiltinId::Radians,
-        params: [Type::VOID; MAX_PARAMS],
-        count: 0,
-        out: 0,
-        constant: 0,
-        returns: Type::VOID,
-    };
-
-    /// The types of its parameters.
-    pub fn params(&self) -> &[Type] {
-        self.params
-            .get(..self.count as usize)
-            .unwrap_or(&self.params)
-    }
-
-    /// Whether it writes to the argument at a position.
-    pub fn writes(&self, position: usize) -> bool {
-        self.out & 1 << position != 0
-    }
-
-    /// Its result of constant arguments, given as scalars; `None` where it is not known.
-    pub fn fold(&self, args: &[&[Value]]) -> Option<Vec<Value>> {
-        let first = self.params().first().copied().unwrap_or(Type::VOID);
-        self.function.fold(first, args)
-    }
-}
-
-/// How a built-in variable may be used.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum BuiltinStorage {
-    /// Read only, different at each fragment or vertex.
-    In,
-    /// Written by the shader.
-    Out,
-    /// Read only, the same everywhere.
-    Uniform,
-    /// A constant of this value.
-    Const(i32),
-}
-
-/// A built-in variable.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct BuiltinVariable {
-    /// Its type; `None` for the struct of `gl_DepthRange`, with the members `near`, `far`, `diff`.
-    pub ty: Option<Type>,
-    /// How it may be used.
-    pub storage: BuiltinStorage,
-    /// How exact it is, where the language says.
-    pub precision: Option<QualifierKind>,
-}
 
 /// Everything that one version of the language defines for one stage.
 #[derive(Debug)]
@@ -271,25 +198,6 @@ impl Builtins {
     fn range(&self, function: BuiltinId) -> Range<usize> {
         let at = |i| self.starts.get(i).copied().unwrap_or(0) as usize;
         at(function as usize)..at(function as usize + 1)
-    }
-}
-
-impl BuiltinVariable {
-    /// Of nothing; stands where none is yet.
-    const NONE: BuiltinVariable = BuiltinVariable {
-        ty: None,
-        storage: BuiltinStorage::In,
-        precision: None,
-    };
-}
-
-impl BuiltinStorage {
-    /// The value of a constant.
-    pub fn value(self) -> Option<Value> {
-        match self {
-            BuiltinStorage::Const(value) => Some(Value::Int(value)),
-            _ => None,
-        }
     }
 }
 

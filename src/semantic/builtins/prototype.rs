@@ -6,7 +6,8 @@
     reason = "the compiler works it out, and would refuse"
 )]
 
-use super::{BuiltinId, BuiltinStorage, BuiltinVariable, MAX_PARAMS, Overload};
+use super::overload::{BuiltinStorage, BuiltinVariable, MAX_PARAMS, Overload};
+use super::table::BuiltinId;
 use crate::types::{Sampler, Scalar, Type};
 use shaderlint_syntax::TypeWord;
 use shaderlint_syntax::ast::QualifierKind;
@@ -237,7 +238,7 @@ impl Words {
 
 /// What a word of the notation stands for: one type, or several in turn.
 #[derive(Clone, Copy)]
-enum Form {
+enum GenericType {
     /// A type of the language.
     One(Type),
     /// Vectors from so many components on, up to four; one component is a scalar.
@@ -248,29 +249,29 @@ enum Form {
     ByScalar([Type; 3]),
 }
 
-impl Form {
-    const fn of(word: &str) -> Form {
+impl GenericType {
+    const fn of(word: &str) -> GenericType {
         use Sampler::*;
         use Scalar::*;
-        const fn samplers(all: [Sampler; 3]) -> Form {
+        const fn samplers(all: [Sampler; 3]) -> GenericType {
             let [float, int, uint] = all;
-            Form::ByScalar([
+            GenericType::ByScalar([
                 Type::sampler(float),
                 Type::sampler(int),
                 Type::sampler(uint),
             ])
         }
         match word.as_bytes() {
-            b"genType" => Form::Vectors(Float, 1),
-            b"genIType" => Form::Vectors(Int, 1),
-            b"genUType" => Form::Vectors(Uint, 1),
-            b"genBType" => Form::Vectors(Bool, 1),
-            b"vec" => Form::Vectors(Float, 2),
-            b"ivec" => Form::Vectors(Int, 2),
-            b"uvec" => Form::Vectors(Uint, 2),
-            b"bvec" => Form::Vectors(Bool, 2),
-            b"mat" => Form::Matrices,
-            b"gvec4" => Form::ByScalar([
+            b"genType" => GenericType::Vectors(Float, 1),
+            b"genIType" => GenericType::Vectors(Int, 1),
+            b"genUType" => GenericType::Vectors(Uint, 1),
+            b"genBType" => GenericType::Vectors(Bool, 1),
+            b"vec" => GenericType::Vectors(Float, 2),
+            b"ivec" => GenericType::Vectors(Int, 2),
+            b"uvec" => GenericType::Vectors(Uint, 2),
+            b"bvec" => GenericType::Vectors(Bool, 2),
+            b"mat" => GenericType::Matrices,
+            b"gvec4" => GenericType::ByScalar([
                 Type::vector(Float, 4),
                 Type::vector(Int, 4),
                 Type::vector(Uint, 4),
@@ -279,26 +280,26 @@ impl Form {
             b"gsampler3D" => samplers([Sampler3D, Isampler3D, Usampler3D]),
             b"gsamplerCube" => samplers([SamplerCube, IsamplerCube, UsamplerCube]),
             b"gsampler2DArray" => samplers([Sampler2DArray, Isampler2DArray, Usampler2DArray]),
-            _ => Form::One(type_named(word)),
+            _ => GenericType::One(type_named(word)),
         }
     }
 
     /// How many types it stands for.
     const fn count(self) -> u8 {
         match self {
-            Form::One(_) => 1,
-            Form::Vectors(_, first) => 5 - first,
-            Form::Matrices => 9,
-            Form::ByScalar(all) => all.len() as u8,
+            GenericType::One(_) => 1,
+            GenericType::Vectors(_, first) => 5 - first,
+            GenericType::Matrices => 9,
+            GenericType::ByScalar(all) => all.len() as u8,
         }
     }
 
     const fn get(self, variant: u8) -> Type {
         match self {
-            Form::One(ty) => ty,
-            Form::Vectors(scalar, first) => Type::vector(scalar, first + variant),
-            Form::Matrices => Type::matrix(variant / 3 + 2, variant % 3 + 2),
-            Form::ByScalar(all) => all[variant as usize],
+            GenericType::One(ty) => ty,
+            GenericType::Vectors(scalar, first) => Type::vector(scalar, first + variant),
+            GenericType::Matrices => Type::matrix(variant / 3 + 2, variant % 3 + 2),
+            GenericType::ByScalar(all) => all[variant as usize],
         }
     }
 }
@@ -313,8 +314,8 @@ const fn type_named(word: &str) -> Type {
 /// A prototype in the notation of the texts.
 struct Prototype {
     function: BuiltinId,
-    returns: Form,
-    params: [Form; MAX_PARAMS],
+    returns: GenericType,
+    params: [GenericType; MAX_PARAMS],
     count: u8,
     out: u8,
     constant: u8,
@@ -328,8 +329,8 @@ impl Prototype {
         };
         let mut prototype = Prototype {
             function,
-            returns: Form::of(returns),
-            params: [Form::One(Type::VOID); MAX_PARAMS],
+            returns: GenericType::of(returns),
+            params: [GenericType::One(Type::VOID); MAX_PARAMS],
             count: 0,
             out: 0,
             constant: 0,
@@ -346,7 +347,7 @@ impl Prototype {
             if (prototype.out | prototype.constant) & bit != 0 {
                 word = words.word();
             }
-            prototype.params[prototype.count as usize] = Form::of(word);
+            prototype.params[prototype.count as usize] = GenericType::of(word);
             prototype.count += 1;
             words.word();
             if !words.eat(b',') {

@@ -1,24 +1,24 @@
 //! Uniform blocks: of one name in both stages, they are one block (GLSL ES 3.00 section 4.3.7).
 
-use super::compare::{Comparison, Precisions};
+use super::compare::{InterfaceComparison, PrecisionMatch};
+use super::errors::{LinkErrors, LinkSite, SAME};
 use super::interface::{Block, Interface};
-use super::{Found, Place};
 use crate::{Base, Field, Type};
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::error;
 use shaderlint_syntax::ast::TokenId;
 
 /// A member of a block without an instance, whose name is a global one.
-struct Member<'a, 'p> {
+struct GlobalMember<'a, 'p> {
     interface: &'a Interface<'p>,
     block: &'p str,
     token: TokenId,
 }
 
 /// Asks that blocks of one name are the same, and that the names of members stand for one thing.
-pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
+pub fn check(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     names(vertex, fragment, found);
-    let mut comparison = Comparison::new(vertex, fragment);
+    let mut comparison = InterfaceComparison::new(vertex, fragment);
     let of_vertex = vertex.blocks.iter().map(|b| (vertex.text(b.name), b));
     let of_vertex: FxHashMap<&str, &Block> = of_vertex.collect();
     for block in &fragment.blocks {
@@ -30,15 +30,15 @@ pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
             continue;
         };
         let records = (other.record, block.record);
-        if let Some(difference) = comparison.records(records.0, records.1, Precisions::Same) {
+        if let Some(difference) = comparison.records(records.0, records.1, PrecisionMatch::Same) {
             found.difference(error::LINK_BLOCK, name, vertex, fragment, &difference);
         } else if let Some((of_fragment, of_vertex)) = heads(other, block) {
             let message = format!(
                 "the block `{name}` {of_fragment} in the fragment shader, and {of_vertex} in the \
                  vertex shader"
             );
-            let first = Place::new(fragment, block.token, of_fragment);
-            let second = Place::new(vertex, other.token, of_vertex);
+            let first = LinkSite::new(fragment, block.token, of_fragment);
+            let second = LinkSite::new(vertex, other.token, of_vertex);
             if let Some(d) = found.differ(error::LINK_BLOCK, message, first, second) {
                 d.notes.push(SAME.to_string());
             }
@@ -47,10 +47,6 @@ pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
         }
     }
 }
-
-/// Why blocks must be the same.
-pub const SAME: &str = "a block of both stages is one block: the same members, layout and arrays \
-                    (section 4.3.7)";
 
 fn fields<'a>(interface: &Interface<'a>, block: &Block) -> &'a [Field] {
     let record = interface.program.structs.get(block.record as usize);
@@ -73,7 +69,7 @@ fn packing(
     vertex: &Interface,
     fragment: &Interface,
     (of_vertex, of_fragment): (&Block, &Block),
-    found: &mut Found,
+    found: &mut LinkErrors,
 ) {
     let word = |by_rows: bool| match by_rows {
         true => "`row_major`",
@@ -86,8 +82,8 @@ fn packing(
             word(of_fragment.1),
             word(of_vertex.1)
         );
-        let first = Place::new(fragment, of_fragment.0, word(of_fragment.1));
-        let second = Place::new(vertex, of_vertex.0, word(of_vertex.1));
+        let first = LinkSite::new(fragment, of_fragment.0, word(of_fragment.1));
+        let second = LinkSite::new(vertex, of_vertex.0, word(of_vertex.1));
         if let Some(d) = found.differ(error::LINK_BLOCK, message, first, second) {
             d.notes.push(SAME.to_string());
         }
@@ -130,14 +126,14 @@ fn holds_matrix(ty: Type, with_matrices: &[bool]) -> bool {
 
 /// The name of a member of a block without an instance is no uniform, and no member of another such
 /// block.
-fn names(vertex: &Interface, fragment: &Interface, found: &mut Found) {
-    let mut members: FxHashMap<&str, Member> = FxHashMap::default();
+fn names(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
+    let mut members: FxHashMap<&str, GlobalMember> = FxHashMap::default();
     for interface in [vertex, fragment] {
         for block in interface.blocks.iter().filter(|b| b.instance.is_none()) {
             let name = interface.text(block.name);
             for field in fields(interface, block) {
                 let member = interface.text(field.name);
-                let this = Member {
+                let this = GlobalMember {
                     interface,
                     block: name,
                     token: field.token,
@@ -162,9 +158,9 @@ fn names(vertex: &Interface, fragment: &Interface, found: &mut Found) {
                 "`{name}` is a uniform in one stage and a member of the block `{}` in the other",
                 member.block
             );
-            let first = Place::new(interface, uniform.token, "the uniform");
+            let first = LinkSite::new(interface, uniform.token, "the uniform");
             let label = format!("the member of `{}`", member.block);
-            let second = Place::new(member.interface, member.token, label);
+            let second = LinkSite::new(member.interface, member.token, label);
             if let Some(d) = found.differ(error::LINK_BLOCK, message, first, second) {
                 d.notes.push(GLOBAL.to_string());
                 d.help
@@ -177,13 +173,13 @@ fn names(vertex: &Interface, fragment: &Interface, found: &mut Found) {
 const GLOBAL: &str = "members of a block without an instance name are global names of the program \
                       (section 4.3.7)";
 
-fn clash(name: &str, this: &Member, other: &Member, found: &mut Found) {
+fn clash(name: &str, this: &GlobalMember, other: &GlobalMember, found: &mut LinkErrors) {
     let message = format!(
         "`{name}` is a member of the block `{}` in one stage and of `{}` in the other",
         this.block, other.block
     );
-    let first = Place::new(this.interface, this.token, format!("in `{}`", this.block));
-    let second = Place::new(
+    let first = LinkSite::new(this.interface, this.token, format!("in `{}`", this.block));
+    let second = LinkSite::new(
         other.interface,
         other.token,
         format!("in `{}`", other.block),

@@ -7,7 +7,7 @@ use shaderlint_syntax::ast::TokenId;
 
 /// One of the two declarations: the token that names it, its type and its precision.
 #[derive(Clone, Copy, Debug)]
-pub struct Declared {
+pub struct DeclaredType {
     /// The token.
     pub token: TokenId,
     /// The type.
@@ -44,7 +44,7 @@ pub enum Differing {
 
 /// Whether precisions are compared.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Precisions {
+pub enum PrecisionMatch {
     /// They must be the same.
     Same,
     /// Each stage may have its own.
@@ -52,17 +52,20 @@ pub enum Precisions {
 }
 
 /// Compares declarations of two shaders.
-pub struct Comparison<'a, 'p> {
+pub struct InterfaceComparison<'a, 'p> {
     vertex: &'a Interface<'p>,
     fragment: &'a Interface<'p>,
     /// Structs that were compared, and how they differ: each pair is looked at once.
-    known: FxHashMap<(u16, u16, Precisions), Option<Difference>>,
+    known: FxHashMap<(u16, u16, PrecisionMatch), Option<Difference>>,
 }
 
-impl<'a, 'p> Comparison<'a, 'p> {
+impl<'a, 'p> InterfaceComparison<'a, 'p> {
     /// Nothing is compared yet.
-    pub fn new(vertex: &'a Interface<'p>, fragment: &'a Interface<'p>) -> Comparison<'a, 'p> {
-        Comparison {
+    pub fn new(
+        vertex: &'a Interface<'p>,
+        fragment: &'a Interface<'p>,
+    ) -> InterfaceComparison<'a, 'p> {
+        InterfaceComparison {
             vertex,
             fragment,
             known: FxHashMap::default(),
@@ -72,9 +75,9 @@ impl<'a, 'p> Comparison<'a, 'p> {
     /// Where two declarations differ first, if they do.
     pub fn difference(
         &mut self,
-        vertex: Declared,
-        fragment: Declared,
-        precisions: Precisions,
+        vertex: DeclaredType,
+        fragment: DeclaredType,
+        precisions: PrecisionMatch,
     ) -> Option<Difference> {
         if let (Base::Struct(v), Base::Struct(f)) = (vertex.ty.base, fragment.ty.base) {
             let names = (self.vertex.record_name(v), self.fragment.record_name(f));
@@ -91,8 +94,8 @@ impl<'a, 'p> Comparison<'a, 'p> {
         if vertex.ty != fragment.ty || is_record(vertex.ty) {
             return self.types(vertex, fragment, Differing::Type);
         }
-        if precisions == Precisions::Same && vertex.precision != fragment.precision {
-            let of = |d: Declared, i: &Interface| {
+        if precisions == PrecisionMatch::Same && vertex.precision != fragment.precision {
+            let of = |d: DeclaredType, i: &Interface| {
                 let ty = i.program.type_name(d.ty);
                 let text = d.precision.map_or(ty.clone(), |p| format!("{p} {ty}"));
                 (d.token, text)
@@ -107,7 +110,12 @@ impl<'a, 'p> Comparison<'a, 'p> {
         None
     }
 
-    fn types(&self, vertex: Declared, fragment: Declared, kind: Differing) -> Option<Difference> {
+    fn types(
+        &self,
+        vertex: DeclaredType,
+        fragment: DeclaredType,
+        kind: Differing,
+    ) -> Option<Difference> {
         Some(Difference {
             path: String::new(),
             kind,
@@ -121,7 +129,7 @@ impl<'a, 'p> Comparison<'a, 'p> {
         &mut self,
         vertex: u16,
         fragment: u16,
-        precisions: Precisions,
+        precisions: PrecisionMatch,
     ) -> Option<Difference> {
         let key = (vertex, fragment, precisions);
         if let Some(known) = self.known.get(&key) {
@@ -132,7 +140,7 @@ impl<'a, 'p> Comparison<'a, 'p> {
         found
     }
 
-    fn members(&mut self, v: u16, f: u16, precisions: Precisions) -> Option<Difference> {
+    fn members(&mut self, v: u16, f: u16, precisions: PrecisionMatch) -> Option<Difference> {
         let of = |i: &'a Interface, id: u16| i.program.structs.get(id as usize);
         let (v, f) = (of(self.vertex, v)?, of(self.fragment, f)?);
         let count = |n: usize| match n {
@@ -157,7 +165,7 @@ impl<'a, 'p> Comparison<'a, 'p> {
                     fragment: (f.token, format!("`{}`", names.1)),
                 });
             }
-            let declared = |field: &Field, i: &Interface| Declared {
+            let declared = |field: &Field, i: &Interface| DeclaredType {
                 token: field.token,
                 ty: field.ty,
                 precision: i.member_precision(field.token),

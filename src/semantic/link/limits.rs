@@ -1,8 +1,8 @@
 //! Too many of anything. What one device takes and another does not is no error: the limits here are
 //! those that no implementation of WebGL exceeds.
 
+use super::errors::{LinkErrors, LinkSite};
 use super::interface::{Block, Interface, InterfaceVariable};
-use super::{Found, Place};
 use crate::{Base, Stage, Type};
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Diagnostic, error};
@@ -20,7 +20,7 @@ const MAX_BLOCKS: u64 = 16;
 const MAX_VARYING_VECTORS: u64 = 32;
 
 /// Asks that all attributes have a place, and each its own (GLSL ES 3.00 sections 4.3.8.1 and 12.46).
-pub fn attributes(vertex: &Interface, found: &mut Found) {
+pub fn attributes(vertex: &Interface, found: &mut LinkErrors) {
     let counts_all = vertex.program.version.has(Feature::UnreadAttributes);
     let all: Vec<&InterfaceVariable> = vertex
         .inputs
@@ -36,7 +36,7 @@ pub fn attributes(vertex: &Interface, found: &mut Found) {
         let name = vertex.text(item.name);
         if end > MAX_ATTRIBUTES {
             let message = format!("the attribute `{name}` goes past the last location, 15");
-            let place = Place::new(
+            let place = LinkSite::new(
                 vertex,
                 item.token,
                 format!("it takes {} of them", columns(item.ty)),
@@ -51,8 +51,8 @@ pub fn attributes(vertex: &Interface, found: &mut Found) {
                         "the attributes `{name}` and `{}` share location {at}",
                         vertex.text(other.name)
                     );
-                    let second = Place::new(vertex, other.token, "the other attribute");
-                    let first = Place::new(vertex, item.token, "");
+                    let second = LinkSite::new(vertex, other.token, "the other attribute");
+                    let first = LinkSite::new(vertex, item.token, "");
                     found.differ(error::LINK_ATTRIBUTE, message, first, second);
                     break;
                 }
@@ -71,7 +71,7 @@ fn places(
     vertex: &Interface,
     all: &[&InterfaceVariable],
     taken: &[Option<&InterfaceVariable>; MAX_ATTRIBUTES],
-    found: &mut Found,
+    found: &mut LinkErrors,
 ) {
     let mut taken = taken.map(|t| t.is_some());
     for item in all.iter().filter(|i| i.location.is_none()) {
@@ -82,7 +82,7 @@ fn places(
                 "there is no place for the attribute `{}`: WebGL has {MAX_ATTRIBUTES}",
                 vertex.text(item.name)
             );
-            let place = Place::new(vertex, item.token, "");
+            let place = LinkSite::new(vertex, item.token, "");
             if let Some(d) = found.at(error::LINK_ATTRIBUTE, message, place) {
                 d.notes.push(
                     "each attribute takes one place, a matrix one for each column".to_string(),
@@ -113,7 +113,7 @@ struct Need {
 }
 
 /// Counts what one stage needs.
-pub fn counts(interface: &Interface, found: &mut Found) {
+pub fn counts(interface: &Interface, found: &mut LinkErrors) {
     let mut known = FxHashMap::default();
     let mut sum = Need::default();
     for item in interface.uniforms.iter().filter(|u| u.is_active) {
@@ -150,7 +150,7 @@ pub fn counts(interface: &Interface, found: &mut Found) {
 }
 
 /// Counts vectors as if they were packed without a gap, which is the best that a browser can do.
-fn varyings(fragment: &Interface, found: &mut Found) {
+fn varyings(fragment: &Interface, found: &mut LinkErrors) {
     let mut by_width = [0_u64; 5];
     for input in fragment.inputs.iter().filter(|i| i.is_used) {
         add_vectors(fragment, input.ty, &mut by_width);
@@ -230,7 +230,7 @@ fn too_many(
     interface: &Interface,
     token: u32,
     (count, limit, what): (u64, u64, &str),
-    found: &mut Found,
+    found: &mut LinkErrors,
 ) {
     let stage = match interface.program.stage {
         Stage::Vertex => "vertex",
@@ -239,7 +239,7 @@ fn too_many(
     let message = format!(
         "the {stage} shader needs {count} {what} up to here; no browser has more than {limit}"
     );
-    let place = Place::new(interface, token, "");
+    let place = LinkSite::new(interface, token, "");
     if let Some(d) = found.at(error::BROWSER_LIMIT, message, place) {
         let d: &mut Diagnostic = d;
         d.notes

@@ -1,16 +1,16 @@
 //! Uniforms outside of blocks: of one name in both stages, they are one variable (GLSL ES 3.00
 //! section 4.3.5).
 
-use super::Found;
-use super::compare::{Comparison, Precisions};
+use super::compare::{InterfaceComparison, PrecisionMatch};
+use super::errors::LinkErrors;
 use super::interface::{Interface, InterfaceVariable};
 use super::varyings::declared;
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::error;
 
 /// Asks that uniforms of one name are of one type, and where both stages name them, of one precision.
-pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
-    let mut comparison = Comparison::new(vertex, fragment);
+pub fn check(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
+    let mut comparison = InterfaceComparison::new(vertex, fragment);
     let of_vertex = vertex.uniforms.iter().map(|u| (vertex.text(u.name), u));
     let of_vertex: FxHashMap<&str, &InterfaceVariable> = of_vertex.collect();
     for uniform in &fragment.uniforms {
@@ -22,9 +22,9 @@ pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
             continue;
         };
         let precisions = if uniform.is_used && other.is_used {
-            Precisions::Same
+            PrecisionMatch::Same
         } else {
-            Precisions::Free
+            PrecisionMatch::Free
         };
         let sides = (declared(other), declared(uniform));
         if let Some(difference) = comparison.difference(sides.0, sides.1, precisions) {

@@ -1,8 +1,8 @@
 //! What passes from the vertex to the fragment shader (GLSL ES 3.00 section 4.3.10).
 
-use super::compare::{Comparison, Declared, Precisions};
+use super::compare::{DeclaredType, InterfaceComparison, PrecisionMatch};
+use super::errors::{LinkErrors, LinkSite};
 use super::interface::{Interface, InterfaceVariable};
-use super::{Found, Place};
 use crate::Storage;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Label, error};
@@ -10,8 +10,8 @@ use shaderlint_syntax::Feature;
 use shaderlint_syntax::ast::TokenId;
 
 /// Asks that what the fragment shader reads is what the vertex shader gives.
-pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
-    let mut comparison = Comparison::new(vertex, fragment);
+pub fn check(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
+    let mut comparison = InterfaceComparison::new(vertex, fragment);
     let given = vertex.outputs.iter().map(|o| (vertex.text(o.name), o));
     let given: FxHashMap<&str, &InterfaceVariable> = given.collect();
     let left_out = left_out(vertex);
@@ -28,7 +28,7 @@ pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
             continue;
         };
         let sides = (declared(output), declared(input));
-        match comparison.difference(sides.0, sides.1, Precisions::Free) {
+        match comparison.difference(sides.0, sides.1, PrecisionMatch::Free) {
             Some(difference) => {
                 let rule = error::LINK_VARYING;
                 found.difference(rule, name, vertex, fragment, &difference);
@@ -42,8 +42,8 @@ pub fn check(vertex: &Interface, fragment: &Interface, found: &mut Found) {
 }
 
 /// A variable as it is compared.
-pub fn declared(item: &InterfaceVariable) -> Declared {
-    Declared {
+pub fn declared(item: &InterfaceVariable) -> DeclaredType {
+    DeclaredType {
         token: item.token,
         ty: item.ty,
         precision: item.precision,
@@ -55,7 +55,7 @@ fn qualifiers(
     vertex: &Interface,
     fragment: &Interface,
     (output, input): (&InterfaceVariable, &InterfaceVariable),
-    found: &mut Found,
+    found: &mut LinkErrors,
 ) {
     let compares_invariance = vertex.program.version.has(Feature::InvariantInputs);
     let (word, section) = if output.is_flat != input.is_flat {
@@ -81,8 +81,8 @@ fn qualifiers(
     let name = fragment.text(input.name);
     let message =
         format!("`{name}` is `{word}` in the {with} shader and not in the {without} shader");
-    let first = Place::new(fragment, input.token, label(input, "fragment"));
-    let second = Place::new(vertex, output.token, label(output, "vertex"));
+    let first = LinkSite::new(fragment, input.token, label(input, "fragment"));
+    let second = LinkSite::new(vertex, output.token, label(output, "vertex"));
     if let Some(d) = found.differ(error::LINK_VARYING, message, first, second) {
         d.notes.push(format!(
             "both stages say it, or none does (section {section})"
@@ -93,10 +93,15 @@ fn qualifiers(
 }
 
 /// What nothing in the vertex shader gives.
-fn missing(vertex: &Interface, fragment: &Interface, input: &InterfaceVariable, found: &mut Found) {
+fn missing(
+    vertex: &Interface,
+    fragment: &Interface,
+    input: &InterfaceVariable,
+    found: &mut LinkErrors,
+) {
     let name = fragment.text(input.name);
     let message = format!("the vertex shader has no output `{name}`");
-    let place = Place::new(fragment, input.token, "read in the fragment shader");
+    let place = LinkSite::new(fragment, input.token, "read in the fragment shader");
     let Some(d) = found.at(error::LINK_VARYING, message, place) else {
         return;
     };
@@ -130,7 +135,7 @@ fn missing(vertex: &Interface, fragment: &Interface, input: &InterfaceVariable, 
         ),
     };
     if let Some((token, message)) = seen {
-        let span = Place::new(vertex, token, "").span();
+        let span = LinkSite::new(vertex, token, "").span();
         d.labels.push(Label { span, message });
     }
     d.help.push(help);
@@ -189,7 +194,7 @@ fn left_out<'a>(interface: &Interface<'a>) -> FxHashSet<&'a str> {
 
 /// `invariant gl_FragCoord` wants `invariant gl_Position`, and `gl_PointCoord` `gl_PointSize`
 /// (GLSL ES 1.00 section 4.6.4).
-fn invariant_builtins(vertex: &Interface, fragment: &Interface, found: &mut Found) {
+fn invariant_builtins(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     for (input, output) in [
         ("gl_FragCoord", "gl_Position"),
         ("gl_PointCoord", "gl_PointSize"),
@@ -204,7 +209,7 @@ fn invariant_builtins(vertex: &Interface, fragment: &Interface, found: &mut Foun
         };
         let message =
             format!("`{input}` is `invariant`, and the vertex shader's `{output}` is not");
-        let place = Place::new(fragment, token, "");
+        let place = LinkSite::new(fragment, token, "");
         if let Some(d) = found.at(error::LINK_VARYING, message, place) {
             d.help
                 .push(format!("write `invariant {output};` in the vertex shader"));

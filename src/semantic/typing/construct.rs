@@ -1,6 +1,7 @@
 //! Constructors (GLSL ES 3.00 section 5.4).
 
-use super::{Misfit, Types};
+use super::meaning::Types;
+use super::misfit::Misfit;
 use crate::types::*;
 
 /// A type with the size that its constructor's arguments give it.

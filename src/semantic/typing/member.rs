@@ -1,6 +1,7 @@
 //! Members, components and elements (GLSL ES 3.00 sections 5.5 and 5.7).
 
-use super::{Misfit, Types};
+use super::meaning::Types;
+use super::misfit::Misfit;
 use crate::types::*;
 use shaderlint_syntax::Name;
 

@@ -1,6 +1,7 @@
 //! Operators, assignments and `return` (GLSL ES 3.00 sections 5.8, 5.9 and 6.1).
 
-use super::{Clash, Misfit, NonNumber, Types};
+use super::meaning::Types;
+use super::misfit::{Clash, Misfit, NonNumber};
 use crate::types::*;
 use shaderlint_syntax::Feature;
 use shaderlint_syntax::ast::{BinaryOp, UnaryOp};

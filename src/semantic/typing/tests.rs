@@ -1,8 +1,9 @@
 //! Types in, a type or a misfit out.
 
 use super::*;
+use crate::types::*;
 use shaderlint_syntax::ast::{BinaryOp, UnaryOp};
-use shaderlint_syntax::{Names, TypeWord};
+use shaderlint_syntax::{Names, TypeWord, Version};
 
 const SYMBOLS: [(&str, BinaryOp); 12] = [
     ("*", BinaryOp::Mul),

@@ -2,7 +2,7 @@
 //! stand in the text around these.
 
 use super::html::{self, next_script};
-use super::{Embedded, script};
+use super::{embedded::Embedded, script};
 
 /// Finds them.
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {

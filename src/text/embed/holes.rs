@@ -4,31 +4,12 @@
 //! Each becomes something that fits where it stands and is just as long: mostly a word that nothing
 //! declares, the same for the same expression; nothing between statements; a number beside digits.
 
-use crate::kind::is_type;
+use super::hole::{Hole, HoleContent};
+use super::keyword::is_keyword;
 use std::ops::Range;
 
 /// What stands in the bytes of holes that are not filled yet.
 pub(super) const OPEN: u8 = 1;
-
-/// A part of a shader that is put in.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Hole {
-    /// Where it stands.
-    pub range: Range<usize>,
-    /// What is put in.
-    pub content: Content,
-}
-
-/// What is put in.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Content {
-    /// What an expression says, whose text this is.
-    Expression(String),
-    /// This text.
-    Known(String),
-    /// Nothing: it steers the program that writes the shader.
-    Nothing,
-}
 
 /// Fills holes, in the order of the text. Says whether anything is put in that is not known.
 pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> bool {
@@ -40,16 +21,16 @@ pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> bool {
     for hole in holes {
         let range = hole.range.clone();
         let known = match &hole.content {
-            Content::Known(value) => fitted(bytes, &range, value),
-            Content::Nothing => Some(String::new()),
-            Content::Expression(_) => None,
+            HoleContent::Known(value) => fitted(bytes, &range, value),
+            HoleContent::Nothing => Some(String::new()),
+            HoleContent::Expression(_) => None,
         };
-        is_unknown |= known.is_none() || hole.content == Content::Nothing;
+        is_unknown |= known.is_none() || hole.content == HoleContent::Nothing;
         let text = known.unwrap_or_else(|| match &hole.content {
-            Content::Expression(key) | Content::Known(key) => {
+            HoleContent::Expression(key) | HoleContent::Known(key) => {
                 HolePlace::of(bytes, &range).text(&mut words, key)
             }
-            Content::Nothing => String::new(),
+            HoleContent::Nothing => String::new(),
         });
         let text = text.as_bytes();
         write(bytes, range, |i| text.get(i).copied().unwrap_or(b' '));
@@ -336,44 +317,6 @@ fn starts_with_digit(text: &[u8]) -> bool {
     let length = text.iter().rev().take_while(|b| is_word(**b)).count();
     let first = text.get(text.len() - length..).and_then(<[u8]>::first);
     first.is_some_and(u8::is_ascii_digit)
-}
-
-/// Whether a word is one of those that declarations and statements begin with.
-pub(super) fn is_keyword(word: &str) -> bool {
-    let is_qualifier = matches!(
-        word,
-        "uniform"
-            | "in"
-            | "out"
-            | "inout"
-            | "varying"
-            | "attribute"
-            | "const"
-            | "flat"
-            | "smooth"
-            | "centroid"
-            | "highp"
-            | "mediump"
-            | "lowp"
-            | "precision"
-            | "layout"
-            | "invariant"
-    );
-    let is_statement = matches!(
-        word,
-        "struct"
-            | "if"
-            | "else"
-            | "for"
-            | "while"
-            | "do"
-            | "return"
-            | "break"
-            | "continue"
-            | "discard"
-            | "switch"
-    );
-    is_qualifier || is_statement || is_type(word)
 }
 
 /// A text in which the holes of templates are filled, byte for byte as long; `None` where there is

@@ -1,6 +1,9 @@
 //! Shaders in the elements of a page.
 
-use super::{DocumentLanguage, Embedded, Front, Wrapping, extract_into, holes::mask, listing};
+use super::embedded::{Embedded, Wrapping};
+use super::embedder::Front;
+use super::tag::{attribute, tag_length};
+use super::{holes::mask, listing, script};
 use crate::kind::Scanned;
 use std::ops::Range;
 
@@ -26,12 +29,7 @@ pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
         };
         let kind = attribute(element.head, "type").unwrap_or("");
         if is_script(kind) {
-            extract_into(
-                DocumentLanguage::Script,
-                content,
-                base + element.start,
-                found,
-            );
+            script::extract(content, base + element.start, false, found);
         } else if !is_escaped(content)
             && (kind.contains("shader")
                 || kind.contains("glsl")
@@ -112,39 +110,6 @@ pub(super) fn next_script(lower: &str, mut at: usize) -> Option<Element<'_>> {
         let end = start + lower.get(start..)?.find("</script")?;
         let head = head.get(..length)?;
         return Some(Element { head, start, end });
-    }
-}
-
-/// Length of a tag up to its `>`, which may stand in quotes too.
-pub(super) fn tag_length(head: &str) -> Option<usize> {
-    let mut quote = None;
-    head.char_indices().find_map(|(i, c)| {
-        match quote {
-            Some(q) if c == q => quote = None,
-            Some(_) => {}
-            None if c == '"' || c == '\'' => quote = Some(c),
-            None if c == '>' => return Some(i),
-            None => {}
-        }
-        None
-    })
-}
-
-/// The value of an attribute.
-pub(super) fn attribute<'a>(head: &'a str, name: &str) -> Option<&'a str> {
-    let named = head.match_indices(name).find_map(|(at, _)| {
-        let before = head.get(..at)?;
-        let behind = head
-            .get(at + name.len()..)?
-            .trim_start()
-            .strip_prefix('=')?;
-        before
-            .ends_with(|c: char| c.is_ascii_whitespace())
-            .then_some(behind.trim_start())
-    })?;
-    match named.chars().next() {
-        Some(quote @ ('"' | '\'')) => named.get(1..)?.split(quote).next(),
-        _ => named.split_ascii_whitespace().next(),
     }
 }
 

@@ -3,8 +3,8 @@
 //! A browser reads entities there. Each becomes its character at the place of its last byte, with
 //! blanks before it; of several in a row the characters stay together.
 
-use super::html::{attribute, tag_length};
-use super::{Embedded, Wrapping};
+use super::embedded::{Embedded, Wrapping};
+use super::tag::{attribute, tag_length};
 use crate::kind::Scanned;
 
 /// Finds them. `lower` is the text in lower case.

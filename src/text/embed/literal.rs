@@ -2,7 +2,8 @@
 
 use super::chain::Chain;
 use super::constants::Constants;
-use super::holes::{Content, Hole, fill};
+use super::hole::{Hole, HoleContent};
+use super::holes::fill;
 use super::token::{ScriptToken, ScriptTokenKind};
 use std::ops::Range;
 
@@ -130,8 +131,8 @@ impl Mask<'_> {
     fn put(&mut self, range: Range<usize>, expression: &str) {
         let expression = expression.trim();
         let content = match self.constants.value(expression) {
-            Some(value) => Content::Known(value.to_string()),
-            None => Content::Expression(expression.to_string()),
+            Some(value) => HoleContent::Known(value.to_string()),
+            None => HoleContent::Expression(expression.to_string()),
         };
         let of = |at: usize| at.saturating_sub(self.start);
         self.holes.push(Hole {

@@ -1,6 +1,8 @@
 //! Shaders in the fences of a Markdown text.
 
-use super::{DocumentLanguage, Embedded, Wrapping, extract_into, holes, left_out};
+use super::embedded::{Embedded, Wrapping, left_out};
+use super::language::DocumentLanguage;
+use super::{component, holes, html, script};
 use crate::kind::Evidence;
 
 /// Finds them.
@@ -66,7 +68,12 @@ fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<
     let start = base + fence.start;
     let label = fence.label.as_str();
     if let Some(language) = language_of(label) {
-        return extract_into(language, content, start, found);
+        return match language {
+            DocumentLanguage::Html => html::extract(content, start, found),
+            DocumentLanguage::Script => script::extract(content, start, false, found),
+            DocumentLanguage::Component => component::extract(content, start, found),
+            DocumentLanguage::Markdown => extract(content, start, found),
+        };
     }
     let is_named = matches!(
         label,
@@ -85,12 +92,12 @@ fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<
     }
     // A fence of GLSL that shows how a page holds it.
     if content.trim_start().starts_with('<') {
-        return extract_into(DocumentLanguage::Html, content, start, found);
+        return html::extract(content, start, found);
     }
     // A fence of GLSL that shows how a script holds it.
     if content.contains("= `") || content.contains("glsl`") {
         let count = found.len();
-        extract_into(DocumentLanguage::Script, content, start, found);
+        script::extract(content, start, false, found);
         if found.len() > count {
             return;
         }

@@ -3,10 +3,10 @@
 use super::chain::Chain;
 use super::constants::Constants;
 use super::context::{LiteralContext, grown};
+use super::embedded::{Embedded, Wrapping};
 use super::holes::mask;
 use super::literal::read;
 use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark, tokens};
-use super::{Embedded, Wrapping};
 use crate::kind::{Chunk, Scanned};
 use std::collections::HashSet;
 

@@ -1,7 +1,8 @@
 //! Where the template languages of other programs put something into a shader: `${x}`, `{{ x }}`,
 //! `{x}`, `[[x]]`, `<%= x %>`, `{% if x %}`, `@X@`, `%s`, `$x` and `__X__`.
 
-use super::holes::{Content, Hole};
+use super::hole::{Hole, HoleContent};
+use super::keyword::is_keyword;
 use std::collections::HashSet;
 use std::ops::Range;
 
@@ -135,7 +136,7 @@ impl<'a> TemplateScan<'a> {
     }
 
     /// The hole that starts here: its length, and what is put in.
-    fn hole(&self, at: usize, rest: &str) -> Option<(usize, Content)> {
+    fn hole(&self, at: usize, rest: &str) -> Option<(usize, HoleContent)> {
         let end = (0..=rest.len().min(MAX_HOLE)).rev();
         let end = end.into_iter().find(|end| rest.is_char_boundary(*end));
         let rest = rest.get(..end.unwrap_or(0)).unwrap_or("");
@@ -148,7 +149,7 @@ impl<'a> TemplateScan<'a> {
                 let inner = inner.get(..end)?;
                 let content = match inner.strip_prefix(['=', '-']) {
                     Some(value) => expression(value.trim_end_matches('-')),
-                    None => Content::Nothing,
+                    None => HoleContent::Nothing,
                 };
                 Some((end + 4, content))
             }
@@ -187,14 +188,14 @@ impl<'a> TemplateScan<'a> {
     }
 
     /// `{{ x }}`, `{% ... %}`, `{# ... #}`, `{x}`.
-    fn braces(&self, at: usize, rest: &str) -> Option<(usize, Content)> {
+    fn braces(&self, at: usize, rest: &str) -> Option<(usize, HoleContent)> {
         let line = rest.split('\n').next().unwrap_or("");
         let closed = |text: &str, close: &str| text.get(2..)?.find(close);
         if rest.starts_with("{%") {
-            return Some((closed(rest, "%}")? + 4, Content::Nothing));
+            return Some((closed(rest, "%}")? + 4, HoleContent::Nothing));
         }
         if rest.starts_with("{#") {
-            return Some((closed(line, "#}")? + 4, Content::Nothing));
+            return Some((closed(line, "#}")? + 4, HoleContent::Nothing));
         }
         if rest.starts_with("{{{") {
             let inner = line.get(3..line.find("}}}")?)?;
@@ -206,7 +207,7 @@ impl<'a> TemplateScan<'a> {
                 .trim_start()
                 .starts_with(['#', '/', '!', '>', '^', '=']);
             if is_mark || inner.trim() == "else" {
-                return Some((end + 2, Content::Nothing));
+                return Some((end + 2, HoleContent::Nothing));
             }
             let is_hole = is_expression(inner) && !self.known.contains(inner.trim());
             return is_hole.then(|| (end + 2, expression(inner)));
@@ -215,7 +216,7 @@ impl<'a> TemplateScan<'a> {
     }
 
     /// `{x}`, with no blank; in GLSL that is a block only where `x` is a macro.
-    fn brace(&self, at: usize, line: &str) -> Option<(usize, Content)> {
+    fn brace(&self, at: usize, line: &str) -> Option<(usize, HoleContent)> {
         let Some(length) = braced(line) else {
             return self.dashed(line);
         };
@@ -232,7 +233,7 @@ impl<'a> TemplateScan<'a> {
     }
 
     /// `{no-repeat}` as an operand.
-    fn dashed(&self, line: &str) -> Option<(usize, Content)> {
+    fn dashed(&self, line: &str) -> Option<(usize, HoleContent)> {
         let end = line.find('}')?;
         let inner = line.get(1..end)?;
         let is_dashed = inner.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -243,7 +244,7 @@ impl<'a> TemplateScan<'a> {
     }
 
     /// `%s`, `%NAME%` and `%(name)s`, where no remainder can be taken.
-    fn percent(&self, rest: &str) -> Option<(usize, Content)> {
+    fn percent(&self, rest: &str) -> Option<(usize, HoleContent)> {
         let last = self.text(&self.last);
         let line_start = self.last.as_ref().is_none_or(|l| l.end == 0);
         let is_operand = match last.bytes().next_back() {
@@ -251,7 +252,7 @@ impl<'a> TemplateScan<'a> {
             // The sign of a format stands behind a hole too.
             Some(byte) if is_word(byte) => {
                 let is_macro = self.text(&self.before_last) == "define";
-                !is_macro && !super::holes::is_keyword(last)
+                !is_macro && !is_keyword(last)
             }
             Some(byte) => matches!(byte, b')' | b']' | b'%' | b'}') && !self.ends_statement(byte),
         };
@@ -281,11 +282,11 @@ impl<'a> TemplateScan<'a> {
                 .get(1..)?
                 .starts_with(|c: char| c.is_ascii() && is_word(c as u8));
         let number = self.found.len();
-        is_format.then(|| (digits + 2, Content::Expression(format!("%{number}"))))
+        is_format.then(|| (digits + 2, HoleContent::Expression(format!("%{number}"))))
     }
 
     /// The value of a uniform, as some libraries write it: `uniform float x : 1.0;`.
-    fn annotation(&self, rest: &str) -> Option<(usize, Content)> {
+    fn annotation(&self, rest: &str) -> Option<(usize, HoleContent)> {
         let line = rest.split(['\n', ';']).next()?;
         let is_line = rest.get(line.len()..)?.starts_with(';');
         let value = line.get(1..)?.trim();
@@ -294,17 +295,17 @@ impl<'a> TemplateScan<'a> {
         let is_name = self.text(&self.last).bytes().all(is_word);
         let is_declared = self.text(&self.before_last).bytes().all(is_word);
         let may_be = is_line && is_value && is_name && is_declared && !self.in_list;
-        (may_be && self.is_uniform).then_some((line.len(), Content::Nothing))
+        (may_be && self.is_uniform).then_some((line.len(), HoleContent::Nothing))
     }
 
     /// `import 'file.glsl'`, alone on its line.
-    fn import(&self, rest: &str) -> Option<(usize, Content)> {
+    fn import(&self, rest: &str) -> Option<(usize, HoleContent)> {
         let path = rest.strip_prefix("import")?;
         let line = rest.split('\n').next()?.trim_end();
         let path = path.split('\n').next()?.trim().trim_end_matches(';');
         let is_path =
             path.len() > 2 && path.starts_with(['"', '\'']) && path.ends_with(['"', '\'']);
-        is_path.then_some((line.len(), Content::Nothing))
+        is_path.then_some((line.len(), HoleContent::Nothing))
     }
 
     /// Whether a brace closes a block, behind which no operator stands.
@@ -313,12 +314,12 @@ impl<'a> TemplateScan<'a> {
     }
 }
 
-fn expression(text: &str) -> Content {
-    Content::Expression(text.trim().to_string())
+fn expression(text: &str) -> HoleContent {
+    HoleContent::Expression(text.trim().to_string())
 }
 
 /// `${x}`, `$x` and `$x$`; no sign of GLSL.
-fn dollar(rest: &str) -> Option<(usize, Content)> {
+fn dollar(rest: &str) -> Option<(usize, HoleContent)> {
     /// Longest expression, in bytes.
     const MAX: usize = 2000;
     if let Some(inner) = rest.strip_prefix("${") {
@@ -387,7 +388,7 @@ mod tests {
     fn check(text: &str, expected: &str) {
         let all = holes(text);
         let told = all.iter().map(|h| match &h.content {
-            Content::Expression(key) => format!("{}={key}", &text[h.range.clone()]),
+            HoleContent::Expression(key) => format!("{}={key}", &text[h.range.clone()]),
             _ => text[h.range.clone()].to_string(),
         });
         assert_eq!(told.collect::<Vec<_>>().join(" | "), expected, "{text}");

@@ -1,8 +1,10 @@
 //! What a script says of its shaders besides their text: which of them it names together, and which
 //! uniforms it asks for.
 
+use super::embedded::Embedded;
+use super::html;
+use super::language::DocumentLanguage;
 use super::token::{ScriptToken, ScriptTokenKind, tokens};
-use super::{DocumentLanguage, Embedded, html};
 use std::collections::HashMap;
 use std::ops::Range;
 

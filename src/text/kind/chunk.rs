@@ -1,7 +1,6 @@
 //! Parts of shaders without a `main`, in the strings of programs: what is certain enough to be one.
 
-use super::evidence::{Evidence, is_type};
-use super::has_main;
+use super::evidence::{Evidence, has_main, is_type};
 use super::scan::{ScanKind, ScanToken, tokens};
 use std::cell::OnceCell;
 

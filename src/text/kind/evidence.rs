@@ -1,8 +1,8 @@
 //! What speaks for one language or another in a text, and the verdict.
 
-use super::Tongue;
 use super::scan::{ScanKind, ScanToken, first_tokens, tokens};
 use super::signs::SIGNS;
+use super::tongue::Tongue;
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
 
@@ -334,7 +334,7 @@ impl<'a> Evidence<'a> {
             return false;
         }
         let signs = self.count(Tongue::Glsl) + self.count(Tongue::Web);
-        self.version.is_some() || signs >= 2 || (signs >= 1 && super::has_main(self.text))
+        self.version.is_some() || signs >= 2 || (signs >= 1 && has_main(self.text))
     }
 
     /// Whether a text that has a `main` can be GLSL.
@@ -465,4 +465,17 @@ pub fn is_type(word: &str) -> bool {
         word.get(..digit),
         Some("vec" | "ivec" | "uvec" | "bvec" | "mat" | "sampler" | "isampler" | "usampler")
     )
+}
+
+/// Whether a text defines `main` or `mainImage`.
+pub fn has_main(code: &str) -> bool {
+    code.match_indices("void").any(|(at, word)| {
+        let behind = code.get(at + word.len()..).unwrap_or("");
+        let name = behind.trim_start();
+        let rest = name
+            .strip_prefix("mainImage")
+            .or_else(|| name.strip_prefix("main"));
+        name.len() < behind.len()
+            && rest.is_some_and(|r| r.trim_start().starts_with('(') && r.contains('{'))
+    })
 }

@@ -9,83 +9,16 @@ mod evidence;
 mod made;
 mod scan;
 mod signs;
+mod tongue;
 
 pub use chunk::{Chunk, Scanned};
 use evidence::starts_as_web;
-pub use evidence::{Evidence, VersionLine, is_type};
+pub use evidence::{Evidence, VersionLine, has_main, is_type};
 pub use made::made;
+pub use tongue::Tongue;
 
 use super::embed::DocumentLanguage;
 use std::fmt;
-
-/// What a text is written in.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Tongue {
-    /// GLSL ES as WebGL has it, or what ShaderToy makes of it; what no other GLSL has.
-    Web,
-    /// GLSL of any kind.
-    Glsl,
-    /// GLSL of OpenGL or Vulkan: stages, qualifiers and functions that WebGL does not have.
-    Desktop,
-    /// HLSL, and Cg.
-    Hlsl,
-    /// The Metal shading language.
-    Metal,
-    /// WGSL.
-    Wgsl,
-    /// The shading language of Skia.
-    Sksl,
-    /// Unity's ShaderLab.
-    ShaderLab,
-    /// Godot's shading language.
-    Godot,
-    /// C, C++ and those that look like them.
-    C,
-    /// Rust.
-    Rust,
-    /// F#.
-    FSharp,
-    /// Python.
-    Python,
-    /// JavaScript and TypeScript.
-    Script,
-    /// HTML and XML.
-    Markup,
-    /// JSON.
-    Json,
-    /// What a program that compares files prints.
-    Diff,
-    /// A script that names its interpreter.
-    Shell,
-    /// Sentences.
-    Prose,
-}
-
-impl fmt::Display for Tongue {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Tongue::Web => "GLSL ES",
-            Tongue::Glsl => "GLSL",
-            Tongue::Desktop => "GLSL for OpenGL or Vulkan",
-            Tongue::Hlsl => "HLSL",
-            Tongue::Metal => "Metal",
-            Tongue::Sksl => "SkSL",
-            Tongue::Wgsl => "WGSL",
-            Tongue::ShaderLab => "Unity's ShaderLab",
-            Tongue::Godot => "Godot's shading language",
-            Tongue::C => "C or a language like it",
-            Tongue::Rust => "Rust",
-            Tongue::FSharp => "F#",
-            Tongue::Python => "Python",
-            Tongue::Script => "JavaScript",
-            Tongue::Markup => "markup",
-            Tongue::Json => "JSON",
-            Tongue::Diff => "a diff",
-            Tongue::Shell => "a script",
-            Tongue::Prose => "text",
-        })
-    }
-}
 
 /// What a file is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -337,19 +270,6 @@ pub fn own_directive(text: &str) -> Option<&str> {
         let is_closed = behind.get(word.len()..).is_some_and(|b| b.starts_with('@'));
         let is_word = word.starts_with(|c: char| c.is_ascii_lowercase());
         (is_word && word != "import" && !is_closed).then(|| line.get(..=word.len()))?
-    })
-}
-
-/// Whether a text defines `main` or `mainImage`.
-pub fn has_main(code: &str) -> bool {
-    code.match_indices("void").any(|(at, word)| {
-        let behind = code.get(at + word.len()..).unwrap_or("");
-        let name = behind.trim_start();
-        let rest = name
-            .strip_prefix("mainImage")
-            .or_else(|| name.strip_prefix("main"));
-        name.len() < behind.len()
-            && rest.is_some_and(|r| r.trim_start().starts_with('(') && r.contains('{'))
     })
 }
 

@@ -1,7 +1,6 @@
 //! The signs by which languages are told apart, as data.
 
-use super::Tongue;
-use super::Tongue::*;
+use super::tongue::Tongue::{self, *};
 
 /// Rows of tokens that, among the languages here, only one has, or few.
 ///

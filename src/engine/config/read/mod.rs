@@ -8,7 +8,7 @@ mod word_or;
 
 pub use schema::schema;
 
-use super::{Config, Layer};
+use super::layer::{Config, Layer};
 use file::{ConfigFile, HostEntry, Patterns};
 use mistake::Mistake;
 use shaderlint_text::LineIndex;

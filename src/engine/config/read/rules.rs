@@ -1,9 +1,9 @@
 //! The table `rules`: serde reads it as a map, and each rule says which options it has, of which
 //! type.
 
-use super::super::Adjustment;
 use super::mistake::{Mistake, none_of, unknown_key};
 use super::word_or::WordOr;
+use crate::config::layer::Adjustment;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use shaderlint_diagnostic::{ERRORS, Severity};

@@ -1,6 +1,6 @@
 //! What a test compared, with the numbers that it saw.
 
-use super::{SIZE, draw_quad};
+use super::quad::{SIZE, draw_quad};
 use crate::Analysis;
 use crate::play::{Moment, Scene};
 use shaderlint_exec::{CompileOptions, Probe};

@@ -2,19 +2,19 @@
 //! that is asked.
 
 mod condition;
+mod quad;
 
 pub use condition::{SeenCondition, SeenValue};
 
 use super::{Moment, Scene};
 use crate::Analysis;
+use quad::SIZE;
 use shaderlint_exec::{
-    Code, CompileOptions, Draw, OutputSlot, Refusal, Sampled, Stop, quads_all_over, sample,
+    Code, CompileOptions, OutputSlot, Refusal, Sampled, Stop, quads_all_over, sample,
 };
 use shaderlint_semantic::{FunctionRef, Type};
 use shaderlint_text::{FileId, Span};
 
-/// The picture that tests are run in.
-const SIZE: [u32; 2] = [1280, 720];
 /// How many quads of it are run, across and up.
 const QUADS: usize = 48 * 48;
 /// The times at which a test is run that uniforms may decide.
@@ -146,11 +146,4 @@ fn failure(code: &Code, sampled: &Sampled) -> Option<TestFailure> {
         time: None,
         conditions: Vec::new(),
     })
-}
-
-/// A draw of one quad, at a moment; the index of a pixel in it.
-fn draw_quad(draw: &Draw<'_>, pixel: [u32; 2]) -> Option<(Sampled, usize)> {
-    let sampled = sample(draw, &[pixel.map(|lane| lane & !1)]).ok()?;
-    let at = sampled.pixels.iter().position(|p| *p == pixel)?;
-    Some((sampled, at))
 }
