@@ -67,7 +67,7 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
     let said = said.or_else(|| entry(own).filter(|_| is_given).map(|e| e.text.clone()));
     let is_uniform = matches!(name.symbol, Symbol::Variable(id)
         if program.variable(id).is_some_and(|v| v.storage == Storage::Uniform));
-    let told = || is_uniform.then(|| given(program, own)).flatten();
+    let told = || is_uniform.then(|| given(spot, own)).flatten();
     let said = said.or_else(|| told().map(str::to_string));
     if let Some(said) = said {
         text.push_str(&format!("\n{said}\n"));
@@ -76,8 +76,8 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
 }
 
 /// What a host gives a uniform of this name, where its table says it.
-fn given(program: &Program, name: &str) -> Option<&'static str> {
-    let bound = bindings(program, None);
+fn given(spot: &Spot, name: &str) -> Option<&'static str> {
+    let bound = bindings(spot.program(), spot.analysis.host);
     let uniform = bound.uniforms.iter().find(|u| u.name == name)?;
     let is_known = !matches!(uniform.source, Feed::Control | Feed::Identity);
     is_known.then(|| uniform.source.says())

@@ -180,6 +180,18 @@ fn what_is_known_is_said() {
 }
 
 #[test]
+fn what_a_host_of_the_users_gives_is_said() {
+    let own = shaderlint_host::read("uniform float beat; // = time\n").unwrap();
+    let mut options = Options::default();
+    options.host.describe(own);
+    let text = "void main() { gl_FragColor = vec4(beat); }\n";
+    let document = Document::new("/a.glsl", text.into(), Arc::new(options), &NoFiles);
+    let at = text.find("beat").unwrap() as u32;
+    let said = hover(&document, at, None).unwrap().text;
+    assert!(said.contains(shaderlint_host::Feed::Time.says()), "{said}");
+}
+
+#[test]
 fn what_was_found_out_is_kept() {
     let text = format!(
         "{HEAD}float f(float x) {{ return fract(x); }}\n\
