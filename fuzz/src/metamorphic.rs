@@ -350,7 +350,12 @@ pub fn bits(analysis: &Analysis, seeds: [f64; 4], parts: [f64; 4]) -> Result<Bit
         [62, 34],
     ];
     let options = CompileOptions::default();
-    let scene = Scene::of(&analysis.program, analysis.module(), &options);
+    let scene = Scene::of(
+        &analysis.program,
+        analysis.host,
+        analysis.module(),
+        &options,
+    );
     let scene = scene.map_err(|refusal| refusal.what)?;
     let mut draw = scene.draw(SIZE, &Moment::at(1.7));
     draw.fuel = 3_000_000;

@@ -103,7 +103,13 @@ fn agrees_by_quads(analysis: &Analysis, watch: Watch) -> Option<Pixels> {
         ..CompileOptions::default()
     };
     // What cannot be run is refused.
-    let scene = Scene::of(&analysis.program, analysis.module(), &options).ok()?;
+    let scene = Scene::of(
+        &analysis.program,
+        analysis.host,
+        analysis.module(),
+        &options,
+    )
+    .ok()?;
     let bytes = scene.code.bytes();
     assert!(bytes <= MEMORY, "{bytes} bytes to run it");
     let mut job = scene.draw(SIZE, &Moment::at(1.7));
