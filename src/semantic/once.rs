@@ -1,6 +1,6 @@
 //! One shader from files to findings, each of which stands where the compiler stumbles.
 
-use super::blame::gather;
+use super::blame::calls::gather;
 use super::builtins::Stage;
 use super::checker::{MAX_ERRORS, Parsed, check};
 use super::explain::explain;

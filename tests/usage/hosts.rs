@@ -189,6 +189,25 @@ fn hosts_of_shaders_inside_other_files_are_known() {
     assert!(!ported(&scratch, Path::new("a.md"), &[]).1);
 }
 
+#[test]
+fn a_mistake_in_a_text_of_several_passes_is_told_once() {
+    let code = "/*{\"INPUTS\": [], \"PASSES\": [{\"TARGET\": \"a\"}, {}]}*/\n\
+                void main() { gl_FragColor = vec4(unknown); }\n";
+    let scratch = Scratch::new(&[("a.fs", code)]);
+    let out = Command::new(get_cargo_bin("shaderport"))
+        .current_dir(scratch.path(""))
+        .args(["a.fs", "-o", "a.html"])
+        .output()
+        .unwrap();
+    let said = String::from_utf8(out.stderr).unwrap();
+    assert_eq!(
+        said.matches("nothing declares `unknown`").count(),
+        1,
+        "{said}"
+    );
+    assert!(said.contains("1 error in 1 file"), "{said}");
+}
+
 /// Programs are told who runs a file in the words that people read.
 #[test]
 fn programs_are_told_what_a_file_is_read_as() {

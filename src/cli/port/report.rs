@@ -4,6 +4,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::port::Remark;
 use crate::report::{Format, Reporter, Summary};
 use crate::text::Sources;
+use std::collections::HashSet;
 use std::io::{self, IsTerminal, Write};
 
 /// Says something to whoever started the program.
@@ -21,12 +22,14 @@ pub(super) fn report<'a>(
     problems: impl Iterator<Item = &'a Diagnostic>,
     remarks: &[Remark],
 ) -> io::Result<Summary> {
-    let mut found: Vec<Diagnostic> = Vec::new();
-    for problem in problems {
-        if !found.contains(problem) {
-            found.push(problem.clone());
-        }
-    }
+    // Several passes may be made of one text, and several include what passes share.
+    let mut said = HashSet::new();
+    let place = |d: &Diagnostic| {
+        let file = sources.file_at(d.span.start);
+        file.map(|f| (f.path.clone(), f.part.clone(), d.span.start - f.base))
+    };
+    let is_new = |d: &&Diagnostic| said.insert((place(d), d.rule, d.message.clone()));
+    let mut found: Vec<Diagnostic> = problems.filter(is_new).cloned().collect();
     let mut stderr = io::stderr().lock();
     let mut errors = 0;
     for remark in remarks {

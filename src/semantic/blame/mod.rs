@@ -8,7 +8,7 @@
 
 mod brackets;
 mod call;
-mod calls;
+pub(super) mod calls;
 mod candidate;
 mod conditional;
 mod definition;
@@ -16,8 +16,6 @@ mod literal;
 #[cfg(test)]
 mod tests;
 mod trial;
-
-pub(super) use calls::gather;
 
 use super::once::analyze_once;
 use super::program::Program;
