@@ -20,6 +20,8 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
+/// Longest text that is tried unasked as one of a host that composes shaders, in bytes.
+const MAX_TRIED: usize = 200_000;
 /// Most texts beside one that it is made of.
 const MAX_TEXTS: usize = 256;
 
@@ -72,7 +74,7 @@ pub(super) fn compose(
         return None;
     }
     let (text, pieces) = own_text(sources, part)?;
-    if given.is_none() && !may_be_composed(&text) {
+    if given.is_none() && (text.len() > MAX_TRIED || !may_be_composed(&text)) {
         return None;
     }
     let found = beside(hosts.name(), &text, given, hosts.world())?;

@@ -31,6 +31,8 @@ use trial::Copy;
 const MAX_TOKENS: usize = 200_000;
 /// What one more trial costs beside its tokens: much is set up for it.
 const TRIAL_TOKENS: usize = 1_000;
+/// Bytes of text that cost as much as a token.
+const TOKEN_BYTES: usize = 4;
 /// Most repairs of one shader.
 const MAX_REPAIRS: u32 = 12;
 /// Most errors whose surroundings are looked at.
@@ -120,8 +122,13 @@ fn drop_unproved(program: &Program, errors: &mut [Diagnostic]) {
 impl Case<'_> {
     /// The repair after which the least is wrong.
     fn choose(&self, search: &mut Search) -> Option<Candidate> {
+        // What is copied for a trial and is no token costs, too: a text may be one comment.
+        let codes = self.unit.files.iter();
+        let codes = codes.filter_map(|&id| self.unit.sources.code(id));
+        let bytes: usize = codes.map(|code| code.text.len()).sum();
+        let size = self.program.size().max(bytes / TOKEN_BYTES);
         // Where much is wrong a trial takes longer, and proves less.
-        let tokens = (self.program.size() + TRIAL_TOKENS) * (1 + self.errors.len() / 50);
+        let tokens = (size + TRIAL_TOKENS) * (1 + self.errors.len() / 50);
         let faults = |search: &mut Search, candidate: &Candidate, _| {
             let after = self.attempt(&candidate.edits, search)?;
             self.mends(candidate, &after).then_some(after.len())

@@ -173,3 +173,18 @@ fn a_hash_before_something_else_is_no_misspelt_directive() {
     assert_eq!(told, ["4:23 unclosed-delimiter", "5:1 bad-directive"]);
     assert!(!fixed.contains("#if"), "{fixed}");
 }
+
+#[test]
+fn trials_of_a_long_text_are_not_paid() {
+    let told = |comment: usize| {
+        let comment = format!("/*{}*/", "*".repeat(comment));
+        let (told, _) = found(&main_with(
+            "#define N 64.0;",
+            &format!("color = vec4(N + 1.0); {comment}"),
+        ));
+        told
+    };
+    assert_eq!(told(10), ["1:15 faulty-macro"]);
+    let long = told(1_000_000);
+    assert!(!long.is_empty() && long != told(10), "{long:?}");
+}
