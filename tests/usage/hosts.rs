@@ -208,6 +208,22 @@ fn a_mistake_in_a_text_of_several_passes_is_told_once() {
     assert!(said.contains("1 error in 1 file"), "{said}");
 }
 
+/// Files that include each other, and others twice, end.
+#[test]
+fn what_includes_without_end_is_answered() {
+    let main =
+        "#iChannel0 \"self\"\n#include \"0.glsl\"\nvoid mainImage(out vec4 c, vec2 p) { c = x; }\n";
+    let mut files = vec![("main.glsl".to_string(), main.to_string())];
+    for number in 0..40 {
+        let next = format!("#include \"{}.glsl\"\n", (number + 1) % 40);
+        files.push((format!("{number}.glsl"), next.repeat(2)));
+    }
+    let files: Vec<(&str, &str)> = files.iter().map(|(n, t)| (&n[..], &t[..])).collect();
+    let scratch = Scratch::new(&files);
+    assert_eq!(scratch.run(&["main.glsl"]).code, 1);
+    assert!(!ported(&scratch, Path::new("main.glsl"), &[]).1);
+}
+
 /// Programs are told who runs a file in the words that people read.
 #[test]
 fn programs_are_told_what_a_file_is_read_as() {

@@ -92,16 +92,22 @@ struct Maker<'c, 't> {
     plan: Plan,
     /// The files of the shaders that are passes, or become some.
     seen: Vec<String>,
+    /// The files that are being included, each by the one before it.
+    open: Vec<String>,
+    /// Bytes that were included.
+    included: usize,
 }
 
-/// Deepest chain of files that include each other.
-const MAX_DEPTH: usize = 16;
+/// Most bytes that are included, all in all: files that include others twice double at each step.
+const MAX_INCLUDED: usize = 256 * 1024;
 
 fn plan(clues: &Clues) -> Plan {
     let mut maker = Maker {
         clues,
         plan: Plan::default(),
         seen: Vec::new(),
+        open: Vec::new(),
+        included: 0,
     };
     maker.shader("", clues.text);
     let plan = &mut maker.plan;
@@ -131,7 +137,7 @@ impl Maker<'_, '_> {
     fn shader(&mut self, path: &str, text: &str) {
         self.seen.push(path.to_string());
         let mut told = Told::default();
-        let code = self.expand(path, text, &mut told, 0);
+        let code = self.expand(path, text, &mut told);
         let inputs = told.channels.iter().filter_map(|c| self.input(path, c));
         let inputs: Vec<Input> = inputs.collect();
         let mut pass = PlannedPass::buffer(path, vec![completion(&code, &told)]);
@@ -154,7 +160,7 @@ impl Maker<'_, '_> {
     }
 
     /// A text with its directives as comments, and with what it includes.
-    fn expand(&mut self, path: &str, text: &str, told: &mut Told, depth: usize) -> String {
+    fn expand(&mut self, path: &str, text: &str, told: &mut Told) -> String {
         let mut code = String::with_capacity(text.len());
         let mut from = 0;
         for directive in directives(text) {
@@ -167,7 +173,7 @@ impl Maker<'_, '_> {
             from = directive.end;
             if directive.word == "include" {
                 code.push('\n');
-                code.push_str(&self.include(path, directive.rest, told, depth));
+                code.push_str(&self.include(path, directive.rest, told));
             } else {
                 self.obey(&directive, told);
             }
@@ -175,16 +181,24 @@ impl Maker<'_, '_> {
         code + text.get(from..).unwrap_or("")
     }
 
-    fn include(&mut self, path: &str, rest: &str, told: &mut Told, depth: usize) -> String {
+    fn include(&mut self, path: &str, rest: &str, told: &mut Told) -> String {
         let name = quoted(rest).unwrap_or("");
-        match self.load(path, name) {
-            Some(_) if depth == MAX_DEPTH => {
-                self.tell(format!("`{name}` includes itself"));
-                String::new()
-            }
-            Some((file, text)) => self.expand(&file, &text, told, depth + 1),
-            None => String::new(),
+        let Some((file, text)) = self.load(path, name) else {
+            return String::new();
+        };
+        self.included += text.len().max(1);
+        if self.open.contains(&file) {
+            self.tell(format!("`{name}` includes itself"));
+            return String::new();
         }
+        if self.included > MAX_INCLUDED {
+            self.tell(format!("too much is included to include `{name}` too"));
+            return String::new();
+        }
+        self.open.push(file.clone());
+        let code = self.expand(&file, &text, told);
+        self.open.pop();
+        code
     }
 
     /// The file of a name in a text, and what it holds. What is not read yet is asked for.
