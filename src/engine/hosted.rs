@@ -79,6 +79,10 @@ pub(super) fn compose(
     }
     let found = beside(hosts.name(), &text, given, hosts.world())?;
     let host = found.recognised.host;
+    // Nothing is known of what is missing, neither whether another host has it.
+    if !found.is_sure() && part.readings.has_missing() {
+        return None;
+    }
     let is_vertex = found.completion.stage == Stage::Vertex;
     let told = guess(&text);
     let has_entry = told.has_main || told.is_shadertoy() || is_body(&text);

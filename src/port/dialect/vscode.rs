@@ -22,10 +22,10 @@ pub(super) static CODE: HostCode = HostCode {
 
 fn signs(clues: &Clues) -> Vec<Sign> {
     let all = directives(clues.text);
-    let sign = |d: &Directive| match d.word {
+    let sign = |directive: &Directive| match directive.word {
         // Other tools include files, too, but no text of ShaderToy's does.
         "include" => {
-            let is_pass = clues.has_word("mainImage");
+            let is_pass = clues.has_word("mainImage") && quoted(directive.rest).is_some();
             is_pass.then(|| Sign::new("`#include`", OWN + 1))
         }
         word => Some(Sign::form(format!("`#{word}`"), 3 * OWN)),
