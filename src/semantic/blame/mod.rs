@@ -31,8 +31,9 @@ use trial::Copy;
 const MAX_TOKENS: usize = 200_000;
 /// What one more trial costs beside its tokens: much is set up for it.
 const TRIAL_TOKENS: usize = 1_000;
-/// Bytes of text that cost as much as a token.
-const TOKEN_BYTES: usize = 4;
+/// Bytes of text that cost as much as a token: far more than code has, so that neither blanks nor
+/// comments count in what is code.
+const TOKEN_BYTES: usize = 64;
 /// Most repairs of one shader.
 const MAX_REPAIRS: u32 = 12;
 /// Most errors whose surroundings are looked at.
