@@ -68,11 +68,7 @@ impl<'a> ParsedView<'a> {
 
     /// Whether all tokens of a node stand in the text just so, outside any macro call.
     pub fn is_direct(&self, extent: Extent) -> bool {
-        let tokens = self
-            .tokens
-            .tokens
-            .get(extent.first as usize..=extent.last as usize);
-        tokens.is_some_and(|all| all.iter().all(Token::is_direct))
+        self.tokens.are_direct(extent.first, extent.last)
     }
 
     /// Whether a token stands in text that a host put before the user's.

@@ -333,11 +333,7 @@ impl Program {
 
     /// Whether all tokens of a node stand in the user's text just so, outside any macro call.
     pub fn is_direct(&self, extent: Extent) -> bool {
-        let tokens = self
-            .tokens
-            .tokens
-            .get(extent.first as usize..=extent.last as usize);
-        tokens.is_some_and(|all| all.iter().all(Token::is_direct))
+        self.tokens.are_direct(extent.first, extent.last)
     }
 
     /// The macro calls that a token came through, innermost first.

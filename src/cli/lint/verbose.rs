@@ -55,8 +55,6 @@ pub fn reading(name: &str, report: &Report, configs: &Configs, recognition: Reco
             lines.collect::<Vec<_>>().join("; ")
         }
     };
-    let given = configs.options(Path::new(name)).ok();
-    let given = given.and_then(|o| o.host.preset.map(|p| p.name));
     let is_composed = report.shaders.iter().any(|s| s.host.is_some());
     let is_asked = recognition == Recognition::Always || is_composed;
     let is_asked = is_asked && !configs.names_host();
@@ -71,6 +69,8 @@ pub fn reading(name: &str, report: &Report, configs: &Configs, recognition: Reco
     };
     let mut hosts: Vec<&str> = report.shaders.iter().filter_map(runs).collect();
     if hosts.is_empty() {
+        let given = configs.options(Path::new(name)).ok();
+        let given = given.and_then(|o| o.host.preset.map(|p| p.name));
         let shown = shown.map(|found| found.host.name);
         hosts.extend(given.filter(|name| !name.is_empty()).or(shown));
     }

@@ -11,6 +11,12 @@ const MAX_LEVELS: usize = 32;
 const MAX_TOKENS: usize = 4_000;
 
 impl Tokens {
+    /// Whether the tokens from `first` to `last` stand in the text just so, outside any macro call.
+    pub fn are_direct(&self, first: u32, last: u32) -> bool {
+        let tokens = self.tokens.get(first as usize..=last as usize);
+        tokens.is_some_and(|all| all.iter().all(Token::is_direct))
+    }
+
     /// Where the tokens from `first` to `last` stand. Where the body of one macro supplied all of
     /// them, that is in its definition; otherwise it is where the user's text calls for them.
     pub fn place(&self, sources: &Sources, first: u32, last: u32) -> Span {
